@@ -1,0 +1,143 @@
+//! Where a flight turns: its extrema in closed form.
+//!
+//! `z' = c - beta cos th` vanishes only where `cos th = q = c/beta`: minima at `th = +2 pi p`, maxima at
+//! `th = -2 pi p` modulo a turn, with `2 pi p = acos q`. Between them `z` is monotone, and from one turn to
+//! the next both kinds move by the drift `c`. So the first maximum above 1 or minimum below 0 is found by
+//! one division, and a flight of 100,000 turns costs what a short one costs.
+
+use crate::flight::Flight;
+use crate::number::Trigonometry;
+
+/// The first maximum and the first minimum of a flight, times in turns after the start.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extrema {
+    /// The critical phase `acos(q) / (2 pi)`, in `[0, 1/2]`.
+    pub p: f64,
+    /// Its sine, from `q` (coarse) or of the computed `p` (refined).
+    pub sine: f64,
+    /// Whether the ball rises right after the start.
+    pub rising: bool,
+    /// When the first maximum after the start comes.
+    pub first_max: f64,
+    /// When the first minimum after the start comes.
+    pub first_min: f64,
+    /// The height of the first maximum.
+    pub max: f64,
+    /// The height of the first minimum.
+    pub min: f64,
+}
+
+/// Which wall a flight ends on: the far one (height 1) or the one it is measured from (height 0).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    Near,
+    Far,
+}
+
+impl Target {
+    #[inline(always)]
+    pub fn height(self) -> f64 {
+        match self {
+            Self::Near => 0.0,
+            Self::Far => 1.0,
+        }
+    }
+
+    /// The sign of `z'` on arrival.
+    #[inline(always)]
+    pub fn direction(self) -> f64 {
+        match self {
+            Self::Near => -1.0,
+            Self::Far => 1.0,
+        }
+    }
+}
+
+/// The monotone piece a flight ends on: the one before extremum `k` of the target's kind.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    pub target: Target,
+    /// A whole number: how many extrema of this kind pass before.
+    pub k: f64,
+}
+
+impl Extrema {
+    /// The extrema of `flight`, with `q` clamped into [-1, 1].
+    #[inline(always)]
+    pub fn new<T: Trigonometry>(flight: &Flight<f64>) -> Self {
+        let q = (flight.drift / flight.beta).clamp(-1.0, 1.0);
+        let p = T::acos(q);
+        let sine = (-q).mul_add(q, 1.0).sqrt();
+        let rising = flight.velocity > 0.0 || (flight.velocity == 0.0 && flight.sin > 0.0);
+        // The phase of the start in the mirrored frame, in [0, 1): rising on (p, 1 - p).
+        let mirrored = flight.phase + flight.wall.mirror_phase();
+        let start = mirrored - mirrored.floor();
+        let (first_max, first_min) = if rising {
+            let first_max = (1.0 - p - start).max(0.0);
+            (first_max, first_max + 2.0 * p)
+        } else {
+            let first_min = (p - if start > 0.5 { start - 1.0 } else { start }).max(0.0);
+            (first_min + (1.0 - 2.0 * p), first_min)
+        };
+        let mut extrema = Self { p, sine, rising, first_max, first_min, max: 0.0, min: 0.0 };
+        extrema.evaluate(flight);
+        extrema
+    }
+
+    /// Heights from the sine at the computed critical phase instead of `sqrt(1 - q^2)`.
+    ///
+    /// Lemma E2: the height is stationary there, so an error of `p` enters squared.
+    #[cold]
+    pub fn refine<T: Trigonometry>(&mut self, flight: &Flight<f64>) {
+        self.sine = T::sin_cos(self.p).0;
+        self.evaluate(flight);
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, flight: &Flight<f64>) {
+        let base = flight.alpha.mul_add(flight.sin, flight.height);
+        self.max = flight.alpha.mul_add(self.sine, flight.drift.mul_add(self.first_max, base));
+        self.min = (-flight.alpha).mul_add(self.sine, flight.drift.mul_add(self.first_min, base));
+    }
+
+    /// The piece of the first contact, as far as floating point can tell; `None` when no wall is reached.
+    #[inline(always)]
+    pub fn first_piece(&self, drift: f64) -> Option<Piece> {
+        let (far, near) = (self.max >= 1.0, self.min <= 0.0);
+        if far && (self.rising || !near) {
+            Some(Piece { target: Target::Far, k: 0.0 })
+        } else if near {
+            Some(Piece { target: Target::Near, k: 0.0 })
+        } else if drift > 0.0 {
+            Some(Piece { target: Target::Far, k: ((1.0 - self.max) / drift).ceil().max(1.0) })
+        } else if drift < 0.0 {
+            Some(Piece { target: Target::Near, k: (self.min / -drift).ceil().max(1.0) })
+        } else {
+            None
+        }
+    }
+
+    /// Whether an extremum that decides about `piece` lies within `margin` of its wall.
+    #[inline(always)]
+    pub fn is_close(&self, piece: &Piece, drift: f64, margin: f64) -> bool {
+        let extremum = match piece.target {
+            Target::Far => (1.0 - self.max) - piece.k * drift,
+            Target::Near => self.min + piece.k * drift,
+        };
+        // `extremum` is 1 - max or min of number k; the one before is larger by |drift|.
+        let previous = extremum + drift.abs();
+        extremum.abs() <= margin
+            || (piece.k > 0.0 && previous.abs() <= margin)
+            || (1.0 - self.max).abs() <= margin
+            || self.min.abs() <= margin
+    }
+
+    /// When extremum `k = 0` of the target's kind comes, and how long the monotone piece before it lasts.
+    #[inline(always)]
+    pub fn before(&self, target: Target) -> (f64, f64) {
+        match target {
+            Target::Far => (self.first_max, 1.0 - 2.0 * self.p),
+            Target::Near => (self.first_min, 2.0 * self.p),
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Errors are for bad questions; verdicts are for hard ones.
+
+use std::cmp::Ordering;
+
+use crate::exact::Exact;
+
+/// A question that cannot be asked: the message names the key, the value and what is accepted.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}{message}")]
+pub struct Error {
+    kind: Kind,
+    /// `line 7: ` when the value stands in a file.
+    place: String,
+    message: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Range,
+    Scene,
+    Word,
+}
+
+impl Error {
+    fn new(kind: Kind, message: String) -> Self {
+        Self { kind, place: String::new(), message }
+    }
+
+    /// Whether a value lies outside what is accepted.
+    pub fn is_range(&self) -> bool {
+        self.kind == Kind::Range
+    }
+
+    /// Whether a scene file does not read as one.
+    pub fn is_scene(&self) -> bool {
+        self.kind == Kind::Scene
+    }
+
+    /// Whether a word of mappings is malformed.
+    pub fn is_word(&self) -> bool {
+        self.kind == Kind::Word
+    }
+
+    pub(crate) fn at_line(mut self, line: usize) -> Self {
+        if self.place.is_empty() {
+            self.place = format!("line {line}: ");
+        }
+        self
+    }
+
+    pub(crate) fn scene(message: String) -> Self {
+        Self::new(Kind::Scene, message)
+    }
+
+    pub(crate) fn range(key: &str, value: &Exact, accepted: &str) -> Self {
+        Self::new(Kind::Range, format!("{key} is {value}, but {accepted}"))
+    }
+
+    pub(crate) fn unprovable(key: &str, value: &Exact) -> Self {
+        Self::range(key, value, "it cannot be told from 0")
+    }
+
+    pub(crate) fn too_large(key: &str, value: &Exact) -> Self {
+        Self::range(key, value, "double-precision flights accept at most 2^400 in units of gaps and turns")
+    }
+
+    pub(crate) fn word(text: &str) -> Self {
+        let accepted =
+            "mappings P1 to P4 that chain, the first right-most (\"P2 P1\"), or walls in time order (\"RL\")";
+        Self::new(Kind::Word, format!("the word is \"{text}\", but accepted are {accepted}"))
+    }
+
+    pub(crate) fn require_positive(key: &str, value: &Exact) -> Result<(), Self> {
+        if value.sign() == Some(Ordering::Greater) {
+            Ok(())
+        } else {
+            Err(Self::range(key, value, "must be greater than 0"))
+        }
+    }
+
+    pub(crate) fn require_not_negative(key: &str, value: &Exact) -> Result<(), Self> {
+        if is_at_least(value, 0) { Ok(()) } else { Err(Self::range(key, value, "must be at least 0")) }
+    }
+
+    pub(crate) fn require_range(key: &str, value: &Exact, low: i64, high: i64) -> Result<(), Self> {
+        let inside = is_at_least(value, low) && is_at_most(value, high);
+        if inside { Ok(()) } else { Err(Self::range(key, value, &format!("must lie in [{low}, {high}]"))) }
+    }
+}
+
+/// Whether `value`, or every value of an interval, is proved to be at least `low`.
+pub(crate) fn is_at_least(value: &Exact, low: i64) -> bool {
+    let lowest = value.lower().unwrap_or_else(|| value.clone());
+    matches!((lowest - Exact::from(low)).sign(), Some(Ordering::Greater | Ordering::Equal))
+}
+
+/// Whether `value`, or every value of an interval, is proved to be at most `high`.
+pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
+    let highest = value.upper().unwrap_or_else(|| value.clone());
+    matches!((highest - Exact::from(high)).sign(), Some(Ordering::Less | Ordering::Equal))
+}

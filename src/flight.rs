@@ -1,0 +1,117 @@
+//! The motion between two impacts in closed form, equations (10)-(13).
+//!
+//! # Units
+//! Time is counted in turns of the excitation (`theta = W t + tau = 2 pi u`), lengths in gaps `d`. Only
+//! `alpha = A/d` and `e` are left; `beta = 2 pi alpha` is the box's greatest speed. A velocity is in gaps a turn.
+//!
+//! # The frame of a flight
+//! Motion is told from the wall the ball left (from the left wall for a start inside the gap): the height
+//! `z` is the distance from it, 0 there and 1 at the far wall, and the sines and cosines carry the sign
+//! that mirrors the right wall's flights onto the left wall's (`y -> -y`, `theta -> theta + pi`). With
+//! `c = z'(0) + beta cos th0` (the drift) and `h` turns after the start, at phase `th1`:
+//!
+//! ```text
+//! z  = z0 + c h - alpha (sin th1 - sin th0)     (11), (A.2), (A.4), (A.6)
+//! z' = c - beta cos th1                         (12), (A.1), (A.3), (A.5)
+//! ```
+//!
+//! **The departure root divided out.** For a flight that left the wall `h <= 1/8` turns ago, with the versine,
+//! excess and sine of `2 pi h` ([`Departure`]), the addition theorems turn this into
+//! `z = z'(0) h + alpha (cos th0 excess + sin th0 versine)`, where nothing cancels as `h -> 0`: `z/h` keeps
+//! its sign information down to flights of a billionth of a turn ([`Flight::hop_height`]).
+
+use crate::number::Number;
+use crate::number::kernel::Departure;
+use crate::pair::{Reduced, Wall};
+
+/// One flight: its start, in the frame described above, and its drift.
+#[derive(Clone, Copy, Debug)]
+pub struct Flight<N> {
+    /// `A/d`
+    pub alpha: N,
+    /// `2 pi A/d`
+    pub beta: N,
+    /// The phase of the start in turns, not mirrored.
+    pub phase: N,
+    /// Mirrored `sin th0`.
+    pub sin: N,
+    /// Mirrored `cos th0`.
+    pub cos: N,
+    /// `z` at the start.
+    pub height: N,
+    /// `z'` at the start, after the impact.
+    pub velocity: N,
+    /// The drift `c`: what `z` gains in each turn.
+    pub drift: N,
+    /// The wall that heights are measured from.
+    pub wall: Wall,
+}
+
+impl<N: Number> Flight<N> {
+    /// A flight that leaves `wall` with velocity `velocity >= 0` away from it.
+    ///
+    /// `sin_cos` are the sine and cosine of the phase, not mirrored.
+    #[inline(always)]
+    pub fn from_wall(pair: &Reduced<N>, wall: Wall, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
+        Self::new(pair, wall, N::from_f64(0.0), phase, velocity, sin_cos)
+    }
+
+    /// A flight that starts inside the gap, `height` above the left wall.
+    #[inline(always)]
+    pub fn from_inside(pair: &Reduced<N>, height: N, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
+        Self::new(pair, Wall::Left, height, phase, velocity, sin_cos)
+    }
+
+    #[inline(always)]
+    fn new(pair: &Reduced<N>, wall: Wall, height: N, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
+        let (sin, cos) = wall.mirror(sin_cos);
+        let drift = pair.beta.mul_add(cos, velocity);
+        Self { alpha: pair.alpha, beta: pair.beta, phase, sin, cos, height, velocity, drift, wall }
+    }
+
+    /// `z - target` at `phase1 + turns`, where `turns` is a whole number and `sin1` the mirrored sine there.
+    ///
+    /// **Equation** (11). Whole turns and the rest are kept apart so that long flights lose no phase.
+    #[inline(always)]
+    pub fn height_above(&self, target: N, turns: N, phase1: N, sin1: N) -> N {
+        let wave = (-self.alpha).mul_add(sin1 - self.sin, self.height - target);
+        let rest = self.drift.mul_add(phase1 - self.phase, wave);
+        self.drift.mul_add(turns, rest)
+    }
+
+    /// `z'` where the mirrored cosine is `cos1`. **Equation** (12).
+    #[inline(always)]
+    pub fn velocity_at(&self, cos1: N) -> N {
+        (-self.beta).mul_add(cos1, self.drift)
+    }
+
+    /// `z''` per turn squared where the mirrored sine is `sin1`. **Equation** (10).
+    #[inline(always)]
+    pub fn acceleration_at(&self, sin1: N) -> N {
+        N::turn() * self.beta * sin1
+    }
+
+    /// `z` after a hop of `h <= 1/8` turns from a wall, without cancellation; `excess` and `versine` of `h`.
+    #[inline(always)]
+    pub fn hop_height(&self, h: N, versine: N, excess: N) -> N {
+        let wave = self.cos.mul_add(excess, self.sin * versine);
+        self.velocity.mul_add(h, self.alpha * wave)
+    }
+
+    /// `z'` after a hop, without cancellation.
+    #[inline(always)]
+    pub fn hop_velocity(&self, versine: N, sine: N) -> N {
+        let wave = self.cos.mul_add(versine, self.sin * sine);
+        self.beta.mul_add(wave, self.velocity)
+    }
+}
+
+impl Flight<f64> {
+    /// The mirrored sine and cosine after a hop, by the addition theorems.
+    #[inline(always)]
+    pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
+        let sin = self.cos.mul_add(d.sine, (-self.sin).mul_add(d.versine, self.sin));
+        let cos = (-self.sin).mul_add(d.sine, (-self.cos).mul_add(d.versine, self.cos));
+        (sin, cos)
+    }
+}

@@ -1,0 +1,199 @@
+//! Balls in double precision: a centre and a radius, rounded to nearest, the radius inflated.
+//!
+//! Sets, Jacobians and parameters are balls. The rounding mode is never touched (switching it costs more
+//! than the operations), so every operation bounds its own rounding errors:
+//!
+//! **Lemma B1.** For a rounded-to-nearest operation with exact value `x` and result `m`,
+//! `|x - m| <= UNIT |m| + TINY`, with `UNIT = 2^-53` and `TINY` the smallest normal double (for sums the
+//! second term is not needed; for products and quotients it covers underflow). [`up`] multiplies by
+//! `1 + 8 UNIT`, which covers the roundings of the sums of at most seven non-negative terms that make a
+//! radius. An overflow makes the radius infinite or NaN, and a NaN radius certifies nothing: all decisions
+//! are comparisons that fail on NaN.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use super::{Interval, Number, kernel};
+
+/// The unit roundoff, `2^-53`.
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+/// Covers underflow in a product or quotient (Lemma B1).
+const TINY: f64 = f64::MIN_POSITIVE;
+
+/// An upper bound of a sum of at most seven non-negative terms, from its rounded value (Lemma B1).
+#[inline(always)]
+pub(crate) fn up(radius: f64) -> f64 {
+    radius * (1.0 + 8.0 * UNIT)
+}
+
+/// All real numbers within [`Ball::rad`] of [`Ball::mid`].
+///
+/// **Enclosure**: the result of an operation on balls holds the result for every choice of their members.
+///
+/// ```
+/// use impact_pair::number::Ball;
+/// let third = Ball::new(1.0, 0.0).checked_div(Ball::new(3.0, 0.0)).unwrap();
+/// assert!(third.rad() < 1e-16 && (third.mid() - 1.0 / 3.0).abs() <= third.rad());
+/// # use impact_pair::number::Number;
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    mid: f64,
+    rad: f64,
+}
+
+impl Ball {
+    /// The ball of this centre and radius.
+    #[inline(always)]
+    pub fn new(mid: f64, rad: f64) -> Self {
+        Self { mid, rad }
+    }
+
+    /// The single number `mid`.
+    #[inline(always)]
+    pub fn exact(mid: f64) -> Self {
+        Self { mid, rad: 0.0 }
+    }
+
+    /// The centre.
+    #[inline(always)]
+    pub fn mid(self) -> f64 {
+        self.mid
+    }
+
+    /// The radius, an upper bound.
+    #[inline(always)]
+    pub fn rad(self) -> f64 {
+        self.rad
+    }
+
+    /// An upper bound of the absolute values inside.
+    #[inline(always)]
+    pub fn mag(self) -> f64 {
+        up(self.mid.abs() + self.rad)
+    }
+
+    /// The same centre with a radius larger by `by`.
+    #[inline(always)]
+    pub fn widened(self, by: f64) -> Self {
+        Self { mid: self.mid, rad: up(self.rad + by) }
+    }
+
+    /// The smallest interval of doubles around the ball.
+    pub fn interval(self) -> Interval {
+        Interval::new((self.mid - self.rad).next_down(), (self.mid + self.rad).next_up())
+    }
+
+    /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball.
+    pub fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = kernel::sin_cos(self.mid);
+        // Lemma K1, and the slope of both is at most 2 pi < 6.3.
+        let rad = up(kernel::SIN_COS_ERROR + 6.3 * self.rad);
+        (Self::new(s, rad), Self::new(c, rad))
+    }
+}
+
+impl Add for Ball {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        let mid = self.mid + b.mid;
+        Self { mid, rad: up(self.rad + b.rad + UNIT * mid.abs()) }
+    }
+}
+
+impl Neg for Ball {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { mid: -self.mid, rad: self.rad }
+    }
+}
+
+impl Sub for Ball {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        self + -b
+    }
+}
+
+impl Mul for Ball {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        let mid = self.mid * b.mid;
+        let spread = self.rad.mul_add(b.mid.abs() + b.rad, self.mid.abs() * b.rad);
+        Self { mid, rad: up(spread + UNIT * mid.abs() + TINY) }
+    }
+}
+
+impl Number for Ball {
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self::exact(x)
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self * b + c
+    }
+    /// `|a/b - m| <= (|a - m b|) / |b|` for every pair of members, with `m` the rounded quotient of centres.
+    #[inline(always)]
+    fn checked_div(self, b: Self) -> Option<Self> {
+        // One rounding, covered by the factor below.
+        let least = (b.mid.abs() - b.rad) * (1.0 - 4.0 * UNIT);
+        if !(least > TINY) {
+            return None;
+        }
+        let mid = self.mid / b.mid;
+        let spread = (self.rad + mid.abs() * b.rad) / least;
+        Some(Self { mid, rad: up(up(spread) + UNIT * mid.abs() + TINY) })
+    }
+    #[inline(always)]
+    fn turn() -> Self {
+        // 2 pi is within 2^-52 of its nearest double (TAU_LO of the kernel is 2.4e-16).
+        Self { mid: std::f64::consts::TAU, rad: 2.5e-16 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_rational::BigRational;
+    use proptest::prelude::*;
+
+    fn exact(x: f64) -> BigRational {
+        BigRational::from_float(x).unwrap()
+    }
+
+    fn contains(ball: Ball, x: &BigRational) -> bool {
+        (exact(ball.mid) - x).clone() <= exact(ball.rad) && x - exact(ball.mid) <= exact(ball.rad)
+    }
+
+    fn number() -> impl Strategy<Value = f64> {
+        prop_oneof![Just(0.0), -2.0..2.0f64, (-300..300i32, -1.0..1.0f64).prop_map(|(e, m)| m * 10f64.powi(e / 3))]
+    }
+
+    proptest! {
+        /// Members at the centre and both ends of each operand: the exact rational result lies inside.
+        #[test]
+        fn operations_hold_the_exact_results_of_their_members(
+            a in number(), ra in 0.0..1e-3f64, b in number(), rb in 0.0..1e-3f64, i in -1..=1i32, j in -1..=1i32,
+        ) {
+            let (ra, rb) = (ra * a.abs(), rb * b.abs());
+            let (x, y) = (Ball::new(a, ra), Ball::new(b, rb));
+            let (p, q) = (exact(a) + exact(ra) * exact(f64::from(i)), exact(b) + exact(rb) * exact(f64::from(j)));
+            prop_assert!(contains(x + y, &(&p + &q)));
+            prop_assert!(contains(x - y, &(&p - &q)));
+            prop_assert!(contains(x * y, &(&p * &q)));
+            if let Some(quotient) = x.checked_div(y) {
+                prop_assert!(contains(quotient, &(&p / &q)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_divisor_that_may_vanish_is_refused() {
+        assert!(Ball::exact(1.0).checked_div(Ball::new(1e-3, 1e-3)).is_none());
+        assert!(Ball::exact(1.0).checked_div(Ball::exact(0.0)).is_none());
+    }
+}

@@ -1,0 +1,104 @@
+//! The arithmetics: one small trait, so that each formula of the paper is written once.
+//!
+//! `f64` proposes, [`Ball`] disposes: the float twin, the enclosure and the Jacobian run through the same
+//! lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart. Phases are in turns everywhere
+//! (see [`kernel`]).
+
+mod ball;
+mod interval;
+pub mod kernel;
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+pub use ball::Ball;
+pub(crate) use ball::{UNIT, up};
+pub use interval::Interval;
+use kernel::Departure;
+
+/// What the formulas of the paper need of a number: ring operations and a fused product and sum.
+pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+    /// The number that the double `x` is, exactly.
+    fn from_f64(x: f64) -> Self;
+    /// `self * b + c`; for `f64` rounded once.
+    fn mul_add(self, b: Self, c: Self) -> Self;
+    /// `self / b`; for [`Ball`] `None` when the divisor may be 0.
+    fn checked_div(self, b: Self) -> Option<Self>;
+    /// `2 pi`, one turn in radians.
+    fn turn() -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        f64::mul_add(self, b, c)
+    }
+    #[inline(always)]
+    fn checked_div(self, b: Self) -> Option<Self> {
+        (b != 0.0).then(|| self / b)
+    }
+    #[inline(always)]
+    fn turn() -> Self {
+        std::f64::consts::TAU
+    }
+}
+
+/// The trigonometry of a floating-point solver, in turns.
+///
+/// [`Kernel`] is ours and certified; [`Std`] is the standard library's, which promises no bound: it serves
+/// as the plain baseline that the benches compare with.
+pub trait Trigonometry {
+    /// How far [`Trigonometry::acos`] may be off, in turns (for [`Std`] what is usual, not what is proved).
+    const ACOS_ERROR: f64;
+    /// `(sin 2 pi u, cos 2 pi u)`
+    fn sin_cos(u: f64) -> (f64, f64);
+    /// Versine, excess and sine of a short flight of `h` turns, `0 <= h <= 1/8`.
+    fn departure(h: f64) -> Departure;
+    /// `acos(q) / (2 pi)` for `-1 <= q <= 1`.
+    fn acos(q: f64) -> f64;
+}
+
+/// The certified kernel of [`kernel`] (Lemmas K1-K3).
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel;
+
+impl Trigonometry for Kernel {
+    const ACOS_ERROR: f64 = kernel::ACOS_ERROR;
+    #[inline(always)]
+    fn sin_cos(u: f64) -> (f64, f64) {
+        kernel::sin_cos(u)
+    }
+    #[inline(always)]
+    fn departure(h: f64) -> Departure {
+        kernel::departure(h)
+    }
+    #[inline(always)]
+    fn acos(q: f64) -> f64 {
+        kernel::acos_coarse(q)
+    }
+}
+
+/// The standard library's functions: what a plain double-precision solver uses.
+#[derive(Clone, Copy, Debug)]
+pub struct Std;
+
+impl Trigonometry for Std {
+    const ACOS_ERROR: f64 = 4.0 * UNIT;
+    #[inline(always)]
+    fn sin_cos(u: f64) -> (f64, f64) {
+        (std::f64::consts::TAU * u).sin_cos()
+    }
+    #[inline(always)]
+    fn departure(h: f64) -> Departure {
+        let angle = std::f64::consts::TAU * h;
+        let half = (0.5 * angle).sin();
+        Departure { versine: 2.0 * half * half, excess: angle - angle.sin(), sine: angle.sin() }
+    }
+    #[inline(always)]
+    fn acos(q: f64) -> f64 {
+        q.acos() / std::f64::consts::TAU
+    }
+}

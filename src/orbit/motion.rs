@@ -1,0 +1,199 @@
+//! One impact after another, in the two double-precision arithmetics.
+
+use super::set::StateSet;
+use crate::contact::Verdict;
+use crate::contact::{
+    Contact, Proposal, Radii, Reason, Undecided, bracket, doubted, first_contact, first_contact_f64, is_first, propose,
+    unbracketed, unproposed,
+};
+use crate::flight::Flight;
+use crate::mapping::{Passage, jacobian};
+use crate::number::{Ball, Kernel, UNIT, kernel};
+use crate::pair::{Reduced, Wall};
+
+/// An arithmetic's way from one contact to the next; multiprecision will be another.
+pub(super) trait Motion: std::fmt::Debug + Send {
+    /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed.
+    fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
+}
+
+/// Where a motion starts, without units; the phase is in `[-1/2, 1/2]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Origin {
+    /// On a wall, the velocity before the impact.
+    Wall { wall: Wall, phase: Ball, velocity: Ball },
+    /// Inside the gap, the height in gaps above the left wall.
+    Inside { height: Ball, phase: Ball, velocity: Ball },
+}
+
+/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
+#[inline(always)]
+fn carry(turns: f64, phase: f64) -> (f64, f64) {
+    if phase > 0.5 {
+        (turns + 1.0, phase - 1.0)
+    } else if phase < -0.5 {
+        (turns - 1.0, phase + 1.0)
+    } else {
+        (turns, phase)
+    }
+}
+
+/// Plain doubles, nothing proved.
+#[derive(Clone, Debug)]
+pub(super) struct FloatMotion {
+    pair: Reduced<f64>,
+    next: Flight<f64>,
+}
+
+impl FloatMotion {
+    pub fn new(pair: &Reduced<Ball>, origin: Origin) -> Self {
+        let pair = pair.centre();
+        let next = match origin {
+            Origin::Wall { wall, phase, velocity } => Self::rebound(&pair, wall, phase.mid(), velocity.mid()),
+            Origin::Inside { height, phase, velocity } => {
+                let sin_cos = kernel::sin_cos(phase.mid());
+                Flight::from_inside(&pair, height.mid(), phase.mid(), velocity.mid(), sin_cos)
+            }
+        };
+        Self { pair, next }
+    }
+
+    #[inline(always)]
+    fn rebound(pair: &Reduced<f64>, wall: Wall, phase: f64, velocity: f64) -> Flight<f64> {
+        let after = wall.inward(pair.rebound(velocity));
+        Flight::from_wall(pair, wall, phase, after, kernel::sin_cos(phase))
+    }
+}
+
+impl Motion for FloatMotion {
+    fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
+        let nothing = Undecided { reason: Reason::Budget, wall: None, time: None };
+        let contact = first_contact_f64::<Kernel>(&self.next).ok_or(nothing)?;
+        let (turns, phase) = carry(contact.turns, contact.phase);
+        self.next = Self::rebound(&self.pair, contact.wall, phase, contact.velocity);
+        let exact = Ball::exact;
+        Ok(Contact {
+            wall: contact.wall,
+            turns,
+            phase: exact(phase),
+            time: exact(contact.time),
+            velocity: exact(contact.velocity),
+            sin: exact(contact.sin),
+        })
+    }
+}
+
+/// Certified in double precision: the centre of the set flies, the set follows by the Jacobian.
+#[derive(Clone, Debug)]
+pub(super) struct IntervalMotion {
+    pair: Reduced<Ball>,
+    centre: Reduced<f64>,
+    state: State,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum State {
+    Wall { wall: Wall, set: StateSet },
+    Inside { height: Ball, phase: Ball, velocity: Ball },
+}
+
+impl IntervalMotion {
+    pub fn new(pair: &Reduced<Ball>, origin: Origin) -> Self {
+        let state = match origin {
+            Origin::Wall { wall, phase, velocity } => {
+                State::Wall { wall, set: StateSet::new(phase, velocity, Self::scale(pair, velocity)) }
+            }
+            Origin::Inside { height, phase, velocity } => State::Inside { height, phase, velocity },
+        };
+        Self { pair: *pair, centre: pair.centre(), state }
+    }
+
+    /// A power of two near the velocities to come.
+    fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
+        let speed = pair.beta.mag().max(velocity.mag()).clamp(2f64.powi(-400), 2f64.powi(400));
+        2f64.powi(speed.log2().round() as i32)
+    }
+
+    fn parameters(&self) -> Radii {
+        Radii { alpha: self.pair.alpha.rad(), beta: self.pair.beta.rad(), ..Radii::default() }
+    }
+
+    /// From inside the gap: the enclosure of all first contacts is the new set.
+    #[cold]
+    fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
+        let sin_cos = kernel::sin_cos(phase.mid());
+        let flight = Flight::from_inside(&self.centre, height.mid(), phase.mid(), velocity.mid(), sin_cos);
+        let radii =
+            Radii { phase: phase.rad(), velocity: velocity.rad(), height: height.rad() + UNIT, ..self.parameters() };
+        match first_contact(&flight, radii) {
+            Verdict::Certified(contact) => {
+                let scale = Self::scale(&self.pair, contact.velocity);
+                Ok((contact, StateSet::new(contact.phase, contact.velocity, scale)))
+            }
+            Verdict::Undecided(undecided) => Err(undecided),
+        }
+    }
+
+    /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
+    #[inline(always)]
+    fn step(&self, wall: Wall, set: &StateSet) -> Result<(Contact<Ball>, StateSet), Undecided> {
+        let (phase, before) = (set.phase_ball(), set.velocity_ball());
+        let sin_cos = kernel::sin_cos(set.phase);
+        let after = self.rebound(Ball::exact(set.velocity));
+        let flight = Flight::from_wall(&self.centre, wall, set.phase, wall.inward(after.mid()), sin_cos);
+        let proposal = propose::<Kernel>(&flight).map_err(|none| unproposed(&flight, none))?;
+
+        let point = Radii { velocity: after.rad(), ..self.parameters() };
+        let all = Radii { phase: phase.rad(), velocity: self.rebound(before).rad(), ..point };
+        let Some(image) = bracket(&flight, &proposal, point) else {
+            return Err(unbracketed(&flight, &proposal));
+        };
+        let Some(arrival) = bracket(&flight, &proposal, all) else {
+            return Err(self.blame(&flight, &proposal, point, unbracketed(&flight, &proposal)));
+        };
+        is_first(&flight, &proposal, &arrival, all)
+            .map_err(|doubt| self.blame(&flight, &proposal, point, doubted(&flight, doubt, &arrival)))?;
+
+        let contact = arrival.contact(&flight);
+        let passage = Passage {
+            time: contact.time,
+            sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + 6.3 * phase.rad()),
+            sin1: contact.sin,
+            velocity0: before,
+            velocity1: contact.velocity,
+        };
+        let jacobian =
+            jacobian(self.pair.beta, self.pair.restitution, &passage).ok_or_else(|| unbracketed(&flight, &proposal))?;
+        let image = image.contact(&flight);
+        let next = set.image(image.phase, image.velocity, &jacobian);
+        Ok((contact, next))
+    }
+
+    /// The impact law over a ball; nothing is exactly nothing, so that a dead impact leaves at rest.
+    #[inline(always)]
+    fn rebound(&self, before: Ball) -> Ball {
+        let zero = Ball::exact(0.0);
+        if self.pair.restitution == zero || before == zero { zero } else { self.pair.rebound(before) }
+    }
+
+    /// A set that is too wide, or a graze: whichever the flight of the centre alone shows.
+    #[cold]
+    fn blame(&self, flight: &Flight<f64>, proposal: &Proposal, point: Radii, doubt: Undecided) -> Undecided {
+        let decided =
+            bracket(flight, proposal, point).is_some_and(|arrival| is_first(flight, proposal, &arrival, point).is_ok());
+        if decided { Undecided { reason: Reason::Width, ..doubt } } else { doubt }
+    }
+}
+
+impl Motion for IntervalMotion {
+    fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
+        let (contact, set) = match &self.state {
+            State::Wall { wall, set } => self.step(*wall, set)?,
+            State::Inside { height, phase, velocity } => self.first(*height, *phase, *velocity)?,
+        };
+        let (turns, phase) = carry(contact.turns, set.phase);
+        let set = set.at_phase(phase);
+        self.state = State::Wall { wall: contact.wall, set };
+        Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })
+    }
+}

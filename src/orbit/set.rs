@@ -1,0 +1,108 @@
+//! Sets of states: a centre and a parallelogram around it, reorganised at each impact.
+//!
+//! **Lemma S1** (mean value). If a map `f` is differentiable on a convex set `X`, `c` in `X`, and the matrix `J`
+//! of balls holds the Jacobian at every point of `X`, then `f(x)` lies in `f(c) + J (x - c)` for every `x` in `X`.
+//!
+//! **Lemma S2** (reorganisation). Let `X = c + Q r` with `Q` a matrix and `r` a box symmetric about 0, `f(c)` within
+//! `p` (componentwise) of `c'`, and `R` any invertible matrix. Then `f(X)` lies in `c' + R r'` with
+//! `r' = |R^-1 J Q| r + |R^-1| p`. With `R` the rotation whose first axis is the longest image edge the
+//! parallelogram neither degenerates nor is wrapped in a box, so contracting orbits go on for ever.
+//!
+//! Coordinates are (phase in turns, velocity / scale), the scale a power of two near the velocities of the
+//! orbit, so that a rotation mixes like with like.
+
+use crate::number::{Ball, UNIT, up};
+
+/// All states within a parallelogram around a centre.
+#[derive(Clone, Copy, Debug)]
+pub struct StateSet {
+    /// The phase of the centre, in turns.
+    pub phase: f64,
+    /// The velocity of the centre, before the impact, in gaps a turn.
+    pub velocity: f64,
+    /// The first axis: the first column of the rotation.
+    axis: (f64, f64),
+    /// Half the edges along the axes.
+    edges: [f64; 2],
+    scale: f64,
+}
+
+impl StateSet {
+    /// The box of all states within the radii of `phase` and `velocity`.
+    pub fn new(phase: Ball, velocity: Ball, scale: f64) -> Self {
+        Self {
+            phase: phase.mid(),
+            velocity: velocity.mid(),
+            axis: (1.0, 0.0),
+            edges: [phase.rad(), up(velocity.rad() / scale)],
+            scale,
+        }
+    }
+
+    /// Encloses the phases of the set.
+    #[inline(always)]
+    pub fn phase_ball(&self) -> Ball {
+        let (c, s) = self.axis;
+        Ball::new(self.phase, up(c.abs() * self.edges[0] + s.abs() * self.edges[1]))
+    }
+
+    /// Encloses the velocities of the set.
+    #[inline(always)]
+    pub fn velocity_ball(&self) -> Ball {
+        let (c, s) = self.axis;
+        Ball::new(self.velocity, up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1])))
+    }
+
+    /// The image of the set (Lemmas S1, S2): `phase` and `velocity` enclose the image of the centre, `jacobian`
+    /// the Jacobian over the set.
+    #[inline(always)]
+    pub fn image(&self, phase: Ball, velocity: Ball, jacobian: &[[Ball; 2]; 2]) -> Self {
+        let exact = Ball::exact;
+        let (c, s) = self.axis;
+        // Powers of two: exact unless they overflow, and then the balls are infinite.
+        let (scale, unscale) = (exact(self.scale), exact(1.0 / self.scale));
+        let [[a, b], [d, e]] = *jacobian;
+        let rows = [[a, b * scale], [d * unscale, e]];
+        let columns = rows.map(|[x, y]| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)]);
+        // Both image edges; the longer one gives the first axis.
+        let edge = |j: usize| (columns[0][j].mid() * self.edges[j], columns[1][j].mid() * self.edges[j]);
+        let (first, second) = (edge(0), edge(1));
+        let square = |v: (f64, f64)| v.0.mul_add(v.0, v.1 * v.1);
+        let axis =
+            unit(if square(first) >= square(second) { first } else { second }, square(first).max(square(second)));
+        let (c1, s1) = (exact(axis.0), exact(axis.1));
+        // The transpose of the rotation is its inverse up to the factor 1/(c^2 + s^2), within 1 +- 8 UNIT.
+        let (p, q) = (phase.rad(), up(velocity.rad() * (1.0 / self.scale)));
+        let reach = |along: [Ball; 2], noise: f64| {
+            up(along[0].mag() * self.edges[0] + along[1].mag() * self.edges[1] + noise) * (1.0 + 16.0 * UNIT)
+        };
+        let along = [columns[0][0] * c1 + columns[1][0] * s1, columns[0][1] * c1 + columns[1][1] * s1];
+        let across = [columns[1][0] * c1 - columns[0][0] * s1, columns[1][1] * c1 - columns[0][1] * s1];
+        let (c, s) = (axis.0.abs(), axis.1.abs());
+        Self {
+            phase: phase.mid(),
+            velocity: velocity.mid(),
+            axis,
+            edges: [reach(along, c * p + s * q), reach(across, s * p + c * q)],
+            scale: self.scale,
+        }
+    }
+
+    /// The same set with its phases counted from elsewhere: `phase` is the centre's, exactly.
+    #[inline(always)]
+    pub fn at_phase(&self, phase: f64) -> Self {
+        Self { phase, ..*self }
+    }
+}
+
+/// The vector divided by its length; the first axis when it has none that doubles can tell.
+#[inline(always)]
+fn unit(v: (f64, f64), square: f64) -> (f64, f64) {
+    // Far from under- and overflow the rotation is orthonormal to a few units in the last place.
+    if (1e-280..1e280).contains(&square) {
+        let length = square.sqrt();
+        (v.0 / length, v.1 / length)
+    } else {
+        (1.0, 0.0)
+    }
+}

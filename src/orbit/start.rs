@@ -1,0 +1,72 @@
+//! Where an orbit starts: on a wall just before an impact, or inside the gap.
+
+use crate::error::{Error, is_at_least, is_at_most};
+use crate::exact::Exact;
+use crate::pair::{ImpactPair, Wall};
+
+/// The initial data of an orbit, exact or intervals of values; a box of data is a set of starts.
+#[derive(Clone, Debug)]
+pub struct Start {
+    pub(super) time: Exact,
+    pub(super) velocity: Exact,
+    pub(super) place: Place,
+}
+
+/// Where the ball is at the start.
+#[derive(Clone, Debug)]
+pub enum Place {
+    /// On a wall; the start's velocity is the relative velocity just before the impact.
+    Wall(Wall),
+    /// At this relative displacement `y` [length] inside the gap.
+    Inside(Exact),
+}
+
+impl Start {
+    /// A start on `wall` at `time`, with relative velocity `velocity` [length/time] just before the impact.
+    ///
+    /// # Errors
+    /// When the velocity does not point at the wall (left: `<= 0`, right: `>= 0`), or this cannot be proved.
+    pub fn on_wall(time: Exact, wall: Wall, velocity: Exact) -> Result<Self, Error> {
+        let (points_at_it, accepted) = match wall {
+            Wall::Left => (is_at_most(&velocity, 0), "on the left wall it must be at most 0"),
+            Wall::Right => (is_at_least(&velocity, 0), "on the right wall it must be at least 0"),
+        };
+        if !points_at_it {
+            return Err(Error::range("start.velocity", &velocity, accepted));
+        }
+        Ok(Self { time, velocity, place: Place::Wall(wall) })
+    }
+
+    /// A start inside the gap of `pair`, at relative displacement `position` [length] and velocity `velocity`.
+    ///
+    /// # Errors
+    /// When the position is not strictly between the walls, or this cannot be proved.
+    pub fn inside(pair: &ImpactPair, time: Exact, position: Exact, velocity: Exact) -> Result<Self, Error> {
+        let doubled = position.clone() * Exact::from(2);
+        for room in [pair.gap().clone() - doubled.clone(), pair.gap().clone() + doubled] {
+            Error::require_positive("start.position", &room).map_err(|_| {
+                Error::range(
+                    "start.position",
+                    &position,
+                    "must lie strictly between the walls at -d/2 and d/2 (on a wall: give start.wall)",
+                )
+            })?;
+        }
+        Ok(Self { time, velocity, place: Place::Inside(position) })
+    }
+
+    /// The time of the start [time].
+    pub fn time(&self) -> &Exact {
+        &self.time
+    }
+
+    /// The relative velocity [length/time]: before the impact for a start on a wall.
+    pub fn velocity(&self) -> &Exact {
+        &self.velocity
+    }
+
+    /// Where the ball is.
+    pub fn place(&self) -> &Place {
+        &self.place
+    }
+}

@@ -1,0 +1,151 @@
+//! The impact pair of figure 1: excitation, gap, restitution, and what is left of them without units.
+
+use crate::error::Error;
+use crate::exact::Exact;
+use crate::excitation::Harmonic;
+use crate::number::{Ball, Number};
+
+/// A wall of the box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Wall {
+    /// `y = -d/2`: switch-plane Sigma-, arrivals with `v <= 0`.
+    Left,
+    /// `y = +d/2`: switch-plane Sigma+, arrivals with `v >= 0`.
+    Right,
+}
+
+impl Wall {
+    /// The opposite wall.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
+    /// `left` or `right`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+
+    /// `x` where it points away from the left wall, `-x` where away from the right one.
+    #[inline(always)]
+    pub fn inward<N: Number>(self, x: N) -> N {
+        match self {
+            Self::Left => x,
+            Self::Right => -x,
+        }
+    }
+
+    /// The pair with the sign that mirrors flights from the right wall onto those from the left.
+    #[inline(always)]
+    pub fn mirror<N: Number>(self, (sin, cos): (N, N)) -> (N, N) {
+        (self.inward(sin), self.inward(cos))
+    }
+
+    /// What mirroring adds to the phase, in turns.
+    #[inline(always)]
+    pub fn mirror_phase(self) -> f64 {
+        match self {
+            Self::Left => 0.0,
+            Self::Right => 0.5,
+        }
+    }
+}
+
+/// All that the motion depends on once time is in turns and length in gaps.
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced<N> {
+    /// `A/d`
+    pub alpha: N,
+    /// `2 pi A/d`, the box's greatest speed in gaps a turn.
+    pub beta: N,
+    /// `e`
+    pub restitution: N,
+}
+
+impl<N: Number> Reduced<N> {
+    /// The impact law `v+ = -e v-`. **Equation** (15)
+    #[inline(always)]
+    pub fn rebound(&self, velocity_before: N) -> N {
+        -(self.restitution * velocity_before)
+    }
+}
+
+impl Reduced<Ball> {
+    /// The centres of the parameters, for the floating twin.
+    #[inline(always)]
+    pub fn centre(&self) -> Reduced<f64> {
+        Reduced { alpha: self.alpha.mid(), beta: self.beta.mid(), restitution: self.restitution.mid() }
+    }
+}
+
+/// A ball between two walls of a shaken box: **equations** (9), (14), (15).
+///
+/// ```
+/// use impact_pair::{Harmonic, ImpactPair};
+/// let harmonic = Harmonic::new("8".parse()?, "pi".parse()?, "0".parse()?)?;
+/// let pair = ImpactPair::new(harmonic, "9.42497".parse()?, "0.5".parse()?)?;
+/// assert!((pair.reduced()?.alpha.mid() - 8.0 / 9.42497).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct ImpactPair {
+    excitation: Harmonic,
+    gap: Exact,
+    restitution: Exact,
+}
+
+/// Ratios beyond `2^-400 .. 2^400` would overflow in the course of a flight.
+const LARGEST_RATIO: f64 = 2.582_249_878_086_908_6e120;
+
+impl ImpactPair {
+    /// A pair of this excitation, gap `d > 0` [length] and restitution `0 <= e <= 1`.
+    ///
+    /// # Errors
+    /// When a value is not in its range, or cannot be proved to be.
+    pub fn new(excitation: Harmonic, gap: Exact, restitution: Exact) -> Result<Self, Error> {
+        Error::require_positive("pair.gap", &gap)?;
+        Error::require_range("pair.restitution", &restitution, 0, 1)?;
+        Ok(Self { excitation, gap, restitution })
+    }
+
+    /// The excitation (9).
+    pub fn excitation(&self) -> &Harmonic {
+        &self.excitation
+    }
+
+    /// The gap `d` [length].
+    pub fn gap(&self) -> &Exact {
+        &self.gap
+    }
+
+    /// The coefficient of restitution `e`.
+    pub fn restitution(&self) -> &Exact {
+        &self.restitution
+    }
+
+    /// Encloses the parameters without units in double precision.
+    ///
+    /// # Errors
+    /// When `A/d` is beyond `2^400`.
+    pub fn reduced(&self) -> Result<Reduced<Ball>, Error> {
+        let ratio =
+            self.excitation.amplitude().checked_div(&self.gap).map_err(|_| Error::unprovable("pair.gap", &self.gap))?;
+        let alpha = ball("excitation.amplitude / pair.gap", &ratio)?;
+        let beta = ball("excitation.amplitude / pair.gap", &(ratio * (Exact::pi() * Exact::from(2))))?;
+        Ok(Reduced { alpha, beta, restitution: ball("pair.restitution", &self.restitution)? })
+    }
+}
+
+/// A ball around an exact value without units.
+///
+/// # Errors
+/// When the value is too large for the arithmetic of a flight.
+pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
+    let (mid, rad) = value.enclose(120).mid_rad();
+    if mid.abs() + rad <= LARGEST_RATIO { Ok(Ball::new(mid, rad)) } else { Err(Error::too_large(key, value)) }
+}
