@@ -56,10 +56,6 @@ impl Error {
         Self::new(Kind::Range, format!("{key} is {value}, but {accepted}"))
     }
 
-    pub(crate) fn unprovable(key: &str, value: &Exact) -> Self {
-        Self::range(key, value, "it cannot be told from 0")
-    }
-
     pub(crate) fn too_large(key: &str, value: &Exact) -> Self {
         Self::range(key, value, "double-precision flights accept at most 2^400 in units of gaps and turns")
     }
@@ -91,11 +87,11 @@ impl Error {
 /// Whether `value`, or every value of an interval, is proved to be at least `low`.
 pub(crate) fn is_at_least(value: &Exact, low: i64) -> bool {
     let lowest = value.lower().unwrap_or_else(|| value.clone());
-    matches!((lowest - Exact::from(low)).sign(), Some(Ordering::Greater | Ordering::Equal))
+    matches!(lowest.compare(&Exact::from(low)), Some(Ordering::Greater | Ordering::Equal))
 }
 
 /// Whether `value`, or every value of an interval, is proved to be at most `high`.
 pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
     let highest = value.upper().unwrap_or_else(|| value.clone());
-    matches!((highest - Exact::from(high)).sign(), Some(Ordering::Less | Ordering::Equal))
+    matches!(highest.compare(&Exact::from(high)), Some(Ordering::Less | Ordering::Equal))
 }

@@ -107,11 +107,9 @@ impl<N: Number> Flight<N> {
 }
 
 impl Flight<f64> {
-    /// The mirrored sine and cosine after a hop, by the addition theorems.
+    /// The mirrored sine after a hop, by the addition theorem.
     #[inline(always)]
-    pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
-        let sin = self.cos.mul_add(d.sine, (-self.sin).mul_add(d.versine, self.sin));
-        let cos = (-self.sin).mul_add(d.sine, (-self.cos).mul_add(d.versine, self.cos));
-        (sin, cos)
+    pub fn hop_sine(&self, d: &Departure) -> f64 {
+        self.cos.mul_add(d.sine, (-self.sin).mul_add(d.versine, self.sin))
     }
 }

@@ -1,7 +1,7 @@
 //! The impact pair of figure 1: excitation, gap, restitution, and what is left of them without units.
 
 use crate::error::Error;
-use crate::exact::Exact;
+use crate::exact::{Exact, ExactError};
 use crate::excitation::Harmonic;
 use crate::number::{Ball, Number};
 
@@ -31,13 +31,19 @@ impl Wall {
         }
     }
 
-    /// `x` where it points away from the left wall, `-x` where away from the right one.
+    /// `1` for the left wall, `-1` for the right one: the direction away from the wall.
+    #[inline(always)]
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+
+    /// A component told from this wall: positive where it points away from it.
     #[inline(always)]
     pub fn inward<N: Number>(self, x: N) -> N {
-        match self {
-            Self::Left => x,
-            Self::Right => -x,
-        }
+        x.signed(self.sign())
     }
 
     /// The pair with the sign that mirrors flights from the right wall onto those from the left.
@@ -133,12 +139,21 @@ impl ImpactPair {
     /// # Errors
     /// When `A/d` is beyond `2^400`.
     pub fn reduced(&self) -> Result<Reduced<Ball>, Error> {
-        let ratio =
-            self.excitation.amplitude().checked_div(&self.gap).map_err(|_| Error::unprovable("pair.gap", &self.gap))?;
-        let alpha = ball("excitation.amplitude / pair.gap", &ratio)?;
-        let beta = ball("excitation.amplitude / pair.gap", &(ratio * (Exact::pi() * Exact::from(2))))?;
+        let key = "excitation.amplitude / pair.gap";
+        let amplitude = self.excitation.amplitude();
+        let ratio = within(key, amplitude, amplitude.checked_div(&self.gap))?;
+        let speed = within(key, amplitude, ratio.checked_mul(&(Exact::pi() * Exact::from(2))))?;
+        let (alpha, beta) = (ball(key, &ratio)?, ball(key, &speed)?);
         Ok(Reduced { alpha, beta, restitution: ball("pair.restitution", &self.restitution)? })
     }
+}
+
+/// A value computed from `of`, which stands at `key`.
+///
+/// # Errors
+/// When it is beyond what exact expressions hold.
+pub(crate) fn within(key: &'static str, of: &Exact, value: Result<Exact, ExactError>) -> Result<Exact, Error> {
+    value.map_err(|reason| Error::range(key, of, &reason.to_string()))
 }
 
 /// A ball around an exact value without units.

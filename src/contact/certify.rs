@@ -1,49 +1,14 @@
 //! The enclosure disposes: what a floating proposal is worth, proved.
 //!
-//! Here stand the a-priori error bounds of the hot path (Lemmas C1-C6 of `docs/proofs.md`, same labels). A
-//! flight is certified for every start and every parameter within [`Radii`] of the doubles it was computed
-//! with; a point flight has radii that only cover the rounding of its parameters.
+//! Lemmas C3 (one root), C4 (nothing earlier on pieces), C5 (monotone flights) and C6 (hops) of
+//! `docs/proofs.md`, same labels, with the bounds of [`super::bounds`].
 
+use super::bounds::{Bounds, HOP_SINE_ERROR, NARROW, SLACK, TAU};
 use super::extrema::{Extrema, Target};
-use super::solve::{Course, Iterate, Proposal};
+use super::solve::Iterate;
 use crate::flight::Flight;
-use crate::number::kernel::{ACOS_ERROR, DEPARTURE_ERROR, SIN_COS_ERROR};
+use crate::number::kernel::{ACOS_ERROR, Departure, SIN_COS_ERROR};
 use crate::number::{Ball, Kernel, UNIT, up};
-
-/// An upper bound of `2 pi`.
-const TAU: f64 = std::f64::consts::TAU.next_up();
-/// More than what the additions that make an error bound lose themselves (Lemma C1).
-const SLACK: f64 = 1.0 + 64.0 * UNIT;
-
-/// How far the true start and parameters may lie from the doubles of a [`Flight`].
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Radii {
-    /// of the phase of the start, in turns
-    pub phase: f64,
-    /// of `z'` at the start
-    pub velocity: f64,
-    /// of `z` at the start; for a start inside the gap at least `2^-53` (Lemma C1)
-    pub height: f64,
-    /// of `alpha`
-    pub alpha: f64,
-    /// of `beta`
-    pub beta: f64,
-}
-
-/// Bounds of one flight's errors that hold all along it.
-#[derive(Clone, Copy, Debug)]
-struct Bounds {
-    radii: Radii,
-    /// upper bounds of `alpha` and `beta`
-    alpha: f64,
-    beta: f64,
-    /// of `|c - computed c|` for a fixed start (C1)
-    drift: f64,
-    /// of `|d c / d phase0|` over the start
-    swing: f64,
-    /// of `|z'(0)|`
-    speed: f64,
-}
 
 /// A proved arrival: exactly one root of the piece lies in `at`, for each start.
 #[derive(Clone, Copy, Debug)]
@@ -59,140 +24,9 @@ pub(crate) struct Arrival {
     pub velocity: Ball,
     /// Mirrored sine on arrival.
     pub sin: Ball,
-    /// The unknown of the proposal: the phase, or the time of a hop.
-    at: Ball,
-    /// Bound of the error of `z - target` near the contact.
-    error: f64,
 }
 
-impl Bounds {
-    #[inline(always)]
-    fn new(flight: &Flight<f64>, radii: Radii) -> Self {
-        let alpha = flight.alpha + radii.alpha;
-        let beta = flight.beta + radii.beta;
-        let swing = TAU * beta * (flight.sin.abs() + SIN_COS_ERROR + TAU * radii.phase);
-        let drift = beta * SIN_COS_ERROR + UNIT * flight.drift.abs() + radii.beta + f64::MIN_POSITIVE;
-        let speed = flight.velocity.abs() + radii.velocity;
-        Self { radii, alpha, beta, drift, swing, speed }
-    }
-
-    /// Lemma C1: `|z - z_computed|` at fixed phase, up to `time` turns after the start.
-    #[inline(always)]
-    fn height(&self, flight: &Flight<f64>, time: f64, residual: f64) -> f64 {
-        let span = time.abs() + self.radii.phase;
-        let rounding = self.drift * span
-            + UNIT * (2.0 * (flight.drift * time).abs() + 2.0 * residual.abs() + 1.0)
-            + self.alpha * (2.0 * SIN_COS_ERROR + 4.0 * UNIT)
-            + 2.0 * self.radii.alpha
-            + self.radii.height;
-        let start = self.radii.velocity * span + self.radii.phase * (self.speed + self.swing * span);
-        SLACK * (rounding + start)
-    }
-
-    /// Lemma C2: `|z' - z'_computed|` at fixed phase.
-    #[inline(always)]
-    fn velocity(&self, flight: &Flight<f64>, velocity: f64) -> f64 {
-        SLACK
-            * (2.0 * self.beta * SIN_COS_ERROR
-                + 2.0 * self.radii.beta
-                + self.radii.velocity
-                + self.swing * self.radii.phase
-                + UNIT * (flight.drift.abs() + velocity.abs())
-                + f64::MIN_POSITIVE)
-    }
-
-    /// Lemma C1 for a hop: `terms` is versine plus excess.
-    #[inline(always)]
-    fn hop_height(&self, h: f64, terms: f64, residual: f64) -> f64 {
-        let per_term = self.alpha * (SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT)
-            + self.radii.alpha
-            + self.beta * self.radii.phase;
-        let rounding = UNIT * (3.0 * self.speed * h + 2.0 * residual.abs());
-        SLACK * (terms * per_term + rounding + self.radii.velocity * h + f64::MIN_POSITIVE)
-    }
-
-    /// Lemma C2 for a hop: `terms` is versine plus sine.
-    #[inline(always)]
-    fn hop_velocity(&self, terms: f64, velocity: f64) -> f64 {
-        let per_term =
-            self.beta * (SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT + TAU * self.radii.phase) + self.radii.beta;
-        SLACK * (terms * per_term + self.radii.velocity + UNIT * (self.speed + 2.0 * velocity.abs()))
-    }
-
-    /// Lemma C4: how far a critical phase may lie from the computed one, in turns.
-    #[inline(always)]
-    fn critical_phase(&self, flight: &Flight<f64>) -> f64 {
-        let drift = self.drift + self.radii.velocity + self.swing * self.radii.phase + self.radii.beta;
-        let ratio = SLACK * drift / (flight.beta - self.radii.beta) + UNIT;
-        // acos is Hoelder continuous with exponent 1/2: |acos x - acos y| <= pi sqrt(|x - y|/2).
-        if ratio >= 0.0 { ACOS_ERROR + 0.354 * ratio.sqrt() + 16.0 * UNIT } else { f64::INFINITY }
-    }
-}
-
-/// Lemma C3: a bracket around the proposed contact with exactly one root inside for every start.
-///
-/// `None` when the velocity's sign on the bracket, or the root's existence, cannot be proved.
-#[inline(always)]
-pub(crate) fn bracket(flight: &Flight<f64>, proposal: &Proposal, radii: Radii) -> Option<Arrival> {
-    let bounds = Bounds::new(flight, radii);
-    let Iterate { turns, at, residual, velocity, sin, hop } = proposal.iterate;
-    let is_hop = matches!(proposal.course, Course::Hop);
-    let elapsed = if is_hop { at } else { turns + (at - flight.phase) };
-    let (error, velocity_error) = if is_hop {
-        (bounds.hop_height(at, hop.0, residual), bounds.hop_velocity(hop.0 + hop.1, velocity))
-    } else {
-        (bounds.height(flight, elapsed, residual), bounds.velocity(flight, velocity))
-    };
-
-    // A Newton inclusion: within `reach` the velocity keeps its sign, and the root is closer than `reach`.
-    let speed = velocity.abs();
-    let step = residual / velocity;
-    let reach = 2.0 * (step.abs() + error / speed);
-    let sine_error = 3.0 * SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT + TAU * if is_hop { radii.phase } else { 0.0 };
-    let local_sine = (sin.abs() + sine_error + TAU * reach).min(1.0);
-    let curvature = SLACK * TAU * bounds.beta * local_sine;
-    let least = (speed - velocity_error - curvature * reach) * (1.0 - 8.0 * UNIT);
-    let inside = least > 0.0 && SLACK * (residual.abs() + error) <= least * reach;
-    if !(inside && velocity * proposal.target.direction() > 0.0) {
-        return None;
-    }
-
-    let root = at - step;
-    let tail = (error + step.abs() * (velocity_error + curvature * reach)) / least;
-    let radius = SLACK * (tail + UNIT * (root.abs() + 3.0 * step.abs()));
-    let distance = step.abs() + radius;
-    let bend = flight.acceleration_at(sin);
-    let arrival_velocity = (-bend).mul_add(step, velocity);
-    let velocity_radius = SLACK
-        * (velocity_error
-            + curvature * radius
-            + bounds.beta * step.abs() * TAU * (sine_error + 4.0 * UNIT)
-            + radii.beta * TAU * step.abs()
-            + 0.5 * TAU * TAU * bounds.beta * distance * distance
-            + 2.0 * UNIT * arrival_velocity.abs());
-
-    let at = Ball::new(root, radius);
-    let (phase, time) = if is_hop {
-        let phase = flight.phase + root;
-        (Ball::new(phase, up(radius + radii.phase + UNIT * phase.abs())), at)
-    } else {
-        let rest = root - flight.phase;
-        let time = turns + rest;
-        (at, Ball::new(time, up(radius + radii.phase + UNIT * (rest.abs() + time.abs()))))
-    };
-    Some(Arrival {
-        target: proposal.target,
-        turns,
-        phase,
-        time,
-        velocity: Ball::new(arrival_velocity, velocity_radius),
-        sin: Ball::new(sin, SLACK * (sine_error + TAU * distance)),
-        at,
-        error,
-    })
-}
-
-/// What [`is_first`] could not prove.
+/// What could not be proved about a bracketed contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Doubt {
     /// The direction of departure is not certain.
@@ -203,135 +37,208 @@ pub(crate) enum Doubt {
     Location,
 }
 
-/// Lemmas C4-C6: no wall is touched between the start and `arrival`, for every start and parameter.
-#[inline(always)]
-pub(crate) fn is_first(
-    flight: &Flight<f64>,
-    proposal: &Proposal,
-    arrival: &Arrival,
-    radii: Radii,
-) -> Result<(), Doubt> {
-    let bounds = Bounds::new(flight, radii);
-    match &proposal.course {
-        Course::Monotone => {
-            let margin = flight.drift.abs() - flight.beta;
-            let slope = bounds.drift + radii.velocity + bounds.swing * radii.phase + radii.beta;
-            // Lemma C5: z' keeps its sign for ever.
-            if margin > SLACK * (slope + UNIT * flight.drift.abs()) {
-                return Ok(());
-            }
-            near_monotone(flight, arrival, &bounds)
+/// A root proved by Lemma C3.
+struct Root {
+    /// Exactly one root for each start lies in here.
+    at: Ball,
+    /// `z'` there.
+    velocity: Ball,
+    /// Bounds how far the iterate lies from it.
+    distance: f64,
+}
+
+impl<const WIDE: bool> Bounds<'_, WIDE> {
+    /// A bracket around a proposed contact of a flight that is no hop (Lemma C3).
+    #[inline(always)]
+    pub fn bracket(&self, iterate: &Iterate) -> Option<Arrival> {
+        let (flight, turns) = (self.flight, iterate.turns);
+        let elapsed = turns + (iterate.at - flight.phase);
+        let error = self.height(elapsed.abs(), turns, iterate.sin, iterate.residual);
+        let Root { at, velocity, distance } =
+            self.root(iterate, error, self.velocity(iterate.velocity), SIN_COS_ERROR, self.pair.bend)?;
+        let time = turns + (at.mid() - flight.phase);
+        let rounding = UNIT * (2.0 * time.abs() + turns.abs());
+        let time = Ball::new(time, up(at.rad() + self.phase_radius() + rounding));
+        let sin = Ball::new(iterate.sin, SLACK * TAU.mul_add(distance, SIN_COS_ERROR));
+        Some(Arrival { target: iterate.target, turns, phase: at, time, velocity, sin })
+    }
+
+    /// A bracket around the end of a hop (Lemma C3).
+    #[inline(always)]
+    pub fn hop_bracket(&self, iterate: &Iterate, departure: &Departure) -> Option<Arrival> {
+        let Departure { versine, excess, sine } = *departure;
+        let error = self.hop_height(iterate.at, versine + excess, iterate.residual);
+        let velocity_error = self.hop_velocity(versine + sine, iterate.velocity);
+        let turned = TAU * self.radii.phase;
+        let sine_error = HOP_SINE_ERROR + turned;
+        let bend_error = self.pair.bend + self.pair.swing * turned;
+        let Root { at, velocity, distance } = self.root(iterate, error, velocity_error, sine_error, bend_error)?;
+        let phase = self.flight.phase + at.mid();
+        let phase = Ball::new(phase, up(at.rad() + self.phase_radius() + UNIT * phase.abs()));
+        let sin = Ball::new(iterate.sin, SLACK * TAU.mul_add(distance, sine_error));
+        Some(Arrival { target: iterate.target, turns: 0.0, phase, time: at, velocity, sin })
+    }
+
+    /// Lemma C3: exactly one root near the end of the iterate's step, for every start.
+    ///
+    /// The errors are those of `z`, `z'`, the sine and `z''` at the iterate. `None` when the velocity's sign around
+    /// it, or the root's existence, cannot be proved.
+    #[inline(always)]
+    fn root(
+        &self,
+        iterate: &Iterate,
+        error: f64,
+        velocity_error: f64,
+        sine_error: f64,
+        bend_error: f64,
+    ) -> Option<Root> {
+        let pair = self.pair;
+        let Iterate { target, at, residual, velocity, sin, step, .. } = *iterate;
+        // Within `reach` of the iterate z' differs from its computed value by the fraction `doubt` at most.
+        let inverse = 1.0 / velocity.abs();
+        let reach = 2.0 * (residual.abs() + error) * inverse;
+        let curvature = if WIDE { pair.swing * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { pair.swing };
+        let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
+        let size = step.abs();
+        if !(doubt <= 0.49 && size <= reach && velocity * target.direction() > 0.0) {
+            return None;
         }
-        Course::Hop => hop_is_first(flight, proposal, arrival, &bounds),
-        Course::Piece(extrema, piece) => piece_is_first(flight, extrema, piece.k, arrival, &bounds, 0.0),
+        // What z is at the end of the step, by Taylor's formula; the root is not farther than that over least |z'|.
+        let bend = self.flight.acceleration_at(sin);
+        let left = (0.5 * bend * step).mul_add(step, (-velocity).mul_add(step, residual)).abs();
+        let taylor = pair.jerk.mul_add(size, bend_error).mul_add(size, velocity_error) * size;
+        // 1/(1 - x) <= 1 + 2.1 x up to x = 0.49.
+        let tail = (left + taylor + error) * inverse * doubt.mul_add(2.1, 1.0);
+        let root = at - step;
+        let radius = SLACK * UNIT.mul_add(root.abs(), tail);
+        let distance = size + radius;
+        let on_arrival = (-bend).mul_add(step, velocity);
+        let spread = pair.jerk.mul_add(distance, bend_error).mul_add(distance, curvature * radius);
+        let velocity_radius = SLACK * (velocity_error + spread + 2.0 * UNIT * on_arrival.abs());
+        Some(Root { at: Ball::new(root, radius), velocity: Ball::new(on_arrival, velocity_radius), distance })
+    }
+
+    /// Lemma C5: `z'` keeps its sign for ever, so the root of a monotone flight is the first contact.
+    #[inline(always)]
+    pub fn is_monotone(&self, arrival: &Arrival) -> Result<(), Doubt> {
+        let margin = self.flight.drift.abs() - self.flight.beta;
+        if margin > self.slope() + 2.0 * UNIT * self.flight.drift.abs() {
+            return Ok(());
+        }
+        self.is_nearly_monotone(*arrival)
+    }
+
+    /// The drift is so close to `beta` that extrema may or may not exist: treated as if they did (Lemma C4).
+    // Cold functions take copies: a reference would keep the hot path's values in memory.
+    #[cold]
+    fn is_nearly_monotone(self, arrival: Arrival) -> Result<(), Doubt> {
+        let extrema = Extrema::new::<Kernel>(self.flight);
+        let (first, _) = extrema.before(arrival.target);
+        let k = (arrival.time.mid() - first).ceil().max(0.0);
+        // The heights were computed `shift` turns at most from the true extrema, where |z'| <= 28 beta shift^2.
+        let shift = self.critical_phase();
+        self.is_on_first_piece(&extrema, k, &arrival, 60.0 * self.pair.beta * shift * shift * shift)
+    }
+
+    /// Lemma C6: concave all along, so there is one root only, and the far wall is out of reach.
+    #[inline(always)]
+    pub fn is_one_hop(&self, arrival: &Arrival) -> Result<(), Doubt> {
+        let start = self.flight.sin + SLACK * (SIN_COS_ERROR + TAU * self.radii.phase) < 0.0;
+        let end = arrival.sin.mid() + arrival.sin.rad() < 0.0;
+        let leaves = self.flight.velocity > self.radii.velocity;
+        let longest = arrival.time.mag();
+        if start && end && leaves && longest < 0.25 && up(self.speed() * longest) < 1.0 {
+            Ok(())
+        } else {
+            Err(Doubt::Departure)
+        }
+    }
+
+    /// Lemma C4 for a piece of the solver's.
+    #[inline(always)]
+    pub fn is_first(&self, extrema: &Extrema, k: f64, arrival: &Arrival) -> Result<(), Doubt> {
+        self.is_on_first_piece(extrema, k, arrival, 0.0)
+    }
+
+    /// Lemma C4: the extrema before the piece of the contact stay inside the gap, and the contact is on its piece.
+    ///
+    /// `clamped` is an additional error of the extrema's heights.
+    #[inline(always)]
+    fn is_on_first_piece(&self, extrema: &Extrema, k: f64, arrival: &Arrival, clamped: f64) -> Result<(), Doubt> {
+        let flight = self.flight;
+        if !self.direction_is_certain() {
+            return Err(Doubt::Departure);
+        }
+        // On its piece: later than the extremum before last of its kind, earlier than the last; the sign of z' is
+        // proved on the bracket.
+        let (first, _) = extrema.before(arrival.target);
+        let place = (arrival.turns - k) + ((arrival.phase.mid() - flight.phase) - first);
+        let is_between = |margin: f64| place > margin - 1.0 && place < -margin;
+        let mut shift = NARROW;
+        if !(self.is_narrow() && is_between(up(NARROW + arrival.phase.rad()))) {
+            shift = self.critical_phase();
+            if !is_between(up(shift + arrival.phase.rad())) {
+                return Err(Doubt::Location);
+            }
+        }
+        // A piece that starts with the flight has no extremum before it.
+        let on_departure = extrema.rising == (arrival.target == Target::Far);
+        if on_departure && k == 0.0 {
+            return Ok(());
+        }
+        let error = self.extremum(arrival.time.mag() + shift) + clamped;
+        let coarse = SLACK * ACOS_ERROR.mul_add(flight.drift.abs(), error);
+        let clear = extrema.are_inside(flight.drift, k, arrival.target, coarse);
+        if clear.is_ok() { clear } else { self.are_inside_refined(*extrema, k, arrival.target, error) }
+    }
+
+    /// The same with the heights of the extrema taken at the computed critical phase (Lemma E2).
+    #[cold]
+    fn are_inside_refined(self, mut extrema: Extrema, k: f64, target: Target, error: f64) -> Result<(), Doubt> {
+        extrema.refine::<Kernel>(self.flight);
+        let stationary = self.pair.alpha * (SIN_COS_ERROR + 20.0 * ACOS_ERROR * ACOS_ERROR);
+        extrema.are_inside(self.flight.drift, k, target, SLACK * (error + stationary))
+    }
+
+    /// Whether all the starts leave in the same direction.
+    #[inline(always)]
+    fn direction_is_certain(&self) -> bool {
+        let flight = self.flight;
+        if flight.velocity == 0.0 && self.radii.velocity == 0.0 {
+            flight.sin.abs() > SLACK * (SIN_COS_ERROR + TAU * self.radii.phase)
+        } else {
+            flight.velocity.abs() > self.radii.velocity
+        }
     }
 }
 
-/// The drift is so close to `beta` that extrema may or may not exist: treated as if they did (Lemma C4).
-#[cold]
-fn near_monotone(flight: &Flight<f64>, arrival: &Arrival, bounds: &Bounds) -> Result<(), Doubt> {
-    let extrema = Extrema::new::<Kernel>(flight);
-    let (first, _) = extrema.before(arrival.target);
-    let k = (arrival.time.mid() - first).ceil().max(0.0);
-    // The computed height belongs to th = 0 or pi, `shift` turns at most from the true extremum if there is one.
-    let shift = bounds.critical_phase(flight);
-    let clamped = bounds.beta * shift * 60.0 * shift * shift;
-    piece_is_first(flight, &extrema, k, arrival, bounds, SLACK * clamped)
-}
-
-/// Lemma C6: concave all along, so there is one root only, and the far wall is out of reach.
-#[inline(always)]
-fn hop_is_first(flight: &Flight<f64>, proposal: &Proposal, arrival: &Arrival, bounds: &Bounds) -> Result<(), Doubt> {
-    let radii = &bounds.radii;
-    let start = flight.sin + SLACK * (SIN_COS_ERROR + TAU * radii.phase) < 0.0;
-    let end = proposal.iterate.sin + SLACK * arrival.sin.rad() < 0.0;
-    let leaves = flight.velocity - radii.velocity > 0.0;
-    let longest = arrival.at.mag();
-    if start && end && leaves && longest < 0.25 && up(bounds.speed * longest) < 1.0 {
+impl Extrema {
+    /// Whether the extrema that come before extremum `k` of the target's kind are `margin` inside the gap.
+    ///
+    /// Of this kind the one before `k` decides (the drift brings each nearer to the wall than the one before), of
+    /// the other kind the first.
+    #[inline(always)]
+    fn are_inside(&self, drift: f64, k: f64, target: Target, margin: f64) -> Result<(), Doubt> {
+        let last = k - 1.0;
+        let (max_number, min_number) = match target {
+            Target::Far => (last, 0.0),
+            Target::Near => (0.0, last),
+        };
+        let is_below = 1.0 - max_number.mul_add(drift, self.max) > margin;
+        if max_number >= 0.0 && !is_below {
+            return Err(Doubt::Extremum { target: Target::Far, time: self.first_max + max_number });
+        }
+        let is_above = min_number.mul_add(drift, self.min) > margin;
+        if min_number >= 0.0 && !is_above {
+            return Err(Doubt::Extremum { target: Target::Near, time: self.first_min + min_number });
+        }
         Ok(())
-    } else {
-        Err(Doubt::Departure)
     }
 }
 
-/// Lemma C4: the extrema before the piece of the contact stay inside the gap, and the contact is on its piece.
-#[inline(always)]
-fn piece_is_first(
-    flight: &Flight<f64>,
-    extrema: &Extrema,
-    k: f64,
-    arrival: &Arrival,
-    bounds: &Bounds,
-    clamped: f64,
-) -> Result<(), Doubt> {
-    let radii = &bounds.radii;
-    let certain = if flight.velocity == 0.0 && radii.velocity == 0.0 {
-        flight.sin.abs() > SLACK * (SIN_COS_ERROR + TAU * radii.phase)
-    } else {
-        flight.velocity.abs() > radii.velocity
-    };
-    if !certain {
-        return Err(Doubt::Departure);
-    }
-
-    // On its piece: later than the extremum before last, earlier than the last; z' > 0 (or < 0) is proved.
-    let shift = bounds.critical_phase(flight);
-    let (first, _) = extrema.before(arrival.target);
-    let place = (arrival.turns - k) + ((arrival.phase.mid() - flight.phase) - first);
-    let margin = SLACK * (shift + arrival.phase.rad());
-    if !(place > margin - 1.0 && place < -margin) {
-        return Err(Doubt::Location);
-    }
-
-    // The extrema that decide: the first of the other kind when it comes before, the last but one of this kind.
-    let up_first = extrema.rising;
-    let (own_first, other_first) = match arrival.target {
-        Target::Far => (up_first, !up_first),
-        Target::Near => (!up_first, up_first),
-    };
-    let other_before = !own_first || k > 0.0;
-    debug_assert_eq!(own_first, !other_first);
-    if !other_before {
-        return Ok(());
-    }
-    let longest = arrival.time.mag() + shift;
-    let error = SLACK * (bounds.height(flight, longest, 1.0) + flight.drift.abs() * (4.0 * UNIT))
-        + bounds.alpha * 8.0 * UNIT
-        + clamped;
-    let coarse = error + flight.drift.abs() * ACOS_ERROR;
-    let mut clear = extrema_are_inside(flight, extrema, k, arrival.target, coarse);
-    if clear.is_err() {
-        let mut refined = *extrema;
-        refined.refine::<Kernel>(flight);
-        let stationary = bounds.alpha * (SIN_COS_ERROR + 20.0 * ACOS_ERROR * ACOS_ERROR);
-        clear = extrema_are_inside(flight, &refined, k, arrival.target, SLACK * (error + stationary));
-    }
-    clear
-}
-
-/// Whether the deciding extrema are at least `margin` inside the gap, and the drift has the sign that makes them decide.
-#[inline(always)]
-fn extrema_are_inside(
-    flight: &Flight<f64>,
-    extrema: &Extrema,
-    k: f64,
-    target: Target,
-    margin: f64,
-) -> Result<(), Doubt> {
-    let last = k - 1.0;
-    let (max_height, min_height) = match target {
-        Target::Far => (last.mul_add(flight.drift, extrema.max), extrema.min),
-        Target::Near => (extrema.max, last.mul_add(flight.drift, extrema.min)),
-    };
-    let max_counts = target == Target::Near || k > 0.0;
-    let min_counts = target == Target::Far || k > 0.0;
-    if max_counts && !(1.0 - max_height > margin) {
-        let time = extrema.first_max + if target == Target::Far { last } else { 0.0 };
-        return Err(Doubt::Extremum { target: Target::Far, time });
-    }
-    if min_counts && !(min_height > margin) {
-        let time = extrema.first_min + if target == Target::Near { last } else { 0.0 };
-        return Err(Doubt::Extremum { target: Target::Near, time });
-    }
-    Ok(())
+/// Where a doubtful extremum may be, as a ball of times since the start.
+#[cold]
+pub(crate) fn around<const WIDE: bool>(bounds: &Bounds<'_, WIDE>, time: f64) -> Ball {
+    let flight: &Flight<f64> = bounds.flight;
+    Ball::new(time, up(bounds.critical_phase() + bounds.radii.phase + UNIT * (time.abs() + flight.phase.abs())))
 }

@@ -7,6 +7,7 @@
 
 use crate::flight::Flight;
 use crate::number::Trigonometry;
+use crate::pair::Wall;
 
 /// The first maximum and the first minimum of a flight, times in turns after the start.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +36,15 @@ pub(crate) enum Target {
 }
 
 impl Target {
+    /// The wall, for a flight measured from `near`.
+    #[inline(always)]
+    pub fn wall(self, near: Wall) -> Wall {
+        match self {
+            Self::Near => near,
+            Self::Far => near.other(),
+        }
+    }
+
     #[inline(always)]
     pub fn height(self) -> f64 {
         match self {

@@ -6,16 +6,20 @@
 //! earlier). The lemmas C1-C6 are in `docs/proofs.md`. No step allocates, and none depends on the length of
 //! the flight.
 
+mod bounds;
 mod certify;
 mod extrema;
 mod solve;
 
-pub use certify::Radii;
-pub(crate) use certify::{Arrival, Doubt, bracket, is_first};
-pub(crate) use extrema::Target;
-pub(crate) use solve::{NoProposal, Proposal, propose};
+pub use bounds::{Margins, Radii};
+
+use bounds::Bounds;
+use certify::{Arrival, Doubt, around};
+use extrema::{Extrema, Target};
+use solve::{Iterate, Judge, NoProposal, propose};
 
 use crate::flight::Flight;
+use crate::number::kernel::Departure;
 use crate::number::{Ball, Kernel, Trigonometry};
 use crate::pair::Wall;
 
@@ -87,71 +91,171 @@ pub struct Contact<N> {
     pub time: N,
     /// The relative velocity `y'` just before the impact.
     pub velocity: N,
-    /// `sin th1` on arrival.
-    pub sin: N,
 }
 
 impl Arrival {
-    /// The wall of an arrival.
-    pub(crate) fn wall(&self, flight: &Flight<f64>) -> Wall {
-        wall_of(flight, self.target)
-    }
-
     /// The arrival out of the mirrored frame of its flight.
     #[inline(always)]
-    pub(crate) fn contact(&self, flight: &Flight<f64>) -> Contact<Ball> {
+    fn contact(&self, flight: &Flight<f64>) -> Contact<Ball> {
         Contact {
-            wall: self.wall(flight),
+            wall: self.target.wall(flight.wall),
             turns: self.turns,
             phase: self.phase,
             time: self.time,
             velocity: flight.wall.inward(self.velocity),
-            sin: flight.wall.inward(self.sin),
         }
-    }
-}
-
-#[inline(always)]
-fn wall_of(flight: &Flight<f64>, target: Target) -> Wall {
-    match target {
-        Target::Near => flight.wall,
-        Target::Far => flight.wall.other(),
     }
 }
 
 /// Encloses the first contact of a flight.
 ///
 /// **Equation** (14): the smallest `t > t_i` with `|y| = d/2`.
-/// **Enclosure**: for every start and all parameters within `radii` of the flight's doubles, the first contact
-/// is on the wall and inside the balls returned, it exists, and no wall is touched between start and contact.
+/// **Enclosure**: for every start within `radii` of the flight's, and all parameters of the pair that `margins`
+/// was made for, the first contact is on the wall and inside the balls returned, it exists, and no wall is touched
+/// between start and contact. The flight's parameters must be the centres of the pair's.
 /// **Undecided when** the contact or an earlier extremum may be a graze, the departure's direction is not
 /// certain, the drift may be 0, or the radii are too wide for one answer.
-/// **Cost**: one floating solve and about forty operations; no allocation.
+/// **Cost**: one floating solve and about a hundred operations; no allocation.
 ///
 /// ```
-/// use impact_pair::contact::{Radii, Verdict, first_contact};
+/// use impact_pair::contact::{Margins, Radii, Verdict, first_contact};
 /// use impact_pair::flight::Flight;
-/// use impact_pair::number::kernel::sin_cos;
+/// use impact_pair::number::{Ball, kernel::sin_cos};
 /// use impact_pair::pair::{Reduced, Wall};
 /// // No shaking (A = 0): half a gap a turn crosses the gap in two turns.
-/// let pair = Reduced { alpha: 0.0, beta: 0.0, restitution: 1.0 };
-/// let flight = Flight::from_wall(&pair, Wall::Left, 0.0, 0.5, sin_cos(0.0));
-/// let Verdict::Certified(contact) = first_contact(&flight, Radii::default()) else { unreachable!() };
+/// let (zero, one) = (Ball::exact(0.0), Ball::exact(1.0));
+/// let pair = Reduced { alpha: zero, beta: zero, restitution: one };
+/// let flight = Flight::from_wall(&pair.centre(), Wall::Left, 0.0, 0.5, sin_cos(0.0));
+/// let Verdict::Certified(contact) = first_contact(&flight, &Margins::new(&pair), Radii::default()) else {
+///     unreachable!()
+/// };
 /// assert_eq!(contact.wall, Wall::Right);
 /// assert!((contact.time.mid() - 2.0).abs() <= contact.time.rad());
 /// ```
 #[inline]
-pub fn first_contact(flight: &Flight<f64>, radii: Radii) -> Verdict<Contact<Ball>> {
-    let proposal = match propose::<Kernel>(flight) {
-        Ok(proposal) => proposal,
-        Err(none) => return Verdict::Undecided(unproposed(flight, none)),
+pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> Verdict<Contact<Ball>> {
+    let verdict = if radii.phase == 0.0 {
+        propose::<Kernel, _>(flight, &Bounds::<false>::new(flight, margins, radii))
+    } else {
+        propose::<Kernel, _>(flight, &Bounds::<true>::new(flight, margins, radii))
     };
-    let Some(arrival) = bracket(flight, &proposal, radii) else {
-        return Verdict::Undecided(unbracketed(flight, &proposal));
-    };
-    match is_first(flight, &proposal, &arrival, radii) {
-        Ok(()) => Verdict::Certified(arrival.contact(flight)),
-        Err(doubt) => Verdict::Undecided(doubted(flight, doubt, &arrival)),
+    match verdict {
+        Ok(arrival) => Verdict::Certified(arrival.contact(flight)),
+        Err(undecided) => Verdict::Undecided(undecided),
+    }
+}
+
+/// The enclosure disposes.
+impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
+    type Answer = Result<Arrival, Undecided>;
+
+    #[inline(always)]
+    fn monotone(&self, iterate: &Iterate) -> Self::Answer {
+        let arrival = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
+        self.is_monotone(&arrival).map_err(|doubt| doubted(*self, doubt, arrival))?;
+        Ok(arrival)
+    }
+
+    #[inline(always)]
+    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
+        let arrival =
+            self.hop_bracket(iterate, departure).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
+        self.is_one_hop(&arrival).map_err(|doubt| doubted(*self, doubt, arrival))?;
+        Ok(arrival)
+    }
+
+    #[inline(always)]
+    fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
+        let arrival = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
+        self.is_first(extrema, k, &arrival).map_err(|doubt| doubted(*self, doubt, arrival))?;
+        Ok(arrival)
+    }
+
+    #[cold]
+    fn nothing(&self, why: NoProposal) -> Self::Answer {
+        Err(unproposed(self.flight, why))
+    }
+}
+
+/// The first contacts of a set of flights.
+pub(crate) struct SetContact {
+    /// Encloses the contact of every flight of the set.
+    pub all: Contact<Ball>,
+    /// Encloses the contact of the flight from the centre.
+    pub centre: Contact<Ball>,
+    /// Encloses `sin th1` over the set.
+    pub sin: Ball,
+}
+
+/// Encloses the first contact of all the flights that start within the radii `all`, and more closely that of those
+/// within `point`; both as [`first_contact`] does.
+///
+/// A doubt that the centre's flight does not share is the set's width's fault.
+#[inline(always)]
+pub(crate) fn first_contacts(
+    flight: &Flight<f64>,
+    margins: &Margins,
+    point: Radii,
+    all: Radii,
+) -> Result<SetContact, Undecided> {
+    let judges =
+        Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
+    let (arrival, centre) = propose::<Kernel, _>(flight, &judges)?;
+    Ok(SetContact {
+        all: arrival.contact(flight),
+        centre: centre.contact(flight),
+        sin: flight.wall.inward(arrival.sin),
+    })
+}
+
+/// Judges the flights of a set, and the one of its centre.
+struct Both<'a> {
+    centre: Bounds<'a, false>,
+    all: Bounds<'a, true>,
+}
+
+impl Both<'_> {
+    /// Whose fault an undecided set is.
+    #[cold]
+    fn blame(doubt: Undecided, centre: Result<Arrival, Undecided>) -> Undecided {
+        match centre {
+            Ok(_) => Undecided { reason: Reason::Width, ..doubt },
+            Err(_) => doubt,
+        }
+    }
+}
+
+impl Judge for Both<'_> {
+    type Answer = Result<(Arrival, Arrival), Undecided>;
+
+    #[inline(always)]
+    fn monotone(&self, iterate: &Iterate) -> Self::Answer {
+        let all = self.all.monotone(iterate).map_err(|doubt| Self::blame(doubt, self.centre.monotone(iterate)))?;
+        let centre =
+            self.centre.bracket(iterate).ok_or_else(|| unbracketed(self.centre.flight.wall, iterate.target))?;
+        Ok((all, centre))
+    }
+
+    #[inline(always)]
+    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
+        let all = self.all.hop(iterate, departure);
+        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.hop(iterate, departure)))?;
+        let centre = self.centre.hop_bracket(iterate, departure);
+        Ok((all, centre.ok_or_else(|| unbracketed(self.centre.flight.wall, iterate.target))?))
+    }
+
+    #[inline(always)]
+    fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
+        let all = self.all.piece(iterate, extrema, k);
+        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.piece(iterate, extrema, k)))?;
+        let centre =
+            self.centre.bracket(iterate).ok_or_else(|| unbracketed(self.centre.flight.wall, iterate.target))?;
+        Ok((all, centre))
+    }
+
+    #[cold]
+    fn nothing(&self, why: NoProposal) -> Self::Answer {
+        Err(unproposed(self.centre.flight, why))
     }
 }
 
@@ -160,28 +264,56 @@ pub fn first_contact(flight: &Flight<f64>, radii: Radii) -> Verdict<Contact<Ball
 /// `T` is [`Kernel`] or [`crate::number::Std`]. `None` when no contact is found.
 #[inline]
 pub fn first_contact_f64<T: Trigonometry>(flight: &Flight<f64>) -> Option<Contact<f64>> {
-    let proposal = propose::<T>(flight).ok()?;
-    let iterate = &proposal.iterate;
-    let step = iterate.residual / iterate.velocity;
-    let at = iterate.at - step;
-    let (phase, time) = match proposal.course {
-        solve::Course::Hop => (flight.phase + at, at),
-        _ => (at, iterate.turns + (at - flight.phase)),
-    };
-    let velocity = (-flight.acceleration_at(iterate.sin)).mul_add(step, iterate.velocity);
-    Some(Contact {
-        wall: wall_of(flight, proposal.target),
-        turns: iterate.turns,
-        phase,
-        time,
-        velocity: flight.wall.inward(velocity),
-        sin: flight.wall.inward(iterate.sin),
-    })
+    propose::<T, _>(flight, &Unproved(flight))
+}
+
+/// Takes the proposal as it is.
+struct Unproved<'a>(&'a Flight<f64>);
+
+impl Unproved<'_> {
+    #[inline(always)]
+    fn arrive(&self, iterate: &Iterate, phase: f64, time: f64) -> Option<Contact<f64>> {
+        let flight = self.0;
+        let velocity = (-flight.acceleration_at(iterate.sin)).mul_add(iterate.step, iterate.velocity);
+        Some(Contact {
+            wall: iterate.target.wall(flight.wall),
+            turns: iterate.turns,
+            phase,
+            time,
+            velocity: flight.wall.inward(velocity),
+        })
+    }
+}
+
+impl Judge for Unproved<'_> {
+    type Answer = Option<Contact<f64>>;
+
+    #[inline(always)]
+    fn monotone(&self, iterate: &Iterate) -> Self::Answer {
+        let at = iterate.at - iterate.step;
+        self.arrive(iterate, at, iterate.turns + (at - self.0.phase))
+    }
+
+    #[inline(always)]
+    fn hop(&self, iterate: &Iterate, _: &Departure) -> Self::Answer {
+        let time = iterate.at - iterate.step;
+        self.arrive(iterate, self.0.phase + time, time)
+    }
+
+    #[inline(always)]
+    fn piece(&self, iterate: &Iterate, _: &Extrema, _: f64) -> Self::Answer {
+        self.monotone(iterate)
+    }
+
+    #[inline(always)]
+    fn nothing(&self, _: NoProposal) -> Self::Answer {
+        None
+    }
 }
 
 /// What it means that the solver found no contact.
 #[cold]
-pub(crate) fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
+fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
     match none {
         NoProposal::Rest => Undecided { reason: Reason::Graze, wall: Some(flight.wall), time: Some(Ball::exact(0.0)) },
         NoProposal::NoDrift | NoProposal::TooLong => Undecided { reason: Reason::Budget, wall: None, time: None },
@@ -190,18 +322,18 @@ pub(crate) fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
 
 /// The proposed contact is too close to an extremum for its velocity's sign to be proved.
 #[cold]
-pub(crate) fn unbracketed(flight: &Flight<f64>, proposal: &Proposal) -> Undecided {
-    Undecided { reason: Reason::Graze, wall: Some(wall_of(flight, proposal.target)), time: None }
+fn unbracketed(from: Wall, target: Target) -> Undecided {
+    Undecided { reason: Reason::Graze, wall: Some(target.wall(from)), time: None }
 }
 
 /// What could not be excluded before a bracketed contact.
 #[cold]
-pub(crate) fn doubted(flight: &Flight<f64>, doubt: Doubt, arrival: &Arrival) -> Undecided {
+fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Arrival) -> Undecided {
+    let flight = bounds.flight;
     let (wall, time) = match doubt {
-        Doubt::Departure => (Some(flight.wall), Some(Ball::exact(0.0))),
-        // A label, wide enough for the coarse critical phase: the ball may touch around this time.
-        Doubt::Extremum { target, time } => (Some(wall_of(flight, target)), Some(Ball::new(time, 1e-7))),
-        Doubt::Location => (Some(arrival.wall(flight)), Some(arrival.time)),
+        Doubt::Departure => (flight.wall, Ball::exact(0.0)),
+        Doubt::Extremum { target, time } => (target.wall(flight.wall), around(&bounds, time)),
+        Doubt::Location => (arrival.target.wall(flight.wall), arrival.time),
     };
-    Undecided { reason: Reason::Graze, wall, time }
+    Undecided { reason: Reason::Graze, wall: Some(wall), time: Some(time) }
 }

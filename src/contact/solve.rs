@@ -7,27 +7,18 @@
 use super::extrema::{Extrema, Piece, Target};
 use crate::flight::Flight;
 use crate::number::Trigonometry;
+use crate::number::kernel::Departure;
 
 /// Flights longer than this many turns are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
 
-/// How the contact was found, and so what has to be proved about it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Course {
-    /// `|c| >= beta`: `z` is monotone for ever.
-    Monotone,
-    /// A short flight back to the wall under wall-ward acceleration all along; the unknown is `h`.
-    Hop,
-    /// The contact lies on a monotone piece between two extrema.
-    Piece(Extrema, Piece),
-}
-
-/// The last iterate of the solver: where it stood, what it saw, and where one more Newton step leads.
+/// The last iterate of the solver: where it stood, what it saw, and the step that leads to the root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Iterate {
-    /// Whole turns since the phase of the start (0 for a hop).
+    pub target: Target,
+    /// Whole turns since the phase of the start.
     pub turns: f64,
-    /// The phase of arrival less the whole turns; for a hop the time `h` since the start.
+    /// The phase of arrival less the whole turns; for a hop the time since the start.
     pub at: f64,
     /// `z - target` there.
     pub residual: f64,
@@ -35,16 +26,23 @@ pub(crate) struct Iterate {
     pub velocity: f64,
     /// Mirrored sine there.
     pub sin: f64,
-    /// Size of the terms whose rounding the residual of a hop carries: versine plus excess, and the sine.
-    pub hop: (f64, f64),
+    /// The step that leads from here to the root: Halley's, for a hop Newton's.
+    pub step: f64,
 }
 
-/// A proposed first contact.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Proposal {
-    pub target: Target,
-    pub course: Course,
-    pub iterate: Iterate,
+/// What is made of a proposed first contact; each kind of flight has its own proof.
+///
+/// A trait and not an enum: each kind is compiled with its judge, and nothing passes through memory.
+pub(crate) trait Judge {
+    type Answer;
+    /// `|c| >= beta`: `z` is monotone for ever.
+    fn monotone(&self, iterate: &Iterate) -> Self::Answer;
+    /// A short flight back to the wall under wall-ward acceleration all along; the unknown is the time.
+    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer;
+    /// The contact lies on a monotone piece, before extremum `k` of its kind.
+    fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer;
+    /// There is no contact to propose.
+    fn nothing(&self, why: NoProposal) -> Self::Answer;
 }
 
 /// Why the solver proposes no contact.
@@ -58,19 +56,18 @@ pub(crate) enum NoProposal {
     TooLong,
 }
 
-/// The first contact of `flight`, as far as doubles can tell.
+/// The first contact of `flight`, as far as doubles can tell, as `judge` sees it.
 #[inline(always)]
-pub(crate) fn propose<T: Trigonometry>(flight: &Flight<f64>) -> Result<Proposal, NoProposal> {
-    // `>=` fails for NaN (no excitation, no velocity), which then shows as a missing drift below.
+pub(crate) fn propose<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J) -> J::Answer {
     if flight.drift.abs() >= flight.beta {
-        return monotone::<T>(flight);
+        return monotone::<T, J>(flight, judge);
     }
     if flight.height == 0.0 && flight.sin <= 0.0 {
         if flight.velocity <= 0.0 {
-            return Err(NoProposal::Rest);
+            return judge.nothing(NoProposal::Rest);
         }
-        if let Some(proposal) = hop::<T>(flight) {
-            return Ok(proposal);
+        if let Some((iterate, departure)) = hop::<T>(flight) {
+            return judge.hop(&iterate, &departure);
         }
     }
     let mut extrema = Extrema::new::<T>(flight);
@@ -80,19 +77,18 @@ pub(crate) fn propose<T: Trigonometry>(flight: &Flight<f64>) -> Result<Proposal,
         extrema.refine::<T>(flight);
         piece = extrema.first_piece(flight.drift);
     }
-    on_piece::<T>(flight, extrema, piece.ok_or(NoProposal::NoDrift)?)
+    match piece {
+        Some(piece) if piece.k <= LONGEST_FLIGHT => {
+            judge.piece(&on_piece::<T>(flight, &extrema, piece), &extrema, piece.k)
+        }
+        Some(_) => judge.nothing(NoProposal::TooLong),
+        None => judge.nothing(NoProposal::NoDrift),
+    }
 }
 
 /// The contact on a given piece of a flight that has extrema.
 #[inline(always)]
-pub(crate) fn on_piece<T: Trigonometry>(
-    flight: &Flight<f64>,
-    extrema: Extrema,
-    piece: Piece,
-) -> Result<Proposal, NoProposal> {
-    if piece.k > LONGEST_FLIGHT {
-        return Err(NoProposal::TooLong);
-    }
+fn on_piece<T: Trigonometry>(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) -> Iterate {
     let target = piece.target;
     let (first, span) = extrema.before(target);
     // How far the extremum lies beyond the target, as a fraction of the rise or fall of the piece.
@@ -103,17 +99,16 @@ pub(crate) fn on_piece<T: Trigonometry>(
     let fraction = beyond / (2.0 * flight.alpha).mul_add(extrema.sine, rise);
     let end = flight.phase + first;
     let guess = (-span).mul_add(inverse_smoothstep(fraction), end);
-    let whole = guess.round();
+    let whole = whole_turns(guess);
     let bracket = (end - span - whole, end - whole);
-    let iterate = refine::<T>(flight, target, piece.k + whole, guess - whole, bracket);
-    Ok(Proposal { target, course: Course::Piece(extrema, piece), iterate })
+    refine::<T>(flight, target, piece.k + whole, guess - whole, bracket)
 }
 
 /// `z` is monotone: solve Kepler's equation, starting at the mean anomaly.
 #[inline(always)]
-fn monotone<T: Trigonometry>(flight: &Flight<f64>) -> Result<Proposal, NoProposal> {
-    if flight.drift == 0.0 || flight.drift.is_nan() {
-        return Err(NoProposal::NoDrift);
+fn monotone<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J) -> J::Answer {
+    if flight.drift == 0.0 {
+        return judge.nothing(NoProposal::NoDrift);
     }
     let target = if flight.drift > 0.0 { Target::Far } else { Target::Near };
     // Where sin th1 = 0 would have it; the truth is at most alpha/|c| turns away, and not before the start.
@@ -122,19 +117,17 @@ fn monotone<T: Trigonometry>(flight: &Flight<f64>) -> Result<Proposal, NoProposa
     let spread = flight.alpha / flight.drift.abs();
     let guess = mean.max(0.0);
     if guess > LONGEST_FLIGHT {
-        return Err(NoProposal::TooLong);
+        return judge.nothing(NoProposal::TooLong);
     }
-    let long = guess.floor();
+    let long = whole_turns(guess);
     let near = flight.phase + (guess - long);
-    let whole = near.round();
+    let whole = whole_turns(near);
     let at = near - whole;
-    let shift = mean - guess;
-    let bracket = (at + shift - spread, at + shift + spread);
-    let iterate = refine::<T>(flight, target, long + whole, at, bracket);
-    Ok(Proposal { target, course: Course::Monotone, iterate })
+    let centre = at + (mean - guess);
+    judge.monotone(&refine::<T>(flight, target, long + whole, at, (centre - spread, centre + spread)))
 }
 
-/// Halley steps from `at`, kept inside `bracket`, until one more Newton step is as good as exact.
+/// Halley steps from `at`, kept inside `bracket`, until the next one is as good as exact.
 #[inline(always)]
 fn refine<T: Trigonometry>(
     flight: &Flight<f64>,
@@ -145,24 +138,29 @@ fn refine<T: Trigonometry>(
 ) -> Iterate {
     let (mut low, mut high) = bracket;
     let (height, direction) = (target.height(), target.direction());
+    // More than a quarter of the third derivative, 4 pi^2 beta at most.
+    let jerk = 10.0 * flight.beta;
     let mut left = 64;
     loop {
         let (sin, cos) = flight.wall.mirror(T::sin_cos(at));
         let residual = flight.height_above(height, turns, at, sin);
         let velocity = flight.velocity_at(cos);
         let bend = 0.5 * flight.acceleration_at(sin);
-        // Newton's next error is (bend/velocity) step^2, step = residual/velocity: below 2^-57 turns?
         let square = velocity * velocity;
+        let step = residual * velocity / bend.mul_add(-residual, square);
         left -= 1;
-        if (bend * residual * residual).abs() <= 2f64.powi(-57) * square * velocity.abs() || left == 0 {
-            return Iterate { turns, at, residual, velocity, sin, hop: (0.0, 0.0) };
+        // The next error is about (bend^2/velocity^2 + jerk/velocity) step^3 at most: is that below 2^-57 turns?
+        let cube = (step * step * step).abs();
+        let error = cube * bend.mul_add(bend, jerk * velocity.abs());
+        if error <= 2f64.powi(-57) * square || left == 0 {
+            return Iterate { target, turns, at, residual, velocity, sin, step };
         }
         if (residual > 0.0) == (direction > 0.0) {
             high = at;
         } else {
             low = at;
         }
-        let next = at - residual * velocity / bend.mul_add(-residual, square);
+        let next = at - step;
         let next = if velocity * direction > 0.0 && low < next && next < high { next } else { 0.5 * (low + high) };
         if next == at {
             left = 1;
@@ -173,35 +171,40 @@ fn refine<T: Trigonometry>(
 
 /// A return to the wall within an eighth of a turn, while the wall-ward acceleration lasts.
 #[inline(always)]
-fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<Proposal> {
+fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
     let guess = -2.0 * flight.velocity / flight.acceleration_at(flight.sin);
-    // A hop of an eighth of a turn would lose its way to the end of the wall-ward half turn.
+    // The guess is right for short hops; one of up to a sixteenth of a turn is found from it.
     if !(2f64.powi(-300)..=0.0625).contains(&guess) {
         return None;
     }
-    let mut h = guess;
+    let mut at = guess;
     for _ in 0..8 {
-        let d = T::departure(h);
-        let (sin, _) = flight.hop_sin_cos(&d);
-        let residual = flight.hop_height(h, d.versine, d.excess);
-        let velocity = flight.hop_velocity(d.versine, d.sine);
+        let departure = T::departure(at);
+        let sin = flight.hop_sine(&departure);
+        let residual = flight.hop_height(at, departure.versine, departure.excess);
+        let velocity = flight.hop_velocity(departure.versine, departure.sine);
         if velocity >= 0.0 || sin >= 0.0 {
             return None;
         }
         let step = residual / velocity;
-        // The next error, relative to h, is about (step/h)^2.
-        if step.abs() <= 2f64.powi(-28) * h {
-            let hop = (d.versine + d.excess, d.sine);
-            let iterate = Iterate { turns: 0.0, at: h, residual, velocity, sin, hop };
-            let reaches_far = flight.velocity * h >= 1.0;
-            return (!reaches_far).then_some(Proposal { target: Target::Near, course: Course::Hop, iterate });
+        // The next error, relative to the time, is about (step/time)^2.
+        if step.abs() <= 2f64.powi(-28) * at {
+            let iterate = Iterate { target: Target::Near, turns: 0.0, at, residual, velocity, sin, step };
+            let reaches_far = flight.velocity * at >= 1.0;
+            return (!reaches_far).then_some((iterate, departure));
         }
-        h -= step;
-        if !(0.0..=0.125).contains(&h) {
+        at -= step;
+        if !(0.0..=0.125).contains(&at) {
             return None;
         }
     }
     None
+}
+
+/// The turns to take off a phase: none up to one turn, where the phase itself is as fine.
+#[inline(always)]
+fn whole_turns(phase: f64) -> f64 {
+    if phase.abs() <= 1.0 { 0.0 } else { phase.round() }
 }
 
 /// Where `3 x^2 - 2 x^3` takes the value `v`, to a thousandth: a guess for a piece with flat ends.

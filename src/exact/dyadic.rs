@@ -162,7 +162,9 @@ impl Dyadic {
 
     /// A dyadic of at most `bits` mantissa bits, on the side of `self` that `round` says.
     pub(crate) fn rounded(&self, bits: u32, round: Round) -> Dyadic {
-        let Some(top) = self.top() else { return Dyadic::zero() };
+        let Some(top) = self.top() else {
+            return Dyadic::zero();
+        };
         if top < -UNDERFLOW {
             return match (self.sign(), round) {
                 (Ordering::Greater, Round::Up) => Dyadic::power_of_two(-UNDERFLOW),
@@ -180,7 +182,9 @@ impl Dyadic {
     /// The sum, rounded to `bits` mantissa bits. **Cost**: bounded by `bits` and the mantissas, not by the exponents.
     pub(crate) fn plus(&self, other: &Dyadic, bits: u32, round: Round) -> Dyadic {
         let (large, small) = if self.top() >= other.top() { (self, other) } else { (other, self) };
-        let Some(top) = large.top() else { return Dyadic::zero() };
+        let Some(top) = large.top() else {
+            return Dyadic::zero();
+        };
         if small.is_zero() {
             return large.rounded(bits, round);
         }

@@ -104,8 +104,7 @@ pub(crate) fn sin(x: &Dyadic, bits: u32) -> Enclosure {
     if is_tiny(x, bits) {
         return sin_of_tiny(x, bits);
     }
-    let reduced = Reduced::new(x, bits);
-    reduced.sin_of_quadrant(0, bits)
+    Reduced::new(x, bits).sin_of_quadrant(0).rounded(bits)
 }
 
 /// Encloses cos x: absolute error below `2^(3 - bits)`.
@@ -113,7 +112,7 @@ pub(crate) fn cos(x: &Dyadic, bits: u32) -> Enclosure {
     if is_tiny(x, bits) {
         return cos_of_tiny(x, bits);
     }
-    Reduced::new(x, bits).sin_of_quadrant(1, bits)
+    Reduced::new(x, bits).sin_of_quadrant(1).rounded(bits)
 }
 
 /// True where x^2 is below `2^-bits`, so that one term of the series is enough.
@@ -169,8 +168,8 @@ impl Reduced {
         Reduced { scale, quadrant, remainder, error: BigInt::from(input_error) + 3 }
     }
 
-    /// Encloses sin(x + quarter_turns * pi/2) by the quadrant: sin r, cos r, -sin r or -cos r.
-    fn sin_of_quadrant(&self, quarter_turns: u8, bits: u32) -> Enclosure {
+    /// Encloses sin(x + quarter_turns * pi/2) by the quadrant: sin r, cos r, -sin r or -cos r; with all guard digits.
+    fn sin_of_quadrant(&self, quarter_turns: u8) -> Enclosure {
         let quadrant = (self.quadrant + quarter_turns) % 4;
         let (sine, sine_error) = sine_fixed(&self.remainder, self.scale);
         let (value, error) = if quadrant.is_multiple_of(2) {
@@ -183,8 +182,7 @@ impl Reduced {
         // sin and cos are 1-Lipschitz, so the error of r is carried over as it is.
         let error = error + &self.error;
         let unit = -(self.scale as i64);
-        let lo = Dyadic::new(&value - &error, unit).rounded(bits, Round::Down);
-        let hi = Dyadic::new(&value + &error, unit).rounded(bits, Round::Up);
+        let (lo, hi) = (Dyadic::new(&value - &error, unit), Dyadic::new(&value + &error, unit));
         let enclosure = Enclosure::new(lo, hi).expect("the error is not negative");
         if quadrant >= 2 { enclosure.negated() } else { enclosure }
     }
@@ -261,6 +259,16 @@ mod tests {
     }
 
     #[test]
+    fn machins_error_bound_holds_and_is_needed() {
+        for scale in 1..200u64 {
+            let (lo, hi) = machin(scale);
+            let floor = pi_floor(scale);
+            assert!(lo <= floor && floor < hi, "{scale}");
+            assert!(hi - lo <= BigInt::from(40 * (scale / 4 + 8)));
+        }
+    }
+
+    #[test]
     fn sines_cosines_and_roots_match_published_digits() {
         let one = Dyadic::power_of_two(0);
         assert_matches(&sin(&one, 220), "0.84147098480789650665250232163029899962256306079837");
@@ -301,6 +309,16 @@ mod tests {
             prop_assert!(cos(&x, bits).contains_enclosure(&cos(&x, 400)));
             prop_assert!(sin(&x, bits).width() <= Dyadic::power_of_two(3 - i64::from(bits)));
             prop_assert!(cos(&x, bits).width() <= Dyadic::power_of_two(3 - i64::from(bits)));
+        }
+
+        // Without the outward rounding to `bits`, which would hide a wrong error bound behind the guard digits.
+        #[test]
+        fn counted_errors_cover_the_fixed_point_roundings(m: i64, e in -70i64..40, bits in 1u32..200, turns in 0u8..4) {
+            let x = Dyadic::new(m.into(), e);
+            let found = Reduced::new(&x, bits).sin_of_quadrant(turns);
+            let truth = Reduced::new(&x, bits + 200).sin_of_quadrant(turns);
+            prop_assert!(found.contains_enclosure(&truth), "{found:?} {truth:?}");
+            prop_assert!(found.width() <= Dyadic::power_of_two(1 - i64::from(bits)));
         }
 
         #[test]

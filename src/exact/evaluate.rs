@@ -247,12 +247,20 @@ mod tests {
     #[test]
     fn extreme_expressions_stay_within_reason() {
         // Each of these would need or produce astronomically many bits if evaluated naively.
-        let large_zero = "(1e9000*sin(1)^2 + 1e9000*cos(1)^2 - 1e9000)";
-        let x = exact(&format!("(({large_zero}^10000)^10000)^10000"));
+        let large_zero = "(1e300*sin(1)^2 + 1e300*cos(1)^2 - 1e300)";
+        let x = exact(&format!("(((({large_zero}^10000)^10000)^10000)^10000)^10000"));
         assert!(x.enclose(64).width() < Dyadic::power_of_two(-2000));
-        assert!(Exact::parse("sin(1e9000*sin(1e9000*sin(1e9000*sin(1))))").is_err());
         assert!(Exact::parse("(((2^10000)^10000)^10000)^10000").is_err());
-        assert!(Exact::parse("(((0.5^10000)^10000)^10000)^10000").is_ok_and(|x| x.enclose(10).lo().sign().is_ge()));
+        let tiny = exact("(((0.5^10000)^10000)^10000)^10000");
+        assert!(tiny.enclose(10).lo().sign().is_ge());
+    }
+
+    /// Two seconds in release, a minute in debug: `cargo test --release -- --ignored`.
+    #[test]
+    #[ignore = "slow: 65536 bits"]
+    fn hopeless_cancellation_is_refused() {
+        let refusal = Exact::parse("sin(1e9000*sin(1e9000*sin(1e9000*sin(1))))").unwrap_err();
+        assert_eq!(refusal.undefined(), Some(&ExactError::TooIllConditioned));
     }
 
     #[test]
@@ -297,9 +305,7 @@ mod tests {
             if let Ok(x) = Exact::parse(&text) {
                 let coarse = x.enclose(bits);
                 let fine = x.enclose(400);
-                // The fine one has ends of its own, outside the truth by at most its width.
-                prop_assert!(coarse.intersection(&fine).is_some());
-                prop_assert!(coarse.contains_enclosure(&fine) || fine.width() >= coarse.width() || coarse.width().scaled(-100) < fine.width(), "{text}");
+                prop_assert!(coarse.contains_enclosure(&fine), "{text}: {coarse:?} {fine:?}");
                 if let Some(value) = x.as_rational() {
                     prop_assert!(coarse.contains(value) && fine.contains(value));
                 }

@@ -5,7 +5,7 @@
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
-//! control), `parse` and `print` (text), `decimal` (outward decimal printing), `error`.
+//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `error`.
 //!
 //! ```
 //! use impact_pair::exact::Exact;
@@ -22,6 +22,7 @@ mod elementary;
 mod enclosure;
 mod error;
 mod evaluate;
+mod literal;
 mod monomial;
 mod operators;
 mod parse;

@@ -3,20 +3,14 @@
 use std::str::FromStr;
 use std::sync::Arc;
 
-use num_bigint::BigInt;
-use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{One, Zero};
-
 use super::error::{ParseError, Problem, shortened};
+use super::literal::exact_decimal;
 use super::{Exact, ExactError, LARGEST_POWER};
 
 /// Longer texts are refused.
 const LONGEST_TEXT: usize = 1 << 14;
 /// More nested parentheses are refused.
 const DEEPEST_NESTING: usize = 256;
-/// Literals from 1e-10000 to 1e10000 are accepted.
-const LARGEST_DECIMAL_EXPONENT: i64 = 10_000;
 
 const OPERAND: &str = "a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign";
 const OPERATOR: &str = "`+`, `-`, `*`, `/`, `^` or the end";
@@ -337,41 +331,11 @@ impl Reader<'_> {
     }
 }
 
-/// `digits * 10^exponent`, exactly; `None` if it is neither zero nor between the accepted magnitudes.
-fn exact_decimal(digits: &str, exponent: i64) -> Option<BigRational> {
-    let kept = digits.trim_end_matches('0');
-    let exponent = exponent.saturating_add((digits.len() - kept.len()) as i64);
-    let kept = kept.trim_start_matches('0');
-    if kept.is_empty() {
-        return Some(BigRational::zero());
-    }
-    let leading = exponent.saturating_add(kept.len() as i64 - 1);
-    if leading.abs() > LARGEST_DECIMAL_EXPONENT {
-        return None;
-    }
-    let integer: BigInt = kept.parse().ok()?;
-    let ten = |n: u64| u32::try_from(n).ok().map(|n| BigInt::from(10u8).pow(n));
-    if exponent >= 0 {
-        return Some(BigRational::from_integer(integer * ten(exponent.unsigned_abs())?));
-    }
-    lowest_terms(integer, exponent.unsigned_abs())
-}
-
-/// `integer / 10^places` in lowest terms. The last digit is not 0, so only twos or only fives can cancel.
-fn lowest_terms(integer: BigInt, places: u64) -> Option<BigRational> {
-    let exponent = u32::try_from(places).ok()?;
-    let five = BigInt::from(5u8).pow(exponent);
-    let twos = integer.trailing_zeros().unwrap_or(0).min(places);
-    if twos > 0 {
-        return Some(BigRational::new_raw(integer >> twos, five << (places - twos)));
-    }
-    let common = if (&integer % 5u8).is_zero() { integer.gcd(&five) } else { BigInt::one() };
-    Some(BigRational::new_raw(integer / &common, (five / common) << places))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
     use proptest::prelude::*;
 
     fn fraction(text: &str) -> String {

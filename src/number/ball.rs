@@ -153,6 +153,10 @@ impl Number for Ball {
         // 2 pi is within 2^-52 of its nearest double (TAU_LO of the kernel is 2.4e-16).
         Self { mid: std::f64::consts::TAU, rad: 2.5e-16 }
     }
+    #[inline(always)]
+    fn signed(self, sign: f64) -> Self {
+        Self { mid: self.mid * sign, rad: self.rad }
+    }
 }
 
 #[cfg(test)]

@@ -25,6 +25,8 @@ pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     fn checked_div(self, b: Self) -> Option<Self>;
     /// `2 pi`, one turn in radians.
     fn turn() -> Self;
+    /// `sign * self` for a sign of 1 or -1, exactly.
+    fn signed(self, sign: f64) -> Self;
 }
 
 impl Number for f64 {
@@ -43,6 +45,10 @@ impl Number for f64 {
     #[inline(always)]
     fn turn() -> Self {
         std::f64::consts::TAU
+    }
+    #[inline(always)]
+    fn signed(self, sign: f64) -> Self {
+        self * sign
     }
 }
 

@@ -4,9 +4,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::error::Error;
-use crate::exact::{Enclosure, Exact};
+use crate::exact::{Enclosure, Exact, ExactError};
 use crate::number::Ball;
-use crate::pair::{ImpactPair, ball};
+use crate::pair::{ImpactPair, ball, within};
 
 /// Bits kept beyond those of the largest number of turns.
 const BITS: u32 = 160;
@@ -39,23 +39,22 @@ impl Clock {
     /// The clock of `pair` whose turn 0 is the one nearest to `time`.
     pub(super) fn new(pair: &ImpactPair, time: &Exact) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
-        let frequency = pair.excitation().frequency();
-        let divided = |a: &Exact, b: &Exact| {
-            a.checked_div(b).map_err(|_| Error::unprovable("excitation.frequency or pair.gap", b))
-        };
-        let shift = divided(pair.excitation().phase(), &turn)?;
-        let rate = divided(frequency, &turn)?;
-        let period = divided(&turn, frequency)?;
-        let start = rate.clone() * time.clone() + shift.clone();
-        let half = Exact::from_rational(BigRational::new(1.into(), 2.into()));
-        let origin = (start + half).enclose(BITS).lo().to_rational().floor().to_integer();
+        let (frequency, delay) = (pair.excitation().frequency(), pair.excitation().phase());
+        let shift = within("excitation.phase", delay, delay.checked_div(&turn))?;
+        let rate = within("excitation.frequency", frequency, frequency.checked_div(&turn))?;
+        let period = within("excitation.frequency", frequency, turn.checked_div(frequency))?;
+        let delay = within("excitation.phase", delay, delay.checked_div(frequency))?;
+        let speed = within("pair.gap", pair.gap(), rate.checked_mul(pair.gap()))?;
+        let slowness = within("pair.gap", pair.gap(), period.checked_div(pair.gap()))?;
+        let start = within("start.time", time, phase(&rate, &shift, time))?;
+        let origin = nearest(&start);
         let bits = BITS + u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2);
         Ok(Self {
             bits,
             period: period.enclose(bits),
-            delay: divided(pair.excitation().phase(), frequency)?.enclose(bits),
-            speed: (rate.clone() * pair.gap().clone()).enclose(BITS),
-            slowness: divided(&period, pair.gap())?,
+            delay: delay.enclose(bits),
+            speed: speed.enclose(BITS),
+            slowness,
             shift,
             rate,
             origin,
@@ -64,18 +63,18 @@ impl Clock {
 
     /// The phase `(W t + tau) / (2 pi)` of a time, in turns after the origin.
     pub(super) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
-        let origin = Exact::from_rational(BigRational::from(self.origin.clone()));
-        let phase = self.rate.clone() * time.clone() + self.shift.clone() - origin;
-        let half = Exact::from_rational(BigRational::new(1.into(), 2.into()));
-        let whole = (phase.clone() + half).enclose(BITS).lo().to_rational().floor().to_integer();
+        let origin = Exact::from(self.origin.clone());
+        let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
+        let since = within(key, time, since)?;
+        let whole = nearest(&since);
         let turns = i64::try_from(&whole).map_err(|_| Error::too_large(key, time))?;
-        let rest = ball(key, &(phase - Exact::from(turns)))?;
-        Ok(Phase { turns, rest })
+        let rest = within(key, time, since.checked_sub(&Exact::from(turns)))?;
+        Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
     /// A velocity in gaps a turn.
     pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Ball, Error> {
-        ball("start.velocity", &(velocity.clone() * self.slowness.clone()))
+        ball("start.velocity", &within("start.velocity", velocity, velocity.checked_mul(&self.slowness))?)
     }
 
     /// Encloses the time `t = (2 pi u - tau) / W` [time] of the phase of `turns` and the rest.
@@ -88,6 +87,17 @@ impl Clock {
     pub fn velocity(&self, velocity: Ball) -> Enclosure {
         enclosure(velocity).mul(&self.speed, BITS)
     }
+}
+
+/// `rate * time + shift`
+fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError> {
+    rate.checked_mul(time)?.checked_add(shift)
+}
+
+/// A whole number nearest to the value, or next to it.
+fn nearest(value: &Exact) -> BigInt {
+    let low = value.enclose(BITS).lo().to_rational();
+    (low + BigRational::new(1.into(), 2.into())).floor().to_integer()
 }
 
 /// The ball as an interval whose ends are exact.

@@ -8,12 +8,14 @@ mod start;
 pub use clock::Clock;
 pub use start::{Place, Start};
 
+use num_rational::BigRational;
+
 use crate::contact::{Contact, Reason, Undecided};
 use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
-use crate::pair::{ImpactPair, Wall, ball};
+use crate::pair::{ImpactPair, Wall, ball, within};
 use clock::Phase;
 use motion::{FloatMotion, IntervalMotion, Motion, Origin};
 
@@ -149,9 +151,10 @@ impl Orbit {
         let (wall, origin) = match &start.place {
             Place::Wall(wall) => (Some(*wall), Origin::Wall { wall: *wall, phase, velocity }),
             Place::Inside(position) => {
-                let half = Exact::from(1).checked_div(&Exact::from(2)).expect("2 is not 0");
-                let ratio = position.checked_div(pair.gap()).map_err(|_| Error::unprovable("pair.gap", pair.gap()))?;
-                (None, Origin::Inside { height: ball("start.position", &(ratio + half))?, phase, velocity })
+                let half = Exact::from_rational(BigRational::new(1.into(), 2.into()));
+                let height = position.checked_div(pair.gap()).and_then(|ratio| ratio.checked_add(&half));
+                let height = ball("start.position", &within("start.position", position, height)?)?;
+                (None, Origin::Inside { height, phase, velocity })
             }
         };
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;

@@ -1,10 +1,8 @@
 //! One impact after another, in the two double-precision arithmetics.
 
 use super::set::StateSet;
-use crate::contact::Verdict;
 use crate::contact::{
-    Contact, Proposal, Radii, Reason, Undecided, bracket, doubted, first_contact, first_contact_f64, is_first, propose,
-    unbracketed, unproposed,
+    Contact, Margins, Radii, Reason, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
 };
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
@@ -78,7 +76,6 @@ impl Motion for FloatMotion {
             phase: exact(phase),
             time: exact(contact.time),
             velocity: exact(contact.velocity),
-            sin: exact(contact.sin),
         })
     }
 }
@@ -88,6 +85,7 @@ impl Motion for FloatMotion {
 pub(super) struct IntervalMotion {
     pair: Reduced<Ball>,
     centre: Reduced<f64>,
+    margins: Margins,
     state: State,
 }
 
@@ -105,7 +103,7 @@ impl IntervalMotion {
             }
             Origin::Inside { height, phase, velocity } => State::Inside { height, phase, velocity },
         };
-        Self { pair: *pair, centre: pair.centre(), state }
+        Self { pair: *pair, centre: pair.centre(), margins: Margins::new(pair), state }
     }
 
     /// A power of two near the velocities to come.
@@ -114,18 +112,13 @@ impl IntervalMotion {
         2f64.powi(speed.log2().round() as i32)
     }
 
-    fn parameters(&self) -> Radii {
-        Radii { alpha: self.pair.alpha.rad(), beta: self.pair.beta.rad(), ..Radii::default() }
-    }
-
     /// From inside the gap: the enclosure of all first contacts is the new set.
     #[cold]
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let sin_cos = kernel::sin_cos(phase.mid());
         let flight = Flight::from_inside(&self.centre, height.mid(), phase.mid(), velocity.mid(), sin_cos);
-        let radii =
-            Radii { phase: phase.rad(), velocity: velocity.rad(), height: height.rad() + UNIT, ..self.parameters() };
-        match first_contact(&flight, radii) {
+        let radii = Radii { phase: phase.rad(), velocity: velocity.rad(), height: height.rad() + UNIT };
+        match first_contact(&flight, &self.margins, radii) {
             Verdict::Certified(contact) => {
                 let scale = Self::scale(&self.pair, contact.velocity);
                 Ok((contact, StateSet::new(contact.phase, contact.velocity, scale)))
@@ -141,30 +134,18 @@ impl IntervalMotion {
         let sin_cos = kernel::sin_cos(set.phase);
         let after = self.rebound(Ball::exact(set.velocity));
         let flight = Flight::from_wall(&self.centre, wall, set.phase, wall.inward(after.mid()), sin_cos);
-        let proposal = propose::<Kernel>(&flight).map_err(|none| unproposed(&flight, none))?;
-
-        let point = Radii { velocity: after.rad(), ..self.parameters() };
+        let point = Radii { velocity: after.rad(), ..Radii::default() };
         let all = Radii { phase: phase.rad(), velocity: self.rebound(before).rad(), ..point };
-        let Some(image) = bracket(&flight, &proposal, point) else {
-            return Err(unbracketed(&flight, &proposal));
-        };
-        let Some(arrival) = bracket(&flight, &proposal, all) else {
-            return Err(self.blame(&flight, &proposal, point, unbracketed(&flight, &proposal)));
-        };
-        is_first(&flight, &proposal, &arrival, all)
-            .map_err(|doubt| self.blame(&flight, &proposal, point, doubted(&flight, doubt, &arrival)))?;
-
-        let contact = arrival.contact(&flight);
+        let SetContact { all: contact, centre: image, sin: sin1 } = first_contacts(&flight, &self.margins, point, all)?;
         let passage = Passage {
             time: contact.time,
             sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + 6.3 * phase.rad()),
-            sin1: contact.sin,
+            sin1,
             velocity0: before,
             velocity1: contact.velocity,
         };
-        let jacobian =
-            jacobian(self.pair.beta, self.pair.restitution, &passage).ok_or_else(|| unbracketed(&flight, &proposal))?;
-        let image = image.contact(&flight);
+        let wide = Undecided { reason: Reason::Width, wall: Some(contact.wall), time: Some(contact.time) };
+        let jacobian = jacobian(self.pair.beta, self.pair.restitution, &passage).ok_or(wide)?;
         let next = set.image(image.phase, image.velocity, &jacobian);
         Ok((contact, next))
     }
@@ -174,14 +155,6 @@ impl IntervalMotion {
     fn rebound(&self, before: Ball) -> Ball {
         let zero = Ball::exact(0.0);
         if self.pair.restitution == zero || before == zero { zero } else { self.pair.rebound(before) }
-    }
-
-    /// A set that is too wide, or a graze: whichever the flight of the centre alone shows.
-    #[cold]
-    fn blame(&self, flight: &Flight<f64>, proposal: &Proposal, point: Radii, doubt: Undecided) -> Undecided {
-        let decided =
-            bracket(flight, proposal, point).is_some_and(|arrival| is_first(flight, proposal, &arrival, point).is_ok());
-        if decided { Undecided { reason: Reason::Width, ..doubt } } else { doubt }
     }
 }
 

@@ -1,8 +1,10 @@
 //! Where an orbit starts: on a wall just before an impact, or inside the gap.
 
+use std::cmp::Ordering;
+
 use crate::error::{Error, is_at_least, is_at_most};
 use crate::exact::Exact;
-use crate::pair::{ImpactPair, Wall};
+use crate::pair::{ImpactPair, Wall, within};
 
 /// The initial data of an orbit, exact or intervals of values; a box of data is a set of starts.
 #[derive(Clone, Debug)]
@@ -42,15 +44,12 @@ impl Start {
     /// # Errors
     /// When the position is not strictly between the walls, or this cannot be proved.
     pub fn inside(pair: &ImpactPair, time: Exact, position: Exact, velocity: Exact) -> Result<Self, Error> {
-        let doubled = position.clone() * Exact::from(2);
-        for room in [pair.gap().clone() - doubled.clone(), pair.gap().clone() + doubled] {
-            Error::require_positive("start.position", &room).map_err(|_| {
-                Error::range(
-                    "start.position",
-                    &position,
-                    "must lie strictly between the walls at -d/2 and d/2 (on a wall: give start.wall)",
-                )
-            })?;
+        let accepted = "must lie strictly between the walls at -d/2 and d/2 (on a wall: give start.wall)";
+        let doubled = within("start.position", &position, position.checked_mul(&Exact::from(2)))?;
+        for room in [pair.gap().checked_sub(&doubled), pair.gap().checked_add(&doubled)] {
+            if within("start.position", &position, room)?.sign() != Some(Ordering::Greater) {
+                return Err(Error::range("start.position", &position, accepted));
+            }
         }
         Ok(Self { time, velocity, place: Place::Inside(position) })
     }

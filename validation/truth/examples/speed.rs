@@ -13,22 +13,14 @@ fn main() {
             let (problem, start) = figure(number, precision);
             let clock = Instant::now();
             let count = orbit(&problem, &start, 2000).len();
-            println!(
-                "P={precision} fig{number}: {:.1} us",
-                clock.elapsed().as_secs_f64() * 1e6 / count as f64
-            );
+            println!("P={precision} fig{number}: {:.1} us", clock.elapsed().as_secs_f64() * 1e6 / count as f64);
         }
         let mut random = Random::seeded(7);
-        let flights: Vec<_> = (0..5000)
-            .map(|_| random_case(&mut random, precision))
-            .collect();
+        let flights: Vec<_> = (0..5000).map(|_| random_case(&mut random, precision)).collect();
         let clock = Instant::now();
         for (problem, start) in &flights {
             std::hint::black_box(first_contact(problem, start));
         }
-        println!(
-            "P={precision} random: {:.1} us",
-            clock.elapsed().as_secs_f64() * 1e6 / 5000.0
-        );
+        println!("P={precision} random: {:.1} us", clock.elapsed().as_secs_f64() * 1e6 / 5000.0);
     }
 }

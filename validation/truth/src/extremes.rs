@@ -19,21 +19,13 @@ impl Flight<'_> {
         // Rising, theta0 is beyond +-alpha and the next maximum is at -alpha mod 2 pi; falling, it is between them and
         // the next minimum is at alpha. The sign of v+ (not a comparison of phases) has told which.
         let first_phi = if rises {
-            let ahead = if self.theta0 > 0 {
-                self.two_pi.clone()
-            } else {
-                self.float(0)
-            };
+            let ahead = if self.theta0 > 0 { self.two_pi.clone() } else { self.float(0) };
             ahead - &alpha - &self.theta0
         } else {
             self.float(&alpha - &self.theta0)
         };
         let half_fall = self.float(&alpha * 2);
-        let next = if rises {
-            half_fall
-        } else {
-            self.float(&self.two_pi - &half_fall)
-        };
+        let next = if rises { half_fall } else { self.float(&self.two_pi - &half_fall) };
         let second_phi = self.float(&first_phi + &next);
         // y at a maximum is base + b phi + A sin(alpha), at a minimum base + b phi - A sin(alpha).
         let swing = self.swing() * direction.sign();
@@ -55,9 +47,7 @@ impl Flight<'_> {
         }
 
         let drift_rounding = self.input_rounding() * &self.problem.amplitude;
-        let Some(drift) =
-            Wall::of_sign(&self.b).filter(|_| self.float(self.b.abs_ref()) > drift_rounding)
-        else {
+        let Some(drift) = Wall::of_sign(&self.b).filter(|_| self.float(self.b.abs_ref()) > drift_rounding) else {
             return Ok(Truth::Never);
         };
         let (extreme, extreme_phi, piece_start) = if drift == direction {
@@ -70,13 +60,9 @@ impl Flight<'_> {
         let turns = self.float(&way / &per_turn).ceil();
         let turn_bits = turns.get_exp().unwrap_or(0) as u32;
         if self.bits < self.problem.precision() + 64 + turn_bits {
-            return Err(Unresolved {
-                time: self.time(extreme_phi, &turns),
-                turn_bits,
-            });
+            return Err(Unresolved { time: self.time(extreme_phi, &turns), turn_bits });
         }
-        for (turn, expected_outside) in [(self.float(&turns - 1u32), false), (turns.clone(), true)]
-        {
+        for (turn, expected_outside) in [(self.float(&turns - 1u32), false), (turns.clone(), true)] {
             let height = self.float(&per_turn * &turn) + &extreme;
             match (self.reach(&height, drift), expected_outside) {
                 (Reach::Inside, false) | (Reach::Outside, true) => {}
@@ -96,9 +82,7 @@ impl Flight<'_> {
 
     /// A sin(alpha) = sqrt((A - b) (A + b)).
     fn swing(&self) -> Float {
-        (self.float(&self.problem.amplitude - &self.b)
-            * self.float(&self.problem.amplitude + &self.b))
-        .sqrt()
+        (self.float(&self.problem.amplitude - &self.b) * self.float(&self.problem.amplitude + &self.b)).sqrt()
     }
 
     /// Compares the extreme `height` with the wall it points to, unless they are within 2^-(3P/4) max(d, A).

@@ -82,18 +82,14 @@ pub fn first_contact(problem: &Problem, start: &Start) -> Truth {
             }
         }
     }
-    Truth::Graze {
-        time: unresolved.expect("three attempts failed"),
-    }
+    Truth::Graze { time: unresolved.expect("three attempts failed") }
 }
 
 /// log2(A W / v+) for a start on a wall, at least 0, at most 2 P.
 fn slowness(problem: &Problem, start: &Start) -> u32 {
     let scale = Float::with_val(64, &problem.amplitude * &problem.omega);
     match (start.on, scale.get_exp(), start.velocity_after.get_exp()) {
-        (Some(_), Some(large), Some(small)) => {
-            (large.saturating_sub(small).max(0) as u32).min(2 * problem.precision())
-        }
+        (Some(_), Some(large), Some(small)) => (large.saturating_sub(small).max(0) as u32).min(2 * problem.precision()),
         _ => 0,
     }
 }
@@ -163,11 +159,7 @@ impl<'a> Flight<'a> {
             return Heading::Towards(direction); // Start::check: inward, if on a wall
         }
         let heading = if self.problem.amplitude.is_zero() {
-            return if self.start.on.is_some() {
-                Heading::Rests
-            } else {
-                Heading::Floats
-            };
+            return if self.start.on.is_some() { Heading::Rests } else { Heading::Floats };
         } else if self.float(self.sine0.abs_ref()) > self.input_rounding() {
             // y'' = A W^2 sin(theta0)
             Heading::Towards(Wall::of_sign(&self.sine0).expect("not zero"))
@@ -176,9 +168,7 @@ impl<'a> Flight<'a> {
             Heading::Released(Wall::of_sign(&self.cosine0).expect("cosine is +-1 here"))
         };
         match heading {
-            Heading::Towards(wall) | Heading::Released(wall) if self.start.on == Some(wall) => {
-                Heading::Rests
-            }
+            Heading::Towards(wall) | Heading::Released(wall) if self.start.on == Some(wall) => Heading::Rests,
             other => other,
         }
     }
@@ -189,11 +179,7 @@ impl<'a> Flight<'a> {
             Heading::Floats => return Ok(Truth::Never),
             Heading::Released(direction) => {
                 // Exactly theta0 = 0 (rightwards) or pi, b = +-A.
-                self.theta0 = if direction == Wall::Right {
-                    self.float(0)
-                } else {
-                    self.float(&self.two_pi / 2)
-                };
+                self.theta0 = if direction == Wall::Right { self.float(0) } else { self.float(&self.two_pi / 2) };
                 self.b = self.float(&self.problem.amplitude * direction.sign());
                 self.base = self.float(self.start.place(self.problem));
                 return self.monotone(direction);
@@ -203,12 +189,7 @@ impl<'a> Flight<'a> {
         if self.problem.amplitude.is_zero() {
             return Ok(self.straight(direction));
         }
-        if self
-            .b
-            .cmp_abs(&self.problem.amplitude)
-            .expect("numbers")
-            .is_ge()
-        {
+        if self.b.cmp_abs(&self.problem.amplitude).expect("numbers").is_ge() {
             let drift = Wall::of_sign(&self.b).expect("|b| >= A > 0");
             return self.monotone(drift);
         }
@@ -232,9 +213,7 @@ impl<'a> Flight<'a> {
         let way = self.float(&self.half_gap * direction.sign()) - self.start.place(self.problem);
         let slack = self.float(&self.problem.amplitude * 2);
         let speed = self.float(self.b.abs_ref());
-        let from = self
-            .float((self.float(way.abs_ref()) - &slack) / &speed)
-            .max(&Float::new(self.bits));
+        let from = self.float((self.float(way.abs_ref()) - &slack) / &speed).max(&Float::new(self.bits));
         let to = self.float((way.abs() + slack) / speed);
         let turns = self.float(&from / &self.two_pi).floor();
         let whole = self.float(&turns * &self.two_pi);
@@ -248,19 +227,11 @@ impl<'a> Flight<'a> {
     }
 
     pub(crate) fn graze(&self, phi: &Float, turns: &Float) -> Truth {
-        Truth::Graze {
-            time: self.time(phi, turns),
-        }
+        Truth::Graze { time: self.time(phi, turns) }
     }
 
     /// The contact with `wall` on the monotone piece `from..to` (radians, less `turns` whole ones).
-    pub(crate) fn contact(
-        &self,
-        wall: Wall,
-        from: Float,
-        to: Float,
-        turns: &Float,
-    ) -> Result<Truth, Unresolved> {
+    pub(crate) fn contact(&self, wall: Wall, from: Float, to: Float, turns: &Float) -> Result<Truth, Unresolved> {
         let turn_bits = turns.get_exp().unwrap_or(0).max(0) as u32;
         let carried = self.float(&self.two_pi * turns) * &self.b + &self.base;
         // Every term of D is below `largest`, and the error of b (some 2^-bits of it or of A) is carried on for
@@ -284,16 +255,10 @@ impl<'a> Flight<'a> {
                 Ok(Truth::Contact {
                     time: self.time(&phi, turns),
                     wall,
-                    velocity_before: Float::with_val(
-                        self.problem.precision(),
-                        slope * &self.problem.omega,
-                    ),
+                    velocity_before: Float::with_val(self.problem.precision(), slope * &self.problem.omega),
                 })
             }
-            Err(phi) => Err(Unresolved {
-                time: self.time(&phi, turns),
-                turn_bits,
-            }),
+            Err(phi) => Err(Unresolved { time: self.time(&phi, turns), turn_bits }),
         }
     }
 }

@@ -20,14 +20,8 @@ impl Number {
     /// The number `factor` times pi.
     pub fn pi_times(factor: impl Into<Number>) -> Number {
         let factor = factor.into();
-        assert!(
-            !factor.times_pi,
-            "pi times a multiple of pi is not supported"
-        );
-        Number {
-            times_pi: true,
-            ..factor
-        }
+        assert!(!factor.times_pi, "pi times a multiple of pi is not supported");
+        Number { times_pi: true, ..factor }
     }
 
     /// This number rounded to nearest at `precision` bits.
@@ -35,10 +29,7 @@ impl Number {
         if self.times_pi {
             // 64 guard bits: the product is off by under 2^-(precision+60) before its one rounding that matters.
             let pi = Float::with_val(precision + 64, Constant::Pi);
-            Float::with_val(
-                precision,
-                Float::with_val(precision + 64, pi * &self.factor),
-            )
+            Float::with_val(precision, Float::with_val(precision + 64, pi * &self.factor))
         } else {
             Float::with_val(precision, &self.factor)
         }
@@ -52,10 +43,7 @@ pub fn pi_times(precision: u32, factor: impl Into<Number>) -> Float {
 
 impl From<Rational> for Number {
     fn from(factor: Rational) -> Number {
-        Number {
-            factor,
-            times_pi: false,
-        }
+        Number { factor, times_pi: false }
     }
 }
 
@@ -67,25 +55,19 @@ impl From<i32> for Number {
 
 impl From<f64> for Number {
     fn from(value: f64) -> Number {
-        Rational::from_f64(value)
-            .unwrap_or_else(|| panic!("{value} is not finite"))
-            .into()
+        Rational::from_f64(value).unwrap_or_else(|| panic!("{value} is not finite")).into()
     }
 }
 
 impl From<&Float> for Number {
     fn from(value: &Float) -> Number {
-        value
-            .to_rational()
-            .unwrap_or_else(|| panic!("{value} is not finite"))
-            .into()
+        value.to_rational().unwrap_or_else(|| panic!("{value} is not finite")).into()
     }
 }
 
 impl From<&str> for Number {
     fn from(text: &str) -> Number {
-        parse(text)
-            .unwrap_or_else(|| panic!("`{text}` is not a decimal, a fraction or a multiple of pi"))
+        parse(text).unwrap_or_else(|| panic!("`{text}` is not a decimal, a fraction or a multiple of pi"))
     }
 }
 
@@ -110,11 +92,7 @@ fn parse(text: &str) -> Option<Number> {
             if divides && value == 0 {
                 return None;
             }
-            number.factor = if divides {
-                number.factor / value
-            } else {
-                number.factor * value
-            };
+            number.factor = if divides { number.factor / value } else { number.factor * value };
         }
         if end == rest.len() {
             return Some(number);
@@ -150,19 +128,14 @@ mod tests {
         assert_eq!(exact("-1/3"), Rational::from((-1, 3)));
         assert_eq!(exact("1.5e-3"), Rational::from((3, 2000)));
         assert_eq!(exact(".5E2"), Rational::from(50));
-        assert_eq!(
-            Number::from("-3*pi/2"),
-            Number::pi_times(Rational::from((-3, 2)))
-        );
+        assert_eq!(Number::from("-3*pi/2"), Number::pi_times(Rational::from((-3, 2))));
         assert_eq!(pi_times(300, "1/3"), Number::from("pi/3").to_float(300));
         assert_eq!(pi_times(53, 1), std::f64::consts::PI);
     }
 
     #[test]
     fn text_that_is_no_number_is_refused() {
-        for text in [
-            "", "-", "pi*pi", "1/pi", "1/0", "0x1", "1..2", "--1", "nan", "1e",
-        ] {
+        for text in ["", "-", "pi*pi", "1/pi", "1/0", "0x1", "1..2", "--1", "nan", "1e"] {
             assert_eq!(parse(text), None, "{text}");
         }
     }

@@ -21,10 +21,7 @@ impl Contact {
         Start {
             time: self.time.clone(),
             position: problem.wall_at(self.wall),
-            velocity_after: -Float::with_val(
-                problem.precision(),
-                &problem.restitution * &self.velocity_before,
-            ),
+            velocity_after: -Float::with_val(problem.precision(), &problem.restitution * &self.velocity_before),
             on: Some(self.wall),
         }
     }
@@ -40,19 +37,10 @@ pub fn orbit(problem: &Problem, start: &Start, count: usize) -> Vec<Contact> {
     let mut contacts = Vec::with_capacity(count.min(1 << 20));
     let mut state = start.clone();
     while contacts.len() < count {
-        let Truth::Contact {
-            time,
-            wall,
-            velocity_before,
-        } = first_contact(problem, &state)
-        else {
+        let Truth::Contact { time, wall, velocity_before } = first_contact(problem, &state) else {
             break;
         };
-        let contact = Contact {
-            time,
-            wall,
-            velocity_before,
-        };
+        let contact = Contact { time, wall, velocity_before };
         state = contact.after(problem);
         contacts.push(contact);
     }

@@ -81,17 +81,8 @@ impl Problem {
 
     /// P: the smallest precision of the five parameters, in bits.
     pub fn precision(&self) -> u32 {
-        let all = [
-            &self.amplitude,
-            &self.omega,
-            &self.tau,
-            &self.gap,
-            &self.restitution,
-        ];
-        all.map(Float::prec)
-            .into_iter()
-            .min()
-            .expect("five parameters")
+        let all = [&self.amplitude, &self.omega, &self.tau, &self.gap, &self.restitution];
+        all.map(Float::prec).into_iter().min().expect("five parameters")
     }
 
     /// The wall's place, -d/2 or +d/2, exactly.
@@ -100,32 +91,12 @@ impl Problem {
     }
 
     pub(crate) fn check(&self) {
-        assert!(
-            self.precision() >= 128,
-            "precision must be at least 128 bits, got {}",
-            self.precision()
-        );
-        assert!(
-            self.amplitude >= 0 && self.amplitude.is_finite(),
-            "amplitude {} < 0",
-            self.amplitude
-        );
-        assert!(
-            self.omega > 0 && self.omega.is_finite(),
-            "omega {} <= 0",
-            self.omega
-        );
+        assert!(self.precision() >= 128, "precision must be at least 128 bits, got {}", self.precision());
+        assert!(self.amplitude >= 0 && self.amplitude.is_finite(), "amplitude {} < 0", self.amplitude);
+        assert!(self.omega > 0 && self.omega.is_finite(), "omega {} <= 0", self.omega);
         assert!(self.tau.is_finite(), "tau {} is not finite", self.tau);
-        assert!(
-            self.gap > 0 && self.gap.is_finite(),
-            "gap {} <= 0",
-            self.gap
-        );
-        assert!(
-            self.restitution >= 0 && self.restitution <= 1,
-            "restitution {}",
-            self.restitution
-        );
+        assert!(self.gap > 0 && self.gap.is_finite(), "gap {} <= 0", self.gap);
+        assert!(self.restitution >= 0 && self.restitution <= 1, "restitution {}", self.restitution);
     }
 }
 
@@ -144,12 +115,7 @@ pub struct Start {
 
 impl Start {
     /// Just after an impact on `wall`: `velocity_after` points inward or is zero. Rounds to the problem's precision.
-    pub fn on_wall(
-        problem: &Problem,
-        wall: Wall,
-        time: impl Into<Number>,
-        velocity_after: impl Into<Number>,
-    ) -> Start {
+    pub fn on_wall(problem: &Problem, wall: Wall, time: impl Into<Number>, velocity_after: impl Into<Number>) -> Start {
         Start {
             time: time.into().to_float(problem.precision()),
             position: problem.wall_at(wall),
@@ -174,10 +140,7 @@ impl Start {
     }
 
     pub(crate) fn check(&self, problem: &Problem) {
-        assert!(
-            self.time.is_finite() && self.velocity_after.is_finite(),
-            "state is not finite: {self:?}"
-        );
+        assert!(self.time.is_finite() && self.velocity_after.is_finite(), "state is not finite: {self:?}");
         match self.on {
             Some(wall) => assert!(
                 Wall::of_sign(&self.velocity_after) != Some(wall),
@@ -185,8 +148,7 @@ impl Start {
                 self.velocity_after
             ),
             None => assert!(
-                self.position.cmp_abs(&problem.wall_at(Wall::Right))
-                    == Some(std::cmp::Ordering::Less),
+                self.position.cmp_abs(&problem.wall_at(Wall::Right)) == Some(std::cmp::Ordering::Less),
                 "position {} is not strictly between the walls; say which wall it is on",
                 self.position
             ),
@@ -195,7 +157,6 @@ impl Start {
 
     /// y_i, exactly.
     pub(crate) fn place(&self, problem: &Problem) -> Float {
-        self.on
-            .map_or_else(|| self.position.clone(), |wall| problem.wall_at(wall))
+        self.on.map_or_else(|| self.position.clone(), |wall| problem.wall_at(wall))
     }
 }

@@ -36,16 +36,10 @@ impl Piece {
 
     /// The root by plain bisection in double precision: a guess, no more.
     fn guess(&self) -> Float {
-        let scale = Float::with_val(64, self.amplitude.abs_ref())
-            .max(&Float::with_val(64, self.drift.abs_ref()));
+        let scale = Float::with_val(64, self.amplitude.abs_ref()).max(&Float::with_val(64, self.drift.abs_ref()));
         let in_scale = |x: &Float| Float::with_val(64, x / &scale).to_f64();
-        let (base, drift, amplitude) = (
-            in_scale(&self.base),
-            in_scale(&self.drift),
-            in_scale(&self.amplitude),
-        );
-        let (theta0, mut from, mut to) =
-            (self.theta0.to_f64(), self.from.to_f64(), self.to.to_f64());
+        let (base, drift, amplitude) = (in_scale(&self.base), in_scale(&self.drift), in_scale(&self.amplitude));
+        let (theta0, mut from, mut to) = (self.theta0.to_f64(), self.from.to_f64(), self.to.to_f64());
         loop {
             let middle = from + 0.5 * (to - from);
             if !(from < middle && middle < to) {
@@ -81,36 +75,25 @@ impl Piece {
             }
             let step = -(value / &slope);
             let newton = Float::with_val(bits, &phi + &step);
-            let halves =
-                Float::with_val(bits, &step * 2u32).cmp_abs(&last_step) == Some(Ordering::Less);
+            let halves = Float::with_val(bits, &step * 2u32).cmp_abs(&last_step) == Some(Ordering::Less);
             let trusted = slope > 0 && newton >= from && newton <= to && halves;
             (phi, last_step) = if trusted {
                 (newton, step)
             } else {
-                (
-                    Float::with_val(bits, &from + &to) / 2,
-                    Float::with_val(bits, &to - &from),
-                )
+                (Float::with_val(bits, &from + &to) / 2, Float::with_val(bits, &to - &from))
             };
             if last_step.is_zero() {
                 break;
             }
             // Newton leaves about step^2 |D''| / (2 D'), |D''| <= A (the sign check below has the last word); a bisection
             // leaves the bracket.
-            let left = if trusted {
-                2 * log2(&last_step) + log2(&self.amplitude) - log2(&slope)
-            } else {
-                log2(&last_step)
-            };
+            let left =
+                if trusted { 2 * log2(&last_step) + log2(&self.amplitude) - log2(&slope) } else { log2(&last_step) };
             if left < -i64::from(accuracy_bits + 4) {
                 break;
             }
         }
-        if self.changes_sign_around(&phi, accuracy_bits) {
-            Ok(phi)
-        } else {
-            Err(phi)
-        }
+        if self.changes_sign_around(&phi, accuracy_bits) { Ok(phi) } else { Err(phi) }
     }
 
     /// Whether D is clearly negative 2^-`accuracy_bits` before `phi` and clearly positive as much after it.

@@ -53,7 +53,5 @@ pub fn scan(problem: &Problem, start: &Start, until: f64, points: usize) -> Opti
     let flight = Sampled::new(problem, start);
     let limit = problem.gap.to_f64() / 2.0 * (1.0 + 1e-9) + 1e-13 * flight.amplitude;
     let step = until / (points + 1) as f64;
-    (1..=points)
-        .map(|index| index as f64 * step)
-        .find(|&elapsed| flight.displacement(elapsed).abs() > limit)
+    (1..=points).map(|index| index as f64 * step).find(|&elapsed| flight.displacement(elapsed).abs() > limit)
 }

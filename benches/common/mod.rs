@@ -1,0 +1,78 @@
+//! The workloads of the benches: the flights of figures 12-17, from their printed data.
+
+use impact_pair::flight::Flight;
+use impact_pair::number::{Ball, kernel};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
+use impact_pair::pair::{Reduced, Wall};
+use impact_pair::{Harmonic, ImpactPair};
+
+/// A figure of the paper: its number and its data.
+pub struct Figure {
+    pub name: &'static str,
+    pub pair: ImpactPair,
+    pub start: Start,
+}
+
+/// Figures 12-17, as printed.
+pub fn figures() -> Vec<Figure> {
+    [
+        ("fig12", "pi", "1", "9.42497", "0.5", "-12.56636", "0"),
+        ("fig13", "pi", "2", "9.42497", "0.5", "-12.56636", "0"),
+        ("fig14", "pi", "8", "9.42497", "0.5", "-12.56636", "0"),
+        ("fig15", "10*pi", "2", "1", "0.8", "-14.48", "0"),
+        ("fig16", "20*pi", "10", "1", "0.8", "-2", "0"),
+        ("fig17", "200*pi", "10", "10", "0.8", "0", "1.047196"),
+    ]
+    .map(|(name, frequency, amplitude, gap, restitution, velocity, phase)| {
+        let value = |text: &str| text.parse().expect("printed data");
+        let harmonic = Harmonic::new(value(amplitude), value(frequency), value(phase)).expect("printed data");
+        let pair = ImpactPair::new(harmonic, value(gap), value(restitution)).expect("printed data");
+        let start = Start::on_wall(value("0"), Wall::Left, value(velocity)).expect("printed data");
+        Figure { name, pair, start }
+    })
+    .into()
+}
+
+impl Figure {
+    /// The first `impacts` impacts in `arithmetic`.
+    pub fn orbit(&self, arithmetic: Arithmetic, impacts: u64) -> Orbit {
+        let settings = Settings { impacts: Some(impacts), arithmetic, ..Settings::default() };
+        Orbit::new(&self.pair, &self.start, settings).expect("printed data")
+    }
+
+    /// Where each of `count` flights of the floating orbit starts: wall, phase and velocity after the impact.
+    pub fn launches(&self, count: u64) -> (Reduced<Ball>, Vec<Launch>) {
+        let pair = self.pair.reduced().expect("printed data");
+        let launches = self
+            .orbit(Arithmetic::Float, count)
+            .map(|impact| Launch {
+                wall: impact.wall,
+                phase: impact.phase.mid(),
+                velocity: impact.wall.inward(pair.centre().rebound(impact.velocity.mid())),
+            })
+            .collect();
+        (pair, launches)
+    }
+}
+
+/// The start of one flight.
+#[derive(Clone, Copy)]
+pub struct Launch {
+    pub wall: Wall,
+    pub phase: f64,
+    pub velocity: f64,
+}
+
+impl Launch {
+    /// The flight, with the certified kernel's sine and cosine.
+    #[inline(always)]
+    pub fn flight(&self, pair: &Reduced<f64>) -> Flight<f64> {
+        self.flight_with(pair, kernel::sin_cos(self.phase))
+    }
+
+    /// The flight with the given sine and cosine of its phase.
+    #[inline(always)]
+    pub fn flight_with(&self, pair: &Reduced<f64>, sin_cos: (f64, f64)) -> Flight<f64> {
+        Flight::from_wall(pair, self.wall, self.phase, self.velocity, sin_cos)
+    }
+}
