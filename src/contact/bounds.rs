@@ -116,7 +116,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         }
     }
 
-    /// Lemma C1: bounds `|z - computed z|` near the contact, where `time > 0` has passed, for fixed phase.
+    /// Lemma C1: bounds `|z - computed z|` near the contact, for fixed phase; `time` has passed, `whole` of it whole turns.
     #[inline(always)]
     pub fn height(&self, time: f64, whole: f64, sin: f64, residual: f64) -> f64 {
         let (flight, pair) = (self.flight, self.pair);
@@ -160,6 +160,12 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         SLACK * (terms * per_term + self.radii.velocity + UNIT * (self.speed() + 2.0 * velocity.abs()))
     }
 
+    /// The radius of `beta`.
+    #[inline(always)]
+    pub fn beta_radius(&self) -> f64 {
+        self.pair.beta - self.flight.beta
+    }
+
     /// Bounds `|c - computed c|` over all starts.
     #[inline(always)]
     pub fn slope(&self) -> f64 {
@@ -170,8 +176,8 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     /// Lemma C4: how far a true critical phase may lie from the computed one, in turns.
     #[inline(always)]
     pub fn critical_phase(&self) -> f64 {
-        // |q - computed q| with q = c/beta: beta's radius is part of the drift's margin.
-        let ratio = self.slope() / self.pair.least_beta + UNIT;
+        // |q - computed q| with q = c/beta, |q| <= 1.
+        let ratio = (self.slope() + self.beta_radius()) / self.pair.least_beta + UNIT;
         // acos is Hoelder continuous: |acos x - acos y| <= pi sqrt(|x - y|/2), in turns sqrt(|x - y|/8).
         if ratio >= 0.0 { SLACK * (ACOS_ERROR + 0.354 * ratio.sqrt() + 16.0 * UNIT) } else { f64::INFINITY }
     }
@@ -179,8 +185,8 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     /// Whether [`Bounds::critical_phase`] is below [`NARROW`], without its root and quotient.
     #[inline(always)]
     pub fn is_narrow(&self) -> bool {
-        // 0.354 sqrt(2^-24) < 2^-13.49, and the rest is below 2^-30.
-        self.slope() <= 2f64.powi(-25) * self.pair.least_beta
+        // beta's radius is below the slope; 0.354 sqrt(2^-25) < 2^-13.99, and the rest is below 2^-30.
+        self.slope() <= 2f64.powi(-26) * self.pair.least_beta
     }
 }
 

@@ -52,8 +52,9 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     pub fn bracket(&self, iterate: &Iterate) -> Option<Arrival> {
         let (flight, turns) = (self.flight, iterate.turns);
-        let elapsed = turns + (iterate.at - flight.phase);
-        let error = self.height(elapsed.abs(), turns, iterate.sin, iterate.residual);
+        // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
+        let elapsed = UNIT.mul_add(turns.abs(), (turns + (iterate.at - flight.phase)).abs());
+        let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
         let Root { at, velocity, distance } =
             self.root(iterate, error, self.velocity(iterate.velocity), SIN_COS_ERROR, self.pair.bend)?;
         let time = turns + (at.mid() - flight.phase);
@@ -122,7 +123,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     pub fn is_monotone(&self, arrival: &Arrival) -> Result<(), Doubt> {
         let margin = self.flight.drift.abs() - self.flight.beta;
-        if margin > self.slope() + 2.0 * UNIT * self.flight.drift.abs() {
+        if margin > self.slope() + self.beta_radius() + 2.0 * UNIT * self.flight.drift.abs() {
             return Ok(());
         }
         self.is_nearly_monotone(*arrival)
