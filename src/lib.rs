@@ -1,6 +1,69 @@
-//! Verified numerics for the horizontal impact pair.
-#![forbid(unsafe_code)]
+//! Verified numerics for the horizontal impact pair: a ball between the two walls of a shaken box.
+//!
+//! R. P. S. Han, A. C. J. Luo and W. Deng, *Chaotic motion of a horizontal impact pair*, Journal of Sound and
+//! Vibration 181(2), 231-250 (1995), doi:10.1006/jsvi.1995.0137, is read here with proofs: every impact of the
+//! mappings P1-P4 is enclosed in an interval that provably holds it, none is missed, none is invented. What cannot
+//! be proved in the arithmetic chosen is [`Undecided`](contact::Undecided), with its reason.
+//!
+//! # The paper, equation by equation
+//!
+//! | equation | what | item |
+//! |---|---|---|
+//! | (1), (9) | displacement of the box, one harmonic | [`Harmonic`], [`excitation::displacement_velocity_acceleration`] |
+//! | fig. 1, (14) | gap, walls | [`ImpactPair`], [`pair::Wall`] |
+//! | (10)-(13) | motion between impacts | [`flight::Flight`] |
+//! | (15) | impact law | [`pair::Reduced::rebound`] |
+//! | (14), (A.2), (A.4), (A.6) | the first contact, certified | [`contact::first_contact`] |
+//! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |
+//! | (18)-(23) | switch-planes, in three coordinates | [`switch_plane::SwitchPoint`], [`orbit::Orbit::switch_point`] |
+//! | (24)-(27) | mappings P1-P4 | [`mapping::Mapping`] |
+//! | (28), (29), (33), (52), (55) | models: words of mappings | [`mapping::Word`] |
+//! | (A.7) | Jacobian of a mapping | [`mapping::jacobian`] |
+//! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
+//!
+//! # Modules, in reading order
+//!
+//! Data flows one way: scene, exact parameters, balls, flight, contact, orbit, certificate. The lemmas that the code
+//! rests on are in `docs/proofs.md`, with the labels that the comments use.
+//!
+//! # Conventions
+//!
+//! Inside, time is in turns of the excitation (`W t + tau = 2 pi u`), length in gaps, velocity in gaps a turn; then
+//! only `A/d` and `e` are left. Velocities carry their sign and are those *before* an impact unless the name says
+//! `after`. In an enclosure the truth lies within the radius of a [`number::Ball`], or between the bounds of an
+//! [`exact::Enclosure`] or [`number::Interval`].
+//!
+//! # Example
+//!
+//! ```
+//! use impact_pair::orbit::{Orbit, Outcome, Settings};
+//! use impact_pair::scene::Scene;
+//!
+//! let scene = Scene::parse(r#"
+//!     [excitation]
+//!     amplitude = 1
+//!     frequency = "pi"
+//!     phase = 0
+//!     [pair]
+//!     gap = "3*pi"
+//!     restitution = 0.5
+//!     [start]
+//!     time = 0
+//!     wall = "left"
+//!     velocity = "-4*pi"
+//! "#)?;
+//! let mut orbit = Orbit::new(scene.pair(), scene.start(), Settings::default())?;
+//! let first = orbit.next().expect("an impact");
+//! let (time, velocity) = orbit.bounds(&first);
+//! // The exact orbit of eqs (66)-(69): on the right wall at t = 1 with v = 4 pi.
+//! let (low, high) = time.to_f64_bounds();
+//! assert!(low <= 1.0 && 1.0 <= high && high - low < 1e-14);
+//! let (low, high) = velocity.to_f64_bounds();
+//! assert!(low < 12.5663706143592 && 12.5663706143591 < high);
+//! # Ok::<(), impact_pair::Error>(())
+//! ```
 
+pub mod certificate;
 pub mod contact;
 mod error;
 pub mod exact;
@@ -10,6 +73,8 @@ pub mod mapping;
 pub mod number;
 pub mod orbit;
 pub mod pair;
+pub mod scene;
+pub mod switch_plane;
 
 pub use error::Error;
 pub use excitation::Harmonic;

@@ -27,10 +27,11 @@ pub struct Clock {
     /// The whole turns that phases are counted from.
     origin: BigInt,
     bits: u32,
-    /// Enclosures of `2 pi / W`, `tau / W` and `W d / (2 pi)`.
+    /// Enclosures of `2 pi / W`, `tau / W`, `W d / (2 pi)` and `d`.
     period: Enclosure,
     delay: Enclosure,
     speed: Enclosure,
+    gap: Enclosure,
     /// `2 pi / (W d)`
     slowness: Exact,
 }
@@ -54,6 +55,7 @@ impl Clock {
             period: period.enclose(bits),
             delay: delay.enclose(bits),
             speed: speed.enclose(BITS),
+            gap: pair.gap().enclose(BITS),
             slowness,
             shift,
             rate,
@@ -81,6 +83,18 @@ impl Clock {
     pub fn time(&self, turns: i64, rest: Ball) -> Enclosure {
         let whole = Enclosure::from_rational(&BigRational::from(&self.origin + turns), self.bits);
         whole.add(&enclosure(rest), self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
+    }
+
+    /// Encloses `t mod 2 pi/W` [time]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
+    pub fn time_in_period(&self, rest: Ball) -> Enclosure {
+        let turns = enclosure(rest).sub(&self.shift.enclose(BITS), BITS);
+        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), BITS);
+        turns.sub(&whole, BITS).mul(&self.period, BITS)
+    }
+
+    /// Encloses a length [length] given in gaps.
+    pub fn length(&self, length: Ball) -> Enclosure {
+        enclosure(length).mul(&self.gap, BITS)
     }
 
     /// Encloses a velocity [length/time] given in gaps a turn.

@@ -15,7 +15,8 @@ use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
-use crate::pair::{ImpactPair, Wall, ball, within};
+use crate::pair::{ImpactPair, Reduced, Wall, ball, within};
+use crate::switch_plane::{SwitchPoint, absolute_balls};
 use clock::Phase;
 use motion::{FloatMotion, IntervalMotion, Motion, Origin};
 
@@ -124,6 +125,7 @@ impl Outcome {
 /// ```
 #[derive(Debug)]
 pub struct Orbit {
+    pair: Reduced<Ball>,
     clock: Clock,
     motion: Box<dyn Motion>,
     settings: Settings,
@@ -165,6 +167,7 @@ impl Orbit {
             Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(&reduced, origin)),
         };
         Ok(Self {
+            pair: reduced,
             clock,
             motion,
             settings,
@@ -197,6 +200,18 @@ impl Orbit {
     /// The bounds of an impact's time [time] and velocity [length/time].
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         (self.clock.time(impact.turns, impact.phase), self.clock.velocity(impact.velocity))
+    }
+
+    /// The impact as a point of its switch-plane. **Equations** (18)-(23)
+    pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
+        let (displacement, velocity) = absolute_balls(&self.pair, impact.wall, impact.phase, impact.velocity);
+        SwitchPoint {
+            wall: impact.wall,
+            time: self.clock.time_in_period(impact.phase),
+            relative_velocity: self.clock.velocity(impact.velocity),
+            displacement: self.clock.length(displacement),
+            absolute_velocity: self.clock.velocity(velocity),
+        }
     }
 
     fn end(&mut self, undecided: Undecided) {

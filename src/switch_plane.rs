@@ -1,0 +1,39 @@
+//! The switch-planes Sigma+ and Sigma-, in the three coordinates of equations (18)-(23).
+//!
+//! An impact is a point of the switch-plane of its wall. The paper draws it as `(t mod 2 pi/W, y')` (18)-(21), as
+//! `(x, x')` and as `(t mod 2 pi/W, x')` (22), (23), with `x = y + E(t)` the absolute displacement.
+
+use crate::exact::Enclosure;
+use crate::excitation::displacement_velocity_acceleration;
+use crate::number::{Ball, Number};
+use crate::pair::{Reduced, Wall};
+
+/// An impact in all the coordinates of the switch-planes, velocities just before the impact.
+///
+/// **Enclosure**: each coordinate holds that of the true impact. **Units**: time [time], length [length].
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwitchPoint {
+    /// The wall: Sigma- for the left one, Sigma+ for the right one.
+    pub wall: Wall,
+    /// `t mod 2 pi/W`; the lower bound lies in `[0, 2 pi/W)`, the upper one may lie beyond when the impact may be at 0.
+    pub time: Enclosure,
+    /// `y'`, relative to the box. **Equations** (18)-(21)
+    pub relative_velocity: Enclosure,
+    /// `x = y + E(t)`. **Equation** (22)
+    pub displacement: Enclosure,
+    /// `x' = y' + E'(t)`. **Equations** (22), (23)
+    pub absolute_velocity: Enclosure,
+}
+
+/// `x/d` and `x'` in gaps a turn, of an impact on `wall` at the phase of the given sine and cosine.
+///
+/// **Equations** (22), (23), without units.
+pub fn absolute<N: Number>(pair: &Reduced<N>, wall: Wall, sin_cos: (N, N), velocity: N) -> (N, N) {
+    let (shift, speed, _) = displacement_velocity_acceleration(pair.alpha, sin_cos);
+    (shift - N::from_f64(0.5 * wall.sign()), velocity + speed)
+}
+
+/// The absolute coordinates of an impact as balls.
+pub(crate) fn absolute_balls(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Ball) -> (Ball, Ball) {
+    absolute(pair, wall, phase.sin_cos(), velocity)
+}
