@@ -1,6 +1,7 @@
 //! Verified numerics for the horizontal impact pair.
 #![forbid(unsafe_code)]
 
+pub mod certificate;
 pub mod contact;
 mod error;
 pub mod exact;
@@ -10,7 +11,9 @@ pub mod mapping;
 pub mod number;
 pub mod orbit;
 pub mod pair;
+pub mod scene;
 
 pub use error::Error;
 pub use excitation::Harmonic;
 pub use pair::ImpactPair;
+pub use scene::Scene;
