@@ -75,7 +75,8 @@ impl Clock {
 
     /// A velocity in gaps a turn.
     pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Ball, Error> {
-        ball("start.velocity", &(velocity.clone() * self.slowness.clone()))
+        let key = "start.velocity";
+        ball(key, &(velocity.clone() * self.slowness.clone())).map_err(|_| Error::too_large(key, velocity))
     }
 
     /// Encloses the time `t = (2 pi u - tau) / W` [time] of the phase of `turns` and the rest.
