@@ -107,9 +107,19 @@ impl<N: Number> Flight<N> {
 }
 
 impl Flight<f64> {
-    /// The mirrored sine after a hop, by the addition theorem.
+    /// The mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
-    pub fn hop_sine(&self, d: &Departure) -> f64 {
-        self.cos.mul_add(d.sine, (-self.sin).mul_add(d.versine, self.sin))
+    pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
+        let sin = self.cos.mul_add(d.sine, (-self.sin).mul_add(d.versine, self.sin));
+        let cos = (-self.sin).mul_add(d.sine, (-self.cos).mul_add(d.versine, self.cos));
+        (sin, cos)
+    }
+
+    /// `z'` and the mirrored sine a short `step` earlier than where they and the cosine are given, by Taylor's formula.
+    #[inline(always)]
+    pub fn arrive(&self, velocity: f64, (sin, cos): (f64, f64), step: f64) -> (f64, f64) {
+        let turned = std::f64::consts::TAU * step;
+        let mean_sin = (-0.5 * turned).mul_add(cos, sin);
+        ((-self.beta * turned).mul_add(mean_sin, velocity), (-turned).mul_add(cos, sin))
     }
 }

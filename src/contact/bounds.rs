@@ -70,6 +70,12 @@ impl Margins {
             hop_velocity: SLACK * (beta * hop + pair.beta.rad()),
         }
     }
+
+    /// An upper bound of the radius of `beta` around its centre.
+    #[inline(always)]
+    pub(super) fn beta_radius(&self, centre: f64) -> f64 {
+        (self.beta - centre).next_up()
+    }
 }
 
 /// The error bounds of one flight. `WIDE` is false when the phase of the start is exact, which saves its terms.
@@ -163,7 +169,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     /// The radius of `beta`.
     #[inline(always)]
     pub fn beta_radius(&self) -> f64 {
-        self.pair.beta - self.flight.beta
+        self.pair.beta_radius(self.flight.beta)
     }
 
     /// Bounds `|c - computed c|` over all starts.

@@ -24,6 +24,8 @@ pub(crate) struct Arrival {
     pub velocity: Ball,
     /// Mirrored sine on arrival.
     pub sin: Ball,
+    /// What of the velocity's radius does not come from that of the root.
+    pub rest: f64,
 }
 
 /// What could not be proved about a bracketed contact.
@@ -43,8 +45,10 @@ struct Root {
     at: Ball,
     /// `z'` there.
     velocity: Ball,
-    /// Bounds how far the iterate lies from it.
-    distance: f64,
+    /// The mirrored sine there.
+    sin: Ball,
+    /// What of the velocity's radius does not come from that of the root.
+    rest: f64,
 }
 
 impl<const WIDE: bool> Bounds<'_, WIDE> {
@@ -55,13 +59,12 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
         let elapsed = UNIT.mul_add(turns.abs(), (turns + (iterate.at - flight.phase)).abs());
         let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
-        let Root { at, velocity, distance } =
+        let Root { at, velocity, sin, rest } =
             self.root(iterate, error, self.velocity(iterate.velocity), SIN_COS_ERROR, self.pair.bend)?;
         let time = turns + (at.mid() - flight.phase);
         let rounding = UNIT * (2.0 * time.abs() + turns.abs());
         let time = Ball::new(time, up(at.rad() + self.phase_radius() + rounding));
-        let sin = Ball::new(iterate.sin, SLACK * TAU.mul_add(distance, SIN_COS_ERROR));
-        Some(Arrival { target: iterate.target, turns, phase: at, time, velocity, sin })
+        Some(Arrival { target: iterate.target, turns, phase: at, time, velocity, sin, rest })
     }
 
     /// A bracket around the end of a hop (Lemma C3).
@@ -73,11 +76,10 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let turned = TAU * self.radii.phase;
         let sine_error = HOP_SINE_ERROR + turned;
         let bend_error = self.pair.bend + self.pair.swing * turned;
-        let Root { at, velocity, distance } = self.root(iterate, error, velocity_error, sine_error, bend_error)?;
+        let Root { at, velocity, sin, rest } = self.root(iterate, error, velocity_error, sine_error, bend_error)?;
         let phase = self.flight.phase + at.mid();
         let phase = Ball::new(phase, up(at.rad() + self.phase_radius() + UNIT * phase.abs()));
-        let sin = Ball::new(iterate.sin, SLACK * TAU.mul_add(distance, sine_error));
-        Some(Arrival { target: iterate.target, turns: 0.0, phase, time: at, velocity, sin })
+        Some(Arrival { target: iterate.target, turns: 0.0, phase, time: at, velocity, sin, rest })
     }
 
     /// Lemma C3: exactly one root near the end of the iterate's step, for every start.
@@ -94,7 +96,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         bend_error: f64,
     ) -> Option<Root> {
         let pair = self.pair;
-        let Iterate { target, at, residual, velocity, sin, step, .. } = *iterate;
+        let Iterate { target, at, residual, velocity, sin, cos, step, .. } = *iterate;
         // Within `reach` of the iterate z' differs from its computed value by the fraction `doubt` at most.
         let inverse = 1.0 / velocity.abs();
         let reach = 2.0 * (residual.abs() + error) * inverse;
@@ -113,10 +115,17 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let root = at - step;
         let radius = SLACK * UNIT.mul_add(root.abs(), tail);
         let distance = size + radius;
-        let on_arrival = (-bend).mul_add(step, velocity);
-        let spread = pair.jerk.mul_add(distance, bend_error).mul_add(distance, curvature * radius);
-        let velocity_radius = SLACK * (velocity_error + spread + 2.0 * UNIT * on_arrival.abs());
-        Some(Root { at: Ball::new(root, radius), velocity: Ball::new(on_arrival, velocity_radius), distance })
+        let (velocity, sin) = self.flight.arrive(iterate.velocity, (sin, cos), step);
+        let cubic = (2.1 * pair.jerk * distance).mul_add(distance, bend_error * distance.mul_add(4.0, 1.0));
+        let rest = SLACK * (cubic.mul_add(distance, velocity_error) + 3.0 * UNIT * iterate.velocity.abs());
+        let slope = SLACK * (2.0 * pair.jerk).mul_add(distance, curvature);
+        let sine_radius = SLACK * (sine_error * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
+        Some(Root {
+            at: Ball::new(root, radius),
+            velocity: Ball::new(velocity, up(slope.mul_add(radius, rest))),
+            sin: Ball::new(sin, sine_radius),
+            rest,
+        })
     }
 
     /// Lemma C5: `z'` keeps its sign for ever, so the root of a monotone flight is the first contact.

@@ -20,7 +20,7 @@ use solve::{Iterate, Judge, NoProposal, propose};
 
 use crate::flight::Flight;
 use crate::number::kernel::Departure;
-use crate::number::{Ball, Kernel, Trigonometry};
+use crate::number::{Ball, Kernel, Number, Trigonometry};
 use crate::pair::Wall;
 
 /// A three-valued answer: proved, or not, and then why.
@@ -181,14 +181,20 @@ impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
 pub(crate) struct SetContact {
     /// Encloses the contact of every flight of the set.
     pub all: Contact<Ball>,
-    /// Encloses the contact of the flight from the centre.
-    pub centre: Contact<Ball>,
     /// Encloses `sin th1` over the set.
     pub sin: Ball,
+    /// Encloses the phase on arrival of the flight from the centre.
+    pub phase: Ball,
+    /// Its velocity at the middle of that phase, but for the radius; elsewhere the slope times the distance is added.
+    pub velocity: Ball,
+    /// `dv/du` on arrival: the acceleration, over the bracket.
+    pub slope: Ball,
 }
 
 /// Encloses the first contact of all the flights that start within the radii `all`, and more closely that of those
 /// within `point`; both as [`first_contact`] does.
+///
+/// The phase and velocity of the latter lie in `phase x velocity`, sheared by `slope` (Lemma S4).
 ///
 /// A doubt that the centre's flight does not share is the set's width's fault.
 #[inline(always)]
@@ -201,10 +207,13 @@ pub(crate) fn first_contacts(
     let judges =
         Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
     let (arrival, centre) = propose::<Kernel, _>(flight, &judges)?;
+    let slope = Ball::turn() * Ball::new(flight.beta, margins.beta_radius(flight.beta)) * centre.sin;
     Ok(SetContact {
         all: arrival.contact(flight),
-        centre: centre.contact(flight),
         sin: flight.wall.inward(arrival.sin),
+        phase: centre.phase,
+        velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), centre.rest)),
+        slope: flight.wall.inward(slope),
     })
 }
 
@@ -274,7 +283,7 @@ impl Unproved<'_> {
     #[inline(always)]
     fn arrive(&self, iterate: &Iterate, phase: f64, time: f64) -> Option<Contact<f64>> {
         let flight = self.0;
-        let velocity = (-flight.acceleration_at(iterate.sin)).mul_add(iterate.step, iterate.velocity);
+        let (velocity, _) = flight.arrive(iterate.velocity, (iterate.sin, iterate.cos), iterate.step);
         Some(Contact {
             wall: iterate.target.wall(flight.wall),
             turns: iterate.turns,

@@ -24,8 +24,9 @@ pub(crate) struct Iterate {
     pub residual: f64,
     /// `z'` there.
     pub velocity: f64,
-    /// Mirrored sine there.
+    /// Mirrored sine and cosine there.
     pub sin: f64,
+    pub cos: f64,
     /// The step that leads from here to the root: Halley's, for a hop Newton's.
     pub step: f64,
 }
@@ -153,7 +154,7 @@ fn refine<T: Trigonometry>(
         let cube = (step * step * step).abs();
         let error = cube * bend.mul_add(bend, jerk * velocity.abs());
         if error <= 2f64.powi(-57) * square || left == 0 {
-            return Iterate { target, turns, at, residual, velocity, sin, step };
+            return Iterate { target, turns, at, residual, velocity, sin, cos, step };
         }
         if (residual > 0.0) == (direction > 0.0) {
             high = at;
@@ -180,7 +181,7 @@ fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
     let mut at = guess;
     for _ in 0..8 {
         let departure = T::departure(at);
-        let sin = flight.hop_sine(&departure);
+        let (sin, cos) = flight.hop_sin_cos(&departure);
         let residual = flight.hop_height(at, departure.versine, departure.excess);
         let velocity = flight.hop_velocity(departure.versine, departure.sine);
         if velocity >= 0.0 || sin >= 0.0 {
@@ -189,7 +190,7 @@ fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
         let step = residual / velocity;
         // The next error, relative to the time, is about (step/time)^2.
         if step.abs() <= 2f64.powi(-28) * at {
-            let iterate = Iterate { target: Target::Near, turns: 0.0, at, residual, velocity, sin, step };
+            let iterate = Iterate { target: Target::Near, turns: 0.0, at, residual, velocity, sin, cos, step };
             let reaches_far = flight.velocity * at >= 1.0;
             return (!reaches_far).then_some((iterate, departure));
         }

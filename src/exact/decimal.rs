@@ -14,7 +14,7 @@ use super::enclosure::Enclosure;
 /// A point whose exact decimal has more significant digits than this is rounded outward instead.
 const LONGEST_EXACT: usize = 60;
 /// The digits such a point is rounded to.
-const POINT_DIGITS: i64 = 40;
+pub(super) const POINT_DIGITS: i64 = 40;
 /// Ends beyond `2^COARSE` or below `2^-COARSE` are printed as the nearest power of ten outward.
 const COARSE: i64 = 1 << 18;
 /// Powers of ten kept in a table.
@@ -59,6 +59,23 @@ pub fn decimal_bounds_f64(lo: f64, hi: f64) -> [String; 2] {
     }
 }
 
+/// The shortest decimal that reads back as the same double; it bounds nothing.
+///
+/// ```
+/// # use impact_pair::exact::decimal_f64;
+/// assert_eq!([decimal_f64(0.1), decimal_f64(-2.0), decimal_f64(1e-300)], ["0.1", "-2", "1e-300"]);
+/// ```
+pub fn decimal_f64(x: f64) -> String {
+    let text = format!("{x:e}");
+    let Some((digits, exponent)) = text.split_once('e').filter(|_| x.is_finite()) else {
+        return if x.is_nan() { "nan".into() } else { infinite(x) };
+    };
+    let places = digits.split_once('.').map_or(0, |(_, places)| places.len() as i64);
+    let integer: BigInt = digits.replace('.', "").parse().expect("digits of a finite double");
+    let exponent: i64 = exponent.parse().expect("the exponent of a finite double");
+    DecimalDigits::new(&integer, exponent - places).to_string()
+}
+
 /// The name of an infinite double.
 fn infinite(x: f64) -> String {
     if x > 0.0 { "inf".into() } else { "-inf".into() }
@@ -90,7 +107,7 @@ fn point_bound(x: &Dyadic, round: Round) -> String {
 }
 
 /// The exact decimal of a dyadic of moderate size, if it is short.
-fn exact_decimal(x: &Dyadic) -> Option<String> {
+pub(super) fn exact_decimal(x: &Dyadic) -> Option<String> {
     // m * 2^-k = (m * 5^k) / 10^k, and 5^k alone has more than 60 digits for k > 85.
     let (digits, exponent) = if x.exponent() >= 0 {
         (x.mantissa() << x.exponent(), 0)
@@ -105,8 +122,13 @@ fn exact_decimal(x: &Dyadic) -> Option<String> {
 
 /// `x` rounded to a multiple of `10^quantum` in the direction asked.
 fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
+    DecimalDigits::new(&multiple(x, quantum, round), quantum).to_string()
+}
+
+/// How often `10^quantum` goes into `x`, rounded to an integer in the direction asked.
+pub(super) fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
     let (m, e) = (x.mantissa(), x.exponent());
-    let steps = if quantum <= 0 {
+    if quantum <= 0 {
         with_power_of_ten(quantum.unsigned_abs(), |power| scale_to_integer(&(m * power), e, round))
     } else {
         with_power_of_ten(quantum.unsigned_abs(), |power| {
@@ -116,12 +138,11 @@ fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
                 divide_to_integer(m, &(power << e.unsigned_abs()), round)
             }
         })
-    };
-    DecimalDigits::new(&steps, quantum).to_string()
+    }
 }
 
 /// An integer t with `10^t <= 2^top / divisor`, short of the largest by at most one (`divisor` 1 or 200).
-fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
+pub(super) fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
     // log10 2 = 0.30102999566398119...; the 13-digit bounds below are on the safe side for either sign of top.
     let log_two: i128 = if top >= 0 { 3_010_299_956_639 } else { 3_010_299_956_640 };
     // log10 200 = 2.3010299956639...
@@ -131,7 +152,7 @@ fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
 }
 
 /// True for a number, not zero, too large or too small to be written out digit by digit.
-fn is_coarse(x: &Dyadic) -> bool {
+pub(super) fn is_coarse(x: &Dyadic) -> bool {
     x.top().is_some_and(|top| top.abs() > COARSE || x.exponent() < -8 * COARSE)
 }
 
@@ -277,7 +298,7 @@ mod tests {
         let [lower, upper] = decimal_bounds_f64(-1e-300, -1e-300);
         assert!(value(&lower) < value(&upper));
         assert!(
-            lower.starts_with("-1.000000000000000025059") && lower.ends_with("e-300") && lower.len() <= 49,
+            lower.starts_with("-1.00000000000000002505909") && lower.ends_with("e-300") && lower.len() <= 49,
             "{lower}"
         );
         let exact = Dyadic::from_f64(-1e-300).unwrap().to_rational();
@@ -294,6 +315,13 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn shortest_decimals_read_back(bits: u64) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite());
+            prop_assert_eq!(decimal_f64(x).parse::<f64>().unwrap(), x);
+        }
+
         #[test]
         fn printed_bounds_bracket_tightly(m: i64, n in prop_oneof![Just(0u64), 1u64..5, any::<u64>()], e in -1100i64..1000, gap in 0u32..60) {
             let lo = BigInt::from(m) << gap;

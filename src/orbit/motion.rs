@@ -2,7 +2,7 @@
 
 use super::set::StateSet;
 use crate::contact::{
-    Contact, Margins, Radii, Reason, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
+    Contact, Margins, Radii, Reason, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
 };
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
@@ -136,17 +136,18 @@ impl IntervalMotion {
         let flight = Flight::from_wall(&self.centre, wall, set.phase, wall.inward(after.mid()), sin_cos);
         let point = Radii { velocity: after.rad(), ..Radii::default() };
         let all = Radii { phase: phase.rad(), velocity: self.rebound(before).rad(), ..point };
-        let SetContact { all: contact, centre: image, sin: sin1 } = first_contacts(&flight, &self.margins, point, all)?;
+        let image = first_contacts(&flight, &self.margins, point, all)?;
+        let contact = image.all;
         let passage = Passage {
             time: contact.time,
             sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + 6.3 * phase.rad()),
-            sin1,
+            sin1: image.sin,
             velocity0: before,
             velocity1: contact.velocity,
         };
         let wide = Undecided { reason: Reason::Width, wall: Some(contact.wall), time: Some(contact.time) };
         let jacobian = jacobian(self.pair.beta, self.pair.restitution, &passage).ok_or(wide)?;
-        let next = set.image(image.phase, image.velocity, &jacobian);
+        let next = set.image(&image, &jacobian);
         Ok((contact, next))
     }
 

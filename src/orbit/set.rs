@@ -8,9 +8,14 @@
 //! `r' = |R^-1 J Q| r + |R^-1| p`. With `R` the rotation whose first axis is the longest image edge the
 //! parallelogram neither degenerates nor is wrapped in a box, so contracting orbits go on for ever.
 //!
+//! **Lemma S4** (shear). The image of the centre is known as a phase within `p` of `c'_1` and a velocity within `q` of
+//! `c'_2 + g (phase - c'_1)`, `g` the acceleration on arrival: an error of the phase moves the velocity along. In S2
+//! `|R^-1| p` becomes `|R^-1 (1, g)| p + |R^-1 (0, 1)| q`.
+//!
 //! Coordinates are (phase in turns, velocity / scale), the scale a power of two near the velocities of the
 //! orbit, so that a rotation mixes like with like.
 
+use crate::contact::SetContact;
 use crate::number::{Ball, UNIT, up};
 
 /// All states within a parallelogram around a centre.
@@ -53,10 +58,10 @@ impl StateSet {
         Ball::new(self.velocity, up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1])))
     }
 
-    /// The image of the set (Lemmas S1, S2): `phase` and `velocity` enclose the image of the centre, `jacobian`
-    /// the Jacobian over the set.
+    /// The image of the set (Lemmas S1, S2, S4): `centre` encloses the image of the centre, `jacobian` the Jacobian over
+    /// the set.
     #[inline(always)]
-    pub fn image(&self, phase: Ball, velocity: Ball, jacobian: &[[Ball; 2]; 2]) -> Self {
+    pub fn image(&self, centre: &SetContact, jacobian: &[[Ball; 2]; 2]) -> Self {
         let exact = Ball::exact;
         let (c, s) = self.axis;
         // Powers of two: exact unless they overflow, and then the balls are infinite.
@@ -64,26 +69,24 @@ impl StateSet {
         let [[a, b], [d, e]] = *jacobian;
         let rows = [[a, b * scale], [d * unscale, e]];
         let columns = rows.map(|[x, y]| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)]);
-        // Both image edges; the longer one gives the first axis.
+        let (p, q) = (centre.phase.rad(), up(centre.velocity.rad() * (1.0 / self.scale)));
+        let shear = centre.slope * unscale;
+        // The longest of both image edges and the error of the centre gives the first axis.
         let edge = |j: usize| (columns[0][j].mid() * self.edges[j], columns[1][j].mid() * self.edges[j]);
-        let (first, second) = (edge(0), edge(1));
-        let square = |v: (f64, f64)| v.0.mul_add(v.0, v.1 * v.1);
-        let axis =
-            unit(if square(first) >= square(second) { first } else { second }, square(first).max(square(second)));
+        let axis = direction([edge(0), edge(1), (p, p * shear.mid())]);
         let (c1, s1) = (exact(axis.0), exact(axis.1));
         // The transpose of the rotation is its inverse up to the factor 1/(c^2 + s^2), within 1 +- 8 UNIT.
-        let (p, q) = (phase.rad(), up(velocity.rad() * (1.0 / self.scale)));
-        let reach = |along: [Ball; 2], noise: f64| {
-            up(along[0].mag() * self.edges[0] + along[1].mag() * self.edges[1] + noise) * (1.0 + 16.0 * UNIT)
+        let reach = |edges: [Ball; 2], noise: [Ball; 2]| {
+            let image = edges[0].mag() * self.edges[0] + edges[1].mag() * self.edges[1];
+            up(image + noise[0].mag() * p + noise[1].mag() * q) * (1.0 + 16.0 * UNIT)
         };
         let along = [columns[0][0] * c1 + columns[1][0] * s1, columns[0][1] * c1 + columns[1][1] * s1];
         let across = [columns[1][0] * c1 - columns[0][0] * s1, columns[1][1] * c1 - columns[0][1] * s1];
-        let (c, s) = (axis.0.abs(), axis.1.abs());
         Self {
-            phase: phase.mid(),
-            velocity: velocity.mid(),
+            phase: centre.phase.mid(),
+            velocity: centre.velocity.mid(),
             axis,
-            edges: [reach(along, c * p + s * q), reach(across, s * p + c * q)],
+            edges: [reach(along, [c1 + s1 * shear, s1]), reach(across, [c1 * shear - s1, c1])],
             scale: self.scale,
         }
     }
@@ -95,13 +98,16 @@ impl StateSet {
     }
 }
 
-/// The vector divided by its length; the first axis when it has none that doubles can tell.
+/// The direction of the longest of the vectors; the first axis when it has none that doubles can tell.
 #[inline(always)]
-fn unit(v: (f64, f64), square: f64) -> (f64, f64) {
+fn direction(vectors: [(f64, f64); 3]) -> (f64, f64) {
+    let square = |v: (f64, f64)| v.0.mul_add(v.0, v.1 * v.1);
+    let longer = |a: (f64, f64), b: (f64, f64)| if square(a) >= square(b) { a } else { b };
+    let longest = longer(longer(vectors[0], vectors[1]), vectors[2]);
     // Far from under- and overflow the rotation is orthonormal to a few units in the last place.
-    if (1e-280..1e280).contains(&square) {
-        let length = square.sqrt();
-        (v.0 / length, v.1 / length)
+    if (1e-280..1e280).contains(&square(longest)) {
+        let length = square(longest).sqrt();
+        (longest.0 / length, longest.1 / length)
     } else {
         (1.0, 0.0)
     }
