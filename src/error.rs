@@ -9,6 +9,8 @@ use crate::exact::Exact;
 #[error("{place}{message}")]
 pub struct Error {
     kind: Kind,
+    /// The key of the scene file that is at fault, when it is one.
+    key: Option<String>,
     /// `line 7: ` when the value stands in a file.
     place: String,
     message: String,
@@ -23,7 +25,7 @@ enum Kind {
 
 impl Error {
     fn new(kind: Kind, message: String) -> Self {
-        Self { kind, place: String::new(), message }
+        Self { kind, key: None, place: String::new(), message }
     }
 
     /// Whether a value lies outside what is accepted.
@@ -41,6 +43,11 @@ impl Error {
         self.kind == Kind::Word
     }
 
+    /// The key of the scene file that is at fault, such as `pair.gap`, when it is one.
+    pub fn key(&self) -> Option<&str> {
+        self.key.as_deref()
+    }
+
     pub(crate) fn at_line(mut self, line: usize) -> Self {
         if self.place.is_empty() {
             self.place = format!("line {line}: ");
@@ -52,8 +59,14 @@ impl Error {
         Self::new(Kind::Scene, message)
     }
 
+    /// A value of a scene file, as written there, that is not of the accepted kind.
+    pub(crate) fn entry(key: &str, written: &str, accepted: &str) -> Self {
+        Self { key: Some(key.to_owned()), ..Self::scene(format!("{key} is {written}, but {accepted}")) }
+    }
+
     pub(crate) fn range(key: &str, value: &Exact, accepted: &str) -> Self {
-        Self::new(Kind::Range, format!("{key} is {value}, but {accepted}"))
+        let message = format!("{key} is {value}, but {accepted}");
+        Self { key: Some(key.to_owned()), ..Self::new(Kind::Range, message) }
     }
 
     pub(crate) fn too_large(key: &str, value: &Exact) -> Self {

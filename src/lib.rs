@@ -79,3 +79,4 @@ pub mod switch_plane;
 pub use error::Error;
 pub use excitation::Harmonic;
 pub use pair::ImpactPair;
+pub use scene::Scene;

@@ -1,1 +1,58 @@
-fn main() {}
+//! Command line of impact-pair: certified orbits of the horizontal impact pair.
+
+mod arguments;
+mod ending;
+mod listing;
+mod output;
+mod progress;
+mod run;
+mod table;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use anyhow::{Context, Error, Result};
+use clap::{CommandFactory, Parser};
+use clap_complete::Shell;
+
+use arguments::{Cli, Verb};
+
+/// What the exit code says of the answer.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Answer {
+    /// All that was asked is certified, or no proof was asked for.
+    Complete,
+    /// Some of it is not.
+    Incomplete,
+}
+
+fn main() -> ExitCode {
+    let answer = match Cli::parse().verb {
+        Verb::Run(arguments) => run::run(&arguments),
+        Verb::Completions { shell } => completions(shell),
+    };
+    match answer {
+        Ok(Answer::Complete) => ExitCode::SUCCESS,
+        Ok(Answer::Incomplete) => ExitCode::from(1),
+        // Who closes a pipe has read enough.
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            // Nobody may be listening.
+            let _ = writeln!(io::stderr(), "error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn is_broken_pipe(error: &Error) -> bool {
+    error.chain().filter_map(|cause| cause.downcast_ref::<io::Error>()).any(|e| e.kind() == io::ErrorKind::BrokenPipe)
+}
+
+fn completions(shell: Shell) -> Result<Answer> {
+    let mut command = Cli::command();
+    let name = command.get_name().to_owned();
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut command, name, &mut script);
+    io::stdout().write_all(&script).context("cannot write to stdout")?;
+    Ok(Answer::Complete)
+}

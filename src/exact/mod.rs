@@ -34,7 +34,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-pub use decimal::{decimal_bounds, decimal_bounds_f64};
+pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_digits, decimal_f64};
 pub use dyadic::Dyadic;
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};

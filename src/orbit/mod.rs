@@ -187,6 +187,11 @@ impl Orbit {
         &self.clock
     }
 
+    /// What computes.
+    pub fn arithmetic(&self) -> Arithmetic {
+        self.settings.arithmetic
+    }
+
     /// How the orbit ended; `None` while it goes on.
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()

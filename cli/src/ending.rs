@@ -1,0 +1,44 @@
+//! How a run ended, in one line for people, and whether that is all that was asked.
+
+use std::fmt;
+
+use impact_pair::certificate::{Conclusion, is_certified};
+use impact_pair::contact::Reason;
+use impact_pair::orbit::{Arithmetic, Settings};
+
+/// The conclusion of an orbit, seen against what was asked.
+pub struct Ending<'s> {
+    pub conclusion: Conclusion,
+    /// The first impact whose enclosure is wider than the digits asked for.
+    pub wide: Option<u64>,
+    pub settings: &'s Settings,
+}
+
+impl Ending<'_> {
+    /// Whether all that was asked is certified, or in `float`, where no proof is asked for, computed.
+    pub fn is_complete(&self) -> bool {
+        self.conclusion.reason().is_none() && self.wide.is_none()
+    }
+
+    /// What else there is to try, if it would help.
+    fn hint(&self) -> Option<&'static str> {
+        let too_few_digits = self.conclusion.reason() == Some(Reason::Precision);
+        (too_few_digits && self.settings.arithmetic == Arithmetic::Auto)
+            .then_some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
+    }
+}
+
+impl fmt::Display for Ending<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let message = self.conclusion.message();
+        match (self.conclusion.reason(), is_certified(self.settings.arithmetic)) {
+            (Some(_), _) => f.write_str(message)?,
+            (None, true) => write!(f, "certified: {message}")?,
+            (None, false) => write!(f, "computed, not certified: {message}")?,
+        }
+        if let Some(index) = self.wide {
+            write!(f, "; impact {index} is the first one wider than {} digits", self.settings.digits)?;
+        }
+        self.hint().map_or(Ok(()), |hint| write!(f, "; {hint}"))
+    }
+}

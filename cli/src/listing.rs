@@ -1,0 +1,79 @@
+//! The events of an orbit as a table, JSON, JSON Lines or CSV.
+
+use std::io::{self, Write};
+
+use impact_pair::Scene;
+use impact_pair::certificate::{Event, head, write_json};
+use impact_pair::mapping::Mapping;
+use impact_pair::orbit::Settings;
+use serde_json::{Value, json};
+
+use crate::arguments::Format;
+use crate::ending::Ending;
+use crate::table;
+
+const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";
+
+/// Writes the events of one orbit as they come.
+pub struct Listing<'s, W> {
+    format: Format,
+    scene: &'s Scene,
+    settings: &'s Settings,
+    out: W,
+    /// The JSON document names the outcome before the events.
+    held_back: Vec<Event>,
+}
+
+impl<'s, W: Write> Listing<'s, W> {
+    pub fn new(format: Format, scene: &'s Scene, settings: &'s Settings, out: W) -> Self {
+        Self { format, scene, settings, out, held_back: Vec::new() }
+    }
+
+    /// What comes before the events.
+    pub fn begin(&mut self) -> io::Result<()> {
+        match self.format {
+            Format::Table => table::begin(&mut self.out, self.scene, self.settings),
+            Format::Json => Ok(()),
+            Format::Jsonl => {
+                let head = head(self.scene.pair(), self.scene.start(), self.settings.arithmetic);
+                writeln!(self.out, "{}", Value::Object(head))?;
+                self.out.flush()
+            }
+            Format::Csv => writeln!(self.out, "{CSV_HEADER}"),
+        }
+    }
+
+    pub fn event(&mut self, event: &Event) -> io::Result<()> {
+        match self.format {
+            Format::Table => table::event(&mut self.out, event),
+            Format::Json => {
+                self.held_back.push(event.clone());
+                Ok(())
+            }
+            Format::Jsonl => {
+                writeln!(self.out, "{event}")?;
+                self.out.flush()
+            }
+            Format::Csv => {
+                let mapping = event.mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
+                let ([t0, t1], [v0, v1]) = (event.time.decimals(), event.velocity.decimals());
+                let (name, index, wall) = (event.name(), event.index, event.wall.name());
+                writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
+            }
+        }
+    }
+
+    /// What comes after the events; hands back what was written to.
+    pub fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
+        match self.format {
+            Format::Table => table::end(&mut self.out, ending)?,
+            Format::Json => {
+                let head = head(self.scene.pair(), self.scene.start(), self.settings.arithmetic);
+                write_json(&mut self.out, &head, &ending.conclusion, &self.held_back)?;
+            }
+            Format::Jsonl => writeln!(self.out, "{}", json!({"outcome": ending.conclusion.json()}))?,
+            Format::Csv => {}
+        }
+        Ok(self.out)
+    }
+}

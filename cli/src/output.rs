@@ -1,0 +1,91 @@
+//! Where data go: stdout, or a file that appears whole or not at all.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use tempfile::NamedTempFile;
+
+/// A writer that has to be [committed](Output::commit).
+pub enum Output {
+    /// Line by line, so that pipes see every event as it comes.
+    Stdout(io::Stdout),
+    /// What cannot be replaced: a device, a named pipe.
+    Special(File),
+    /// A new file beside the one it is to replace.
+    File { draft: BufWriter<NamedTempFile>, target: PathBuf },
+}
+
+impl Output {
+    /// Opens `path`, or stdout when there is none.
+    pub fn open(path: Option<&Path>) -> Result<Self> {
+        let Some(path) = path.filter(|path| path.as_os_str() != "-") else { return Ok(Self::Stdout(io::stdout())) };
+        Self::open_file(path).with_context(|| format!("cannot write {}", path.display()))
+    }
+
+    fn open_file(path: &Path) -> Result<Self> {
+        // A link is followed, so that what it points at is replaced and not the link.
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        match fs::metadata(&target) {
+            Ok(existing) if existing.is_dir() => anyhow::bail!("it is a directory"),
+            Ok(existing) if !existing.is_file() => {
+                return Ok(Self::Special(OpenOptions::new().write(true).open(&target)?));
+            }
+            _ => {}
+        }
+        let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut draft = tempfile::Builder::new();
+        draft.prefix(".impact-pair-");
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // As any new file: less what the umask says.
+            draft.permissions(fs::Permissions::from_mode(0o666));
+        }
+        Ok(Self::File { draft: BufWriter::new(draft.tempfile_in(folder)?), target })
+    }
+
+    /// Whether a person may be reading along on the terminal.
+    pub fn is_terminal(&self) -> bool {
+        use io::IsTerminal;
+        match self {
+            Self::Stdout(stdout) => stdout.is_terminal(),
+            Self::Special(file) => file.is_terminal(),
+            Self::File { .. } => false,
+        }
+    }
+
+    /// Ends the output; only now does a file appear.
+    pub fn commit(mut self) -> Result<()> {
+        self.flush().context("cannot write the output")?;
+        if let Self::File { draft, target } = self {
+            let persist = || -> Result<()> {
+                let draft = draft.into_inner().map_err(io::IntoInnerError::into_error)?;
+                draft.as_file().sync_all()?;
+                draft.persist(&target)?;
+                Ok(())
+            };
+            persist().with_context(|| format!("cannot write {}", target.display()))?;
+        }
+        Ok(())
+    }
+
+    fn writer(&mut self) -> &mut dyn Write {
+        match self {
+            Self::Stdout(stdout) => stdout,
+            Self::Special(file) => file,
+            Self::File { draft, .. } => draft,
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer().flush()
+    }
+}

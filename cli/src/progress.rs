@@ -1,0 +1,62 @@
+//! Progress of long runs on stderr, and the wish of a user to stop them.
+
+use std::process;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Impacts between two looks at the clock; a thousand take less than a blink.
+const STRIDE: u64 = 1024;
+/// Exit code of a program that SIGINT ends.
+const KILLED: i32 = 130;
+
+/// A line on stderr that counts the impacts, or nothing.
+pub struct Progress(Option<ProgressBar>);
+
+impl Progress {
+    /// Counts up to `impacts`, if that is known; draws only on a terminal, and only when `wanted`.
+    pub fn new(impacts: Option<u64>, wanted: bool) -> Self {
+        if !wanted {
+            return Self(None);
+        }
+        let template = if impacts.is_some() { "{bar:30} {pos}/{len} impacts, {eta} left" } else { "{pos} impacts" };
+        let style = ProgressStyle::with_template(template).expect("a valid template");
+        let target = ProgressDrawTarget::stderr_with_hz(5);
+        Self(Some(ProgressBar::with_draw_target(impacts, target).with_style(style)))
+    }
+
+    /// Notes that impact `index` is done.
+    pub fn reach(&self, index: u64) {
+        if index.is_multiple_of(STRIDE)
+            && let Some(bar) = &self.0
+            && bar.elapsed() > Duration::from_secs(1)
+        {
+            bar.set_position(index);
+        }
+    }
+
+    /// Leaves the terminal as it was.
+    pub fn clear(&self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// From now on the first Ctrl-C asks to stop and the second one kills; says whether one has come.
+pub fn interruption() -> &'static AtomicBool {
+    static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    static HANDLER: OnceLock<()> = OnceLock::new();
+    HANDLER.get_or_init(|| {
+        let on_signal = || {
+            if INTERRUPTED.swap(true, Ordering::Relaxed) {
+                process::exit(KILLED);
+            }
+        };
+        // Without a handler Ctrl-C kills at once: no reason to refuse to run.
+        let _ = ctrlc::set_handler(on_signal);
+    });
+    &INTERRUPTED
+}

@@ -1,0 +1,45 @@
+//! The table for people: columns of fixed widths, so that rows appear as they are certified.
+
+use std::io::{self, Write};
+
+use impact_pair::Scene;
+use impact_pair::certificate::Event;
+use impact_pair::mapping::Mapping;
+use impact_pair::orbit::{Place, Settings};
+
+use crate::arguments::arithmetic_name;
+use crate::ending::Ending;
+
+pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {
+    if let Some(title) = scene.title() {
+        writeln!(out, "{title}")?;
+    }
+    let (pair, start) = (scene.pair(), scene.start());
+    let excitation = pair.excitation();
+    writeln!(
+        out,
+        "A = {}, W = {}, tau = {}, d = {}, e = {}",
+        excitation.amplitude(),
+        excitation.frequency(),
+        excitation.phase(),
+        pair.gap(),
+        pair.restitution()
+    )?;
+    let (time, velocity) = (start.time(), start.velocity());
+    match start.place() {
+        Place::Wall(wall) => writeln!(out, "start: t = {time}, {} wall, v = {velocity}", wall.name())?,
+        Place::Inside(position) => writeln!(out, "start: t = {time}, y = {position}, y' = {velocity}")?,
+    }
+    writeln!(out, "arithmetic: {}, {} digits asked for\n", arithmetic_name(settings.arithmetic), settings.digits)?;
+    writeln!(out, "{:>7}  {:7}  {:5}  {:27}  velocity before", "#", "mapping", "wall", "time")
+}
+
+pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
+    let mapping = event.mapping.as_ref().map_or("-".into(), Mapping::to_string);
+    let (index, wall) = (event.index, event.wall.name());
+    writeln!(out, "{index:>7}  {mapping:7}  {wall:5}  {:27}  {}", event.time, event.velocity)
+}
+
+pub fn end(out: &mut impl Write, ending: &Ending<'_>) -> io::Result<()> {
+    writeln!(out, "\n{ending}")
+}
