@@ -55,8 +55,8 @@ wall or position; and, if you like, title and [run] impacts, until, digits. Numb
 expressions such as \"3*pi\" or intervals such as \"[9.42, 9.43]\".
 
 Table: 1.0000305639(24,68) means that the truth lies in [1.000030563924, 1.000030563968]: the digits before the \
-parenthesis are certain, in it are the lower and the upper end of the rest, rounded outward. Float runs claim nothing \
-and show plain decimals.
+parenthesis are certain, in it are the lower and the upper end of the rest, rounded outward. Where no digits are \
+certain, 2.00000(-1,+3) means [1.99999, 2.00003]. Float runs claim nothing and show plain decimals.
 
 Exit code: 0 all that was asked is certified (a float run that completes certifies nothing and exits 0 too); 1 some of \
 it is not: the orbit became undecided, was interrupted, or is wider than --digits (the output still holds all that is \

@@ -1,6 +1,6 @@
 //! The events of an orbit as a table, JSON, JSON Lines or CSV.
 
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
 use impact_pair::certificate::{Event, head, write_json};
@@ -14,7 +14,7 @@ use crate::table;
 
 const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";
 
-/// Writes the events of one orbit as they come.
+/// Writes the events of one orbit as they come; `out` should pass on whole lines at once.
 pub struct Listing<'s, W> {
     format: Format,
     scene: &'s Scene,
@@ -36,8 +36,7 @@ impl<'s, W: Write> Listing<'s, W> {
             Format::Json => Ok(()),
             Format::Jsonl => {
                 let head = head(self.scene.pair(), self.scene.start(), self.settings.arithmetic);
-                writeln!(self.out, "{}", Value::Object(head))?;
-                self.out.flush()
+                writeln!(self.out, "{}", Value::Object(head))
             }
             Format::Csv => writeln!(self.out, "{CSV_HEADER}"),
         }
@@ -50,10 +49,7 @@ impl<'s, W: Write> Listing<'s, W> {
                 self.held_back.push(event.clone());
                 Ok(())
             }
-            Format::Jsonl => {
-                writeln!(self.out, "{event}")?;
-                self.out.flush()
-            }
+            Format::Jsonl => writeln!(self.out, "{event}"),
             Format::Csv => {
                 let mapping = event.mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
                 let ([t0, t1], [v0, v1]) = (event.time.decimals(), event.velocity.decimals());
@@ -69,7 +65,9 @@ impl<'s, W: Write> Listing<'s, W> {
             Format::Table => table::end(&mut self.out, ending)?,
             Format::Json => {
                 let head = head(self.scene.pair(), self.scene.start(), self.settings.arithmetic);
-                write_json(&mut self.out, &head, &ending.conclusion, &self.held_back)?;
+                let mut out = BufWriter::new(&mut self.out);
+                write_json(&mut out, &head, &ending.conclusion, &self.held_back)?;
+                out.flush()?;
             }
             Format::Jsonl => writeln!(self.out, "{}", json!({"outcome": ending.conclusion.json()}))?,
             Format::Csv => {}

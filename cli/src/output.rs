@@ -1,7 +1,7 @@
 //! Where data go: stdout, or a file that appears whole or not at all.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
@@ -12,7 +12,7 @@ pub enum Output {
     /// Line by line, so that pipes see every event as it comes.
     Stdout(io::Stdout),
     /// What cannot be replaced: a device, a named pipe.
-    Special(File),
+    Special(LineWriter<File>),
     /// A new file beside the one it is to replace.
     File { draft: BufWriter<NamedTempFile>, target: PathBuf },
 }
@@ -30,11 +30,12 @@ impl Output {
         match fs::metadata(&target) {
             Ok(existing) if existing.is_dir() => anyhow::bail!("it is a directory"),
             Ok(existing) if !existing.is_file() => {
-                return Ok(Self::Special(OpenOptions::new().write(true).open(&target)?));
+                return Ok(Self::Special(LineWriter::new(OpenOptions::new().write(true).open(&target)?)));
             }
             _ => {}
         }
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::metadata(folder)?;
         let mut draft = tempfile::Builder::new();
         draft.prefix(".impact-pair-");
         #[cfg(unix)]
@@ -48,10 +49,9 @@ impl Output {
 
     /// Whether a person may be reading along on the terminal.
     pub fn is_terminal(&self) -> bool {
-        use io::IsTerminal;
         match self {
             Self::Stdout(stdout) => stdout.is_terminal(),
-            Self::Special(file) => file.is_terminal(),
+            Self::Special(file) => file.get_ref().is_terminal(),
             Self::File { .. } => false,
         }
     }

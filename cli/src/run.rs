@@ -26,8 +26,8 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
         bail!("cannot write {}: it is the scene", output.display());
     }
 
-    let out = Output::open(arguments.output.as_deref())?;
     let interrupted = interruption();
+    let out = Output::open(arguments.output.as_deref())?;
     let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
     let progress = Progress::new(settings.impacts, visible);
     let mut listing = Listing::new(arguments.format, &scene, &settings, out);

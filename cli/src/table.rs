@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::Event;
+use impact_pair::certificate::{Event, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Place, Settings};
 
@@ -30,7 +30,12 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
         Place::Wall(wall) => writeln!(out, "start: t = {time}, {} wall, v = {velocity}", wall.name())?,
         Place::Inside(position) => writeln!(out, "start: t = {time}, y = {position}, y' = {velocity}")?,
     }
-    writeln!(out, "arithmetic: {}, {} digits asked for\n", arithmetic_name(settings.arithmetic), settings.digits)?;
+    let arithmetic = arithmetic_name(settings.arithmetic);
+    if is_certified(settings.arithmetic) {
+        writeln!(out, "arithmetic: {arithmetic}, {} digits asked for\n", settings.digits)?;
+    } else {
+        writeln!(out, "arithmetic: {arithmetic}, nothing is certified\n")?;
+    }
     writeln!(out, "{:>7}  {:7}  {:5}  {:27}  velocity before", "#", "mapping", "wall", "time")
 }
 

@@ -14,7 +14,7 @@ use super::enclosure::Enclosure;
 /// A point whose exact decimal has more significant digits than this is rounded outward instead.
 const LONGEST_EXACT: usize = 60;
 /// The digits such a point is rounded to.
-const POINT_DIGITS: i64 = 40;
+pub(super) const POINT_DIGITS: i64 = 40;
 /// Ends beyond `2^COARSE` or below `2^-COARSE` are printed as the nearest power of ten outward.
 const COARSE: i64 = 1 << 18;
 /// Powers of ten kept in a table.
@@ -76,68 +76,6 @@ pub fn decimal_f64(x: f64) -> String {
     DecimalDigits::new(&integer, exponent - places).to_string()
 }
 
-/// An enclosure for the eye: the digits that are certain, then in parentheses how the lower and the upper end go on.
-///
-/// `1.23(4,6)` is `[1.234, 1.236]`, and `-1.23(6,4)` is `[-1.236, -1.234]`. Rounded outward, by less than the width on either side;
-/// a point is one number, and ends without a digit in common are both written out: `[-0.1, 0.2]`.
-///
-/// ```
-/// # use impact_pair::exact::{Enclosure, Exact, decimal_digits};
-/// let shown = |text: &str, bits| decimal_digits(&Exact::parse(text).unwrap().enclose(bits));
-/// assert_eq!(shown("pi", 30), "3.141592(6,7)");
-/// assert_eq!(shown("-100*pi", 30), "-314.1592(7,6)");
-/// assert_eq!(shown("0.25", 30), "0.25");
-/// assert_eq!(shown("[-0.1, 0.25]", 30), "[-0.2, 0.3]");
-/// ```
-pub fn decimal_digits(x: &Enclosure) -> String {
-    let (lo, hi) = (x.lo(), x.hi());
-    let exact = || Some(exact_decimal(lo)).filter(|_| lo == hi && !is_coarse(lo)).flatten();
-    if let Some(point) = exact() {
-        return point;
-    }
-    let [lower, upper] = if lo == hi || is_coarse(lo) || is_coarse(hi) {
-        bounds(lo, hi)
-    } else {
-        let width = hi.plus(&lo.negated(), 64, Round::Down);
-        let quantum = width.top().map_or(0, |top| power_of_ten_below(top, 1));
-        aligned([multiple(lo, quantum, Round::Down), multiple(hi, quantum, Round::Up)], quantum)
-    };
-    let (mantissas, tail) = match (lower.split_once('e'), upper.split_once('e')) {
-        (Some((low, a)), Some((high, b))) if a == b => ([low, high], format!("e{a}")),
-        _ => ([lower.as_str(), upper.as_str()], String::new()),
-    };
-    let [low, high] = mantissas;
-    let common = low.bytes().zip(high.bytes()).take_while(|(a, b)| a == b).count();
-    let (certain, low_end) = low.split_at(common);
-    let high_end = &high[common..];
-    let says_something = certain.bytes().any(|digit| (b'1'..=b'9').contains(&digit));
-    let splits_at_the_point = low_end.contains('.') || high_end.contains('.');
-    if low_end.len() == high_end.len() && says_something && !splits_at_the_point && !low_end.contains('e') {
-        format!("{certain}({low_end},{high_end}){tail}")
-    } else {
-        format!("[{lower}, {upper}]")
-    }
-}
-
-/// Two multiples of `10^quantum` with the same number of places, and the same exponent if one of them needs it.
-fn aligned(multiples: [BigInt; 2], quantum: i64) -> [String; 2] {
-    let length = |x: &BigInt| x.magnitude().to_string().len() as i64;
-    let leading = quantum + multiples.iter().map(length).max().unwrap_or(1) - 1;
-    let (places, exponent) = match leading {
-        -7..21 if quantum <= 0 => (-quantum, None),
-        _ => (leading - quantum, Some(leading)),
-    };
-    let places = usize::try_from(places.max(0)).unwrap_or(usize::MAX);
-    multiples.map(|x| {
-        let digits = format!("{:0>width$}", x.magnitude().to_string(), width = places + 1);
-        let (whole, rest) = digits.split_at(digits.len() - places);
-        let sign = if x.is_negative() { "-" } else { "" };
-        let point = if rest.is_empty() { "" } else { "." };
-        let power = exponent.filter(|&e| e != 0).map_or(String::new(), |e| format!("e{e}"));
-        format!("{sign}{whole}{point}{rest}{power}")
-    })
-}
-
 /// The name of an infinite double.
 fn infinite(x: f64) -> String {
     if x > 0.0 { "inf".into() } else { "-inf".into() }
@@ -169,7 +107,7 @@ fn point_bound(x: &Dyadic, round: Round) -> String {
 }
 
 /// The exact decimal of a dyadic of moderate size, if it is short.
-fn exact_decimal(x: &Dyadic) -> Option<String> {
+pub(super) fn exact_decimal(x: &Dyadic) -> Option<String> {
     // m * 2^-k = (m * 5^k) / 10^k, and 5^k alone has more than 60 digits for k > 85.
     let (digits, exponent) = if x.exponent() >= 0 {
         (x.mantissa() << x.exponent(), 0)
@@ -188,7 +126,7 @@ fn rounded_at(x: &Dyadic, quantum: i64, round: Round) -> String {
 }
 
 /// How often `10^quantum` goes into `x`, rounded to an integer in the direction asked.
-fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
+pub(super) fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
     let (m, e) = (x.mantissa(), x.exponent());
     if quantum <= 0 {
         with_power_of_ten(quantum.unsigned_abs(), |power| scale_to_integer(&(m * power), e, round))
@@ -204,7 +142,7 @@ fn multiple(x: &Dyadic, quantum: i64, round: Round) -> BigInt {
 }
 
 /// An integer t with `10^t <= 2^top / divisor`, short of the largest by at most one (`divisor` 1 or 200).
-fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
+pub(super) fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
     // log10 2 = 0.30102999566398119...; the 13-digit bounds below are on the safe side for either sign of top.
     let log_two: i128 = if top >= 0 { 3_010_299_956_639 } else { 3_010_299_956_640 };
     // log10 200 = 2.3010299956639...
@@ -214,7 +152,7 @@ fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
 }
 
 /// True for a number, not zero, too large or too small to be written out digit by digit.
-fn is_coarse(x: &Dyadic) -> bool {
+pub(super) fn is_coarse(x: &Dyadic) -> bool {
     x.top().is_some_and(|top| top.abs() > COARSE || x.exponent() < -8 * COARSE)
 }
 
@@ -376,38 +314,7 @@ mod tests {
         assert_eq!(decimal_bounds(&tiny), ["-1e-330985980541", "1e330985980543"]); // 2^(2^40) = 10^330985980541.9...
     }
 
-    /// The ends that digits for the eye stand for.
-    fn ends(shown: &str) -> [BigRational; 2] {
-        if let Some((lower, upper)) = shown.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')?.split_once(", ")) {
-            return [value(lower), value(upper)];
-        }
-        let Some((certain, rest)) = shown.split_once('(') else { return [value(shown), value(shown)] };
-        let (ends, tail) = rest.split_once(')').unwrap();
-        let (lower, upper) = ends.split_once(',').unwrap();
-        [lower, upper].map(|end| value(&format!("{certain}{end}{tail}")))
-    }
-
-    #[test]
-    fn digits_for_the_eye_keep_to_their_form() {
-        let shown = |lo: i64, hi: i64, e| decimal_digits(&Enclosure::new(dyadic(lo, e), dyadic(hi, e)).unwrap());
-        assert_eq!(shown(1999, 2001, 0), "[1999, 2001]");
-        assert_eq!(shown(20010, 20019, 0), "2001(0,9)");
-        assert_eq!(shown(0, 3, 0), "[0, 3]");
-        assert_eq!(shown(-7, -5, 0), "[-7, -5]");
-        assert_eq!(shown((1 << 40) + 1, (1 << 40) + 2, -40 - 100), "7.8886090522(17,25)e-31");
-    }
-
     proptest! {
-        #[test]
-        fn digits_for_the_eye_bracket_within_three_widths(m: i64, n in 0u64..1000, e in -400i64..100, gap in 0u32..60) {
-            let lo = BigInt::from(m) << gap;
-            let x = Enclosure::new(Dyadic::new(lo.clone(), e), Dyadic::new(lo + n, e)).unwrap();
-            let [lower, upper] = ends(&decimal_digits(&x));
-            let (lo, hi) = (x.lo().to_rational(), x.hi().to_rational());
-            prop_assert!(lower <= lo && hi <= upper);
-            prop_assert!(n == 0 || upper - lower <= (hi - lo) * BigRational::from_integer(3.into()));
-        }
-
         #[test]
         fn shortest_decimals_read_back(bits: u64) {
             let x = f64::from_bits(bits);

@@ -5,7 +5,8 @@
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
-//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `error`.
+//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye),
+//! `error`.
 //!
 //! ```
 //! use impact_pair::exact::Exact;
@@ -17,6 +18,7 @@
 //! ```
 
 mod decimal;
+mod digits;
 mod dyadic;
 mod elementary;
 mod enclosure;
@@ -34,7 +36,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_digits, decimal_f64};
+pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
+pub use digits::decimal_digits;
 pub use dyadic::Dyadic;
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};

@@ -76,7 +76,9 @@ impl Clock {
 
     /// A velocity in gaps a turn.
     pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Ball, Error> {
-        ball("start.velocity", &within("start.velocity", velocity, velocity.checked_mul(&self.slowness))?)
+        let key = "start.velocity";
+        let reduced = within(key, velocity, velocity.checked_mul(&self.slowness))?;
+        ball(key, &reduced).map_err(|_| Error::too_large(key, velocity))
     }
 
     /// Encloses the time `t = (2 pi u - tau) / W` [time] of the phase of `turns` and the rest.

@@ -157,10 +157,10 @@ fn read_start(start: &Section<'_>, pair: &ImpactPair) -> Result<Start, Error> {
     match (start.entry("wall"), start.entry("position")) {
         (Some(wall), None) => Start::on_wall(time, read_wall(&wall)?, velocity),
         (None, Some(position)) => Start::inside(pair, time, position.number()?, velocity),
-        (Some(wall), Some(position)) => Err(position.refused(&format!(
-            "start.wall is given too, on line {}: a start has one or the other",
-            wall.line
-        ))),
+        (Some(wall), Some(position)) => {
+            Err(position
+                .refused(&format!("start.wall is given too, on line {}: a start has one or the other", wall.line)))
+        }
         (None, None) => Err(start.missing("wall", "must be \"left\" or \"right\", or start.position be given")),
     }
 }

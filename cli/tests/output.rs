@@ -1,0 +1,131 @@
+//! Files appear whole or not at all, pipes may close, Ctrl-C keeps what is certified.
+
+mod common;
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read};
+use std::process::Stdio;
+
+use common::run;
+
+/// An empty folder of this test.
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn files(folder: &std::path::Path) -> Vec<String> {
+    fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+#[test]
+fn a_file_holds_what_stdout_would() {
+    let folder = folder("whole");
+    let file = folder.join("events.json");
+    fs::write(&file, "old").unwrap();
+    let arguments = ["scenes/figure-12.toml", "--impacts", "30", "--format", "json"];
+    let to_file = run(&arguments).arg("--output").arg(&file).output().unwrap();
+    let to_stdout = run(&arguments).output().unwrap();
+    assert!(to_file.status.success() && to_file.stdout.is_empty() && to_file.stderr.is_empty());
+    assert_eq!(fs::read(&file).unwrap(), to_stdout.stdout);
+    assert_eq!(files(&folder), ["events.json"]);
+}
+
+#[test]
+fn an_undecided_orbit_still_leaves_its_file() {
+    let folder = folder("undecided");
+    let file = folder.join("events.csv");
+    let answer = run(&["scenes/figure-14.toml", "--impacts", "200", "--format", "csv", "--output"]).arg(&file).output();
+    let answer = answer.unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    assert!(String::from_utf8(answer.stderr).unwrap().starts_with("undecided after impact "));
+    assert!(fs::read_to_string(&file).unwrap().lines().count() > 20);
+}
+
+#[test]
+fn bad_input_leaves_the_file_as_it_was() {
+    let folder = folder("kept");
+    let (scene, file) = (folder.join("scene.toml"), folder.join("events.csv"));
+    fs::write(&scene, common::scene("figure-12.toml").replace("restitution = 0.5", "restitution = 2")).unwrap();
+    fs::write(&file, "old").unwrap();
+    let answer = run(&[]).arg(&scene).arg("--output").arg(&file).output().unwrap();
+    assert_eq!(answer.status.code(), Some(2));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+    assert_eq!(files(&folder).len(), 2);
+}
+
+#[test]
+fn a_closed_pipe_is_success() {
+    for format in ["table", "csv", "jsonl"] {
+        let mut child = run(&["scenes/figure-12.toml", "--impacts", "1000000000", "--format", format])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut first = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut first).unwrap();
+        assert!(!first.is_empty());
+        let answer = child.wait_with_output().unwrap();
+        assert!(answer.status.success() && answer.stderr.is_empty(), "{format}: {answer:?}");
+    }
+}
+
+#[cfg(unix)]
+mod interrupted {
+    use super::*;
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::Pid;
+
+    #[test]
+    fn json_lines_keep_all_that_is_certified() {
+        let mut child = run(&["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "jsonl"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut out = BufReader::new(child.stdout.take().unwrap());
+        let mut text = String::new();
+        for _ in 0..100 {
+            out.read_line(&mut text).unwrap();
+        }
+        kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+        out.read_to_string(&mut text).unwrap();
+        let answer = child.wait_with_output().unwrap();
+
+        assert_eq!(answer.status.code(), Some(1));
+        let lines: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let [head, events @ .., end] = lines.as_slice() else { panic!("too few lines") };
+        assert_eq!(head["schema"], "impact-pair/orbit/1");
+        let count = events.len();
+        assert!(count >= 99 && events[count - 1]["index"] == count);
+        let outcome = &end["outcome"];
+        assert_eq!((outcome["kind"].as_str(), outcome["reason"].as_str()), (Some("undecided"), Some("budget")));
+        assert_eq!(outcome["message"], format!("interrupted after impact {count}"));
+        assert_eq!(String::from_utf8(answer.stderr).unwrap(), format!("interrupted after impact {count}\n"));
+    }
+
+    #[test]
+    fn a_file_appears_with_all_that_is_certified() {
+        let folder = folder("interrupted");
+        let file = folder.join("events.json");
+        let child = run(&["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "json", "--output"])
+            .arg(&file)
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        // The draft appears after the handler is in place.
+        while files(&folder).is_empty() {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+        let answer = child.wait_with_output().unwrap();
+        assert_eq!(answer.status.code(), Some(1));
+        let document: serde_json::Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+        let count = document["events"].as_array().unwrap().len();
+        let message = if count == 0 { "before the first impact".into() } else { format!("after impact {count}") };
+        assert_eq!(document["outcome"]["message"], format!("interrupted {message}"));
+        assert_eq!(files(&folder), ["events.json"]);
+    }
+}

@@ -1,0 +1,91 @@
+//! Snapshots of stdout, stderr and exit code together.
+//!
+//! `INSTA_UPDATE=always cargo test -p impact-pair-cli` rewrites them; look at the difference before committing it.
+
+mod common;
+
+use common::{program, run};
+use insta_cmd::assert_cmd_snapshot;
+
+macro_rules! snapshots {
+    ($($name:ident: $command:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            assert_cmd_snapshot!(stringify!($name), $command);
+        })*
+    };
+}
+
+snapshots! {
+    figure_12_as_a_table: run(&["scenes/figure-12.toml", "--impacts", "4"]);
+    figure_12_as_json: run(&["scenes/figure-12.toml", "--impacts", "4", "--format", "json"]);
+    figure_12_as_json_lines: run(&["scenes/figure-12.toml", "--impacts", "4", "--format", "jsonl"]);
+    figure_12_as_csv: run(&["scenes/figure-12.toml", "--impacts", "4", "--format", "csv"]);
+    figure_12_in_floats: run(&["scenes/figure-12.toml", "--impacts", "4", "--arithmetic", "float"]);
+    figure_12_in_float_json: run(&["scenes/figure-12.toml", "--impacts", "2", "--arithmetic", "float", "--format", "json"]);
+    figure_12_exact_until_a_time: run(&["scenes/figure-12-exact.toml", "--impacts", "9", "--until", "7/2"]);
+    figure_12_head_only: run(&["scenes/figure-12.toml", "--impacts", "0", "--format", "json"]);
+    figure_14_ends_where_the_digits_do: run(&["scenes/figure-14.toml", "--impacts", "200", "--format", "csv"]);
+    figure_14_ends_where_the_digits_do_quietly:
+        run(&["scenes/figure-14.toml", "--impacts", "200", "--format", "jsonl", "--quiet"]);
+    figure_14_undecided_as_a_table: run(&["scenes/figure-14.toml", "--impacts", "200"]);
+    figure_14_goes_on_with_wider_enclosures:
+        run(&["scenes/figure-14.toml", "--impacts", "30", "--arithmetic", "interval", "--format", "csv"]);
+    figure_14_ends_where_the_set_is_too_wide:
+        run(&["scenes/figure-14.toml", "--impacts", "200", "--arithmetic", "interval"]);
+    figure_17_as_a_table: run(&["scenes/figure-17.toml"]);
+    multiprecision_is_not_in_this_version: run(&["scenes/figure-12.toml", "--arithmetic", "128"]);
+    unknown_format: run(&["scenes/figure-12.toml", "--format", "xml"]);
+    too_many_digits: run(&["scenes/figure-12.toml", "--digits", "401"]);
+    time_that_is_no_number: run(&["scenes/figure-12.toml", "--until", "soon"]);
+    time_that_is_an_interval: run(&["scenes/figure-12.toml", "--until", "[1, 2]"]);
+    scene_that_is_not_there: run(&["scenes/figure-99.toml"]);
+    output_into_a_folder_that_is_not_there: run(&["scenes/figure-12.toml", "--output", "nowhere/events.csv"]);
+    output_onto_a_folder: run(&["scenes/figure-12.toml", "--output", "scenes"]);
+    output_onto_the_scene: run(&["scenes/figure-12.toml", "--output", "scenes/figure-12.toml"]);
+    verbs_of_this_version: program(&["--help"]);
+    arguments_of_run: run(&["--help"]);
+    unknown_verb: program(&["prove"]);
+}
+
+#[test]
+fn every_scene_of_the_repository_is_certified() {
+    let scenes = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes")).unwrap();
+    let mut count = 0;
+    for scene in scenes {
+        let path = scene.unwrap().path();
+        let answer = run(&[path.to_str().unwrap(), "--quiet"]).output().unwrap();
+        assert!(answer.status.success(), "{path:?}: {}", String::from_utf8_lossy(&answer.stdout));
+        count += 1;
+    }
+    assert!(count >= 7);
+}
+
+#[test]
+fn a_scene_may_come_from_stdin() {
+    let from_stdin = common::answer_to(&common::scene("figure-12.toml"), &["--impacts", "5"]);
+    let from_file = run(&["scenes/figure-12.toml", "--impacts", "5"]).output().unwrap();
+    assert_eq!(from_stdin, from_file);
+}
+
+#[test]
+fn completions_exist_for_every_shell() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let answer = program(&["completions", shell]).output().unwrap();
+        let script = String::from_utf8(answer.stdout).unwrap();
+        assert!(answer.status.success() && answer.stderr.is_empty());
+        for word in ["completions", "arithmetic", "format", "output"] {
+            assert!(script.contains(word), "{shell} knows no {word}");
+        }
+        let knows_values = !matches!(shell, "elvish" | "powershell");
+        assert!(!knows_values || (script.contains("interval") && script.contains("jsonl")), "{shell}");
+    }
+}
+
+#[test]
+fn the_version_names_arithmetics_and_cpu_features() {
+    let answer = program(&["--version"]).output().unwrap();
+    let text = String::from_utf8(answer.stdout).unwrap();
+    assert!(text.starts_with(concat!("impact-pair ", env!("CARGO_PKG_VERSION"), "\n")));
+    assert!(text.contains("arithmetics: auto, float, interval") && text.contains("fma "));
+}
