@@ -74,7 +74,7 @@ pub struct Event {
     pub mapping: Option<Mapping>,
     /// The wall.
     pub wall: Wall,
-    /// When [time].
+    /// When \[time\].
     pub time: Bounds,
     /// The relative velocity `y'` just before the impact [length/time].
     pub velocity: Bounds,

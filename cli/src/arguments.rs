@@ -82,7 +82,7 @@ pub struct RunArguments {
     /// How the events are written
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// Write the events to FILE, all of them or nothing, instead of stdout
+    /// Write to FILE, which appears whole or not at all, instead of stdout
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// No notes and no progress on stderr

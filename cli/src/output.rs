@@ -18,7 +18,7 @@ pub enum Output {
 }
 
 impl Output {
-    /// Opens `path`, or stdout when there is none.
+    /// Opens `path`, or stdout when there is none or it is `-`.
     pub fn open(path: Option<&Path>) -> Result<Self> {
         let Some(path) = path.filter(|path| path.as_os_str() != "-") else { return Ok(Self::Stdout(io::stdout())) };
         Self::open_file(path).with_context(|| format!("cannot write {}", path.display()))
@@ -45,6 +45,11 @@ impl Output {
             draft.permissions(fs::Permissions::from_mode(0o666));
         }
         Ok(Self::File { draft: BufWriter::new(draft.tempfile_in(folder)?), target })
+    }
+
+    /// Whether the data go to stdout.
+    pub fn is_stdout(&self) -> bool {
+        matches!(self, Self::Stdout(_))
     }
 
     /// Whether a person may be reading along on the terminal.

@@ -29,6 +29,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let interrupted = interruption();
     let out = Output::open(arguments.output.as_deref())?;
     let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
+    let said_already = arguments.format == Format::Table && out.is_stdout();
     let progress = Progress::new(settings.impacts, visible);
     let mut listing = Listing::new(arguments.format, &scene, &settings, out);
     let write = "cannot write the output";
@@ -47,7 +48,6 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let ending = Ending { conclusion, wide: orbit.first_wide(), settings: &settings };
     listing.end(&ending).context(write)?.commit()?;
 
-    let said_already = arguments.format == Format::Table && arguments.output.is_none();
     if !ending.is_complete() && !arguments.quiet && !said_already {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{ending}");

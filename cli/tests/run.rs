@@ -1,5 +1,6 @@
 //! Snapshots of stdout, stderr and exit code together.
 //!
+//! Digits that depend on how well the arithmetic rounds are left out: containment is tested where it is proved.
 //! `INSTA_UPDATE=always cargo test -p impact-pair-cli` rewrites them; look at the difference before committing it.
 
 mod common;
@@ -7,11 +8,15 @@ mod common;
 use common::{program, run};
 use insta_cmd::assert_cmd_snapshot;
 
+const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];
+
 macro_rules! snapshots {
     ($($name:ident: $command:expr;)*) => {
         $(#[test]
         fn $name() {
-            assert_cmd_snapshot!(stringify!($name), $command);
+            insta::with_settings!({ filters => UNCERTAIN.to_vec() }, {
+                assert_cmd_snapshot!(stringify!($name), $command);
+            });
         })*
     };
 }
@@ -31,8 +36,6 @@ snapshots! {
     figure_14_undecided_as_a_table: run(&["scenes/figure-14.toml", "--impacts", "200"]);
     figure_14_goes_on_with_wider_enclosures:
         run(&["scenes/figure-14.toml", "--impacts", "30", "--arithmetic", "interval", "--format", "csv"]);
-    figure_14_ends_where_the_set_is_too_wide:
-        run(&["scenes/figure-14.toml", "--impacts", "200", "--arithmetic", "interval"]);
     figure_17_as_a_table: run(&["scenes/figure-17.toml"]);
     multiprecision_is_not_in_this_version: run(&["scenes/figure-12.toml", "--arithmetic", "128"]);
     unknown_format: run(&["scenes/figure-12.toml", "--format", "xml"]);
@@ -46,6 +49,16 @@ snapshots! {
     verbs_of_this_version: program(&["--help"]);
     arguments_of_run: run(&["--help"]);
     unknown_verb: program(&["prove"]);
+}
+
+#[test]
+fn figure_14_ends_where_the_set_is_too_wide() {
+    let answer = run(&["scenes/figure-14.toml", "--impacts", "200", "--arithmetic", "interval"]).output().unwrap();
+    let text = String::from_utf8(answer.stdout).unwrap();
+    let last = text.lines().last().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    assert!(last.starts_with("undecided after impact ") && last.contains("too wide for one answer"), "{last}");
+    assert!(last.ends_with(" is the first one wider than 9 digits"), "{last}");
 }
 
 #[test]

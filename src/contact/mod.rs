@@ -20,7 +20,7 @@ use solve::{Iterate, Judge, NoProposal, propose};
 
 use crate::flight::Flight;
 use crate::number::kernel::Departure;
-use crate::number::{Ball, Kernel, Number, Trigonometry};
+use crate::number::{Ball, Kernel, Number, Trigonometry, UNIT, up};
 use crate::pair::Wall;
 
 /// A three-valued answer: proved, or not, and then why.
@@ -208,11 +208,14 @@ pub(crate) fn first_contacts(
         Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
     let (arrival, centre) = propose::<Kernel, _>(flight, &judges)?;
     let slope = Ball::turn() * Ball::new(flight.beta, margins.beta_radius(flight.beta)) * centre.sin;
+    // The stored phase is rounded, the velocity is that before the rounding (Lemma S4).
+    let rounding = UNIT * (2.0 * centre.phase.mid().abs() + centre.time.mid().abs());
+    let rest = up(slope.mag().mul_add(rounding, centre.rest));
     Ok(SetContact {
         all: arrival.contact(flight),
         sin: flight.wall.inward(arrival.sin),
         phase: centre.phase,
-        velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), centre.rest)),
+        velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), rest)),
         slope: flight.wall.inward(slope),
     })
 }

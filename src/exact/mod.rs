@@ -5,8 +5,8 @@
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
-//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the
-//! eye), `error`.
+//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye),
+//! `error`.
 //!
 //! ```
 //! use impact_pair::exact::Exact;

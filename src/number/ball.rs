@@ -141,7 +141,8 @@ impl Number for Ball {
     fn checked_div(self, b: Self) -> Option<Self> {
         // One rounding, covered by the factor below.
         let least = (b.mid.abs() - b.rad) * (1.0 - 4.0 * UNIT);
-        if !(least > TINY) {
+        // A NaN is refused as well.
+        if least.partial_cmp(&TINY) != Some(std::cmp::Ordering::Greater) {
             return None;
         }
         let mid = self.mid / b.mid;

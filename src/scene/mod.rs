@@ -48,7 +48,7 @@ pub struct Scene {
 pub struct Run {
     /// Stop after so many impacts; 0 asks for none of them.
     pub impacts: Option<u64>,
-    /// Stop at this time [time].
+    /// Stop at this time \[time\].
     pub until: Option<Exact>,
     /// Widths asked for; see [`Settings::digits`].
     pub digits: Option<u32>,
