@@ -142,6 +142,8 @@ pub struct Tally {
     pub scanned: usize,
     /// Widths of the time bracket in ulps of turns + phase.
     pub widths: Vec<f64>,
+    /// The same in 2^-52 turns.
+    turn_widths: Vec<f64>,
     pub failures: Vec<String>,
     pub examples: Vec<Case>,
 }
@@ -171,6 +173,7 @@ impl Tally {
                 let total = found.turns + found.phase.mid();
                 let ulp = total.abs().next_up() - total.abs();
                 self.widths.push(2.0 * found.time.rad() / ulp);
+                self.turn_widths.push(2.0 * found.time.rad() / f64::EPSILON);
                 if let Some(objection) = objection(found, &problem, &start, &truth) {
                     self.fail(case, objection);
                 } else if points > 0 {
@@ -216,6 +219,12 @@ impl Tally {
         self.widths.sort_by(f64::total_cmp);
         let last = self.widths.len().saturating_sub(1);
         self.widths.get((last as f64 * part) as usize).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The median width in units of 2^-52 turns, the ulp of times of one turn or a little more.
+    pub fn median_of_turns(&mut self) -> f64 {
+        self.turn_widths.sort_by(f64::total_cmp);
+        self.turn_widths[self.turn_widths.len() / 2]
     }
 
     /// Prints the counts and panics if anything failed.

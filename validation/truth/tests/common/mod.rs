@@ -91,8 +91,7 @@ pub fn displacement(problem: &Problem, start: &Start, time: &Float) -> Float {
     let bits = 4 * problem.precision() + 1100;
     let theta = |t: &Float| Float::with_val(bits, &problem.omega * t) + &problem.tau;
     let swing0 = theta(&start.time).sin_cos(Float::new(bits));
-    let drift = Float::with_val(bits, &problem.amplitude * &problem.omega) * swing0.1
-        + &start.velocity_after;
+    let drift = Float::with_val(bits, &problem.amplitude * &problem.omega) * swing0.1 + &start.velocity_after;
     let elapsed = Float::with_val(bits, time - &start.time);
     (swing0.0 - theta(time).sin()) * &problem.amplitude + drift * elapsed + &start.position
 }
@@ -100,11 +99,7 @@ pub fn displacement(problem: &Problem, start: &Start, time: &Float) -> Float {
 /// The contact's time, wall and velocity, or a panic with the case.
 pub fn contact(problem: &Problem, start: &Start) -> (Float, Wall, Float) {
     match first_contact(problem, start) {
-        Truth::Contact {
-            time,
-            wall,
-            velocity_before,
-        } => (time, wall, velocity_before),
+        Truth::Contact { time, wall, velocity_before } => (time, wall, velocity_before),
         other => panic!("no contact but {other:?} for {problem:?} {start:?}"),
     }
 }
