@@ -25,7 +25,7 @@ fn grazing_angle(kappa: f64) -> f64 {
         a.cos() * (a + th) - a.sin() - th.sin()
     };
     let (mut low, mut high) = ((1.0 / kappa).acos(), PI / 2.0);
-    if !(excess(low) > 0.0) {
+    if excess(low) <= 0.0 {
         return low;
     }
     for _ in 0..60 {
