@@ -7,7 +7,7 @@ mod scene;
 use common::{Random, cases};
 use impact_pair::orbit::Outcome;
 use impact_pair_truth::Wall;
-use scene::{At, Scene, Value, judge};
+use scene::{At, Scene, Value, judge, truth_ends};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -94,8 +94,9 @@ fn random_scene(random: &mut Random, width: f64) -> Scene {
 struct Ends(BTreeMap<String, usize>, usize);
 
 impl Ends {
-    fn add(&mut self, (found, outcome): (usize, Option<Outcome>)) {
+    fn add(&mut self, scene: &Scene, (found, outcome): (usize, Option<Outcome>)) {
         let name = match outcome.expect("the orbit ended") {
+            Outcome::Undecided { .. } if truth_ends(scene, 512, found) => "as the truth does".into(),
             Outcome::Undecided { reason, .. } => format!("undecided after {}: {}", found.min(3), reason.name()),
             reached => reached.kind().into(),
         };
@@ -110,7 +111,7 @@ fn point_orbits(seed: u64) {
     for _ in 0..cases(1500) {
         let scene = random_scene(&mut random, 0.0);
         let contracting = scene.restitution.0.parse::<f64>().is_ok_and(|e| e < 0.3);
-        ends.add(judge(&scene, 512, if contracting { 80 } else { 30 }, &[[0.0; 5]]));
+        ends.add(&scene, judge(&scene, 512, if contracting { 80 } else { 30 }, &[[0.0; 5]]));
     }
     println!("{} impacts; the orbits end {:?} (after 3: three or more)", ends.1, ends.0);
     assert!(ends.1 > 15_000 * cases(1));
@@ -136,7 +137,7 @@ fn orbits_of_boxes_hold_the_orbits_of_their_members() {
         let corner = |bits: u64| [0, 1, 2, 3, 4].map(|axis| (bits >> axis & 1) as f64);
         let (first, second) = (random.below(32), random.below(32));
         let inner = [0; 5].map(|_| random.uniform(0.0, 1.0));
-        ends.add(judge(&scene, 512, 20, &[corner(first), corner(31 - first), corner(second), inner]));
+        ends.add(&scene, judge(&scene, 512, 20, &[corner(first), corner(31 - first), corner(second), inner]));
     }
     println!("{} impacts of boxes; the orbits end {:?}", ends.1, ends.0);
     assert!(ends.1 > 2_000 * cases(1));

@@ -156,3 +156,8 @@ pub fn judge(scene: &Scene, bits: u32, impacts: usize, members: &[[f64; 5]]) -> 
     }
     (found.len(), orbit.outcome().cloned())
 }
+
+/// Whether the true orbit from the first member ends (it rests, or never meets a wall again) after `impacts`.
+pub fn truth_ends(scene: &Scene, bits: u32, impacts: usize) -> bool {
+    scene.truth(bits, [0.0; 5], impacts + 1).len() == impacts
+}
