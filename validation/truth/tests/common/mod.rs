@@ -5,6 +5,7 @@ use impact_pair_truth::{Problem, Start, Truth, Wall, first_contact, pi_times};
 use rug::Float;
 
 /// splitmix64 (Steele, Lea & Flood 2014): tiny, deterministic, enough for picking test cases.
+#[derive(Clone)]
 pub struct Random(u64);
 
 impl Random {
