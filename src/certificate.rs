@@ -76,7 +76,7 @@ pub struct Event {
     pub wall: Wall,
     /// When \[time\].
     pub time: Bounds,
-    /// The relative velocity `y'` just before the impact [length/time].
+    /// The relative velocity `y'` just before the impact \[length/time\].
     pub velocity: Bounds,
 }
 

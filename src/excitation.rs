@@ -13,7 +13,7 @@ pub struct Harmonic {
 }
 
 impl Harmonic {
-    /// A harmonic of amplitude `A >= 0` [length], angular frequency `W > 0` [rad/time] and phase `tau` [rad].
+    /// A harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
     ///
     /// # Errors
     /// When a value is not in its range, or cannot be proved to be; the frequency must be a point, not an interval.
@@ -23,17 +23,17 @@ impl Harmonic {
         Ok(Self { amplitude, frequency, phase })
     }
 
-    /// `A` [length]
+    /// `A` \[length\]
     pub fn amplitude(&self) -> &Exact {
         &self.amplitude
     }
 
-    /// `W` [rad/time]
+    /// `W` \[rad/time\]
     pub fn frequency(&self) -> &Exact {
         &self.frequency
     }
 
-    /// `tau` [rad]
+    /// `tau` \[rad\]
     pub fn phase(&self) -> &Exact {
         &self.phase
     }

@@ -1,9 +1,9 @@
 //! Verified numerics for the horizontal impact pair: a ball between the two walls of a shaken box.
 //!
 //! R. P. S. Han, A. C. J. Luo and W. Deng, *Chaotic motion of a horizontal impact pair*, Journal of Sound and
-//! Vibration 181(2), 231-250 (1995), doi:10.1006/jsvi.1995.0137, is read here with proofs: every impact of the
-//! mappings P1-P4 is enclosed in an interval that provably holds it, none is missed, none is invented. What cannot
-//! be proved in the arithmetic chosen is [`Undecided`](contact::Undecided), with its reason.
+//! Vibration 181(2), 231-250 (1995), is read here with proofs: every impact of the mappings P1-P4 is enclosed in an
+//! interval that provably holds it, none is missed, none is invented. What cannot be proved in the arithmetic chosen
+//! is [`Undecided`](contact::Undecided), with its reason.
 //!
 //! # The paper, equation by equation
 //!
@@ -31,7 +31,7 @@
 //! Inside, time is in turns of the excitation (`W t + tau = 2 pi u`), length in gaps, velocity in gaps a turn; then
 //! only `A/d` and `e` are left. Velocities carry their sign and are those *before* an impact unless the name says
 //! `after`. In an enclosure the truth lies within the radius of a [`number::Ball`], or between the bounds of an
-//! [`exact::Enclosure`] or [`number::Interval`].
+//! [`exact::Enclosure`].
 //!
 //! # Example
 //!

@@ -109,7 +109,7 @@ pub struct ImpactPair {
 const LARGEST_RATIO: f64 = 2.582_249_878_086_908_6e120;
 
 impl ImpactPair {
-    /// A pair of this excitation, gap `d > 0` [length] and restitution `0 <= e <= 1`.
+    /// A pair of this excitation, gap `d > 0` \[length\] and restitution `0 <= e <= 1`.
     ///
     /// # Errors
     /// When a value is not in its range, or cannot be proved to be.
@@ -124,7 +124,7 @@ impl ImpactPair {
         &self.excitation
     }
 
-    /// The gap `d` [length].
+    /// The gap `d` \[length\].
     pub fn gap(&self) -> &Exact {
         &self.gap
     }

@@ -10,7 +10,7 @@ use crate::pair::{Reduced, Wall};
 
 /// An impact in all the coordinates of the switch-planes, velocities just before the impact.
 ///
-/// **Enclosure**: each coordinate holds that of the true impact. **Units**: time [time], length [length].
+/// **Enclosure**: each coordinate holds that of the true impact. **Units**: time \[time\], length \[length\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwitchPoint {
     /// The wall: Sigma- for the left one, Sigma+ for the right one.

@@ -117,7 +117,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let distance = size + radius;
         let (velocity, sin) = self.flight.arrive(iterate.velocity, (sin, cos), step);
         let cubic = (2.1 * pair.jerk * distance).mul_add(distance, bend_error * distance.mul_add(4.0, 1.0));
-        let rest = SLACK * (cubic.mul_add(distance, velocity_error) + 3.0 * UNIT * iterate.velocity.abs());
+        let rest = SLACK * (cubic.mul_add(distance, velocity_error) + UNIT * velocity.abs());
         let slope = SLACK * (2.0 * pair.jerk).mul_add(distance, curvature);
         let sine_radius = SLACK * (sine_error * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
         Some(Root {

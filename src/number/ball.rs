@@ -12,7 +12,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::{Interval, Number, kernel};
+use super::{Number, kernel};
 
 /// The unit roundoff, `2^-53`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
@@ -76,11 +76,6 @@ impl Ball {
     #[inline(always)]
     pub fn widened(self, by: f64) -> Self {
         Self { mid: self.mid, rad: up(self.rad + by) }
-    }
-
-    /// The smallest interval of doubles around the ball.
-    pub fn interval(self) -> Interval {
-        Interval::new((self.mid - self.rad).next_down(), (self.mid + self.rad).next_up())
     }
 
     /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball.

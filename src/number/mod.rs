@@ -5,14 +5,12 @@
 //! (see [`kernel`]).
 
 mod ball;
-mod interval;
 pub mod kernel;
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use ball::Ball;
 pub(crate) use ball::{UNIT, up};
-pub use interval::Interval;
 use kernel::Departure;
 
 /// What the formulas of the paper need of a number: ring operations and a fused product and sum.

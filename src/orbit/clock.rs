@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::error::Error;
-use crate::exact::{Enclosure, Exact, ExactError};
+use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
 use crate::number::Ball;
 use crate::pair::{ImpactPair, ball, within};
 
@@ -34,6 +34,9 @@ pub struct Clock {
     gap: Enclosure,
     /// `2 pi / (W d)`
     slowness: Exact,
+    /// What intervals of W, tau and d add to widths: to a time for each turn since `t = -tau/W` and once, in periods;
+    /// to a velocity for each unit of it.
+    spread: [f64; 3],
 }
 
 impl Clock {
@@ -50,11 +53,14 @@ impl Clock {
         let start = within("start.time", time, phase(&rate, &shift, time))?;
         let origin = nearest(&start);
         let bits = BITS + u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2);
+        let (period, delay, speed) = (period.enclose(bits), delay.enclose(bits), speed.enclose(BITS));
+        let relative = |of: &Enclosure, to: &Enclosure| of.width().to_f64_up() / to.mig().to_f64_down();
         Ok(Self {
             bits,
-            period: period.enclose(bits),
-            delay: delay.enclose(bits),
-            speed: speed.enclose(BITS),
+            spread: [relative(&period, &period), relative(&delay, &period), relative(&speed, &speed)],
+            period,
+            delay,
+            speed,
             gap: pair.gap().enclose(BITS),
             slowness,
             shift,
@@ -74,6 +80,18 @@ impl Clock {
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
+    /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gaps a turn.
+    pub(super) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
+        let [per_turn, once, per_unit] = self.spread;
+        let mut time = 2.0 * rest.rad() + once;
+        // Points add 2^-160 of themselves: not worth the conversion of the turns.
+        if per_turn > 1e-40 {
+            let turns = Dyadic::new(&self.origin + turns, 0);
+            time += per_turn * (turns.to_f64_up().abs().max(turns.to_f64_down().abs()) + 2.0);
+        }
+        (time, per_unit.mul_add(velocity.mag(), 2.0 * velocity.rad()))
+    }
+
     /// A velocity in gaps a turn.
     pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Ball, Error> {
         let key = "start.velocity";
@@ -81,25 +99,25 @@ impl Clock {
         ball(key, &reduced).map_err(|_| Error::too_large(key, velocity))
     }
 
-    /// Encloses the time `t = (2 pi u - tau) / W` [time] of the phase of `turns` and the rest.
+    /// Encloses the time `t = (2 pi u - tau) / W` \[time\] of the phase of `turns` and the rest.
     pub fn time(&self, turns: i64, rest: Ball) -> Enclosure {
         let whole = Enclosure::from_rational(&BigRational::from(&self.origin + turns), self.bits);
         whole.add(&enclosure(rest), self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
     }
 
-    /// Encloses `t mod 2 pi/W` [time]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
+    /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
     pub fn time_in_period(&self, rest: Ball) -> Enclosure {
         let turns = enclosure(rest).sub(&self.shift.enclose(BITS), BITS);
         let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), BITS);
         turns.sub(&whole, BITS).mul(&self.period, BITS)
     }
 
-    /// Encloses a length [length] given in gaps.
+    /// Encloses a length \[length\] given in gaps.
     pub fn length(&self, length: Ball) -> Enclosure {
         enclosure(length).mul(&self.gap, BITS)
     }
 
-    /// Encloses a velocity [length/time] given in gaps a turn.
+    /// Encloses a velocity \[length/time\] given in gaps a turn.
     pub fn velocity(&self, velocity: Ball) -> Enclosure {
         enclosure(velocity).mul(&self.speed, BITS)
     }

@@ -37,7 +37,7 @@ pub enum Arithmetic {
 pub struct Settings {
     /// Stop after so many impacts.
     pub impacts: Option<u64>,
-    /// Stop at this time [time].
+    /// Stop at this time \[time\].
     pub until: Option<Exact>,
     /// Widths asked for: `10^-digits`, of a time relative to `2 pi/W`, of a velocity relative to `A W`.
     pub digits: u32,
@@ -82,7 +82,7 @@ pub enum Outcome {
         reason: Reason,
         /// The wall concerned, when it is one.
         wall: Option<Wall>,
-        /// When the wall may be touched [time]: from, and to unless it is open.
+        /// When the wall may be touched \[time\]: from, and to unless it is open.
         time: (Enclosure, Option<Enclosure>),
     },
 }
@@ -160,7 +160,8 @@ impl Orbit {
             }
         };
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
-        let width = 10f64.powi(-(settings.digits.min(400) as i32));
+        // Printing may widen by a hundredth.
+        let width = 0.98 * 10f64.powi(-(settings.digits.min(400) as i32));
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let motion: Box<dyn Motion> = match settings.arithmetic {
             Arithmetic::Float => Box::new(FloatMotion::new(&reduced, origin)),
@@ -202,7 +203,7 @@ impl Orbit {
         self.first_wide
     }
 
-    /// The bounds of an impact's time [time] and velocity [length/time].
+    /// The bounds of an impact's time \[time\] and velocity \[length/time\].
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         (self.clock.time(impact.turns, impact.phase), self.clock.velocity(impact.velocity))
     }
@@ -266,7 +267,8 @@ impl Iterator for Orbit {
             self.outcome = Some(Outcome::TimeReached);
             return None;
         }
-        let wide = 2.0 * contact.phase.rad() > self.widths.0 || 2.0 * contact.velocity.rad() > self.widths.1;
+        let widths = self.clock.widths(turns, contact.phase, contact.velocity);
+        let wide = widths.0 > self.widths.0 || widths.1 > self.widths.1;
         if wide && self.settings.arithmetic == Arithmetic::Auto {
             self.end(Undecided { reason: Reason::Precision, wall: Some(contact.wall), time: Some(contact.time) });
             return None;

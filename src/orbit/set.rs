@@ -18,7 +18,9 @@
 use crate::contact::SetContact;
 use crate::number::{Ball, UNIT, up};
 
-/// All states within a parallelogram around a centre.
+/// All states within a parallelogram around a centre that also lie in a box around it.
+///
+/// The box is that of the contact's own enclosure: narrower where an error of the velocity would tilt into the phase.
 #[derive(Clone, Copy, Debug)]
 pub struct StateSet {
     /// The phase of the centre, in turns.
@@ -29,6 +31,8 @@ pub struct StateSet {
     axis: (f64, f64),
     /// Half the edges along the axes.
     edges: [f64; 2],
+    /// The radii of the box, of phase and velocity.
+    box_radii: (f64, f64),
     scale: f64,
 }
 
@@ -40,6 +44,7 @@ impl StateSet {
             velocity: velocity.mid(),
             axis: (1.0, 0.0),
             edges: [phase.rad(), up(velocity.rad() / scale)],
+            box_radii: (phase.rad(), velocity.rad()),
             scale,
         }
     }
@@ -48,20 +53,24 @@ impl StateSet {
     #[inline(always)]
     pub fn phase_ball(&self) -> Ball {
         let (c, s) = self.axis;
-        Ball::new(self.phase, up(c.abs() * self.edges[0] + s.abs() * self.edges[1]))
+        let hull = up(c.abs() * self.edges[0] + s.abs() * self.edges[1]);
+        Ball::new(self.phase, hull.min(self.box_radii.0))
     }
 
     /// Encloses the velocities of the set.
     #[inline(always)]
     pub fn velocity_ball(&self) -> Ball {
         let (c, s) = self.axis;
-        Ball::new(self.velocity, up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1])))
+        let hull = up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]));
+        Ball::new(self.velocity, hull.min(self.box_radii.1))
     }
 
     /// The image of the set (Lemmas S1, S2, S4): `centre` encloses the image of the centre, `jacobian` the Jacobian over
     /// the set.
     #[inline(always)]
     pub fn image(&self, centre: &SetContact, jacobian: &[[Ball; 2]; 2]) -> Self {
+        debug_assert_eq!(centre.phase.mid(), centre.all.phase.mid(), "both enclosures have one middle");
+        debug_assert_eq!(centre.velocity.mid(), centre.all.velocity.mid(), "both enclosures have one middle");
         let exact = Ball::exact;
         let (c, s) = self.axis;
         // Powers of two: exact unless they overflow, and then the balls are infinite.
@@ -86,6 +95,7 @@ impl StateSet {
             phase: centre.phase.mid(),
             velocity: centre.velocity.mid(),
             axis,
+            box_radii: (centre.all.phase.rad(), centre.all.velocity.rad()),
             edges: [reach(along, [c1 + s1 * shear, s1]), reach(across, [c1 * shear - s1, c1])],
             scale: self.scale,
         }

@@ -19,12 +19,12 @@ pub struct Start {
 pub enum Place {
     /// On a wall; the start's velocity is the relative velocity just before the impact.
     Wall(Wall),
-    /// At this relative displacement `y` [length] inside the gap.
+    /// At this relative displacement `y` \[length\] inside the gap.
     Inside(Exact),
 }
 
 impl Start {
-    /// A start on `wall` at `time`, with relative velocity `velocity` [length/time] just before the impact.
+    /// A start on `wall` at `time`, with relative velocity `velocity` \[length/time\] just before the impact.
     ///
     /// # Errors
     /// When the velocity does not point at the wall (left: `<= 0`, right: `>= 0`), or this cannot be proved.
@@ -39,7 +39,7 @@ impl Start {
         Ok(Self { time, velocity, place: Place::Wall(wall) })
     }
 
-    /// A start inside the gap of `pair`, at relative displacement `position` [length] and velocity `velocity`.
+    /// A start inside the gap of `pair`, at relative displacement `position` \[length\] and velocity `velocity`.
     ///
     /// # Errors
     /// When the position is not strictly between the walls, or this cannot be proved.
@@ -54,12 +54,12 @@ impl Start {
         Ok(Self { time, velocity, place: Place::Inside(position) })
     }
 
-    /// The time of the start [time].
+    /// The time of the start \[time\].
     pub fn time(&self) -> &Exact {
         &self.time
     }
 
-    /// The relative velocity [length/time]: before the impact for a start on a wall.
+    /// The relative velocity \[length/time\]: before the impact for a start on a wall.
     pub fn velocity(&self) -> &Exact {
         &self.velocity
     }

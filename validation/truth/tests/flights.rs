@@ -8,7 +8,7 @@ mod starts;
 
 use common::{Random, cases};
 use impact_pair::contact::Radii;
-use judge::{Case, From, Tally};
+use judge::{Case, From, Spread, Tally};
 use starts::{from, near_graze, phase_in_frame, wall};
 use std::f64::consts::TAU;
 
@@ -217,7 +217,7 @@ fn mirror_images_get_the_same_bracket() {
             continue;
         };
         pairs += 1;
-        same += usize::from(left.time == right.time && left.velocity == -right.velocity && left.sin == -right.sin);
+        same += usize::from(left.time == right.time && left.velocity == -right.velocity);
         let close = (left.time.mid() - right.time.mid()).abs() <= left.time.rad() + right.time.rad();
         assert!(close && left.wall == right.wall.other(), "{alpha} {phase} {velocity}: {left:?} {right:?}");
     }
@@ -238,19 +238,18 @@ fn boxes_hold_the_contacts_of_their_members() {
         let case = if index % 4 == 0 { near_graze(&mut random, 1e-4).unwrap_or(case) } else { case };
         let exponents = if index % 2 == 0 { (-8.0, -3.0) } else { (-14.0, -8.0) };
         let sizes = [0; 4].map(|_| if random.below(3) == 0 { 0.0 } else { random.magnitude(exponents.0, exponents.1) });
-        let (point, alpha_radius) = (case.point(), sizes[3] * case.alpha);
+        let point = case.point().radii;
         let radii = Radii {
             phase: sizes[0],
             velocity: sizes[1] * case.velocity.abs(),
             height: if point.height > 0.0 { point.height + sizes[2] } else { 0.0 },
-            alpha: alpha_radius,
-            beta: (TAU.next_up() * alpha_radius + point.beta).next_up(),
         };
+        let spread = Spread { radii, alpha: sizes[3] * case.alpha };
         let corner = |bits: u64| [0, 1, 2, 3].map(|axis| if bits >> axis & 1 == 0 { -1.0 } else { 1.0 });
         let mut offsets: Vec<[f64; 4]> = (0..16).map(corner).collect();
         offsets.extend((0..4).map(|_| [0; 4].map(|_| random.uniform(-1.0, 1.0))));
         let tally = if index % 2 == 0 { &mut wide } else { &mut narrow };
-        tally.members(&case, radii, &offsets);
+        tally.members(&case, spread, &offsets);
     }
     wide.finish();
     narrow.finish();
