@@ -80,3 +80,8 @@ pub use error::Error;
 pub use excitation::Harmonic;
 pub use pair::ImpactPair;
 pub use scene::Scene;
+
+/// The examples of the README are tests as well.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

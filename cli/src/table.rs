@@ -36,13 +36,13 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
     } else {
         writeln!(out, "arithmetic: {arithmetic}, nothing is certified\n")?;
     }
-    writeln!(out, "{:>7}  {:7}  {:5}  {:27}  velocity before", "#", "mapping", "wall", "time")
+    writeln!(out, "{:>7}  {:7}  {:5}  {:31}  velocity before", "#", "mapping", "wall", "time")
 }
 
 pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
     let mapping = event.mapping.as_ref().map_or("-".into(), Mapping::to_string);
     let (index, wall) = (event.index, event.wall.name());
-    writeln!(out, "{index:>7}  {mapping:7}  {wall:5}  {:27}  {}", event.time, event.velocity)
+    writeln!(out, "{index:>7}  {mapping:7}  {wall:5}  {:31}  {}", event.time, event.velocity)
 }
 
 pub fn end(out: &mut impl Write, ending: &Ending<'_>) -> io::Result<()> {

@@ -140,11 +140,8 @@ pub fn objection(found: &Contact<Ball>, start: &Start, truth: &Truth) -> Option<
     }
     let elapsed = float(time - &start.time);
     let phase = float(time - found.turns);
-    let checks = [
-        ("time", found.time, &elapsed),
-        ("phase", found.phase, &phase),
-        ("velocity", found.velocity, velocity_before),
-    ];
+    let checks =
+        [("time", found.time, &elapsed), ("phase", found.phase, &phase), ("velocity", found.velocity, velocity_before)];
     checks.iter().find(|(_, ball, value)| !holds(*ball, value)).map(|(name, ball, value)| {
         let off = float(*value - ball.mid()).abs().to_f64() / ball.rad();
         format!("{name} {} is {off} radii of {:e} away", value.to_f64(), ball.rad())
