@@ -3,11 +3,13 @@
 //! Lemmas C3 (one root), C4 (nothing earlier on pieces), C5 (monotone flights) and C6 (hops) of
 //! `docs/proofs.md`, same labels, with the bounds of [`super::bounds`].
 
-use super::bounds::{Bounds, HOP_SINE_ERROR, NARROW, SLACK, TAU};
+use std::cmp::Ordering;
+
+use super::bounds::{Bounds, HOP_SINE_ERROR, NARROW, Radii, SLACK, TAU};
 use super::extrema::{Extrema, Target};
 use super::solve::Iterate;
 use crate::flight::Flight;
-use crate::number::kernel::{ACOS_ERROR, Departure, SIN_COS_ERROR};
+use crate::number::kernel::{self, ACOS_ERROR, Departure, SIN_COS_ERROR};
 use crate::number::{Ball, Kernel, UNIT, up};
 
 /// A proved arrival: exactly one root of the piece lies in `at`, for each start.
@@ -56,6 +58,10 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     pub fn bracket(&self, iterate: &Iterate) -> Option<Arrival> {
         let (flight, turns) = (self.flight, iterate.turns);
+        let time = turns + (iterate.at - flight.phase) - iterate.step;
+        if flight.height == 0.0 && (2f64.powi(-300)..=0.125).contains(&time) {
+            return self.short_bracket(iterate.target, time);
+        }
         // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
         let elapsed = UNIT.mul_add(turns.abs(), (turns + (iterate.at - flight.phase)).abs());
         let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
@@ -65,6 +71,20 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let rounding = UNIT * (2.0 * time.abs() + turns.abs());
         let time = Ball::new(time, up(at.rad() + self.phase_radius() + rounding));
         Some(Arrival { target: iterate.target, turns, phase: at, time, velocity, sin, rest })
+    }
+
+    /// A bracket around the end of a flight of at most an eighth of a turn from a wall, `time` after its start.
+    ///
+    /// The departure root divided out, the errors are relative to the flight and not to a whole turn.
+    #[inline(never)]
+    fn short_bracket(self, target: Target, time: f64) -> Option<Arrival> {
+        let departure = kernel::departure(time);
+        let residual = self.flight.hop_height(time, departure.versine, departure.excess) - target.height();
+        let velocity = self.flight.hop_velocity(departure.versine, departure.sine);
+        let (sin, cos) = self.flight.hop_sin_cos(&departure);
+        let step = residual / velocity;
+        let iterate = Iterate { target, turns: 0.0, at: time, residual, velocity, sin, cos, step };
+        self.hop_bracket(&iterate, &departure)
     }
 
     /// A bracket around the end of a hop (Lemma C3).
@@ -135,7 +155,14 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         if margin > self.slope() + self.beta_radius() + 2.0 * UNIT * self.flight.drift.abs() {
             return Ok(());
         }
-        self.is_nearly_monotone(*arrival)
+        if self.is_release() { Ok(()) } else { self.is_nearly_monotone(*arrival) }
+    }
+
+    /// Lemma C5: a start without velocity at exactly `sin th0 = 0`, where `z' = c (1 - cos(th1 - th0))`.
+    #[cold]
+    fn is_release(self) -> bool {
+        let nothing = Radii { height: self.radii.height, ..Radii::default() };
+        self.flight.velocity == 0.0 && self.flight.sin == 0.0 && self.radii == nothing
     }
 
     /// The drift is so close to `beta` that extrema may or may not exist: treated as if they did (Lemma C4).
@@ -176,7 +203,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     fn is_on_first_piece(&self, extrema: &Extrema, k: f64, arrival: &Arrival, clamped: f64) -> Result<(), Doubt> {
         let flight = self.flight;
-        if !self.direction_is_certain() {
+        if !self.departure_is_certain(extrema.rising) {
             return Err(Doubt::Departure);
         }
         // On its piece: later than the extremum before last of its kind, earlier than the last; the sign of z' is
@@ -210,10 +237,20 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         extrema.are_inside(self.flight.drift, k, target, SLACK * (error + stationary))
     }
 
-    /// Whether all the starts leave in the same direction.
+    /// Whether all the starts leave in the same direction and on the same monotone piece.
     #[inline(always)]
-    fn direction_is_certain(&self) -> bool {
+    fn departure_is_certain(&self, rising: bool) -> bool {
         let flight = self.flight;
+        if WIDE {
+            // Rising pieces meet at the mirrored phase 0, falling ones at 1/2, where the drift reaches beta: starts on
+            // both sides would not share a piece.
+            let mirrored = flight.phase + flight.wall.mirror_phase();
+            let from_zero = (mirrored - mirrored.round()).abs();
+            let room = if rising { from_zero } else { 0.5 - from_zero };
+            if room.partial_cmp(&(SLACK * self.radii.phase + 4.0 * UNIT)) != Some(Ordering::Greater) {
+                return false;
+            }
+        }
         if flight.velocity == 0.0 && self.radii.velocity == 0.0 {
             flight.sin.abs() > SLACK * (SIN_COS_ERROR + TAU * self.radii.phase)
         } else {
