@@ -254,3 +254,26 @@ fn boxes_hold_the_contacts_of_their_members() {
     wide.finish();
     narrow.finish();
 }
+
+#[test]
+fn boxes_that_may_rest_are_certified_for_all_their_members_or_not_at_all() {
+    let mut random = Random::seeded(111);
+    let mut tally = Tally::new("boxes around rest");
+    for index in 0..cases(8_000) {
+        let (alpha, from) = (random.magnitude(-2.0, 2.0), from(&mut random));
+        let release = 0.5 * random.below(2) as f64;
+        let near = release + random.magnitude(-9.0, -1.0) * if random.below(2) == 0 { 1.0 } else { -1.0 };
+        let phase = phase_in_frame(from, if index % 2 == 0 { near } else { random.uniform(-0.5, 0.5) });
+        let velocity = TAU * alpha * random.magnitude(-9.0, -1.0);
+        let case = Case { alpha, phase, velocity, from };
+        // From less than the velocity to beyond it: in half of the boxes a member starts with exactly none.
+        let share = if random.below(2) == 0 { 1.0 } else { random.uniform(0.1, 2.0) };
+        let radius = if random.below(2) == 0 { 0.0 } else { random.magnitude(-12.0, -2.0) };
+        let radii = Radii { phase: radius, velocity: share * velocity, ..case.point() };
+        let mut offsets = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|at| [at, -1.0, 0.0, 0.0]).to_vec();
+        offsets.extend([-1.0, 1.0].map(|at| [at, 1.0, 0.0, 0.0]));
+        offsets.extend((0..3).map(|_| [0; 4].map(|_| random.uniform(-1.0, 1.0))));
+        tally.members(&case, radii, &offsets);
+    }
+    tally.finish();
+}
