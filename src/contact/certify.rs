@@ -12,7 +12,7 @@ use crate::flight::Flight;
 use crate::number::kernel::{self, ACOS_ERROR, Departure, SIN_COS_ERROR};
 use crate::number::{Ball, Kernel, UNIT, up};
 
-/// A proved arrival: exactly one root of the piece lies in `at`, for each start.
+/// Where and when a flight arrives: exactly one root of the piece lies in there, for each start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arrival {
     pub target: Target,
@@ -22,6 +22,12 @@ pub(crate) struct Arrival {
     pub phase: Ball,
     /// Time since the start, in turns.
     pub time: Ball,
+}
+
+/// A proved arrival, with what is known of the state there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bracket {
+    pub arrival: Arrival,
     /// `z'` on arrival.
     pub velocity: Ball,
     /// Mirrored sine on arrival.
@@ -41,6 +47,9 @@ pub(crate) enum Doubt {
     Location,
 }
 
+/// Flights from a wall up to this many turns are bracketed with the departure root divided out; it works to 1/8.
+const SHORT: f64 = 0.124;
+
 /// A root proved by Lemma C3.
 struct Root {
     /// Exactly one root for each start lies in here.
@@ -56,28 +65,30 @@ struct Root {
 impl<const WIDE: bool> Bounds<'_, WIDE> {
     /// A bracket around a proposed contact of a flight that is no hop (Lemma C3).
     #[inline(always)]
-    pub fn bracket(&self, iterate: &Iterate) -> Option<Arrival> {
+    pub fn bracket(&self, iterate: &Iterate) -> Option<Bracket> {
         let (flight, turns) = (self.flight, iterate.turns);
-        let time = turns + (iterate.at - flight.phase) - iterate.step;
-        if flight.height == 0.0 && (2f64.powi(-300)..=0.125).contains(&time) {
-            return self.short_bracket(iterate.target, time);
-        }
         // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
         let elapsed = UNIT.mul_add(turns.abs(), (turns + (iterate.at - flight.phase)).abs());
+        if elapsed <= SHORT && flight.height == 0.0 {
+            return self.short_bracket(iterate.target, turns + (iterate.at - flight.phase) - iterate.step);
+        }
         let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
         let Root { at, velocity, sin, rest } =
             self.root(iterate, error, self.velocity(iterate.velocity), SIN_COS_ERROR, self.pair.bend)?;
         let time = turns + (at.mid() - flight.phase);
         let rounding = UNIT * (2.0 * time.abs() + turns.abs());
         let time = Ball::new(time, up(at.rad() + self.phase_radius() + rounding));
-        Some(Arrival { target: iterate.target, turns, phase: at, time, velocity, sin, rest })
+        Some(Bracket { arrival: Arrival { target: iterate.target, turns, phase: at, time }, velocity, sin, rest })
     }
 
-    /// A bracket around the end of a flight of at most an eighth of a turn from a wall, `time` after its start.
+    /// A bracket around the end of a short flight from a wall, `time` after its start.
     ///
     /// The departure root divided out, the errors are relative to the flight and not to a whole turn.
     #[inline(never)]
-    fn short_bracket(self, target: Target, time: f64) -> Option<Arrival> {
+    fn short_bracket(self, target: Target, time: f64) -> Option<Bracket> {
+        if !(2f64.powi(-300)..=0.125).contains(&time) {
+            return None;
+        }
         let departure = kernel::departure(time);
         let residual = self.flight.hop_height(time, departure.versine, departure.excess) - target.height();
         let velocity = self.flight.hop_velocity(departure.versine, departure.sine);
@@ -89,7 +100,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 
     /// A bracket around the end of a hop (Lemma C3).
     #[inline(always)]
-    pub fn hop_bracket(&self, iterate: &Iterate, departure: &Departure) -> Option<Arrival> {
+    pub fn hop_bracket(&self, iterate: &Iterate, departure: &Departure) -> Option<Bracket> {
         let Departure { versine, excess, sine } = *departure;
         let error = self.hop_height(iterate.at, versine + excess, iterate.residual);
         let velocity_error = self.hop_velocity(versine + sine, iterate.velocity);
@@ -99,7 +110,8 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let Root { at, velocity, sin, rest } = self.root(iterate, error, velocity_error, sine_error, bend_error)?;
         let phase = self.flight.phase + at.mid();
         let phase = Ball::new(phase, up(at.rad() + self.phase_radius() + UNIT * phase.abs()));
-        Some(Arrival { target: iterate.target, turns: 0.0, phase, time: at, velocity, sin, rest })
+        let arrival = Arrival { target: iterate.target, turns: 0.0, phase, time: at };
+        Some(Bracket { arrival, velocity, sin, rest })
     }
 
     /// Lemma C3: exactly one root near the end of the iterate's step, for every start.
@@ -179,11 +191,11 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 
     /// Lemma C6: concave all along, so there is one root only, and the far wall is out of reach.
     #[inline(always)]
-    pub fn is_one_hop(&self, arrival: &Arrival) -> Result<(), Doubt> {
+    pub fn is_one_hop(&self, bracket: &Bracket) -> Result<(), Doubt> {
         let start = self.flight.sin + SLACK * (SIN_COS_ERROR + TAU * self.radii.phase) < 0.0;
-        let end = arrival.sin.mid() + arrival.sin.rad() < 0.0;
+        let end = bracket.sin.mid() + bracket.sin.rad() < 0.0;
         let leaves = self.flight.velocity > self.radii.velocity;
-        let longest = arrival.time.mag();
+        let longest = bracket.arrival.time.mag();
         if start && end && leaves && longest < 0.25 && up(self.speed() * longest) < 1.0 {
             Ok(())
         } else {

@@ -14,7 +14,7 @@ mod solve;
 pub use bounds::{Margins, Radii};
 
 use bounds::Bounds;
-use certify::{Arrival, Doubt, around};
+use certify::{Arrival, Bracket, Doubt, around};
 use extrema::{Extrema, Target};
 use solve::{Iterate, Judge, NoProposal, propose};
 
@@ -93,17 +93,13 @@ pub struct Contact<N> {
     pub velocity: N,
 }
 
-impl Arrival {
-    /// The arrival out of the mirrored frame of its flight.
+impl Bracket {
+    /// The contact, out of the mirrored frame of its flight.
     #[inline(always)]
     fn contact(&self, flight: &Flight<f64>) -> Contact<Ball> {
-        Contact {
-            wall: self.target.wall(flight.wall),
-            turns: self.turns,
-            phase: self.phase,
-            time: self.time,
-            velocity: flight.wall.inward(self.velocity),
-        }
+        let Arrival { target, turns, phase, time } = self.arrival;
+        let (wall, velocity) = (target.wall(flight.wall), flight.wall.inward(self.velocity));
+        Contact { wall, turns, phase, time, velocity }
     }
 }
 
@@ -140,35 +136,35 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
         propose::<Kernel, _>(flight, &Bounds::<true>::new(flight, margins, radii))
     };
     match verdict {
-        Ok(arrival) => Verdict::Certified(arrival.contact(flight)),
+        Ok(bracket) => Verdict::Certified(bracket.contact(flight)),
         Err(undecided) => Verdict::Undecided(undecided),
     }
 }
 
 /// The enclosure disposes.
 impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
-    type Answer = Result<Arrival, Undecided>;
+    type Answer = Result<Bracket, Undecided>;
 
     #[inline(always)]
     fn monotone(&self, iterate: &Iterate) -> Self::Answer {
-        let arrival = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
-        self.is_monotone(&arrival).map_err(|doubt| doubted(*self, doubt, arrival))?;
-        Ok(arrival)
+        let bracket = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
+        self.is_monotone(&bracket.arrival).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
+        Ok(bracket)
     }
 
     #[inline(always)]
     fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
-        let arrival =
+        let bracket =
             self.hop_bracket(iterate, departure).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
-        self.is_one_hop(&arrival).map_err(|doubt| doubted(*self, doubt, arrival))?;
-        Ok(arrival)
+        self.is_one_hop(&bracket).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
+        Ok(bracket)
     }
 
     #[inline(always)]
     fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
-        let arrival = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
-        self.is_first(extrema, k, &arrival).map_err(|doubt| doubted(*self, doubt, arrival))?;
-        Ok(arrival)
+        let bracket = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
+        self.is_first(extrema, k, &bracket.arrival).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
+        Ok(bracket)
     }
 
     #[cold]
@@ -206,15 +202,15 @@ pub(crate) fn first_contacts(
 ) -> Result<SetContact, Undecided> {
     let judges =
         Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
-    let (arrival, centre) = propose::<Kernel, _>(flight, &judges)?;
+    let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
     let slope = Ball::turn() * Ball::new(flight.beta, margins.beta_radius(flight.beta)) * centre.sin;
     // The stored phase is rounded, the velocity is that before the rounding (Lemma S4).
-    let rounding = UNIT * (2.0 * centre.phase.mid().abs() + centre.time.mid().abs());
+    let rounding = UNIT * (2.0 * centre.arrival.phase.mid().abs() + centre.arrival.time.mid().abs());
     let rest = up(slope.mag().mul_add(rounding, centre.rest));
     Ok(SetContact {
-        all: arrival.contact(flight),
-        sin: flight.wall.inward(arrival.sin),
-        phase: centre.phase,
+        all: all.contact(flight),
+        sin: flight.wall.inward(all.sin),
+        phase: centre.arrival.phase,
         velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), rest)),
         slope: flight.wall.inward(slope),
     })
@@ -229,7 +225,7 @@ struct Both<'a> {
 impl Both<'_> {
     /// Whose fault an undecided set is.
     #[cold]
-    fn blame(doubt: Undecided, centre: Result<Arrival, Undecided>) -> Undecided {
+    fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
         match centre {
             Ok(_) => Undecided { reason: Reason::Width, ..doubt },
             Err(_) => doubt,
@@ -238,7 +234,7 @@ impl Both<'_> {
 }
 
 impl Judge for Both<'_> {
-    type Answer = Result<(Arrival, Arrival), Undecided>;
+    type Answer = Result<(Bracket, Bracket), Undecided>;
 
     #[inline(always)]
     fn monotone(&self, iterate: &Iterate) -> Self::Answer {

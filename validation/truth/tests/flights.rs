@@ -269,11 +269,12 @@ fn boxes_that_may_rest_are_certified_for_all_their_members_or_not_at_all() {
         // From less than the velocity to beyond it: in half of the boxes a member starts with exactly none.
         let share = if random.below(2) == 0 { 1.0 } else { random.uniform(0.1, 2.0) };
         let radius = if random.below(2) == 0 { 0.0 } else { random.magnitude(-12.0, -2.0) };
-        let radii = Radii { phase: radius, velocity: share * velocity, ..case.point() };
+        let point = case.point();
+        let spread = Spread { radii: Radii { phase: radius, velocity: share * velocity, ..point.radii }, ..point };
         let mut offsets = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|at| [at, -1.0, 0.0, 0.0]).to_vec();
         offsets.extend([-1.0, 1.0].map(|at| [at, 1.0, 0.0, 0.0]));
         offsets.extend((0..3).map(|_| [0; 4].map(|_| random.uniform(-1.0, 1.0))));
-        tally.members(&case, radii, &offsets);
+        tally.members(&case, spread, &offsets);
     }
     tally.finish();
 }
