@@ -3,6 +3,8 @@
 //! Ids are `first_contact/TIER/FIGURE` and `orbit/TIER/FIGURE`; throughput counts impacts. For the price of proofs as
 //! ratios, with widths, see `ratios`.
 
+#![allow(missing_docs)] // the macros below make a public function
+
 mod common;
 
 use std::hint::black_box;

@@ -134,6 +134,13 @@ impl ImpactPair {
         &self.restitution
     }
 
+    /// Whether no parameter is an interval of values.
+    pub fn is_point(&self) -> bool {
+        let Self { excitation, gap, restitution } = self;
+        let excitation = [excitation.amplitude(), excitation.frequency(), excitation.phase()];
+        excitation.into_iter().chain([gap, restitution]).all(Exact::is_point)
+    }
+
     /// Encloses the parameters without units in double precision.
     ///
     /// # Errors

@@ -23,7 +23,8 @@ use motion::{FloatMotion, IntervalMotion, Motion, Origin};
 /// What computes the orbit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Arithmetic {
-    /// The cheapest that certifies each impact to the asked digits; the orbit ends where none does.
+    /// The cheapest that certifies each impact to the asked digits; the orbit ends where none does. With intervals
+    /// among the data no arithmetic can promise a width: then the orbit goes on as with [`Arithmetic::Interval`].
     #[default]
     Auto,
     /// Plain double precision: nothing is proved.
@@ -136,6 +137,8 @@ pub struct Orbit {
     turns: i64,
     phase: Ball,
     index: u64,
+    /// More precision could meet the digits asked for: `auto`, and no interval among the data.
+    stops_when_wide: bool,
     first_wide: Option<u64>,
     outcome: Option<Outcome>,
 }
@@ -167,6 +170,7 @@ impl Orbit {
             Arithmetic::Float => Box::new(FloatMotion::new(&reduced, origin)),
             Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(&reduced, origin)),
         };
+        let stops_when_wide = settings.arithmetic == Arithmetic::Auto && pair.is_point() && start.is_point();
         Ok(Self {
             pair: reduced,
             clock,
@@ -178,6 +182,7 @@ impl Orbit {
             turns,
             phase,
             index: 0,
+            stops_when_wide,
             first_wide: None,
             outcome: None,
         })
@@ -269,7 +274,7 @@ impl Iterator for Orbit {
         }
         let widths = self.clock.widths(turns, contact.phase, contact.velocity);
         let wide = widths.0 > self.widths.0 || widths.1 > self.widths.1;
-        if wide && self.settings.arithmetic == Arithmetic::Auto {
+        if wide && self.stops_when_wide {
             self.end(Undecided { reason: Reason::Precision, wall: Some(contact.wall), time: Some(contact.time) });
             return None;
         }

@@ -64,6 +64,15 @@ impl Start {
         &self.velocity
     }
 
+    /// Whether nothing of it is an interval of values.
+    pub fn is_point(&self) -> bool {
+        let place = match &self.place {
+            Place::Wall(_) => true,
+            Place::Inside(position) => position.is_point(),
+        };
+        place && self.time.is_point() && self.velocity.is_point()
+    }
+
     /// Where the ball is.
     pub fn place(&self) -> &Place {
         &self.place
