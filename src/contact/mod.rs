@@ -9,18 +9,18 @@
 mod bounds;
 mod certify;
 mod extrema;
+mod judges;
 mod solve;
 
 pub use bounds::{Margins, Radii};
+pub(crate) use judges::{SetContact, first_contacts};
 
 use bounds::Bounds;
-use certify::{Arrival, Bracket, Doubt, around};
-use extrema::{Extrema, Target};
-use solve::{Iterate, Judge, NoProposal, propose};
+use judges::Unproved;
+use solve::propose;
 
 use crate::flight::Flight;
-use crate::number::kernel::Departure;
-use crate::number::{Ball, Kernel, Number, Trigonometry, UNIT, up};
+use crate::number::{Ball, Kernel, Trigonometry};
 use crate::pair::Wall;
 
 /// A three-valued answer: proved, or not, and then why.
@@ -93,16 +93,6 @@ pub struct Contact<N> {
     pub velocity: N,
 }
 
-impl Bracket {
-    /// The contact, out of the mirrored frame of its flight.
-    #[inline(always)]
-    fn contact(&self, flight: &Flight<f64>) -> Contact<Ball> {
-        let Arrival { target, turns, phase, time } = self.arrival;
-        let (wall, velocity) = (target.wall(flight.wall), flight.wall.inward(self.velocity));
-        Contact { wall, turns, phase, time, velocity }
-    }
-}
-
 /// Encloses the first contact of a flight.
 ///
 /// **Equation** (14): the smallest `t > t_i` with `|y| = d/2`.
@@ -141,207 +131,10 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
     }
 }
 
-/// The enclosure disposes.
-impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
-    type Answer = Result<Bracket, Undecided>;
-
-    #[inline(always)]
-    fn monotone(&self, iterate: &Iterate) -> Self::Answer {
-        let bracket = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
-        self.is_monotone(&bracket.arrival).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
-        Ok(bracket)
-    }
-
-    #[inline(always)]
-    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
-        let bracket =
-            self.hop_bracket(iterate, departure).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
-        self.is_one_hop(&bracket).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
-        Ok(bracket)
-    }
-
-    #[inline(always)]
-    fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
-        let bracket = self.bracket(iterate).ok_or_else(|| unbracketed(self.flight.wall, iterate.target))?;
-        self.is_first(extrema, k, &bracket.arrival).map_err(|doubt| doubted(*self, doubt, bracket.arrival))?;
-        Ok(bracket)
-    }
-
-    #[cold]
-    fn nothing(&self, why: NoProposal) -> Self::Answer {
-        Err(unproposed(self.flight, why))
-    }
-}
-
-/// The first contacts of a set of flights.
-pub(crate) struct SetContact {
-    /// Encloses the contact of every flight of the set.
-    pub all: Contact<Ball>,
-    /// Encloses `sin th1` over the set.
-    pub sin: Ball,
-    /// Encloses the phase on arrival of the flight from the centre.
-    pub phase: Ball,
-    /// Its velocity at the middle of that phase, but for the radius; elsewhere the slope times the distance is added.
-    pub velocity: Ball,
-    /// `dv/du` on arrival: the acceleration, over the bracket.
-    pub slope: Ball,
-}
-
-/// Encloses the first contact of all the flights that start within the radii `all`, and more closely that of those
-/// within `point`; both as [`first_contact`] does.
-///
-/// The phase and velocity of the latter lie in `phase x velocity`, sheared by `slope` (Lemma S4).
-///
-/// A doubt that the centre's flight does not share is the set's width's fault.
-#[inline(always)]
-pub(crate) fn first_contacts(
-    flight: &Flight<f64>,
-    margins: &Margins,
-    point: Radii,
-    all: Radii,
-) -> Result<SetContact, Undecided> {
-    let judges =
-        Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
-    let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
-    let slope = Ball::turn() * Ball::new(flight.beta, margins.beta_radius(flight.beta)) * centre.sin;
-    // The stored phase is rounded, the velocity is that before the rounding (Lemma S4).
-    let rounding = UNIT * (2.0 * centre.arrival.phase.mid().abs() + centre.arrival.time.mid().abs());
-    let rest = up(slope.mag().mul_add(rounding, centre.rest));
-    Ok(SetContact {
-        all: all.contact(flight),
-        sin: flight.wall.inward(all.sin),
-        phase: centre.arrival.phase,
-        velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), rest)),
-        slope: flight.wall.inward(slope),
-    })
-}
-
-/// Judges the flights of a set, and the one of its centre.
-struct Both<'a> {
-    centre: Bounds<'a, false>,
-    all: Bounds<'a, true>,
-}
-
-impl Both<'_> {
-    /// Whose fault an undecided set is.
-    #[cold]
-    fn blame(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
-        match centre {
-            Ok(_) => Undecided { reason: Reason::Width, ..doubt },
-            Err(_) => doubt,
-        }
-    }
-}
-
-impl Judge for Both<'_> {
-    type Answer = Result<(Bracket, Bracket), Undecided>;
-
-    #[inline(always)]
-    fn monotone(&self, iterate: &Iterate) -> Self::Answer {
-        let all = self.all.monotone(iterate).map_err(|doubt| Self::blame(doubt, self.centre.monotone(iterate)))?;
-        let centre =
-            self.centre.bracket(iterate).ok_or_else(|| unbracketed(self.centre.flight.wall, iterate.target))?;
-        Ok((all, centre))
-    }
-
-    #[inline(always)]
-    fn hop(&self, iterate: &Iterate, departure: &Departure) -> Self::Answer {
-        let all = self.all.hop(iterate, departure);
-        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.hop(iterate, departure)))?;
-        let centre = self.centre.hop_bracket(iterate, departure);
-        Ok((all, centre.ok_or_else(|| unbracketed(self.centre.flight.wall, iterate.target))?))
-    }
-
-    #[inline(always)]
-    fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
-        let all = self.all.piece(iterate, extrema, k);
-        let all = all.map_err(|doubt| Self::blame(doubt, self.centre.piece(iterate, extrema, k)))?;
-        let centre =
-            self.centre.bracket(iterate).ok_or_else(|| unbracketed(self.centre.flight.wall, iterate.target))?;
-        Ok((all, centre))
-    }
-
-    #[cold]
-    fn nothing(&self, why: NoProposal) -> Self::Answer {
-        Err(unproposed(self.centre.flight, why))
-    }
-}
-
 /// The first contact of a flight in plain double precision: fast, and proved in no way.
 ///
 /// `T` is [`Kernel`] or [`crate::number::Std`]. `None` when no contact is found.
 #[inline]
 pub fn first_contact_f64<T: Trigonometry>(flight: &Flight<f64>) -> Option<Contact<f64>> {
     propose::<T, _>(flight, &Unproved(flight))
-}
-
-/// Takes the proposal as it is.
-struct Unproved<'a>(&'a Flight<f64>);
-
-impl Unproved<'_> {
-    #[inline(always)]
-    fn arrive(&self, iterate: &Iterate, phase: f64, time: f64) -> Option<Contact<f64>> {
-        let flight = self.0;
-        let (velocity, _) = flight.arrive(iterate.velocity, (iterate.sin, iterate.cos), iterate.step);
-        Some(Contact {
-            wall: iterate.target.wall(flight.wall),
-            turns: iterate.turns,
-            phase,
-            time,
-            velocity: flight.wall.inward(velocity),
-        })
-    }
-}
-
-impl Judge for Unproved<'_> {
-    type Answer = Option<Contact<f64>>;
-
-    #[inline(always)]
-    fn monotone(&self, iterate: &Iterate) -> Self::Answer {
-        let at = iterate.at - iterate.step;
-        self.arrive(iterate, at, iterate.turns + (at - self.0.phase))
-    }
-
-    #[inline(always)]
-    fn hop(&self, iterate: &Iterate, _: &Departure) -> Self::Answer {
-        let time = iterate.at - iterate.step;
-        self.arrive(iterate, self.0.phase + time, time)
-    }
-
-    #[inline(always)]
-    fn piece(&self, iterate: &Iterate, _: &Extrema, _: f64) -> Self::Answer {
-        self.monotone(iterate)
-    }
-
-    #[inline(always)]
-    fn nothing(&self, _: NoProposal) -> Self::Answer {
-        None
-    }
-}
-
-/// What it means that the solver found no contact.
-#[cold]
-fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
-    match none {
-        NoProposal::Rest => Undecided { reason: Reason::Graze, wall: Some(flight.wall), time: Some(Ball::exact(0.0)) },
-        NoProposal::NoDrift | NoProposal::TooLong => Undecided { reason: Reason::Budget, wall: None, time: None },
-    }
-}
-
-/// The proposed contact is too close to an extremum for its velocity's sign to be proved.
-#[cold]
-fn unbracketed(from: Wall, target: Target) -> Undecided {
-    Undecided { reason: Reason::Graze, wall: Some(target.wall(from)), time: None }
-}
-
-/// What could not be excluded before a bracketed contact.
-#[cold]
-fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Arrival) -> Undecided {
-    let flight = bounds.flight;
-    let (wall, time) = match doubt {
-        Doubt::Departure => (flight.wall, Ball::exact(0.0)),
-        Doubt::Extremum { target, time } => (target.wall(flight.wall), around(&bounds, time)),
-        Doubt::Location => (arrival.target.wall(flight.wall), arrival.time),
-    };
-    Undecided { reason: Reason::Graze, wall: Some(wall), time: Some(time) }
 }

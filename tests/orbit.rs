@@ -1,0 +1,139 @@
+//! Orbits of the scene files through the public API: theorems, reach, invariance.
+
+use impact_pair::exact::{Enclosure, Exact};
+use impact_pair::mapping::Mapping;
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
+use impact_pair::pair::Wall;
+use impact_pair::scene::Scene;
+use impact_pair::{Harmonic, ImpactPair};
+use num_rational::BigRational;
+use proptest::prelude::*;
+
+fn scene(name: &str) -> Scene {
+    let path = format!("{}/scenes/figure-{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    Scene::parse(&std::fs::read_to_string(path).expect("a scene of the repository")).expect("a valid scene")
+}
+
+fn orbit(scene: &Scene, arithmetic: Arithmetic, impacts: u64) -> Orbit {
+    let settings = Settings { impacts: Some(impacts), arithmetic, ..Settings::default() };
+    Orbit::new(scene.pair(), scene.start(), settings).expect("a valid scene")
+}
+
+fn holds(bounds: &Enclosure, exact: &Exact) -> bool {
+    bounds.contains_enclosure(&exact.enclose(400)) || exact.as_rational().is_some_and(|value| bounds.contains(value))
+}
+
+/// Theorem: (66)-(69) with d = 3 pi, v = -4 pi: impacts at t = k, v = -+4 pi, for ever.
+#[test]
+fn the_exact_orbit_of_figure_12_is_enclosed_for_a_thousand_impacts() {
+    let scene = scene("12-exact");
+    let mut orbit = orbit(&scene, Arithmetic::Interval, 1000);
+    let mut count = 0;
+    while let Some(impact) = orbit.next() {
+        count += 1;
+        let (time, velocity) = orbit.bounds(&impact);
+        let (wall, sign) = if count % 2 == 1 { (Wall::Right, 4) } else { (Wall::Left, -4) };
+        assert_eq!((impact.wall, impact.index), (wall, count));
+        assert!(time.contains(&BigRational::from_integer(count.into())), "impact {count}");
+        assert!(holds(&velocity, &(Exact::pi() * Exact::from(sign))), "impact {count}");
+        assert!(time.width().to_f64_up() < 1e-13 && velocity.width().to_f64_up() < 1e-12);
+    }
+    assert_eq!((count, orbit.outcome()), (1000, Some(&Outcome::ImpactsReached)));
+}
+
+/// What the issue of this version asks for, from the printed point data.
+#[test]
+fn the_figures_reach_as_far_as_doubles_certify() {
+    for (name, asked, least) in [
+        ("12", 100_000, 100_000),
+        ("13", 100_000, 100_000),
+        ("14", 1000, 78),
+        ("15", 10_000, 10_000),
+        ("16", 1000, 130),
+        ("17", 1000, 60),
+    ] {
+        let mut orbit = orbit(&scene(name), Arithmetic::Interval, asked);
+        let widest = orbit.by_ref().map(|impact| impact.phase.rad()).fold((0, 0.0f64), |(n, w), r| (n + 1, w.max(r)));
+        assert!(widest.0 >= least, "figure {name}: {} impacts", widest.0);
+        if least > 1000 {
+            assert_eq!(orbit.first_wide(), None, "figure {name}: {widest:?}");
+        }
+    }
+}
+
+/// Figure 12 alternates P2 and P1; figure 15 settles on m = 2 impacts on the right and n = 3 on the left a cycle.
+#[test]
+fn words_of_the_periodic_figures() {
+    use Mapping::{P1, P2, P3, P4};
+    let word = |name, skip, take| -> Vec<Mapping> {
+        let orbit = orbit(&scene(name), Arithmetic::Interval, (skip + take) as u64);
+        orbit.skip(skip).filter_map(|impact| impact.mapping).collect()
+    };
+    assert!(word("12", 100, 20).chunks(2).all(|pair| pair == [P2, P1] || pair == [P1, P2]));
+    let cycle = [P2, P3, P1, P4, P4];
+    let found = word("15", 1000, 10);
+    assert!((0..5).any(|shift| (0..10).all(|i| found[i] == cycle[(i + shift) % 5])), "{found:?}");
+}
+
+#[test]
+fn auto_lists_nothing_wider_than_the_digits_asked_for() {
+    for digits in [3, 6, 9, 12] {
+        let settings = Settings { impacts: Some(200), digits, ..Settings::default() };
+        let scene = scene("14");
+        let mut orbit = Orbit::new(scene.pair(), scene.start(), settings).expect("a valid scene");
+        let width = 10f64.powi(-(digits as i32));
+        let mut count = 0;
+        while let Some(impact) = orbit.next() {
+            let (time, velocity) = orbit.bounds(&impact);
+            // The period is 2, A W = 8 pi.
+            assert!(time.width().to_f64_up() <= 2.0 * width && velocity.width().to_f64_up() <= 25.1327 * width);
+            count += 1;
+        }
+        assert!(count >= [60, 40, 20, 3][digits as usize / 3 - 1], "{count} impacts at {digits} digits");
+    }
+}
+
+#[test]
+fn an_impact_is_a_point_of_its_switch_plane() {
+    let scene = scene("12-exact");
+    let mut orbit = orbit(&scene, Arithmetic::Interval, 2);
+    let right = orbit.next().expect("an impact");
+    let point = orbit.switch_point(&right);
+    // t = 1 = half a period: x = d/2 + sin pi = 3 pi/2, x' = 4 pi + pi cos pi = 3 pi.
+    assert_eq!(point.wall, Wall::Right);
+    assert!(holds(&point.time, &Exact::from(1)));
+    assert!(holds(&point.displacement, &"3*pi/2".parse().unwrap()));
+    assert!(holds(&point.absolute_velocity, &"3*pi".parse().unwrap()));
+    assert!(holds(&point.relative_velocity, &"4*pi".parse().unwrap()));
+}
+
+fn impacts(lengths: &str, times: &str, data: &(f64, f64, f64, f64)) -> Vec<Impact> {
+    let (amplitude, restitution, speed, phase) = *data;
+    let scaled = |value: f64, unit: &str| format!("{value}*{unit}").parse::<Exact>().expect("an expression");
+    let harmonic = Harmonic::new(
+        scaled(amplitude, lengths),
+        format!("pi/{times}").parse().expect("an expression"),
+        phase.to_string().parse().expect("a decimal"),
+    );
+    let pair = ImpactPair::new(harmonic.unwrap(), scaled(1.0, lengths), scaled(restitution, "1")).unwrap();
+    let velocity = scaled(-speed, &format!("{lengths}/{times}"));
+    let start = Start::on_wall("0".parse().unwrap(), Wall::Left, velocity).unwrap();
+    let settings = Settings { impacts: Some(20), arithmetic: Arithmetic::Interval, ..Settings::default() };
+    Orbit::new(&pair, &start, settings).unwrap().collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Lemma R1: neither powers of two nor any other unit changes a verdict or a bit of a phase.
+    #[test]
+    fn units_change_nothing(
+        amplitude in 0.01..10.0f64, restitution in 0.0..=1.0f64, speed in 0.0..10.0f64, phase in -3.0..3.0f64,
+        lengths in -900..900i32, times in -40..40i32,
+    ) {
+        let data = (amplitude, restitution, speed, phase);
+        let plain = impacts("1", "1", &data);
+        prop_assert_eq!(&plain, &impacts(&format!("(2^({lengths}))"), &format!("(2^({times}))"), &data));
+        prop_assert_eq!(&plain, &impacts("(1e-300)", "(1e12/3)", &data));
+    }
+}
