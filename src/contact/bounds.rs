@@ -5,7 +5,7 @@
 
 use crate::flight::Flight;
 use crate::number::kernel::{ACOS_ERROR, DEPARTURE_ERROR, SIN_COS_ERROR};
-use crate::number::{Ball, UNIT};
+use crate::number::{Ball, UNIT, binade};
 use crate::pair::Reduced;
 
 /// An upper bound of `2 pi`.
@@ -93,7 +93,7 @@ pub(super) struct Bounds<'a, const WIDE: bool> {
 impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     #[inline(always)]
     pub fn new(flight: &'a Flight<f64>, pair: &'a Margins, radii: Radii) -> Self {
-        let drift = UNIT.mul_add(flight.drift.abs(), pair.drift);
+        let drift = UNIT.mul_add(binade(flight.drift), pair.drift);
         let tilt = if WIDE { pair.swing * (flight.sin.abs() + SIN_COS_ERROR + TAU * radii.phase) } else { 0.0 };
         Self { flight, pair, radii, drift, tilt }
     }
@@ -146,7 +146,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     /// Lemma C2: bounds `|z' - computed z'|` at fixed phase.
     #[inline(always)]
     pub fn velocity(&self, velocity: f64) -> f64 {
-        let rounding = self.flight.drift.abs() + velocity.abs();
+        let rounding = binade(self.flight.drift) + binade(velocity);
         let spread = if WIDE { self.tilt.mul_add(self.radii.phase, self.radii.velocity) } else { self.radii.velocity };
         SLACK * UNIT.mul_add(rounding, self.pair.velocity + spread)
     }

@@ -10,7 +10,7 @@ use super::extrema::{Extrema, Target};
 use super::solve::Iterate;
 use crate::flight::Flight;
 use crate::number::kernel::{self, ACOS_ERROR, Departure, SIN_COS_ERROR};
-use crate::number::{Ball, Kernel, UNIT, up};
+use crate::number::{Ball, Kernel, UNIT, binade, up};
 
 /// Where and when a flight arrives: exactly one root of the piece lies in there, for each start.
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +109,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let bend_error = self.pair.bend + self.pair.swing * turned;
         let Root { at, velocity, sin, rest } = self.root(iterate, error, velocity_error, sine_error, bend_error)?;
         let phase = self.flight.phase + at.mid();
-        let phase = Ball::new(phase, up(at.rad() + self.phase_radius() + UNIT * phase.abs()));
+        let phase = Ball::new(phase, up(at.rad() + self.phase_radius() + UNIT * binade(phase)));
         let arrival = Arrival { target: iterate.target, turns: 0.0, phase, time: at };
         Some(Bracket { arrival, velocity, sin, rest })
     }
@@ -145,11 +145,11 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         // 1/(1 - x) <= 1 + 2.1 x up to x = 0.49.
         let tail = (left + taylor + error) * inverse * doubt.mul_add(2.1, 1.0);
         let root = at - step;
-        let radius = SLACK * UNIT.mul_add(root.abs(), tail);
+        let radius = SLACK * UNIT.mul_add(binade(root), tail);
         let distance = size + radius;
         let (velocity, sin) = self.flight.arrive(iterate.velocity, (sin, cos), step);
         let cubic = (2.1 * pair.jerk * distance).mul_add(distance, bend_error * distance.mul_add(4.0, 1.0));
-        let rest = SLACK * (cubic.mul_add(distance, velocity_error) + UNIT * velocity.abs());
+        let rest = SLACK * (cubic.mul_add(distance, velocity_error) + UNIT * binade(velocity));
         let slope = SLACK * (2.0 * pair.jerk).mul_add(distance, curvature);
         let sine_radius = SLACK * (sine_error * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
         Some(Root {

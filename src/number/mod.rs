@@ -10,7 +10,7 @@ pub mod kernel;
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use ball::Ball;
-pub(crate) use ball::{UNIT, up};
+pub(crate) use ball::{UNIT, binade, up};
 use kernel::Departure;
 
 /// What the formulas of the paper need of a number: ring operations and a fused product and sum.

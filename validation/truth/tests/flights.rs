@@ -32,8 +32,8 @@ fn plain_random_flights_from_a_wall_are_certified_in_narrow_brackets() {
     }
     tally.finish();
     assert!(tally.undecided_rate() < 1e-3);
-    // In ulps of turns + phase the median is 8.6 (phases near 0 have tiny ulps); in 2^-52 turns it is below 4.
-    assert!(tally.quantile(0.5) <= 12.0 && tally.median_of_turns() <= 4.0);
+    // In ulps of turns + phase, tiny ones for phases near 0 included.
+    assert!(tally.quantile(0.5) <= 4.0);
 }
 
 #[test]

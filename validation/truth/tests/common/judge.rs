@@ -161,8 +161,6 @@ pub struct Tally {
     pub scanned: usize,
     /// Widths of the time bracket in ulps of turns + phase.
     pub widths: Vec<f64>,
-    /// The same in 2^-52 turns.
-    turn_widths: Vec<f64>,
     pub failures: Vec<String>,
     pub examples: Vec<Case>,
 }
@@ -192,7 +190,6 @@ impl Tally {
                 let total = found.turns + found.phase.mid();
                 let ulp = total.abs().next_up() - total.abs();
                 self.widths.push(2.0 * found.phase.rad() / ulp);
-                self.turn_widths.push(2.0 * found.phase.rad() / f64::EPSILON);
                 if let Some(objection) = objection(found, &start, &truth) {
                     self.fail(case, objection);
                 } else if points > 0 {
@@ -238,12 +235,6 @@ impl Tally {
         self.widths.sort_by(f64::total_cmp);
         let last = self.widths.len().saturating_sub(1);
         self.widths.get((last as f64 * part) as usize).copied().unwrap_or(f64::NAN)
-    }
-
-    /// The median width in units of 2^-52 turns, the ulp of times of one turn or a little more.
-    pub fn median_of_turns(&mut self) -> f64 {
-        self.turn_widths.sort_by(f64::total_cmp);
-        self.turn_widths[self.turn_widths.len() / 2]
     }
 
     /// Prints the counts and panics if anything failed.
