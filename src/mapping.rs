@@ -156,6 +156,15 @@ pub struct Passage<N> {
 /// # Departs from the paper
 /// Its second row has `sin(W t_i + tau)` for `sin(W t_{i+1} + tau)`, and its velocity column lacks
 /// `e h/v_{i+1}`; both are misprints. The determinant is `e^2 v0/v1`.
+///
+/// ```
+/// use impact_pair::mapping::{Passage, jacobian};
+/// // No shaking: a ball at 4 gaps a turn rebounds with e v0 = 2 and crosses in half a turn.
+/// let passage = Passage { time: 0.5, sin0: 0.0, sin1: 0.0, velocity0: -4.0, velocity1: 2.0 };
+/// let [[a, b], [c, d]] = jacobian(0.0, 0.5, &passage).unwrap();
+/// assert_eq!([a, b, c, d], [1.0, 0.125, 0.0, -0.5]);
+/// assert_eq!(a * d - b * c, 0.5 * 0.5 * -4.0 / 2.0);
+/// ```
 #[inline(always)]
 pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
     let Passage { time, sin0, sin1, velocity0, velocity1 } = *passage;

@@ -114,14 +114,11 @@ impl Outcome {
 /// let pair = ImpactPair::new(harmonic, "3*pi".parse()?, "0.5".parse()?)?;
 /// let start = Start::on_wall("0".parse()?, Wall::Left, "-4*pi".parse()?)?;
 /// let mut orbit = Orbit::new(&pair, &start, Settings::default())?;
-/// for (i, impact) in orbit.by_ref().enumerate() {
-///     let (low, high) = orbit_time(&pair, &start, &impact)?;
-///     assert!(low <= (i + 1) as f64 && (i + 1) as f64 <= high);
+/// while let Some(impact) = orbit.next() {
+///     let (time, _velocity) = orbit.bounds(&impact);
+///     assert!(time.contains(&num_rational::BigRational::from_integer(impact.index.into())));
 /// }
 /// assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached));
-/// # fn orbit_time(pair: &ImpactPair, start: &Start, impact: &impact_pair::orbit::Impact) -> Result<(f64, f64), impact_pair::Error> {
-/// #     Ok(Orbit::new(pair, start, Settings::default())?.clock().time(impact.turns, impact.phase).to_f64_bounds())
-/// # }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
