@@ -10,7 +10,9 @@ use crate::pair::Reduced;
 
 /// An upper bound of `2 pi`.
 pub(super) const TAU: f64 = std::f64::consts::TAU.next_up();
-/// More than what the at most fifty operations that make an error bound lose themselves (Lemma C1).
+/// More than what the at most sixty operations that make an error bound lose themselves (Lemma C1).
+///
+/// The bounds of [`Bounds`] that the hot path takes are computed without it; what is decided with them has it.
 pub(super) const SLACK: f64 = 1.0 + 128.0 * UNIT;
 
 /// The error of the sine on arrival of a hop, by the addition theorem: the least accurate sine in use.
@@ -129,8 +131,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         let span = if WIDE { time + self.radii.phase } else { time };
         let drifted = flight.drift.abs() * (2.0 * time + 2.0 * whole.abs());
         let rounding = drifted + pair.alpha * (sin - flight.sin).abs() + 16.0 * residual.abs();
-        let error = self.drift.mul_add(span, pair.waves) + self.spread(time);
-        SLACK * UNIT.mul_add(rounding, error)
+        UNIT.mul_add(rounding, self.drift.mul_add(span, pair.waves) + self.spread(time))
     }
 
     /// Lemma C1: bounds `|z - computed z|` at an extremum within `time` turns of the start.
@@ -139,8 +140,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         let (flight, pair) = (self.flight, self.pair);
         let span = if WIDE { time + self.radii.phase } else { time };
         let rounding = flight.drift.abs() * (2.0 * time + 4.0) + 5.0 * pair.alpha + 4.0;
-        let error = self.drift.mul_add(span, pair.waves) + self.spread(time);
-        SLACK * UNIT.mul_add(rounding, error)
+        UNIT.mul_add(rounding, self.drift.mul_add(span, pair.waves) + self.spread(time))
     }
 
     /// Lemma C2: bounds `|z' - computed z'|` at fixed phase.
@@ -148,7 +148,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     pub fn velocity(&self, velocity: f64) -> f64 {
         let rounding = binade(self.flight.drift) + binade(velocity);
         let spread = if WIDE { self.tilt.mul_add(self.radii.phase, self.radii.velocity) } else { self.radii.velocity };
-        SLACK * UNIT.mul_add(rounding, self.pair.velocity + spread)
+        UNIT.mul_add(rounding, self.pair.velocity + spread)
     }
 
     /// Lemma C1 for a hop: `terms` is versine plus excess.

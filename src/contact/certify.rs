@@ -154,7 +154,8 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let sine_radius = SLACK * (sine_error * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
         Some(Root {
             at: Ball::new(root, radius),
-            velocity: Ball::new(velocity, up(slope.mul_add(radius, rest))),
+            // One more rounding, which the slack of both terms covers.
+            velocity: Ball::new(velocity, slope.mul_add(radius, rest)),
             sin: Ball::new(sin, sine_radius),
             rest,
         })
