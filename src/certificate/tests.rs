@@ -1,0 +1,133 @@
+use super::*;
+use crate::Scene;
+use crate::number::Ball;
+use crate::orbit::Settings;
+use num_rational::BigRational;
+use proptest::prelude::*;
+
+fn scene(amplitude: &str, start: &str) -> Scene {
+    let text = format!(
+        "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = 0 }}\n\
+         pair = {{ gap = 9.42497, restitution = 0.5 }}\nstart = {{ time = 0, {start} }}"
+    );
+    Scene::parse(&text).unwrap()
+}
+
+fn value(decimal: &Value) -> BigRational {
+    decimal.as_str().unwrap().parse::<Exact>().unwrap().as_rational().unwrap().clone()
+}
+
+fn rational(text: &str) -> BigRational {
+    text.parse::<Exact>().unwrap().as_rational().unwrap().clone()
+}
+
+fn exact(x: f64) -> BigRational {
+    BigRational::from_float(x).unwrap()
+}
+
+/// The document and the impacts it was made of.
+fn document(scene: &Scene, arithmetic: Arithmetic) -> (Value, Vec<Impact>) {
+    let mut orbit = scene.orbit(Settings { arithmetic, ..scene.settings() }).unwrap();
+    let impacts: Vec<Impact> = orbit.by_ref().collect();
+    let events: Vec<Event> = impacts.iter().map(|impact| Event::new(&orbit, impact)).collect();
+    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
+    let mut text = Vec::new();
+    write_json(&mut text, &head(scene.pair(), scene.start(), arithmetic), &conclusion, &events).unwrap();
+    (serde_json::from_slice(&text).unwrap(), impacts)
+}
+
+fn brackets(bounds: &Value, ball: Ball, map: impl Fn(BigRational) -> BigRational) -> bool {
+    let (low, high) = (exact(ball.mid()) - exact(ball.rad()), exact(ball.mid()) + exact(ball.rad()));
+    value(&bounds[0]) <= map(low) && map(high) <= value(&bounds[1])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    /// With W = pi a time is 2 (turns + phase) and a velocity d/2 of a reduced one: rational, so exactly comparable.
+    #[test]
+    fn printed_bounds_hold_the_balls_they_come_from(amplitude in 0.0..12.0f64, velocity in -20.0..0.0f64, inside in any::<bool>()) {
+        let start = if inside { "position = 0.3" } else { "wall = \"left\"" };
+        let scene = scene(&format!("{amplitude:?}"), &format!("{start}, velocity = {velocity:?}"));
+        let (document, impacts) = document(&scene, Arithmetic::Interval);
+        let events = document["events"].as_array().unwrap();
+        prop_assert_eq!(events.len(), impacts.len());
+        for (event, impact) in events.iter().zip(&impacts) {
+            let turns = BigRational::from_integer(impact.turns.into());
+            prop_assert!(brackets(&event["time"], impact.phase, |u| (u + &turns) * rational("2")));
+            prop_assert!(brackets(&event["velocity"], impact.velocity, |v| v * rational("9.42497/2")));
+            prop_assert_eq!(&event["index"], &json!(impact.index));
+            prop_assert_eq!(&event["wall"], &json!(impact.wall.name()));
+        }
+    }
+}
+
+#[test]
+fn the_document_has_the_words_of_the_schema_in_their_order() {
+    let (document, _) = document(&scene("1", "wall = \"left\", velocity = -12.56636"), Arithmetic::Auto);
+    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>().join(" ");
+    assert_eq!(keys(&document), "schema program scene certified arithmetic outcome events");
+    assert_eq!(keys(&document["events"][0]), "event index mapping wall time velocity");
+    assert_eq!(document["schema"], "impact-pair/orbit/1");
+    assert_eq!(document["outcome"], json!({"kind": "impacts-reached", "message": "100 impacts"}));
+    assert_eq!(document["arithmetic"], json!({"kind": "interval", "bits": 53}));
+    assert_eq!(
+        document["scene"],
+        json!({
+            "excitation": {"amplitude": ["1"], "frequency": ["pi"], "phase": ["0"]},
+            "gap": "9.42497", "restitution": "0.5",
+            "start": {"time": "0", "wall": "left", "velocity": "-12.56636"},
+        })
+    );
+}
+
+#[test]
+fn the_first_contact_of_a_start_inside_has_no_mapping() {
+    let (document, _) = document(&scene("1", "position = 0.25, velocity = -3"), Arithmetic::Auto);
+    assert_eq!(document["events"][0]["mapping"], Value::Null);
+    assert_eq!(document["scene"]["start"], json!({"time": "0", "position": "0.25", "velocity": "-3"}));
+}
+
+#[test]
+fn an_undecided_outcome_carries_its_reason_and_enclosure() {
+    let (document, impacts) = document(&scene("8", "wall = \"left\", velocity = -12.56636"), Arithmetic::Auto);
+    let outcome = &document["outcome"];
+    assert_eq!((&outcome["kind"], &outcome["reason"]), (&json!("undecided"), &json!("precision")));
+    assert_eq!(outcome["wall"], "right");
+    let last = document["events"].as_array().unwrap().last().unwrap();
+    assert!(value(&last["time"][1]) < value(&outcome["time"][0]));
+    assert!(value(&outcome["time"][0]) < value(&outcome["time"][1]));
+    let expected = format!("undecided after impact {}: ", impacts.len());
+    assert!(outcome["message"].as_str().unwrap().starts_with(&expected));
+    // Nothing is said of what would end it: the time is open.
+    let (still, _) = self::document(&scene("0", "wall = \"left\", velocity = 0"), Arithmetic::Auto);
+    assert_eq!(still["outcome"]["time"][1], Value::Null);
+    assert_eq!(still["events"], json!([]));
+}
+
+#[test]
+fn an_orbit_that_did_not_end_was_interrupted() {
+    let scene = scene("1", "wall = \"left\", velocity = -12.56636");
+    let mut orbit = scene.orbit(scene.settings()).unwrap();
+    let before = Conclusion::of(&orbit, scene.start(), None).json();
+    assert_eq!(
+        before,
+        json!({"kind": "undecided", "reason": "budget", "message": "interrupted before the first impact", "time": ["0", null]})
+    );
+    let event = orbit.next().map(|impact| Event::new(&orbit, &impact));
+    let after = Conclusion::of(&orbit, scene.start(), event.as_ref()).json();
+    assert_eq!(after["message"], "interrupted after impact 1");
+    assert!(value(&after["time"][0]) > rational("1") && after["time"][1].is_null());
+}
+
+#[test]
+fn floats_claim_nothing() {
+    let (document, impacts) = document(&scene("1", "wall = \"left\", velocity = -12.56636"), Arithmetic::Float);
+    assert_eq!(document["certified"], false);
+    assert_eq!(document["arithmetic"], json!({"kind": "float", "bits": 53}));
+    for (event, impact) in document["events"].as_array().unwrap().iter().zip(impacts) {
+        let time: f64 = event["time"][0].as_str().unwrap().parse().unwrap();
+        assert_eq!(event["time"][0], event["time"][1]);
+        let expected = 2.0 * (impact.turns as f64 + impact.phase.mid());
+        assert!((time - expected).abs() <= 2.0 * f64::EPSILON * expected);
+    }
+}
