@@ -16,7 +16,7 @@ impl Harmonic {
     /// A harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
     ///
     /// # Errors
-    /// When a value is not in its range, or cannot be proved to be; the frequency must be a point, not an interval.
+    /// When a value is not in its range, or cannot be proved to be.
     pub fn new(amplitude: Exact, frequency: Exact, phase: Exact) -> Result<Self, Error> {
         Error::require_not_negative("excitation.amplitude", &amplitude)?;
         Error::require_positive("excitation.frequency", &frequency)?;

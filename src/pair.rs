@@ -105,7 +105,7 @@ pub struct ImpactPair {
     restitution: Exact,
 }
 
-/// Ratios beyond `2^-400 .. 2^400` would overflow in the course of a flight.
+/// `2^400`: larger ratios could overflow in the course of a flight.
 const LARGEST_RATIO: f64 = 2.582_249_878_086_908_6e120;
 
 impl ImpactPair {

@@ -5,7 +5,7 @@
 
 use crate::exact::Enclosure;
 use crate::excitation::displacement_velocity_acceleration;
-use crate::number::{Ball, Number};
+use crate::number::Number;
 use crate::pair::{Reduced, Wall};
 
 /// An impact in all the coordinates of the switch-planes, velocities just before the impact.
@@ -31,9 +31,4 @@ pub struct SwitchPoint {
 pub fn absolute<N: Number>(pair: &Reduced<N>, wall: Wall, sin_cos: (N, N), velocity: N) -> (N, N) {
     let (shift, speed, _) = displacement_velocity_acceleration(pair.alpha, sin_cos);
     (shift - N::from_f64(0.5 * wall.sign()), velocity + speed)
-}
-
-/// The absolute coordinates of an impact as balls.
-pub(crate) fn absolute_balls(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Ball) -> (Ball, Ball) {
-    absolute(pair, wall, phase.sin_cos(), velocity)
 }

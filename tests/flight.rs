@@ -2,7 +2,7 @@
 //!
 //! The heavier judge, an independent simulator in MPFR, is `validation/truth`; these tests need no C compiler.
 
-use impact_pair::contact::{Margins, Radii, Verdict, first_contact, first_contact_f64};
+use impact_pair::contact::{Contact, Margins, Radii, first_contact, first_contact_f64};
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, Kernel, Number, Std, kernel};
 use impact_pair::pair::{Reduced, Wall};
@@ -24,6 +24,13 @@ fn starts() -> impl Strategy<Value = (f64, Wall, f64, f64)> {
 
 fn flight(pair: &Reduced<Ball>, wall: Wall, phase: f64, speed: f64) -> Flight<f64> {
     Flight::from_wall(&pair.centre(), wall, phase, speed * pair.beta.mid(), kernel::sin_cos(phase))
+}
+
+/// The flight and its contact, if it is certified.
+fn certified(alpha: f64, wall: Wall, phase: f64, speed: f64) -> Option<(Flight<f64>, Contact<Ball>)> {
+    let pair = pair(alpha);
+    let flight = flight(&pair, wall, phase, speed);
+    first_contact(&flight, &Margins::new(&pair), Radii::default()).certified().map(|contact| (flight, contact))
 }
 
 /// The height above the departure wall `h` turns after the start, with the standard library's sine.
@@ -51,11 +58,7 @@ proptest! {
     /// (A.2), (A.4), (A.6): z reaches the wall in the bracket, and no sample before it is beyond a wall.
     #[test]
     fn nothing_is_touched_before_a_certified_contact((alpha, wall, phase, speed) in starts()) {
-        let pair = pair(alpha);
-        let flight = flight(&pair, wall, phase, speed);
-        let Verdict::Certified(contact) = first_contact(&flight, &Margins::new(&pair), Radii::default()) else {
-            return Ok(());
-        };
+        let Some((flight, contact)) = certified(alpha, wall, phase, speed) else { return Ok(()) };
         let target = if contact.wall == wall { 0.0 } else { 1.0 };
         let time = contact.time.mid();
         let noise = noise(alpha, time);
@@ -70,11 +73,8 @@ proptest! {
     /// Lemma C3 seen from the other arithmetic: on balls the residual changes sign over a bracket slightly widened.
     #[test]
     fn the_residual_on_balls_changes_sign_across_the_bracket((alpha, wall, phase, speed) in starts()) {
+        let Some((start, contact)) = certified(alpha, wall, phase, speed) else { return Ok(()) };
         let pair = pair(alpha);
-        let start = flight(&pair, wall, phase, speed);
-        let Verdict::Certified(contact) = first_contact(&start, &Margins::new(&pair), Radii::default()) else {
-            return Ok(());
-        };
         let ball = Ball::exact;
         let velocity = ball(start.velocity);
         let exact = Flight::from_wall(&pair, wall, ball(phase), velocity, ball(phase).sin_cos());
@@ -98,12 +98,9 @@ proptest! {
     fn mirrored_flights_have_mirrored_contacts((alpha, _, phase, speed) in starts()) {
         // Multiples of 2^-20, so that half a turn is added exactly.
         let phase = (phase * 1_048_576.0).round() / 1_048_576.0;
-        let pair = pair(alpha);
         let other = if phase > 0.0 { phase - 0.5 } else { phase + 0.5 };
-        let answers = [(Wall::Left, phase), (Wall::Right, other)].map(|(wall, phase)| {
-            first_contact(&flight(&pair, wall, phase, speed), &Margins::new(&pair), Radii::default()).certified()
-        });
-        if let [Some(a), Some(b)] = answers {
+        let answers = [(Wall::Left, phase), (Wall::Right, other)].map(|(wall, phase)| certified(alpha, wall, phase, speed));
+        if let [Some((_, a)), Some((_, b))] = answers {
             prop_assert_eq!(a.wall, b.wall.other());
             prop_assert!((a.time.mid() - b.time.mid()).abs() <= a.time.rad() + b.time.rad());
             prop_assert!((a.velocity.mid() + b.velocity.mid()).abs() <= a.velocity.rad() + b.velocity.rad());
@@ -128,11 +125,7 @@ proptest! {
     /// Where the enclosure has decided, plain doubles with either trigonometry are close (a label, not a proof).
     #[test]
     fn plain_doubles_agree_with_wide_margin_flights((alpha, wall, phase, speed) in starts()) {
-        let pair = pair(alpha);
-        let flight = flight(&pair, wall, phase, speed);
-        let Some(contact) = first_contact(&flight, &Margins::new(&pair), Radii::default()).certified() else {
-            return Ok(());
-        };
+        let Some((flight, contact)) = certified(alpha, wall, phase, speed) else { return Ok(()) };
         let own = first_contact_f64::<Kernel>(&flight).expect("the proposal that was certified");
         prop_assert_eq!(own.wall, contact.wall);
         // What the rounding of heights makes of times.

@@ -45,7 +45,7 @@ pub struct Margins {
     /// Of the sine terms of `z`: kernel errors and the radius of `alpha`.
     waves: f64,
     /// Of the drift: kernel error and the radius of `beta`.
-    pub(super) drift: f64,
+    drift: f64,
     /// Of `z'`: the same for two cosines.
     velocity: f64,
     /// Of a hop's height for each unit of versine plus excess, and of its velocity.
