@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Judges `impact-pair run SCENE` impact by impact against the balls of this simulator.
+
+Same wall and same mapping; both enclosures of a time and of a velocity hold the same true value, so they overlap; and
+where the ball is a thousand times narrower, the printed bounds hold all of it. Exits with 1 at the first disagreement.
+
+Run: compare.py SCENE --impacts N [--binary PATH | --csv FILE] [--arithmetic auto|interval|BITS] [--digits D]
+"""
+import argparse
+import csv
+import re
+import subprocess
+import sys
+from fractions import Fraction
+from itertools import zip_longest
+
+from controls import check_controls
+from expression import ExpressionError
+from flight import Undecided
+from orbit import orbit
+from scene import Scene, SceneError
+from simulate import HEADER, ends, exact
+
+NARROW = 1000
+DECIMAL = re.compile(r"-?\d+(\.\d*)?(e[-+]?\d+)?\Z", re.IGNORECASE)
+
+
+class Disagreement(Exception):
+    """The rows contradict the proved orbit, or are not what was asked for."""
+
+
+def read_rows(lines):
+    """The rows of the CSV, which has the header of the interface."""
+    table = csv.reader(lines)
+    header = next(table, [])
+    if header != HEADER:
+        raise Disagreement(f"the header is {','.join(header)!r}, expected {','.join(HEADER)!r}")
+    rows = list(table)
+    for number, fields in enumerate(rows, 1):
+        if len(fields) != len(HEADER):
+            raise Disagreement(f"row {number} has {len(fields)} fields, expected {len(HEADER)}")
+    return [dict(zip(HEADER, fields)) for fields in rows]
+
+
+def bounds(row, name):
+    """The two printed bounds of a quantity, as fractions."""
+    texts = [row[f"{name}_{side}"] for side in ("lower", "upper")]
+    for text in texts:
+        if not DECIMAL.match(text):
+            raise Disagreement(f"{text!r} is not a decimal")
+    lower, upper = (Fraction(text) for text in texts)
+    if lower > upper:
+        raise Disagreement(f"the bounds of the {name} are the wrong way round")
+    return lower, upper
+
+
+def judge_quantity(name, printed, ball):
+    """True if the printed bounds hold the whole ball, which they must if they are much wider."""
+    (lower, upper), (low, high) = printed, ends(ball)
+    shown = f"the {name} is in {ball.str(25)}, the printed bounds are {float(lower)!r}, {float(upper)!r}"
+    if high < lower or upper < low:
+        raise Disagreement(f"{shown}: proved to be outside")
+    holds = lower <= low and high <= upper
+    if not holds and (upper - lower) > NARROW * (high - low):
+        raise Disagreement(f"{shown}: the ball sticks out")
+    return holds
+
+
+def judge_row(row, impact):
+    """How many of the two enclosures hold the whole ball; raises if anything contradicts the impact."""
+    found = tuple(row[key] for key in HEADER[:4])
+    expected = ("impact", str(impact.index), impact.mapping or "", impact.wall)
+    if found != expected:
+        raise Disagreement(f"found {','.join(found)!r}, proved {','.join(expected)!r}")
+    return sum(judge_quantity(name, bounds(row, name), getattr(impact, name)) for name in ("time", "velocity"))
+
+
+def compare(rows, impacts):
+    """How many enclosures, of two an impact, hold the whole ball; raises Disagreement at the first contradiction."""
+    held = 0
+    for number, (row, impact) in enumerate(zip_longest(rows, impacts), 1):
+        if row is None:
+            raise Disagreement(f"impact {number} is missing: there are only {number - 1} rows")
+        if impact is None:
+            raise Disagreement(f"row {number} is one more than asked for")
+        try:
+            held += judge_row(row, impact)
+        except Disagreement as error:
+            raise Disagreement(f"impact {number}: {error}") from None
+    return held
+
+
+def widest(rows, scene):
+    """The widest printed enclosures of a time and of a velocity, in units of 2 pi/W and A W, about."""
+    motion = scene.motion()
+    units = {"time": motion.period(), "velocity": motion.speed()}
+    return [
+        max(float((upper - lower) / exact(unit.mid())) for lower, upper in (bounds(row, name) for row in rows))
+        for name, unit in units.items()
+    ]
+
+
+def run_binary(asked):
+    """The CSV that the program under test prints; it may call some of it too wide only if it was not `auto`."""
+    command = [asked.binary, "run", asked.scene, "--impacts", str(asked.impacts), "--digits", str(asked.digits)]
+    command += ["--arithmetic", asked.arithmetic, "--format", "csv"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode not in ((0,) if asked.arithmetic == "auto" else (0, 1)):
+        raise Disagreement(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip()}")
+    return done.stdout.splitlines()
+
+
+def lines_to_judge(asked):
+    if not asked.csv:
+        return run_binary(asked)
+    with open(asked.csv, encoding="utf-8") as file:
+        return file.read().splitlines()
+
+
+def judge(asked):
+    """The line that says what was compared."""
+    scene = Scene.read(asked.scene)
+    rows = read_rows(lines_to_judge(asked))
+    impacts, bits = orbit(scene, asked.impacts, max(30, asked.digits + 20))
+    held = compare(rows, impacts)
+    spoiled = check_controls(rows, impacts, compare, Disagreement)
+    time, velocity = widest(rows, scene)
+    return (
+        f"{asked.scene}: {len(rows)} impacts agree in wall, mapping, time and velocity; {held} of {2 * len(rows)} "
+        f"enclosures hold the whole Arb ball ({bits} bits), widest {time:.1e} periods, {velocity:.1e} A W; "
+        f"{spoiled} spoiled copies were refused"
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scene")
+    parser.add_argument("--impacts", type=int, required=True)
+    parser.add_argument("--digits", type=int, default=9)
+    parser.add_argument("--arithmetic", default="auto")
+    parser.add_argument("--binary", default="impact-pair", help="the program under test")
+    parser.add_argument("--csv", help="judge this file instead of running the program")
+    asked = parser.parse_args()
+    if asked.impacts < 1:
+        parser.error("--impacts is at least 1")
+    try:
+        print(judge(asked))
+    except Disagreement as error:
+        sys.exit(f"{asked.scene}: DISAGREEMENT: {error}")
+    except (Undecided, ExpressionError, SceneError, OSError, ValueError) as error:
+        print(f"error: {asked.scene}: {error}", file=sys.stderr)
+        sys.exit(2)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,118 @@
+"""Exact expressions of a scene file: decimals, fractions, + - * / ^ ( ), pi, sqrt, sin, cos.
+
+A value stays a fraction (fmpq) as long as it can; pi, a root, a sine or a cosine turns it into a ball (arb) of the
+current precision. `^` takes an integer exponent, groups to the right and binds tighter than a sign: -2^2 is -4.
+"""
+import re
+
+from flint import arb, fmpq
+
+TOKEN = re.compile(r"\s*(?:(\d[\d_]*\.?[\d_]*(?:[eE][-+]?\d+)?|\.\d[\d_]*(?:[eE][-+]?\d+)?)|([a-z]+)|([-+*/^()]))")
+FUNCTIONS = {"sqrt": arb.sqrt, "sin": arb.sin, "cos": arb.cos}
+
+
+class ExpressionError(ValueError):
+    """What stands in the scene file is not an expression."""
+
+
+def ball(value):
+    """The value as a ball of the current precision."""
+    return value if isinstance(value, arb) else arb(value)
+
+
+def evaluate(text):
+    """The value of an expression, a fraction or a ball that holds it."""
+    reader = _Reader(text)
+    value = reader.sum()
+    reader.expect(None)
+    if isinstance(value, arb) and not value.is_finite():
+        raise ExpressionError(f"{text!r} is not a finite number")
+    return value
+
+
+def decimal(text):
+    """A decimal as written, as a fraction."""
+    digits, _, exponent = text.replace("_", "").lower().partition("e")
+    whole, _, part = digits.partition(".")
+    return fmpq(int(whole + part)) * fmpq(10) ** (int(exponent or 0) - len(part))
+
+
+class _Reader:
+    """One pass from left to right; each method reads one level of the grammar."""
+
+    def __init__(self, text):
+        self.text = text
+        self.tokens = []
+        at = 0
+        while text[at:].strip():
+            match = TOKEN.match(text, at)
+            if not match:
+                raise ExpressionError(f"{text!r}: cannot read {text[at:].strip()!r}")
+            self.tokens.append(match.group().strip())
+            at = match.end()
+        self.tokens.append(None)
+
+    def peek(self):
+        return self.tokens[0]
+
+    def take(self):
+        return self.tokens.pop(0)
+
+    def expect(self, token):
+        if self.peek() != token:
+            raise ExpressionError(f"{self.text!r}: found {self.peek() or 'the end'!r}, expected {token or 'the end'!r}")
+        self.take()
+
+    def sum(self):
+        value = self.product()
+        while self.peek() in ("+", "-"):
+            value = value + self.product() if self.take() == "+" else value - self.product()
+        return value
+
+    def product(self):
+        value = self.signed()
+        while self.peek() in ("*", "/"):
+            if self.take() == "*":
+                value = value * self.signed()
+            else:
+                value = self.quotient(value, self.signed())
+        return value
+
+    def quotient(self, value, divisor):
+        if divisor == 0:
+            raise ExpressionError(f"{self.text!r}: division by zero")
+        return value / divisor
+
+    def signed(self):
+        if self.peek() in ("+", "-"):
+            return self.signed() if self.take() == "+" else -self.signed()
+        return self.power()
+
+    def power(self):
+        base = self.atom()
+        if self.peek() != "^":
+            return base
+        self.take()
+        exponent = self.signed()
+        if isinstance(exponent, arb) or exponent.q != 1:
+            raise ExpressionError(f"{self.text!r}: an exponent is an integer")
+        if exponent < 0:
+            return self.quotient(fmpq(1), base ** -int(exponent.p))
+        return base ** int(exponent.p)
+
+    def atom(self):
+        token = self.take()
+        if token == "(":
+            value = self.sum()
+            self.expect(")")
+            return value
+        if token == "pi":
+            return arb.pi()
+        if token in FUNCTIONS:
+            self.expect("(")
+            value = FUNCTIONS[token](ball(self.sum()))
+            self.expect(")")
+            return value
+        if token is None or not (token[0].isdigit() or token[0] == "."):
+            raise ExpressionError(f"{self.text!r}: found {token or 'the end'!r}, expected a value")
+        return decimal(token)

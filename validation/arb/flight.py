@@ -1,0 +1,152 @@
+"""One flight between two impacts, for all states in a ball at once: the first contact, proved.
+
+Everything is a function of s, the time since the departure, and of the height z = y + d/2 above the left wall, so
+the walls are z = 0 and z = d. From (11), (12): z(s) = z(0) + c s - E(t0 + s) + E(t0), z'(s) = c - E'(t0 + s),
+z''(s) = -E''(t0 + s), where c = u + E'(t0) and u is the velocity after the last impact.
+"""
+from flint import arb, ctx
+
+from scene import LEFT, RIGHT
+
+CLEAR = "clear"
+# A flight is followed for so many periods.
+LONGEST = 100_000
+
+
+class Undecided(Exception):
+    """Nothing could be proved at this precision."""
+
+
+def shortest(period):
+    """A part of a flight shorter than this is not cut again: at 128 bits, 2^-80 of a period."""
+    return period * arb(2) ** -(5 * ctx.prec // 8)
+
+
+def between(a, b):
+    """A ball that holds [a, b]."""
+    return a.union(b)
+
+
+class Flight:
+    """All flights that leave `wall` (None: the inside of the gap) from states in the balls t0, z0, u."""
+
+    def __init__(self, motion, wall, t0, z0, u):
+        self.motion, self.wall, self.t0, self.z0, self.u = motion, wall, t0, z0, u
+        self.e0, e1, self.e2 = motion.excitation(t0)
+        self.c = u + e1
+
+    def height(self, s):
+        """z(s), from (12)."""
+        return self.z0 + self.c * s - (self.motion.excitation(self.t0 + s)[0] - self.e0)
+
+    def velocity(self, s):
+        """z'(s), from (11)."""
+        return self.c - self.motion.excitation(self.t0 + s)[1]
+
+    def derivatives(self, s):
+        """z(s), z'(s), z''(s), from (12), (11), (10)."""
+        e0, e1, e2 = self.motion.excitation(self.t0 + s)
+        return self.z0 + self.c * s - (e0 - self.e0), self.c - e1, -e2
+
+    def level(self, wall):
+        """The height of a wall."""
+        return arb(0) if wall == LEFT else self.motion.gap
+
+    def first_contact(self):
+        """(wall, S): each flight of the set touches this wall first, once in the bracket S, and z' != 0 on S.
+
+        The flight is cut into parts from left to right; a part is discarded, holds the contact, or is halved.
+        """
+        period = self.motion.period()
+        a, width = self.departure(period.mid() / 8)
+        while a < LONGEST * period:
+            b = (a + width).mid()
+            verdict = self.judge(a, b)
+            if verdict == CLEAR:
+                a, width = b, 2 * width
+            elif verdict is not None:
+                return verdict, self.contract(verdict, a, b)
+            elif width < shortest(period):
+                raise Undecided(f"near s = {a.str(10)}: a graze, or too little precision")
+            else:
+                width = width / 2
+        raise Undecided(f"no contact in {LONGEST} periods")
+
+    def departure(self, width):
+        """(b, w): no contact is in (0, b], since (z(s) - z(0))/s = u + z''/2 s keeps its sign there; w to go on with.
+
+        The root s = 0 is divided out: this is the Taylor form of z at the wall, with z'' over [0, b].
+        """
+        if self.wall is None:
+            return arb(0), width
+        inward = 1 if self.wall == LEFT else -1
+        u = inward * self.u
+        if not u >= 0:
+            raise Undecided("the velocity after the impact may be outward")
+        while width > shortest(self.motion.period()):
+            part = between(arb(0), width)
+            z2 = inward * self.derivatives(part)[2]
+            slope = u + z2 * part / 2
+            leaves = slope > 0 or z2 > 0
+            if leaves and slope * part < self.motion.gap:
+                return width, width
+            width = width / 2
+        raise Undecided("the ball does not leave the wall")
+
+    def judge(self, a, b):
+        """CLEAR, the wall of the only contact in (a, b], or None, given that z(a) is inside the gap.
+
+        Mean value and Taylor form on the part, or, where z' has a proved sign, the height at its end.
+        """
+        part, gap = between(a, b), self.motion.gap
+        _, z1, z2 = self.derivatives(part)
+        if z1 > 0 or z1 < 0:
+            end = self.height(b)
+            if 0 < end < gap:
+                return CLEAR
+            return RIGHT if z1 > 0 and end > gap else LEFT if z1 < 0 and end < 0 else None
+        middle = part.mid()
+        height, velocity, _ = self.derivatives(middle)
+        x = part - middle
+        mean, taylor = height + z1 * x, height + velocity * x + z2 * x * x / 2
+        inside = (mean > 0 or taylor > 0) and (mean < gap or taylor < gap)
+        return CLEAR if inside else None
+
+    def contract(self, wall, a, b):
+        """The bracket [a, b] of one contact, narrowed by interval Newton for as long as that helps.
+
+        By the mean value theorem m - z(m)/z'(S) holds every contact that S holds. As z' has one sign on [a, b], it
+        lies on one side of m, so each round halves the bracket at least, until z(m) is lost in its own radius.
+        """
+        bracket, level = between(a, b), self.level(wall)
+        while True:
+            middle = bracket.mid()
+            newton = middle - (self.height(middle) - level) / self.velocity(bracket)
+            narrower = bracket.intersection(newton)
+            if not 3 * narrower.rad() < 2 * bracket.rad():
+                return narrower
+            bracket = narrower
+
+    def land(self, wall, bracket):
+        """(t1, v1), balls around the contact of these flights, which is the only one in the bracket.
+
+        m - z(m)/z'(S) holds s for every m in S (mean value theorem); m is found by Newton's plain iteration.
+        """
+        level, m = self.level(wall), bracket.mid()
+        for _ in range(60):
+            z, z1, _ = self.derivatives(m)
+            step = ((z - level) / z1).mid()
+            m = (m - step).mid()
+            if abs(step) <= 4 * (z.rad() / abs(z1)).abs_upper():
+                break
+        if not bracket.contains(m):
+            raise Undecided("Newton's iteration left the bracket")
+        s = m - (self.height(m) - level) / self.velocity(bracket)
+        return self.t0 + s, self.velocity(s)
+
+    def jacobian(self, s):
+        """d(t1, v1)/d(t0, v0), eq. (A.7), over all states of the set and all contacts s; v0 is the velocity before."""
+        _, v1, e2 = self.derivatives(s)
+        restitution = self.motion.restitution
+        dt_dt, dt_dv = (self.u - self.e2 * s) / v1, restitution * s / v1
+        return [[dt_dt, dt_dv], [e2 * dt_dt + self.e2, e2 * dt_dv - restitution]]
