@@ -76,8 +76,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The library's orbit in certified double precision.
-    pub fn orbit(&self, impacts: u64) -> Result<Orbit, Error> {
+    /// The pair and the start as the library takes them.
+    pub fn library(&self) -> Result<(ImpactPair, LibraryStart), Error> {
         let harmonic = Harmonic::new(self.amplitude.exact(), self.omega.exact(), self.tau.exact())?;
         let pair = ImpactPair::new(harmonic, self.gap.exact(), self.restitution.exact())?;
         let (time, velocity) = (self.time.exact(), self.velocity.exact());
@@ -86,12 +86,18 @@ impl Scene {
             At::Wall(Wall::Right) => LibraryStart::on_wall(time, LibraryWall::Right, velocity)?,
             At::Inside(position) => LibraryStart::inside(&pair, time, position.exact(), velocity)?,
         };
+        Ok((pair, start))
+    }
+
+    /// The library's orbit in certified double precision.
+    pub fn orbit(&self, impacts: u64) -> Result<Orbit, Error> {
+        let (pair, start) = self.library()?;
         let settings = Settings { impacts: Some(impacts), arithmetic: Arithmetic::Interval, ..Settings::default() };
         Orbit::new(&pair, &start, settings)
     }
 
-    /// The true orbit of the member at `parts` (of amplitude, restitution, time, velocity, position).
-    pub fn truth(&self, bits: u32, parts: [f64; 5], impacts: usize) -> Vec<Contact> {
+    /// The question put to the truth for the member at `parts` (of amplitude, restitution, time, velocity, position).
+    pub fn question(&self, bits: u32, parts: [f64; 5]) -> (Problem, Start) {
         let problem = Problem::new(
             bits,
             &self.amplitude.member(bits, parts[0]),
@@ -107,6 +113,12 @@ impl Scene {
             }
             At::Inside(position) => Start::inside(&problem, &time, &position.member(bits, parts[4]), &velocity),
         };
+        (problem, start)
+    }
+
+    /// The true orbit of the member at `parts`.
+    pub fn truth(&self, bits: u32, parts: [f64; 5], impacts: usize) -> Vec<Contact> {
+        let (problem, start) = self.question(bits, parts);
         orbit(&problem, &start, impacts)
     }
 }
