@@ -1,8 +1,8 @@
 //! What an orbit is handed on as: the orbit JSON, schema `impact-pair/orbit/1`, and its lines.
 //!
 //! Bounds are decimal strings rounded outward: the truth lies in `[lower, upper]`. A document is one object: the [`head`], the
-//! `outcome` and the `events`. As JSON Lines it is the head alone, one event a line, and at last `{"outcome": ...}`, which is
-//! not known before. Runs in `float` have `"certified": false`, and both bounds are the double itself.
+//! `outcome` and the `events`. As JSON Lines it is the head alone, one event a line, and at last `{"outcome": ..., "arithmetic":
+//! ...}`, which are not known before. Runs in `float` have `"certified": false`, and both bounds are the double itself.
 
 use std::fmt;
 use std::io::{self, Write};
@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_digits, decimal_f64};
 use crate::mapping::Mapping;
-use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Place, Start};
+use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Place, Settings, Start};
 use crate::pair::{ImpactPair, Wall};
 
 /// The schema of the orbit JSON.
@@ -21,15 +21,37 @@ pub const ORBIT_SCHEMA: &str = "impact-pair/orbit/1";
 pub const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
 
 /// The orbit JSON without its outcome and its events: whose orbit it is, and what certifies it.
-pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic) -> Map<String, Value> {
+///
+/// `computed` is what [`arithmetic`] says of it when it has ended, or [`asked_arithmetic`] before.
+pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: Value) -> Map<String, Value> {
     let entries = [
         ("schema", json!(ORBIT_SCHEMA)),
         ("program", json!(PROGRAM)),
         ("scene", scene(pair, start)),
         ("certified", json!(is_certified(arithmetic))),
-        ("arithmetic", json!({"kind": kind(arithmetic), "bits": f64::MANTISSA_DIGITS})),
+        ("arithmetic", computed),
     ];
     entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
+
+/// What computed an orbit: `float` or `interval` with 53 bits, or `multiprecision` with those of its first impact.
+pub fn arithmetic(orbit: &Orbit) -> Value {
+    let kind = match (orbit.arithmetic(), orbit.bits()) {
+        (Arithmetic::Float, _) => "float",
+        (_, f64::MANTISSA_DIGITS) => "interval",
+        _ => "multiprecision",
+    };
+    json!({"kind": kind, "bits": orbit.bits()})
+}
+
+/// The same before the orbit is computed: `auto` does not know yet.
+pub fn asked_arithmetic(settings: &Settings) -> Value {
+    match settings.arithmetic {
+        Arithmetic::Auto => json!({"kind": "auto", "max_bits": settings.max_bits}),
+        Arithmetic::Float => json!({"kind": "float", "bits": f64::MANTISSA_DIGITS}),
+        Arithmetic::Interval => json!({"kind": "interval", "bits": f64::MANTISSA_DIGITS}),
+        Arithmetic::Bits(bits) => json!({"kind": "multiprecision", "bits": bits}),
+    }
 }
 
 /// The exact parameters and initial data, each in its own words.
@@ -53,15 +75,7 @@ pub fn scene(pair: &ImpactPair, start: &Start) -> Value {
 pub fn is_certified(arithmetic: Arithmetic) -> bool {
     match arithmetic {
         Arithmetic::Float => false,
-        Arithmetic::Auto | Arithmetic::Interval => true,
-    }
-}
-
-/// The arithmetic that in the end computes.
-fn kind(arithmetic: Arithmetic) -> &'static str {
-    match arithmetic {
-        Arithmetic::Float => "float",
-        Arithmetic::Auto | Arithmetic::Interval => "interval",
+        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Bits(_) => true,
     }
 }
 

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::exact::Exact;
+use crate::orbit::BITS;
 
 /// A question that cannot be asked: the message names the key, the value and what is accepted.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -77,6 +78,17 @@ impl Error {
         let accepted =
             "mappings P1 to P4 that chain, the first right-most (\"P2 P1\"), or walls in time order (\"RL\")";
         Self::new(Kind::Word, format!("the word is \"{text}\", but accepted are {accepted}"))
+    }
+
+    pub(crate) fn arithmetic(text: &str) -> Self {
+        let (least, most) = BITS.into_inner();
+        let bits = if cfg!(feature = "multiprecision") {
+            format!("or a number of bits from {least} to {most}")
+        } else {
+            "and, in a build with multiprecision, numbers of bits".to_owned()
+        };
+        let message = format!("the arithmetic is \"{text}\", but accepted are auto, float, interval {bits}");
+        Self::new(Kind::Range, message)
     }
 
     pub(crate) fn require_positive(key: &str, value: &Exact) -> Result<(), Self> {

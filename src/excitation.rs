@@ -42,8 +42,8 @@ impl Harmonic {
 /// `E/d`, `E'/d` and `E''/d` at the phase of the given sine and cosine, per turn and turn squared.
 ///
 /// **Equation** (9) and its derivatives; `alpha = A/d`.
-pub fn displacement_velocity_acceleration<N: Number>(alpha: N, (sin, cos): (N, N)) -> (N, N, N) {
-    let turn = N::turn();
+pub fn displacement_velocity_acceleration<N: Number + Copy>(alpha: N, (sin, cos): (N, N)) -> (N, N, N) {
+    let turn = alpha.turn();
     let displacement = alpha * sin;
     (displacement, turn * alpha * cos, -(turn * turn * displacement))
 }

@@ -24,6 +24,15 @@ use crate::number::Number;
 use crate::number::kernel::Departure;
 use crate::pair::{Reduced, Wall};
 
+/// Sine and cosine of a phase larger by an angle of the given versine and sine: the addition theorems.
+#[inline(always)]
+pub(crate) fn turned<N: Number>((sin, cos): (N, N), versine: N, sine: N) -> (N, N) {
+    let base = (-sin.clone()).mul_add(versine.clone(), sin.clone());
+    let turned_sin = cos.clone().mul_add(sine.clone(), base);
+    let base = (-cos.clone()).mul_add(versine, cos);
+    (turned_sin, (-sin).mul_add(sine, base))
+}
+
 /// One flight: its start, in the frame described above, and its drift.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight<N> {
@@ -47,6 +56,23 @@ pub struct Flight<N> {
     pub wall: Wall,
 }
 
+impl<N> Flight<N> {
+    /// The same flight in another arithmetic.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Flight<M> {
+        Flight {
+            alpha: f(&self.alpha),
+            beta: f(&self.beta),
+            phase: f(&self.phase),
+            sin: f(&self.sin),
+            cos: f(&self.cos),
+            height: f(&self.height),
+            velocity: f(&self.velocity),
+            drift: f(&self.drift),
+            wall: self.wall,
+        }
+    }
+}
+
 impl<N: Number> Flight<N> {
     /// A flight that leaves `wall` with velocity `velocity >= 0` away from it.
     ///
@@ -65,8 +91,8 @@ impl<N: Number> Flight<N> {
     #[inline(always)]
     fn new(pair: &Reduced<N>, wall: Wall, height: N, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
         let (sin, cos) = wall.mirror(sin_cos);
-        let drift = pair.beta.mul_add(cos, velocity);
-        Self { alpha: pair.alpha, beta: pair.beta, phase, sin, cos, height, velocity, drift, wall }
+        let drift = pair.beta.clone().mul_add(cos.clone(), velocity.clone());
+        Self { alpha: pair.alpha.clone(), beta: pair.beta.clone(), phase, sin, cos, height, velocity, drift, wall }
     }
 
     /// `z - target` at `phase1 + turns`, where `turns` is a whole number and `sin1` the mirrored sine there.
@@ -74,35 +100,35 @@ impl<N: Number> Flight<N> {
     /// **Equation** (11). Whole turns and the rest are kept apart so that long flights lose no phase.
     #[inline(always)]
     pub fn height_above(&self, target: N, turns: N, phase1: N, sin1: N) -> N {
-        let wave = (-self.alpha).mul_add(sin1 - self.sin, self.height - target);
-        let rest = self.drift.mul_add(phase1 - self.phase, wave);
-        self.drift.mul_add(turns, rest)
+        let wave = (-self.alpha.clone()).mul_add(sin1 - self.sin.clone(), self.height.clone() - target);
+        let rest = self.drift.clone().mul_add(phase1 - self.phase.clone(), wave);
+        self.drift.clone().mul_add(turns, rest)
     }
 
     /// `z'` where the mirrored cosine is `cos1`. **Equation** (12).
     #[inline(always)]
     pub fn velocity_at(&self, cos1: N) -> N {
-        (-self.beta).mul_add(cos1, self.drift)
+        (-self.beta.clone()).mul_add(cos1, self.drift.clone())
     }
 
     /// `z''` per turn squared where the mirrored sine is `sin1`. **Equation** (10).
     #[inline(always)]
     pub fn acceleration_at(&self, sin1: N) -> N {
-        N::turn() * self.beta * sin1
+        self.beta.turn() * self.beta.clone() * sin1
     }
 
     /// `z` after a hop of `h <= 1/8` turns from a wall, without cancellation; `excess` and `versine` of `h`.
     #[inline(always)]
     pub fn hop_height(&self, h: N, versine: N, excess: N) -> N {
-        let wave = self.cos.mul_add(excess, self.sin * versine);
-        self.velocity.mul_add(h, self.alpha * wave)
+        let wave = self.cos.clone().mul_add(excess, self.sin.clone() * versine);
+        self.velocity.clone().mul_add(h, self.alpha.clone() * wave)
     }
 
     /// `z'` after a hop, without cancellation.
     #[inline(always)]
     pub fn hop_velocity(&self, versine: N, sine: N) -> N {
-        let wave = self.cos.mul_add(versine, self.sin * sine);
-        self.beta.mul_add(wave, self.velocity)
+        let wave = self.cos.clone().mul_add(versine, self.sin.clone() * sine);
+        self.beta.clone().mul_add(wave, self.velocity.clone())
     }
 }
 
@@ -110,9 +136,7 @@ impl Flight<f64> {
     /// The mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
     pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
-        let sin = self.cos.mul_add(d.sine, (-self.sin).mul_add(d.versine, self.sin));
-        let cos = (-self.sin).mul_add(d.sine, (-self.cos).mul_add(d.versine, self.cos));
-        (sin, cos)
+        turned((self.sin, self.cos), d.versine, d.sine)
     }
 
     /// `z'` and the mirrored sine a short `step` earlier than where they and the cosine are given, by Taylor's formula.

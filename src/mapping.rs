@@ -166,9 +166,9 @@ pub struct Passage<N> {
 /// assert_eq!(a * d - b * c, 0.5 * 0.5 * -4.0 / 2.0);
 /// ```
 #[inline(always)]
-pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
+pub fn jacobian<N: Number + Copy>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
     let Passage { time, sin0, sin1, velocity0, velocity1 } = *passage;
-    let swing = N::turn() * beta;
+    let swing = beta.turn() * beta;
     let (swing0, swing1) = (swing * sin0, swing * sin1);
     let inverse = N::from_f64(1.0).checked_div(velocity1)?;
     let time_by_time = swing0.mul_add(time, -(restitution * velocity0)) * inverse;

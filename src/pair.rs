@@ -73,15 +73,29 @@ pub struct Reduced<N> {
     pub restitution: N,
 }
 
+impl<N> Reduced<N> {
+    /// The same parameters in another arithmetic.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Reduced<M> {
+        Reduced { alpha: f(&self.alpha), beta: f(&self.beta), restitution: f(&self.restitution) }
+    }
+}
+
 impl<N: Number> Reduced<N> {
     /// The impact law `v+ = -e v-`. **Equation** (15)
     #[inline(always)]
     pub fn rebound(&self, velocity_before: N) -> N {
-        -(self.restitution * velocity_before)
+        -(self.restitution.clone() * velocity_before)
     }
 }
 
 impl Reduced<Ball> {
+    /// The impact law over a ball; nothing is exactly nothing, so that a dead impact leaves at rest.
+    #[inline(always)]
+    pub(crate) fn rebound_of(&self, before: Ball) -> Ball {
+        let zero = Ball::exact(0.0);
+        if self.restitution == zero || before == zero { zero } else { self.rebound(before) }
+    }
+
     /// The centres of the parameters, for the floating twin.
     #[inline(always)]
     pub fn centre(&self) -> Reduced<f64> {
@@ -105,6 +119,8 @@ pub struct ImpactPair {
     restitution: Exact,
 }
 
+/// What stands behind `A/d`.
+const RATIO: &str = "excitation.amplitude / pair.gap";
 /// `2^400`: larger ratios could overflow in the course of a flight.
 const LARGEST_RATIO: f64 = 2.582_249_878_086_908_6e120;
 
@@ -146,12 +162,20 @@ impl ImpactPair {
     /// # Errors
     /// When `A/d` is beyond `2^400`.
     pub fn reduced(&self) -> Result<Reduced<Ball>, Error> {
-        let key = "excitation.amplitude / pair.gap";
+        let Reduced { alpha, beta, restitution } = self.exact()?;
+        let (alpha, beta) = (ball(RATIO, &alpha)?, ball(RATIO, &beta)?);
+        Ok(Reduced { alpha, beta, restitution: ball("pair.restitution", &restitution)? })
+    }
+
+    /// The parameters without units, exactly.
+    ///
+    /// # Errors
+    /// When `A/d` is beyond what exact expressions hold.
+    pub fn exact(&self) -> Result<Reduced<Exact>, Error> {
         let amplitude = self.excitation.amplitude();
-        let ratio = within(key, amplitude, amplitude.checked_div(&self.gap))?;
-        let speed = within(key, amplitude, ratio.checked_mul(&(Exact::pi() * Exact::from(2))))?;
-        let (alpha, beta) = (ball(key, &ratio)?, ball(key, &speed)?);
-        Ok(Reduced { alpha, beta, restitution: ball("pair.restitution", &self.restitution)? })
+        let alpha = within(RATIO, amplitude, amplitude.checked_div(&self.gap))?;
+        let beta = within(RATIO, amplitude, alpha.checked_mul(&(Exact::pi() * Exact::from(2))))?;
+        Ok(Reduced { alpha, beta, restitution: self.restitution.clone() })
     }
 }
 

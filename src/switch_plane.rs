@@ -28,7 +28,7 @@ pub struct SwitchPoint {
 /// `x/d` and `x'` in gaps a turn, of an impact on `wall` at the phase of the given sine and cosine.
 ///
 /// **Equations** (22), (23), without units.
-pub fn absolute<N: Number>(pair: &Reduced<N>, wall: Wall, sin_cos: (N, N), velocity: N) -> (N, N) {
+pub fn absolute<N: Number + Copy>(pair: &Reduced<N>, wall: Wall, sin_cos: (N, N), velocity: N) -> (N, N) {
     let (shift, speed, _) = displacement_velocity_acceleration(pair.alpha, sin_cos);
     (shift - N::from_f64(0.5 * wall.sign()), velocity + speed)
 }

@@ -11,7 +11,8 @@ use proptest::prelude::*;
 const TAU: f64 = std::f64::consts::TAU;
 
 fn pair(alpha: f64) -> Reduced<Ball> {
-    Reduced { alpha: Ball::exact(alpha), beta: Ball::exact(alpha) * Ball::turn(), restitution: Ball::exact(0.5) }
+    let alpha = Ball::exact(alpha);
+    Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(0.5) }
 }
 
 /// A start on a wall: A/d over six decades, speeds from the box's own down to a billionth of it, or none.

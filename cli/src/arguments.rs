@@ -1,14 +1,12 @@
 //! The command line: verbs, their arguments and their help.
 
-use std::ffi::OsStr;
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Args, Command, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use impact_pair::Scene;
 use impact_pair::exact::Exact;
-use impact_pair::orbit::Arithmetic;
+use impact_pair::orbit::{Arithmetic, BITS, MAX_BITS, Settings};
 use impact_pair::scene::{DIGITS, Run};
 
 /// Verified numerics for the horizontal impact pair: every impact proved
@@ -20,18 +18,24 @@ pub struct Cli {
 }
 
 macro_rules! version {
-    ($fma:literal) => {
+    ($bits:literal, $fma:literal) => {
         concat!(
             env!("CARGO_PKG_VERSION"),
             "\narithmetics: auto, float, interval (53 bits, rounded to nearest, error bounds proved)",
+            $bits,
             "\ntarget CPU features: fma ",
             $fma
         )
     };
 }
 
-const VERSION: &str =
-    if cfg!(any(target_feature = "fma", target_arch = "aarch64")) { version!("yes") } else { version!("no") };
+const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+const VERSION: &str = match (cfg!(feature = "multiprecision"), FUSED) {
+    (true, true) => version!(", BITS (MPFR)", "yes"),
+    (true, false) => version!(", BITS (MPFR)", "no"),
+    (false, true) => version!("", "yes"),
+    (false, false) => version!("", "no"),
+};
 
 const EXIT_CODES: &str = "\
 Exit code: 0 all that was asked is certified; 1 some of it is not (the output still holds all that is); \
@@ -76,9 +80,14 @@ pub struct RunArguments {
     /// [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
     digits: Option<u32>,
-    /// What computes
-    #[arg(long, default_value = "auto", value_parser = ArithmeticParser)]
+    /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
+    /// certified in doubles, whatever the widths; or certified in so many BITS, whatever the widths
+    #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
     pub arithmetic: Arithmetic,
+    /// Bits that auto takes at most
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
+        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    pub max_bits: u32,
     /// How the events are written
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -91,13 +100,15 @@ pub struct RunArguments {
 }
 
 impl RunArguments {
-    /// The scene's table `[run]`, as far as the command line does not say otherwise.
-    pub fn over(&self, run: &Run) -> Run {
-        Run {
+    /// How the scene is to be run: by its table `[run]`, as far as the command line does not say otherwise.
+    pub fn settings(&self, scene: &Scene) -> Settings {
+        let run = scene.run();
+        let run = Run {
             impacts: self.impacts.or(run.impacts),
             until: self.until.clone().or_else(|| run.until.clone()),
             digits: self.digits.or(run.digits),
-        }
+        };
+        Settings { max_bits: self.max_bits, ..run.settings(self.arithmetic) }
     }
 }
 
@@ -119,43 +130,4 @@ pub enum Format {
 fn point(text: &str) -> Result<Exact, String> {
     let number = Exact::parse(text).map_err(|error| error.to_string())?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
-}
-
-/// Reads an arithmetic by its name.
-#[derive(Clone)]
-struct ArithmeticParser;
-
-const ARITHMETICS: [(Arithmetic, &str, &str); 3] = [
-    (Arithmetic::Auto, "auto", "The cheapest that certifies the digits; the orbit ends where none does"),
-    (Arithmetic::Float, "float", "Plain double precision, nothing is certified"),
-    (Arithmetic::Interval, "interval", "Certified in double precision as far as it decides, whatever the widths"),
-];
-
-/// What the command line calls it.
-pub fn arithmetic_name(arithmetic: Arithmetic) -> &'static str {
-    ARITHMETICS.iter().find(|(known, ..)| *known == arithmetic).map_or("", |(_, name, _)| name)
-}
-
-impl TypedValueParser for ArithmeticParser {
-    type Value = Arithmetic;
-
-    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Arithmetic, clap::Error> {
-        let name = StringValueParser::new().parse_ref(command, arg, value)?;
-        let found = ARITHMETICS.iter().find(|(_, known, _)| *known == name);
-        found.map(|(arithmetic, ..)| *arithmetic).ok_or_else(|| {
-            let mut error = clap::Error::new(ErrorKind::InvalidValue).with_cmd(command);
-            let option = arg.map_or("--arithmetic".to_owned(), ToString::to_string);
-            error.insert(ContextKind::InvalidArg, ContextValue::String(option));
-            error.insert(ContextKind::InvalidValue, ContextValue::String(name));
-            let names = ARITHMETICS.iter().map(|(_, name, _)| (*name).to_owned()).collect();
-            error.insert(ContextKind::ValidValue, ContextValue::Strings(names));
-            let note = "this version computes with auto, float and interval; it has no multiprecision";
-            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![note.into()]));
-            error
-        })
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new(ARITHMETICS.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help))))
-    }
 }

@@ -5,10 +5,13 @@ use std::fmt;
 use impact_pair::certificate::{Conclusion, is_certified};
 use impact_pair::contact::Reason;
 use impact_pair::orbit::{Arithmetic, Settings};
+use serde_json::Value;
 
 /// The conclusion of an orbit, seen against what was asked.
 pub struct Ending<'s> {
     pub conclusion: Conclusion,
+    /// What computed the orbit, as the orbit JSON says it.
+    pub computed: Value,
     /// The first impact whose enclosure is wider than the digits asked for.
     pub wide: Option<u64>,
     pub settings: &'s Settings,
@@ -22,9 +25,19 @@ impl Ending<'_> {
 
     /// What else there is to try, if it would help.
     fn hint(&self) -> Option<&'static str> {
-        let too_few_digits = self.conclusion.reason() == Some(Reason::Precision);
-        (too_few_digits && self.settings.arithmetic == Arithmetic::Auto)
-            .then_some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
+        let reason = self.conclusion.reason().filter(|reason| *reason != Reason::Budget);
+        match (self.settings.arithmetic, reason) {
+            (Arithmetic::Auto, Some(Reason::Precision)) if cfg!(feature = "multiprecision") => {
+                Some("try fewer --digits or more --max-bits")
+            }
+            (Arithmetic::Auto, Some(Reason::Precision)) => {
+                Some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
+            }
+            (Arithmetic::Interval | Arithmetic::Bits(_), _) if reason.is_some() || self.wide.is_some() => {
+                Some("try --arithmetic auto")
+            }
+            _ => None,
+        }
     }
 }
 

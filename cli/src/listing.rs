@@ -3,10 +3,10 @@
 use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Event, head, write_json};
+use impact_pair::certificate::{Event, asked_arithmetic, head, write_json};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::Settings;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::arguments::Format;
 use crate::ending::Ending;
@@ -29,13 +29,17 @@ impl<'s, W: Write> Listing<'s, W> {
         Self { format, scene, settings, out, held_back: Vec::new() }
     }
 
+    fn head(&self, computed: Value) -> Map<String, Value> {
+        head(self.scene.pair(), self.scene.start(), self.settings.arithmetic, computed)
+    }
+
     /// What comes before the events.
     pub fn begin(&mut self) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
             Format::Jsonl => {
-                let head = head(self.scene.pair(), self.scene.start(), self.settings.arithmetic);
+                let head = self.head(asked_arithmetic(self.settings));
                 writeln!(self.out, "{}", Value::Object(head))
             }
             Format::Csv => writeln!(self.out, "{CSV_HEADER}"),
@@ -64,12 +68,14 @@ impl<'s, W: Write> Listing<'s, W> {
         match self.format {
             Format::Table => table::end(&mut self.out, ending)?,
             Format::Json => {
-                let head = head(self.scene.pair(), self.scene.start(), self.settings.arithmetic);
+                let head = self.head(ending.computed.clone());
                 let mut out = BufWriter::new(&mut self.out);
                 write_json(&mut out, &head, &ending.conclusion, &self.held_back)?;
                 out.flush()?;
             }
-            Format::Jsonl => writeln!(self.out, "{}", json!({"outcome": ending.conclusion.json()}))?,
+            Format::Jsonl => {
+                writeln!(self.out, "{}", json!({"outcome": ending.conclusion.json(), "arithmetic": ending.computed}))?
+            }
             Format::Csv => {}
         }
         Ok(self.out)

@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Impacts between two looks at the clock; a thousand take less than a blink.
-const STRIDE: u64 = 1024;
+/// Impacts between two looks at the clock; in doubles so many take less than a blink.
+const STRIDE: u64 = 16;
 /// Exit code of a program that SIGINT ends.
 const KILLED: i32 = 130;
 
@@ -21,7 +21,8 @@ impl Progress {
         if !wanted {
             return Self(None);
         }
-        let template = if impacts.is_some() { "{bar:30} {pos}/{len} impacts, {eta} left" } else { "{pos} impacts" };
+        let template =
+            if impacts.is_some() { "{bar:30} {pos}/{len} impacts, {eta} left{msg}" } else { "{pos} impacts{msg}" };
         let style = ProgressStyle::with_template(template).expect("a valid template");
         let target = ProgressDrawTarget::stderr_with_hz(5);
         Self(Some(ProgressBar::with_draw_target(impacts, target).with_style(style)))
@@ -29,12 +30,23 @@ impl Progress {
 
     /// Notes that impact `index` is done.
     pub fn reach(&self, index: u64) {
-        if index.is_multiple_of(STRIDE)
-            && let Some(bar) = &self.0
-            && bar.elapsed() > Duration::from_secs(1)
-        {
+        if let Some(bar) = self.due(index) {
+            bar.set_message("");
             bar.set_position(index);
         }
+    }
+
+    /// Notes that an impact listed before was computed anew, with so many bits for the first one.
+    pub fn retrace(&self, index: u64, bits: u32) {
+        if let Some(bar) = self.due(index) {
+            bar.set_message(format!(", again from the start in {bits} bits: {index}"));
+        }
+    }
+
+    /// The bar, when it is time to look at it.
+    fn due(&self, index: u64) -> Option<&ProgressBar> {
+        let bar = self.0.as_ref().filter(|_| index.is_multiple_of(STRIDE))?;
+        (bar.elapsed() > Duration::from_secs(1)).then_some(bar)
     }
 
     /// Leaves the terminal as it was.

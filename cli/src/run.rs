@@ -7,7 +7,8 @@ use std::sync::atomic::Ordering;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
-use impact_pair::certificate::{Conclusion, Event};
+use impact_pair::certificate::{Conclusion, Event, arithmetic};
+use impact_pair::orbit::Progress as Step;
 
 use crate::Answer;
 use crate::arguments::{Format, RunArguments};
@@ -18,7 +19,7 @@ use crate::progress::{Progress, interruption};
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let scene = read(&arguments.scene)?;
-    let settings = arguments.over(scene.run()).settings(arguments.arithmetic);
+    let settings = arguments.settings(&scene);
     let mut orbit = scene.orbit(settings.clone()).with_context(|| name(&arguments.scene))?;
     if let Some(output) = &arguments.output
         && fs::canonicalize(output).is_ok_and(|output| fs::canonicalize(&arguments.scene).is_ok_and(|s| s == output))
@@ -35,17 +36,21 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let write = "cannot write the output";
     listing.begin().context(write)?;
     let mut last = None;
-    while !interrupted.load(Ordering::Relaxed)
-        && let Some(impact) = orbit.next()
-    {
-        let event = Event::new(&orbit, &impact);
-        listing.event(&event).context(write)?;
-        progress.reach(event.index);
-        last = Some(event);
+    while !interrupted.load(Ordering::Relaxed) {
+        match orbit.advance() {
+            Step::Impact(impact) => {
+                let event = Event::new(&orbit, &impact);
+                listing.event(&event).context(write)?;
+                progress.reach(event.index);
+                last = Some(event);
+            }
+            Step::Retraced(index) => progress.retrace(index, orbit.bits()),
+            Step::Ended => break,
+        }
     }
     progress.clear();
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
-    let ending = Ending { conclusion, wide: orbit.first_wide(), settings: &settings };
+    let ending = Ending { conclusion, computed: arithmetic(&orbit), wide: orbit.first_wide(), settings: &settings };
     listing.end(&ending).context(write)?.commit()?;
 
     if !ending.is_complete() && !arguments.quiet && !said_already {

@@ -5,9 +5,8 @@ use std::io::{self, Write};
 use impact_pair::Scene;
 use impact_pair::certificate::{Event, is_certified};
 use impact_pair::mapping::Mapping;
-use impact_pair::orbit::{Place, Settings};
+use impact_pair::orbit::{Arithmetic, Place, Settings};
 
-use crate::arguments::arithmetic_name;
 use crate::ending::Ending;
 
 pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {
@@ -30,7 +29,8 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
         Place::Wall(wall) => writeln!(out, "start: t = {time}, {} wall, v = {velocity}", wall.name())?,
         Place::Inside(position) => writeln!(out, "start: t = {time}, y = {position}, y' = {velocity}")?,
     }
-    let arithmetic = arithmetic_name(settings.arithmetic);
+    let bits = if let Arithmetic::Bits(_) = settings.arithmetic { " bits" } else { "" };
+    let arithmetic = format!("{}{bits}", settings.arithmetic);
     if is_certified(settings.arithmetic) {
         writeln!(out, "arithmetic: {arithmetic}, {} digits asked for\n", settings.digits)?;
     } else {

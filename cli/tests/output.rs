@@ -37,7 +37,10 @@ fn a_file_holds_what_stdout_would() {
 fn an_undecided_orbit_still_leaves_its_file() {
     let folder = folder("undecided");
     let file = folder.join("events.csv");
-    let answer = run(&["scenes/figure-14.toml", "--impacts", "200", "--format", "csv", "--output"]).arg(&file).output();
+    let answer =
+        run(&["scenes/figure-14.toml", "--impacts", "200", "--arithmetic", "interval", "--format", "csv", "--output"])
+            .arg(&file)
+            .output();
     let answer = answer.unwrap();
     assert_eq!(answer.status.code(), Some(1));
     assert!(String::from_utf8(answer.stderr).unwrap().starts_with("undecided after impact "));

@@ -89,7 +89,8 @@ pub(crate) fn first_contacts(
     let judges =
         Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
     let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
-    let slope = Ball::turn() * Ball::new(flight.beta, margins.beta_radius(flight.beta)) * centre.sin;
+    let beta = Ball::new(flight.beta, margins.beta_radius(flight.beta));
+    let slope = beta.turn() * beta * centre.sin;
     // The stored phase is rounded, the velocity is that before the rounding (Lemma S4).
     let rounding = UNIT * (2.0 * centre.arrival.phase.mid().abs() + centre.arrival.time.mid().abs());
     let rest = up(slope.mag().mul_add(rounding, centre.rest));
@@ -199,15 +200,19 @@ impl Judge for Unproved<'_> {
 #[cold]
 fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
     match none {
-        NoProposal::Rest => Undecided { reason: Reason::Graze, wall: Some(flight.wall), time: Some(Ball::exact(0.0)) },
-        NoProposal::NoDrift | NoProposal::TooLong => Undecided { reason: Reason::Budget, wall: None, time: None },
+        NoProposal::Rest => {
+            Undecided { reason: Reason::Graze, wall: Some(flight.wall), time: Some(Ball::exact(0.0)), lasting: false }
+        }
+        NoProposal::NoDrift | NoProposal::TooLong => {
+            Undecided { reason: Reason::Budget, wall: None, time: None, lasting: false }
+        }
     }
 }
 
 /// The wall of `target` may be touched with no velocity, at any later time.
 #[cold]
 fn unbracketed(from: Wall, target: Target) -> Undecided {
-    Undecided { reason: Reason::Graze, wall: Some(target.wall(from)), time: None }
+    Undecided { reason: Reason::Graze, wall: Some(target.wall(from)), time: None, lasting: false }
 }
 
 /// What could not be excluded before a bracketed contact.
@@ -219,5 +224,5 @@ fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Ar
         Doubt::Extremum { target, time } => (target.wall(flight.wall), around(&bounds, time)),
         Doubt::Location => (arrival.target.wall(flight.wall), arrival.time),
     };
-    Undecided { reason: Reason::Graze, wall: Some(wall), time: Some(time) }
+    Undecided { reason: Reason::Graze, wall: Some(wall), time: Some(time), lasting: false }
 }

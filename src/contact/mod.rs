@@ -10,6 +10,8 @@ mod bounds;
 mod certify;
 mod extrema;
 mod judges;
+#[cfg(feature = "multiprecision")]
+pub(crate) mod multiprecision;
 mod solve;
 
 pub use bounds::{Margins, Radii};
@@ -76,6 +78,20 @@ pub struct Undecided {
     pub wall: Option<Wall>,
     /// When it may be touched, in turns after the start of the flight; `None` for any later time.
     pub time: Option<Ball>,
+    /// No precision will decide it.
+    pub(crate) lasting: bool,
+}
+
+impl Undecided {
+    /// The set that arrives at `contact` is too wide.
+    pub(crate) fn width(contact: &Contact<Ball>) -> Self {
+        Self { reason: Reason::Width, wall: Some(contact.wall), time: Some(contact.time), lasting: false }
+    }
+
+    /// More digits are asked for than `contact` is known to.
+    pub(crate) fn precision(contact: &Contact<Ball>) -> Self {
+        Self { reason: Reason::Precision, ..Self::width(contact) }
+    }
 }
 
 /// A first contact; times in turns, velocities in gaps a turn.

@@ -210,7 +210,7 @@ fn whole_turns(phase: f64) -> f64 {
 
 /// Where `3 x^2 - 2 x^3` takes the value `v`, to a thousandth: a guess for a piece with flat ends.
 #[inline(always)]
-fn inverse_smoothstep(v: f64) -> f64 {
+pub(super) fn inverse_smoothstep(v: f64) -> f64 {
     let v = v.clamp(0.0, 1.0);
     let s = v.min(1.0 - v).sqrt();
     let x = s * 0.1024f64.mul_add(s, 0.1111).mul_add(s, 0.57735);

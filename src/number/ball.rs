@@ -13,11 +13,15 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::{Number, kernel};
+use crate::exact::Enclosure;
 
 /// The unit roundoff, `2^-53`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 /// Covers underflow in a product or quotient (Lemma B1).
 const TINY: f64 = f64::MIN_POSITIVE;
+
+/// Bits of the ends of a ball.
+const ENCLOSURE_BITS: u32 = 160;
 
 /// An upper bound of a sum of at most seven non-negative terms, from its rounded value (Lemma B1).
 #[inline(always)]
@@ -84,6 +88,15 @@ impl Ball {
     #[inline(always)]
     pub fn widened(self, by: f64) -> Self {
         Self { mid: self.mid, rad: up(self.rad + by) }
+    }
+
+    /// The ball as an interval; `None` when it is not finite.
+    ///
+    /// The ends have at most 160 bits; where centre and radius lie farther apart they are rounded outward.
+    pub fn enclosure(self) -> Option<Enclosure> {
+        let point = |x: f64| Enclosure::from_f64_bounds(x, x);
+        let (mid, rad) = (point(self.mid)?, point(self.rad)?);
+        Some(mid.sub(&rad, ENCLOSURE_BITS).hull(&mid.add(&rad, ENCLOSURE_BITS)))
     }
 
     /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball.
@@ -153,7 +166,7 @@ impl Number for Ball {
         Some(Self { mid, rad: up(up(spread) + UNIT * mid.abs() + TINY) })
     }
     #[inline(always)]
-    fn turn() -> Self {
+    fn turn(&self) -> Self {
         // 2 pi is within 2^-52 of its nearest double (TAU_LO of the kernel is 2.4e-16).
         Self { mid: std::f64::consts::TAU, rad: 2.5e-16 }
     }

@@ -6,23 +6,33 @@
 
 mod ball;
 pub mod kernel;
+#[cfg(feature = "multiprecision")]
+mod magnitude;
+#[cfg(feature = "multiprecision")]
+mod multiprecision;
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use ball::Ball;
 pub(crate) use ball::{UNIT, binade, up};
 use kernel::Departure;
+#[cfg(feature = "multiprecision")]
+pub use magnitude::Magnitude;
+#[cfg(feature = "multiprecision")]
+pub(crate) use multiprecision::magnitude;
+#[cfg(feature = "multiprecision")]
+pub use multiprecision::{LEAST_BITS, MpBall};
 
 /// What the formulas of the paper need of a number: ring operations and a fused product and sum.
-pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// The number that the double `x` is, exactly.
     fn from_f64(x: f64) -> Self;
     /// `self * b + c`; for `f64` rounded once.
     fn mul_add(self, b: Self, c: Self) -> Self;
     /// `self / b`; for [`Ball`] `None` when the divisor may be 0.
     fn checked_div(self, b: Self) -> Option<Self>;
-    /// `2 pi`, one turn in radians.
-    fn turn() -> Self;
+    /// `2 pi`, one turn in radians, as precisely as `self` is.
+    fn turn(&self) -> Self;
     /// `sign * self` for a sign of 1 or -1, exactly.
     fn signed(self, sign: f64) -> Self;
 }
@@ -41,7 +51,7 @@ impl Number for f64 {
         (b != 0.0).then(|| self / b)
     }
     #[inline(always)]
-    fn turn() -> Self {
+    fn turn(&self) -> Self {
         std::f64::consts::TAU
     }
     #[inline(always)]

@@ -8,7 +8,7 @@ use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
 use crate::number::Ball;
 use crate::pair::{ImpactPair, ball, within};
 
-/// Bits kept beyond those of the largest number of turns.
+/// Bits kept beyond those of the largest number of turns and of the widths to be shown.
 const BITS: u32 = 160;
 
 /// A phase as whole turns and the rest in `[-1/2, 1/2]` (about).
@@ -27,6 +27,8 @@ pub struct Clock {
     /// The whole turns that phases are counted from.
     origin: BigInt,
     bits: u32,
+    /// What is printed has at most so many bits.
+    shown: u32,
     /// Enclosures of `2 pi / W`, `tau / W`, `W d / (2 pi)` and `d`.
     period: Enclosure,
     delay: Enclosure,
@@ -35,13 +37,13 @@ pub struct Clock {
     /// `2 pi / (W d)`
     slowness: Exact,
     /// What intervals of W, tau and d add to widths: to a time for each turn since `t = -tau/W` and once, in periods;
-    /// to a velocity for each unit of it.
-    spread: [f64; 3],
+    /// to a velocity for each unit of it. `None` for exact ones.
+    spread: Option<[f64; 3]>,
 }
 
 impl Clock {
-    /// The clock of `pair` whose turn 0 is the one nearest to `time`.
-    pub(super) fn new(pair: &ImpactPair, time: &Exact) -> Result<Self, Error> {
+    /// The clock of `pair` whose turn 0 is the one nearest to `time`; it shows widths down to about `2^-shown`.
+    pub(super) fn new(pair: &ImpactPair, time: &Exact, shown: u32) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
         let (frequency, delay) = (pair.excitation().frequency(), pair.excitation().phase());
         let shift = within("excitation.phase", delay, delay.checked_div(&turn))?;
@@ -52,16 +54,19 @@ impl Clock {
         let slowness = within("pair.gap", pair.gap(), period.checked_div(pair.gap()))?;
         let start = within("start.time", time, phase(&rate, &shift, time))?;
         let origin = nearest(&start);
-        let bits = BITS + u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2);
-        let (period, delay, speed) = (period.enclose(bits), delay.enclose(bits), speed.enclose(BITS));
+        let shown = BITS.saturating_add(shown);
+        let bits = shown.saturating_add(u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2));
+        let (period, delay, speed) = (period.enclose(bits), delay.enclose(bits), speed.enclose(shown));
         let relative = |of: &Enclosure, to: &Enclosure| of.width().to_f64_up() / to.mig().to_f64_down();
         Ok(Self {
             bits,
-            spread: [relative(&period, &period), relative(&delay, &period), relative(&speed, &speed)],
+            shown,
+            spread: (!pair.is_point())
+                .then(|| [relative(&period, &period), relative(&delay, &period), relative(&speed, &speed)]),
             period,
             delay,
             speed,
-            gap: pair.gap().enclose(BITS),
+            gap: pair.gap().enclose(shown),
             slowness,
             shift,
             rate,
@@ -69,57 +74,73 @@ impl Clock {
         })
     }
 
-    /// The phase `(W t + tau) / (2 pi)` of a time, in turns after the origin.
-    pub(super) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
+    /// The phase `(W t + tau) / (2 pi)` of a time, in whole turns after the origin and the rest.
+    pub(super) fn split(&self, key: &'static str, time: &Exact) -> Result<(i64, Exact), Error> {
         let origin = Exact::from(self.origin.clone());
         let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
         let since = within(key, time, since)?;
         let whole = nearest(&since);
         let turns = i64::try_from(&whole).map_err(|_| Error::too_large(key, time))?;
         let rest = within(key, time, since.checked_sub(&Exact::from(turns)))?;
+        Ok((turns, rest))
+    }
+
+    /// The same with the rest in a ball.
+    pub(super) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
+        let (turns, rest) = self.split(key, time)?;
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
     /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gaps a turn.
+    ///
+    /// The bits of exact factors are not counted: they are 160 more than what is asked for has.
     pub(super) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
-        let [per_turn, once, per_unit] = self.spread;
-        let mut time = 2.0 * rest.rad() + once;
-        // Points add 2^-160 of themselves: not worth the conversion of the turns.
-        if per_turn > 1e-40 {
-            let turns = Dyadic::new(&self.origin + turns, 0);
-            time += per_turn * (turns.to_f64_up().abs().max(turns.to_f64_down().abs()) + 2.0);
-        }
-        (time, per_unit.mul_add(velocity.mag(), 2.0 * velocity.rad()))
+        let (time, of_velocity) = self.spread(turns, velocity);
+        (2.0f64.mul_add(rest.rad(), time), 2.0f64.mul_add(velocity.rad(), of_velocity))
+    }
+
+    /// The same by logarithms of radii, which may be below the range of doubles.
+    pub(super) fn log2_widths(&self, turns: i64, radii: (f64, f64), velocity: Ball) -> (f64, f64) {
+        let (time, of_velocity) = self.spread(turns, velocity);
+        let sum =
+            |radius: f64, spread: f64| if spread > 0.0 { (2.0 * radius.exp2() + spread).log2() } else { 1.0 + radius };
+        (sum(radii.0, time), sum(radii.1, of_velocity))
+    }
+
+    /// What intervals of W, tau and d add to the widths of a time and of a velocity.
+    fn spread(&self, turns: i64, velocity: Ball) -> (f64, f64) {
+        let Some([per_turn, once, per_unit]) = self.spread else { return (0.0, 0.0) };
+        let turns = Dyadic::new(&self.origin + turns, 0);
+        let turns = turns.to_f64_up().abs().max(turns.to_f64_down().abs()) + 2.0;
+        (per_turn.mul_add(turns, once), per_unit * velocity.mag())
     }
 
     /// A velocity in gaps a turn.
-    pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Ball, Error> {
-        let key = "start.velocity";
-        let reduced = within(key, velocity, velocity.checked_mul(&self.slowness))?;
-        ball(key, &reduced).map_err(|_| Error::too_large(key, velocity))
+    pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Exact, Error> {
+        within("start.velocity", velocity, velocity.checked_mul(&self.slowness))
     }
 
     /// Encloses the time `t = (2 pi u - tau) / W` \[time\] of the phase of `turns` and the rest.
-    pub fn time(&self, turns: i64, rest: Ball) -> Enclosure {
+    pub fn time(&self, turns: i64, rest: &Enclosure) -> Enclosure {
         let whole = Enclosure::from_rational(&BigRational::from(&self.origin + turns), self.bits);
-        whole.add(&enclosure(rest), self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
+        whole.add(rest, self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
     }
 
     /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
-    pub fn time_in_period(&self, rest: Ball) -> Enclosure {
-        let turns = enclosure(rest).sub(&self.shift.enclose(BITS), BITS);
-        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), BITS);
-        turns.sub(&whole, BITS).mul(&self.period, BITS)
+    pub fn time_in_period(&self, rest: &Enclosure) -> Enclosure {
+        let turns = rest.sub(&self.shift.enclose(self.shown), self.shown);
+        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), self.shown);
+        turns.sub(&whole, self.shown).mul(&self.period, self.shown)
     }
 
     /// Encloses a length \[length\] given in gaps.
-    pub fn length(&self, length: Ball) -> Enclosure {
-        enclosure(length).mul(&self.gap, BITS)
+    pub fn length(&self, length: &Enclosure) -> Enclosure {
+        length.mul(&self.gap, self.shown)
     }
 
     /// Encloses a velocity \[length/time\] given in gaps a turn.
-    pub fn velocity(&self, velocity: Ball) -> Enclosure {
-        enclosure(velocity).mul(&self.speed, BITS)
+    pub fn velocity(&self, velocity: &Enclosure) -> Enclosure {
+        velocity.mul(&self.speed, self.shown)
     }
 }
 
@@ -132,11 +153,4 @@ fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError>
 fn nearest(value: &Exact) -> BigInt {
     let low = value.enclose(BITS).lo().to_rational();
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer()
-}
-
-/// The ball as an interval whose ends are exact.
-fn enclosure(ball: Ball) -> Enclosure {
-    let point = |x: f64| Enclosure::from_f64_bounds(x, x).expect("certified balls are finite");
-    let (mid, rad) = (point(ball.mid()), point(ball.rad()));
-    mid.sub(&rad, BITS).hull(&mid.add(&rad, BITS))
 }

@@ -1,103 +1,40 @@
 //! Orbits: chains of certified impacts from a point or a box of initial data.
 
 mod clock;
+mod event;
 mod motion;
+mod origin;
+#[cfg(feature = "multiprecision")]
+mod plan;
+#[cfg(feature = "multiprecision")]
+mod precise;
+#[cfg(feature = "multiprecision")]
+mod raise;
 mod set;
+mod settings;
 mod start;
 
 pub use clock::Clock;
+pub use event::{Impact, Outcome, Progress};
+#[cfg(feature = "multiprecision")]
+pub use plan::Plan;
+pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
 pub use start::{Place, Start};
 
-use num_rational::BigRational;
-
-use crate::contact::{Contact, Reason, Undecided};
+use crate::contact::{Contact, Undecided};
 use crate::error::Error;
-use crate::exact::{Enclosure, Exact};
+use crate::exact::Enclosure;
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
-use crate::pair::{ImpactPair, Reduced, Wall, ball, within};
+use crate::pair::{ImpactPair, Reduced, Wall, ball};
 use crate::switch_plane::{SwitchPoint, absolute};
 use clock::Phase;
-use motion::{FloatMotion, IntervalMotion, Motion, Origin};
-
-/// What computes the orbit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Arithmetic {
-    /// The cheapest that certifies each impact to the asked digits; the orbit ends where none does. With intervals
-    /// among the data no arithmetic can promise a width: then the orbit goes on as with [`Arithmetic::Interval`].
-    #[default]
-    Auto,
-    /// Plain double precision: nothing is proved.
-    Float,
-    /// Certified in double precision, as far as it decides; widths are what they are.
-    Interval,
-}
-
-/// How far an orbit is followed, and how.
-#[derive(Clone, Debug)]
-pub struct Settings {
-    /// Stop after so many impacts.
-    pub impacts: Option<u64>,
-    /// Stop at this time \[time\].
-    pub until: Option<Exact>,
-    /// Widths asked for: `10^-digits`, of a time relative to `2 pi/W`, of a velocity relative to `A W`.
-    pub digits: u32,
-    /// What computes.
-    pub arithmetic: Arithmetic,
-}
-
-impl Default for Settings {
-    /// A hundred impacts at nine digits, `auto`.
-    fn default() -> Self {
-        Self { impacts: Some(100), until: None, digits: 9, arithmetic: Arithmetic::Auto }
-    }
-}
-
-/// One impact of an orbit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Impact {
-    /// Counts the impacts from 1; the start is not counted.
-    pub index: u64,
-    /// The mapping that led here; `None` for the first contact of a start inside the gap.
-    pub mapping: Option<Mapping>,
-    /// The wall.
-    pub wall: Wall,
-    /// Whole turns since the clock's origin.
-    pub turns: i64,
-    /// The rest of the phase `(W t + tau) / (2 pi)`, in turns, in about `[-1/2, 1/2]`.
-    pub phase: Ball,
-    /// The relative velocity `y'` just before the impact, in gaps a turn.
-    pub velocity: Ball,
-}
-
-/// Why an orbit ended.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Outcome {
-    /// All the impacts asked for.
-    ImpactsReached,
-    /// All the impacts up to the time asked for.
-    TimeReached,
-    /// The next impact could not be proved.
-    Undecided {
-        /// Why.
-        reason: Reason,
-        /// The wall concerned, when it is one.
-        wall: Option<Wall>,
-        /// When the wall may be touched \[time\]: from, and to unless it is open.
-        time: (Enclosure, Option<Enclosure>),
-    },
-}
-
-impl Outcome {
-    /// The word of the orbit JSON.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::ImpactsReached => "impacts-reached",
-            Self::TimeReached => "time-reached",
-            Self::Undecided { .. } => "undecided",
-        }
-    }
-}
+use event::finite;
+use motion::{FloatMotion, IntervalMotion, Motion};
+use origin::Origin;
+#[cfg(feature = "multiprecision")]
+use raise::Raise;
+use settings::Width;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
@@ -129,59 +66,99 @@ pub struct Orbit {
     settings: Settings,
     until: Option<Phase>,
     /// Widths asked for, of phases in turns and of velocities in gaps a turn.
-    widths: (f64, f64),
+    widths: [Width; 2],
+    /// No interval among the data: more precision makes every enclosure narrower.
+    is_point: bool,
+    /// Bits of what is printed beyond doubles.
+    shown: u32,
+    /// Where the orbit starts.
+    #[cfg(feature = "multiprecision")]
+    start: Cursor,
+    /// Where the motion is.
+    cursor: Cursor,
+    /// Impacts handed out.
+    listed: u64,
+    /// What is left to try when the motion does not suffice.
+    #[cfg(feature = "multiprecision")]
+    raise: Option<Raise>,
+    first_wide: Option<u64>,
+    outcome: Option<Outcome>,
+}
+
+/// What a motion falls short of.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
+enum Shortfall {
+    /// So many bits of the width asked for.
+    Width(f64),
+    /// A decision.
+    Verdict,
+}
+
+/// How far the motion has come.
+#[derive(Clone, Copy, Debug)]
+struct Cursor {
+    index: u64,
     wall: Option<Wall>,
     turns: i64,
     phase: Ball,
-    index: u64,
-    /// More precision could meet the digits asked for: `auto`, and no interval among the data.
-    stops_when_wide: bool,
-    first_wide: Option<u64>,
-    outcome: Option<Outcome>,
 }
 
 impl Orbit {
     /// The orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// When a value is beyond the range of double-precision flights.
+    /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
+    /// asked for.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
+        #[cfg(feature = "multiprecision")]
+        let exact = pair.exact()?;
         let reduced = pair.reduced()?;
-        let clock = Clock::new(pair, &start.time)?;
-        let Phase { turns, rest: phase } = clock.phase_of("start.time", &start.time)?;
-        let velocity = clock.reduced_velocity(&start.velocity)?;
-        let (wall, origin) = match &start.place {
-            Place::Wall(wall) => (Some(*wall), Origin::Wall { wall: *wall, phase, velocity }),
-            Place::Inside(position) => {
-                let half = Exact::from_rational(BigRational::new(1.into(), 2.into()));
-                let height = position.checked_div(pair.gap()).and_then(|ratio| ratio.checked_add(&half));
-                let height = ball("start.position", &within("start.position", position, height)?)?;
-                (None, Origin::Inside { height, phase, velocity })
-            }
+        let shown = match settings.arithmetic {
+            Arithmetic::Bits(bits) => bits,
+            // Of log2(10) bits a digit, and a few more.
+            _ => settings.digits.saturating_mul(10) / 3 + 64,
         };
+        let clock = Clock::new(pair, &start.time, shown)?;
+        let (turns, origin) = Origin::new(pair, start, &clock)?;
+        let origin_ball = origin.map(ball).map_err(|error| match error.key() {
+            Some("start.velocity") => Error::too_large("start.velocity", &start.velocity),
+            _ => error,
+        })?;
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
-        // Printing may widen by a hundredth. From 324 digits on the width is 0 as a double, which only points meet.
-        let width = 0.98 * 10f64.powi(-(settings.digits.min(400) as i32));
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let motion: Box<dyn Motion> = match settings.arithmetic {
-            Arithmetic::Float => Box::new(FloatMotion::new(&reduced, origin)),
-            Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(&reduced, origin)),
+            Arithmetic::Float => Box::new(FloatMotion::new(&reduced, &origin_ball)),
+            Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(&reduced, &origin_ball)),
+            #[cfg(feature = "multiprecision")]
+            Arithmetic::Bits(bits) => {
+                Box::new(precise::PreciseMotion::new(&exact, &reduced, &origin, Plan::constant(bits)))
+            }
+            #[cfg(not(feature = "multiprecision"))]
+            Arithmetic::Bits(bits) => return Err(Error::arithmetic(&bits.to_string())),
         };
-        let stops_when_wide = settings.arithmetic == Arithmetic::Auto && pair.is_point() && start.is_point();
+        #[cfg(feature = "multiprecision")]
+        let raise = (settings.arithmetic == Arithmetic::Auto)
+            .then(|| Raise::new(exact, origin.clone(), turns, until, &settings));
+        let is_point = pair.is_point() && start.is_point();
+        let start = Cursor { index: 0, wall: origin.wall(), turns, phase: origin_ball.phase };
         Ok(Self {
             pair: reduced,
             clock,
             motion,
-            settings,
             until,
-            widths: (width, width * speed),
-            wall,
-            turns,
-            phase,
-            index: 0,
-            stops_when_wide,
+            widths: [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)],
+            is_point,
+            shown,
+            #[cfg(feature = "multiprecision")]
+            start,
+            cursor: start,
+            listed: 0,
+            #[cfg(feature = "multiprecision")]
+            raise,
             first_wide: None,
             outcome: None,
+            settings,
         })
     }
 
@@ -193,6 +170,11 @@ impl Orbit {
     /// What computes.
     pub fn arithmetic(&self) -> Arithmetic {
         self.settings.arithmetic
+    }
+
+    /// The bits that it takes to compute the first impact: 53 in double precision.
+    pub fn bits(&self) -> u32 {
+        self.motion.bits()
     }
 
     /// How the orbit ended; `None` while it goes on.
@@ -207,33 +189,144 @@ impl Orbit {
 
     /// The bounds of an impact's time \[time\] and velocity \[length/time\].
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
-        (self.clock.time(impact.turns, impact.phase), self.clock.velocity(impact.velocity))
+        let (phase, velocity) = impact.enclosures();
+        (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
     }
 
     /// The impact as a point of its switch-plane. **Equations** (18)-(23)
     pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
         let (displacement, velocity) = absolute(&self.pair, impact.wall, impact.phase.sin_cos(), impact.velocity);
+        let (time, relative_velocity) = impact.enclosures();
         SwitchPoint {
             wall: impact.wall,
-            time: self.clock.time_in_period(impact.phase),
-            relative_velocity: self.clock.velocity(impact.velocity),
-            displacement: self.clock.length(displacement),
-            absolute_velocity: self.clock.velocity(velocity),
+            time: self.clock.time_in_period(&time),
+            relative_velocity: self.clock.velocity(&relative_velocity),
+            displacement: self.clock.length(&finite(displacement)),
+            absolute_velocity: self.clock.velocity(&finite(velocity)),
         }
     }
 
-    fn end(&mut self, undecided: Undecided) {
-        let from = self.clock.time(self.turns, self.phase);
+    /// Goes on: to the next impact, or in more precision over one that was listed before.
+    ///
+    /// For those who show progress or may stop; as an iterator the orbit does all this at once.
+    pub fn advance(&mut self) -> Progress {
+        if self.outcome.is_none() && self.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
+            self.outcome = Some(Outcome::ImpactsReached);
+        }
+        if self.outcome.is_some() {
+            return Progress::Ended;
+        }
+        let contact = match self.motion.next_contact() {
+            Ok(contact) => contact,
+            Err(undecided) => return self.give_up(undecided),
+        };
+        // At most 2^52 turns a flight: no sum of flights that can be listed overflows.
+        let turns = self.cursor.turns.saturating_add(contact.turns as i64);
+        let next = Cursor { index: self.cursor.index + 1, wall: Some(contact.wall), turns, phase: contact.phase };
+        if next.index <= self.listed {
+            self.cursor = next;
+            return Progress::Retraced(next.index);
+        }
+        if self.is_past(turns, contact.phase) {
+            self.outcome = Some(Outcome::TimeReached);
+            return Progress::Ended;
+        }
+        let excess = self.excess(turns, &contact);
+        if excess > 0.0 {
+            if let Some(progress) = self.narrow(&contact, excess) {
+                return progress;
+            }
+            self.first_wide.get_or_insert(next.index);
+        }
+        let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
+        self.cursor = next;
+        self.listed = next.index;
+        let Contact { wall, phase, velocity, .. } = contact;
+        let precise = self.precise(&contact).map(Box::new);
+        Progress::Impact(Impact { index: next.index, mapping, wall, turns, phase, velocity, precise })
+    }
+
+    /// How many bits a contact is wider than asked for; not positive if it is not.
+    #[inline]
+    fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
+        let [time, velocity] = self.widths;
+        let radii = self.motion.radii();
+        if radii.is_none() {
+            let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
+            if of_time <= time.linear && of_velocity <= velocity.linear {
+                return 0.0;
+            }
+        }
+        let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2()));
+        let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
+        let excess = (of_time - time.log2).max(of_velocity - velocity.log2);
+        if excess.is_nan() { f64::INFINITY } else { excess }
+    }
+
+    /// Phase and velocity as intervals where doubles are too coarse to show them.
+    fn precise(&self, contact: &Contact<Ball>) -> Option<(Enclosure, Enclosure)> {
+        let in_full = matches!(self.settings.arithmetic, Arithmetic::Bits(_));
+        let [time, velocity] = self.widths;
+        let fine = 4.0 * contact.phase.rad() <= time.linear && 4.0 * contact.velocity.rad() <= velocity.linear;
+        if fine && !in_full {
+            return None;
+        }
+        self.motion.enclosures().map(|(phase, velocity)| (phase.rounded(self.shown), velocity.rounded(self.shown)))
+    }
+
+    /// The motion cannot go on: in more precision, or not at all.
+    #[cold]
+    fn give_up(&mut self, undecided: Undecided) -> Progress {
+        if !undecided.lasting && self.restart(Shortfall::Verdict) {
+            return Progress::Retraced(0);
+        }
+        self.end(undecided)
+    }
+
+    /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
+    #[cold]
+    fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
+        if self.settings.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
+            return None;
+        }
+        if self.restart(Shortfall::Width(excess)) {
+            return Some(Progress::Retraced(0));
+        }
+        self.is_point.then(|| self.end(Undecided::precision(contact)))
+    }
+
+    /// Starts again in more precision, if that may help.
+    #[cfg(feature = "multiprecision")]
+    fn restart(&mut self, shortfall: Shortfall) -> bool {
+        let Some(raise) = &mut self.raise else { return false };
+        let Some(motion) = raise.again(&self.pair, shortfall, self.cursor.index, self.motion.accuracy()) else {
+            return false;
+        };
+        self.motion = Box::new(motion);
+        self.cursor = self.start;
+        true
+    }
+
+    /// Doubles are all there is in this build.
+    #[cfg(not(feature = "multiprecision"))]
+    fn restart(&mut self, _: Shortfall) -> bool {
+        false
+    }
+
+    fn end(&mut self, undecided: Undecided) -> Progress {
+        let at = |phase: Ball| finite(phase);
+        let Cursor { turns, phase, .. } = self.cursor;
         let time = match undecided.time {
             Some(since) => {
                 let whole = since.mid().floor();
-                let rest = self.phase + (since - Ball::exact(whole));
-                let at = self.clock.time(self.turns.saturating_add(whole as i64), rest);
+                let rest = phase + (since - Ball::exact(whole));
+                let at = self.clock.time(turns.saturating_add(whole as i64), &at(rest));
                 (at.clone(), Some(at))
             }
-            None => (from, None),
+            None => (self.clock.time(turns, &at(phase)), None),
         };
         self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
+        Progress::Ended
     }
 
     /// Whether an impact certainly comes after the time to stop at.
@@ -249,45 +342,12 @@ impl Iterator for Orbit {
     type Item = Impact;
 
     fn next(&mut self) -> Option<Impact> {
-        if self.outcome.is_some() {
-            return None;
-        }
-        if self.settings.impacts.is_some_and(|impacts| self.index >= impacts) {
-            self.outcome = Some(Outcome::ImpactsReached);
-            return None;
-        }
-        let contact: Contact<Ball> = match self.motion.next_contact() {
-            Ok(contact) => contact,
-            Err(undecided) => {
-                self.end(undecided);
-                return None;
+        loop {
+            match self.advance() {
+                Progress::Impact(impact) => return Some(impact),
+                Progress::Retraced(_) => {}
+                Progress::Ended => return None,
             }
-        };
-        // At most 2^40 turns a flight: no sum of flights that can be listed overflows.
-        let turns = self.turns.saturating_add(contact.turns as i64);
-        if self.is_past(turns, contact.phase) {
-            self.outcome = Some(Outcome::TimeReached);
-            return None;
         }
-        let widths = self.clock.widths(turns, contact.phase, contact.velocity);
-        let wide = widths.0 > self.widths.0 || widths.1 > self.widths.1;
-        if wide && self.stops_when_wide {
-            self.end(Undecided { reason: Reason::Precision, wall: Some(contact.wall), time: Some(contact.time) });
-            return None;
-        }
-        self.index += 1;
-        if wide {
-            self.first_wide.get_or_insert(self.index);
-        }
-        let mapping = self.wall.map(|from| Mapping::between(from, contact.wall));
-        (self.wall, self.turns, self.phase) = (Some(contact.wall), turns, contact.phase);
-        Some(Impact {
-            index: self.index,
-            mapping,
-            wall: contact.wall,
-            turns,
-            phase: contact.phase,
-            velocity: contact.velocity,
-        })
     }
 }

@@ -1,27 +1,39 @@
-//! One impact after another, in the two double-precision arithmetics.
+//! One impact after another, in double precision: plain and certified.
 
+use super::origin::{Location, Origin};
 use super::set::StateSet;
 use crate::contact::{
     Contact, Margins, Radii, Reason, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
 };
+use crate::exact::Enclosure;
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
 use crate::number::{Ball, Kernel, UNIT, kernel};
 use crate::pair::{Reduced, Wall};
 
-/// An arithmetic's way from one contact to the next; multiprecision will be another.
+/// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
     /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed.
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
-}
 
-/// Where a motion starts, without units; the phase is in `[-1/2, 1/2]`.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Origin {
-    /// On a wall, the velocity before the impact.
-    Wall { wall: Wall, phase: Ball, velocity: Ball },
-    /// Inside the gap, the height in gaps above the left wall.
-    Inside { height: Ball, phase: Ball, velocity: Ball },
+    /// The bits that the first impact is computed with.
+    fn bits(&self) -> u32 {
+        f64::MANTISSA_DIGITS
+    }
+
+    /// How narrow the set of states is: `-log2` of its greatest radius.
+    #[cfg(feature = "multiprecision")]
+    fn accuracy(&self) -> f64;
+
+    /// `log2` of the radii of phase and velocity after the last contact, where doubles do not show them.
+    fn radii(&self) -> Option<(f64, f64)> {
+        None
+    }
+
+    /// Phase and velocity of the last contact more narrowly than in doubles, if they are known so.
+    fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
+        None
+    }
 }
 
 /// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
@@ -36,6 +48,12 @@ fn carry(turns: f64, phase: f64) -> (f64, f64) {
     }
 }
 
+/// A power of two near the velocities to come.
+pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
+    let speed = pair.beta.mag().max(velocity.mag()).clamp(2f64.powi(-400), 2f64.powi(400));
+    2f64.powi(speed.log2().round() as i32)
+}
+
 /// Plain doubles, nothing proved.
 #[derive(Clone, Debug)]
 pub(super) struct FloatMotion {
@@ -44,13 +62,13 @@ pub(super) struct FloatMotion {
 }
 
 impl FloatMotion {
-    pub fn new(pair: &Reduced<Ball>, origin: Origin) -> Self {
+    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
         let pair = pair.centre();
-        let next = match origin {
-            Origin::Wall { wall, phase, velocity } => Self::rebound(&pair, wall, phase.mid(), velocity.mid()),
-            Origin::Inside { height, phase, velocity } => {
-                let sin_cos = kernel::sin_cos(phase.mid());
-                Flight::from_inside(&pair, height.mid(), phase.mid(), velocity.mid(), sin_cos)
+        let (phase, velocity) = (origin.phase.mid(), origin.velocity.mid());
+        let next = match origin.place {
+            Location::Wall(wall) => Self::rebound(&pair, wall, phase, velocity),
+            Location::Inside(height) => {
+                Flight::from_inside(&pair, height.mid(), phase, velocity, kernel::sin_cos(phase))
             }
         };
         Self { pair, next }
@@ -65,7 +83,7 @@ impl FloatMotion {
 
 impl Motion for FloatMotion {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
-        let nothing = Undecided { reason: Reason::Budget, wall: None, time: None };
+        let nothing = Undecided { reason: Reason::Budget, wall: None, time: None, lasting: true };
         let contact = first_contact_f64::<Kernel>(&self.next).ok_or(nothing)?;
         let (turns, phase) = carry(contact.turns, contact.phase);
         self.next = Self::rebound(&self.pair, contact.wall, phase, contact.velocity);
@@ -77,6 +95,11 @@ impl Motion for FloatMotion {
             time: exact(contact.time),
             velocity: exact(contact.velocity),
         })
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn accuracy(&self) -> f64 {
+        f64::INFINITY
     }
 }
 
@@ -96,20 +119,13 @@ enum State {
 }
 
 impl IntervalMotion {
-    pub fn new(pair: &Reduced<Ball>, origin: Origin) -> Self {
-        let state = match origin {
-            Origin::Wall { wall, phase, velocity } => {
-                State::Wall { wall, set: StateSet::new(phase, velocity, Self::scale(pair, velocity)) }
-            }
-            Origin::Inside { height, phase, velocity } => State::Inside { height, phase, velocity },
+    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
+        let Origin { phase, velocity, .. } = *origin;
+        let state = match origin.place {
+            Location::Wall(wall) => State::Wall { wall, set: StateSet::new(phase, velocity, scale(pair, velocity)) },
+            Location::Inside(height) => State::Inside { height, phase, velocity },
         };
         Self { pair: *pair, centre: pair.centre(), margins: Margins::new(pair), state }
-    }
-
-    /// A power of two near the velocities to come.
-    fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
-        let speed = pair.beta.mag().max(velocity.mag()).clamp(2f64.powi(-400), 2f64.powi(400));
-        2f64.powi(speed.log2().round() as i32)
     }
 
     /// From inside the gap: the enclosure of all first contacts is the new set.
@@ -120,7 +136,7 @@ impl IntervalMotion {
         let radii = Radii { phase: phase.rad(), velocity: velocity.rad(), height: height.rad() + UNIT };
         match first_contact(&flight, &self.margins, radii) {
             Verdict::Certified(contact) => {
-                let scale = Self::scale(&self.pair, contact.velocity);
+                let scale = scale(&self.pair, contact.velocity);
                 Ok((contact, StateSet::new(contact.phase, contact.velocity, scale)))
             }
             Verdict::Undecided(undecided) => Err(undecided),
@@ -132,10 +148,10 @@ impl IntervalMotion {
     fn step(&self, wall: Wall, set: &StateSet) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let (phase, before) = (set.phase_ball(), set.velocity_ball());
         let sin_cos = kernel::sin_cos(set.phase);
-        let after = self.rebound(Ball::exact(set.velocity));
+        let after = self.pair.rebound_of(Ball::exact(set.velocity));
         let flight = Flight::from_wall(&self.centre, wall, set.phase, wall.inward(after.mid()), sin_cos);
         let point = Radii { velocity: after.rad(), ..Radii::default() };
-        let all = Radii { phase: phase.rad(), velocity: self.rebound(before).rad(), ..point };
+        let all = Radii { phase: phase.rad(), velocity: self.pair.rebound_of(before).rad(), ..point };
         let image = first_contacts(&flight, &self.margins, point, all)?;
         let contact = image.all;
         let passage = Passage {
@@ -145,17 +161,10 @@ impl IntervalMotion {
             velocity0: before,
             velocity1: contact.velocity,
         };
-        let wide = Undecided { reason: Reason::Width, wall: Some(contact.wall), time: Some(contact.time) };
+        let wide = Undecided::width(&contact);
         let jacobian = jacobian(self.pair.beta, self.pair.restitution, &passage).ok_or(wide)?;
         let next = set.image(&image, &jacobian);
         Ok((contact, next))
-    }
-
-    /// The impact law over a ball; nothing is exactly nothing, so that a dead impact leaves at rest.
-    #[inline(always)]
-    fn rebound(&self, before: Ball) -> Ball {
-        let zero = Ball::exact(0.0);
-        if self.pair.restitution == zero || before == zero { zero } else { self.pair.rebound(before) }
     }
 }
 
@@ -169,5 +178,14 @@ impl Motion for IntervalMotion {
         let set = set.at_phase(phase);
         self.state = State::Wall { wall: contact.wall, set };
         Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn accuracy(&self) -> f64 {
+        let (phase, velocity) = match &self.state {
+            State::Wall { set, .. } => (set.phase_ball(), set.velocity_ball()),
+            State::Inside { phase, height, .. } => (*phase, *height),
+        };
+        -phase.rad().max(velocity.rad()).log2()
     }
 }

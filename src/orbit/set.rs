@@ -18,59 +18,44 @@
 use crate::contact::SetContact;
 use crate::number::{Ball, UNIT, up};
 
-/// All states within a parallelogram around a centre that also lie in a box around it.
-///
-/// The box is that of the contact's own enclosure: narrower where an error of the velocity would tilt into the phase.
+/// The parallelogram of a set around its centre.
 #[derive(Clone, Copy, Debug)]
-pub struct StateSet {
-    /// The phase of the centre, in turns.
-    pub phase: f64,
-    /// The velocity of the centre, before the impact, in gaps a turn.
-    pub velocity: f64,
+pub struct Shape {
     /// The first axis: the first column of the rotation.
     axis: (f64, f64),
     /// Half the edges along the axes.
     edges: [f64; 2],
-    /// The radii of the box, of phase and velocity.
-    box_radii: (f64, f64),
     scale: f64,
 }
 
-impl StateSet {
-    /// The box of all states within the radii of `phase` and `velocity`.
-    pub fn new(phase: Ball, velocity: Ball, scale: f64) -> Self {
-        Self {
-            phase: phase.mid(),
-            velocity: velocity.mid(),
-            axis: (1.0, 0.0),
-            edges: [phase.rad(), up(velocity.rad() / scale)],
-            box_radii: (phase.rad(), velocity.rad()),
-            scale,
-        }
+/// What the image of a centre may be off by (Lemma S4).
+#[derive(Clone, Copy, Debug)]
+pub struct Noise {
+    /// of the phase
+    pub phase: f64,
+    /// of the velocity at that phase
+    pub velocity: f64,
+    /// the acceleration on arrival
+    pub slope: Ball,
+}
+
+impl Shape {
+    /// The box of these radii; velocities are of the order of `scale`, a power of two.
+    pub fn new(phase: f64, velocity: f64, scale: f64) -> Self {
+        Self { axis: (1.0, 0.0), edges: [phase, up(velocity / scale)], scale }
     }
 
-    /// Encloses the phases of the set.
+    /// Bounds the distances from the centre, of phase and velocity.
     #[inline(always)]
-    pub fn phase_ball(&self) -> Ball {
-        let (c, s) = self.axis;
-        let hull = up(c.abs() * self.edges[0] + s.abs() * self.edges[1]);
-        Ball::new(self.phase, hull.min(self.box_radii.0))
+    pub fn hull(&self) -> (f64, f64) {
+        let (c, s) = (self.axis.0.abs(), self.axis.1.abs());
+        let [a, b] = self.edges;
+        (up(c * a + s * b), up(self.scale * (s * a + c * b)))
     }
 
-    /// Encloses the velocities of the set.
+    /// The image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
     #[inline(always)]
-    pub fn velocity_ball(&self) -> Ball {
-        let (c, s) = self.axis;
-        let hull = up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]));
-        Ball::new(self.velocity, hull.min(self.box_radii.1))
-    }
-
-    /// The image of the set (Lemmas S1, S2, S4): `centre` encloses the image of the centre, `jacobian` the Jacobian over
-    /// the set.
-    #[inline(always)]
-    pub fn image(&self, centre: &SetContact, jacobian: &[[Ball; 2]; 2]) -> Self {
-        debug_assert_eq!(centre.phase.mid(), centre.all.phase.mid(), "both enclosures have one middle");
-        debug_assert_eq!(centre.velocity.mid(), centre.all.velocity.mid(), "both enclosures have one middle");
+    pub fn image(&self, jacobian: &[[Ball; 2]; 2], noise: &Noise) -> Self {
         let exact = Ball::exact;
         let (c, s) = self.axis;
         // Powers of two: exact unless they overflow, and then the balls are infinite.
@@ -78,8 +63,8 @@ impl StateSet {
         let [[a, b], [d, e]] = *jacobian;
         let rows = [[a, b * scale], [d * unscale, e]];
         let columns = rows.map(|[x, y]| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)]);
-        let (p, q) = (centre.phase.rad(), up(centre.velocity.rad() * (1.0 / self.scale)));
-        let shear = centre.slope * unscale;
+        let (p, q) = (noise.phase, up(noise.velocity * (1.0 / self.scale)));
+        let shear = noise.slope * unscale;
         // The longest of both image edges and the error of the centre gives the first axis.
         let edge = |j: usize| (columns[0][j].mid() * self.edges[j], columns[1][j].mid() * self.edges[j]);
         let axis = direction([edge(0), edge(1), (p, p * shear.mid())]);
@@ -91,13 +76,71 @@ impl StateSet {
         };
         let along = [columns[0][0] * c1 + columns[1][0] * s1, columns[0][1] * c1 + columns[1][1] * s1];
         let across = [columns[1][0] * c1 - columns[0][0] * s1, columns[1][1] * c1 - columns[0][1] * s1];
+        let edges = [reach(along, [c1 + s1 * shear, s1]), reach(across, [c1 * shear - s1, c1])];
+        Self { axis, edges, scale: self.scale }
+    }
+
+    /// Half the edges.
+    #[cfg(feature = "multiprecision")]
+    pub fn edges(&self) -> [f64; 2] {
+        self.edges
+    }
+
+    /// The same axes with other edges.
+    #[cfg(feature = "multiprecision")]
+    pub fn with_edges(&self, edges: [f64; 2]) -> Self {
+        Self { edges, ..*self }
+    }
+}
+
+/// All states within a parallelogram around a centre that also lie in a box around it.
+///
+/// The box is that of the contact's own enclosure: narrower where an error of the velocity would tilt into the phase.
+#[derive(Clone, Copy, Debug)]
+pub struct StateSet {
+    /// The phase of the centre, in turns.
+    pub phase: f64,
+    /// The velocity of the centre, before the impact, in gaps a turn.
+    pub velocity: f64,
+    shape: Shape,
+    /// The radii of the box, of phase and velocity.
+    box_radii: (f64, f64),
+}
+
+impl StateSet {
+    /// The box of all states within the radii of `phase` and `velocity`.
+    pub fn new(phase: Ball, velocity: Ball, scale: f64) -> Self {
+        Self {
+            phase: phase.mid(),
+            velocity: velocity.mid(),
+            shape: Shape::new(phase.rad(), velocity.rad(), scale),
+            box_radii: (phase.rad(), velocity.rad()),
+        }
+    }
+
+    /// Encloses the phases of the set.
+    #[inline(always)]
+    pub fn phase_ball(&self) -> Ball {
+        Ball::new(self.phase, self.shape.hull().0.min(self.box_radii.0))
+    }
+
+    /// Encloses the velocities of the set.
+    #[inline(always)]
+    pub fn velocity_ball(&self) -> Ball {
+        Ball::new(self.velocity, self.shape.hull().1.min(self.box_radii.1))
+    }
+
+    /// The image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.
+    #[inline(always)]
+    pub fn image(&self, centre: &SetContact, jacobian: &[[Ball; 2]; 2]) -> Self {
+        debug_assert_eq!(centre.phase.mid(), centre.all.phase.mid(), "both enclosures have one middle");
+        debug_assert_eq!(centre.velocity.mid(), centre.all.velocity.mid(), "both enclosures have one middle");
+        let noise = Noise { phase: centre.phase.rad(), velocity: centre.velocity.rad(), slope: centre.slope };
         Self {
             phase: centre.phase.mid(),
             velocity: centre.velocity.mid(),
-            axis,
+            shape: self.shape.image(jacobian, &noise),
             box_radii: (centre.all.phase.rad(), centre.all.velocity.rad()),
-            edges: [reach(along, [c1 + s1 * shear, s1]), reach(across, [c1 * shear - s1, c1])],
-            scale: self.scale,
         }
     }
 

@@ -60,7 +60,7 @@ impl Run {
         let defaults = Settings::default();
         let impacts = if self.until.is_none() { self.impacts.or(defaults.impacts) } else { self.impacts };
         let digits = self.digits.unwrap_or(defaults.digits);
-        Settings { impacts, until: self.until.clone(), digits, arithmetic }
+        Settings { impacts, until: self.until.clone(), digits, arithmetic, ..Settings::default() }
     }
 }
 

@@ -1,0 +1,132 @@
+//! First contacts in multiprecision: isolated as cheaply as can be, refined to as many bits as asked.
+//!
+//! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate; what that
+//! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` turns) is
+//! decided by the same lemmas in balls ([`isolate`]). Either way one contact lies in a known bracket and [`refine`]
+//! only has to find it: Lemma M3 of `docs/proofs.md`.
+
+mod isolate;
+mod refine;
+
+use rug::Float;
+
+use super::bounds::{Bounds, Margins, Radii};
+use super::certify::Bracket;
+use super::extrema::Target;
+use super::solve::propose;
+use super::{Contact, Reason, Undecided};
+use crate::flight::Flight;
+use crate::number::{Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
+use crate::pair::{Reduced, Wall};
+pub(crate) use refine::Refined;
+
+/// The first contacts of a set of flights, proved, in the frame of their start.
+#[derive(Debug)]
+pub(crate) struct Isolated {
+    pub target: Target,
+    /// Whole turns.
+    pub turns: f64,
+    /// The contact of each flight of the set lies within `reach` of this phase, less the whole turns.
+    pub at: Float,
+    pub reach: Magnitude,
+    /// For each of them `|z'|` is at least this within `reach`.
+    pub least: Magnitude,
+    /// Time since the start, over the set.
+    pub time: Ball,
+    /// Mirrored `z'` and sine on arrival, over the set.
+    pub velocity: Ball,
+    pub sin: Ball,
+}
+
+impl Isolated {
+    /// What the double-precision certificate says, if it leaves the velocity's sign no doubt.
+    fn new(Bracket { arrival, velocity, sin, .. }: Bracket, pair: &Margins) -> Option<Self> {
+        // The velocity's ball holds `z'` over the bracket of the times of a hop; that of its phases is wider.
+        let beyond = (arrival.phase.rad() - arrival.time.rad()).max(0.0);
+        let least = velocity.mid().abs() - (velocity.rad() + 2.1 * pair.swing * beyond);
+        (least > 0.0).then(|| Self {
+            target: arrival.target,
+            turns: arrival.turns,
+            at: Float::with_val(f64::MANTISSA_DIGITS, arrival.phase.mid()),
+            reach: Magnitude::new(arrival.phase.rad(), 0),
+            // Three roundings.
+            least: Magnitude::new(least * (1.0 - 8.0 * UNIT), 0),
+            time: arrival.time,
+            velocity,
+            sin,
+        })
+    }
+}
+
+impl Isolated {
+    /// The contacts over the set in doubles, out of the mirrored frame of flights measured from `near`.
+    pub fn contact(&self, near: Wall) -> Contact<Ball> {
+        Contact {
+            wall: self.target.wall(near),
+            turns: self.turns,
+            phase: MpBall::new(self.at.clone(), self.reach).to_ball(),
+            time: self.time,
+            velocity: near.inward(self.velocity),
+        }
+    }
+}
+
+impl Flight<MpBall> {
+    /// An upper bound of `2 pi beta`: `|z''|` is nowhere larger.
+    pub(crate) fn steepest(&self) -> Magnitude {
+        Magnitude::new(6.3, 0) * self.beta.mag()
+    }
+}
+
+/// The pair as the double-precision certificate wants it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Doubles {
+    pub pair: Reduced<Ball>,
+    pub centre: Reduced<f64>,
+    pub margins: Margins,
+}
+
+/// A set of starts in doubles: after the impact, told from the wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    /// `None` inside the gap.
+    pub wall: Option<Wall>,
+    pub height: Ball,
+    pub phase: Ball,
+    pub velocity: Ball,
+}
+
+/// Isolates the first contacts of all the flights of a set: `start` in doubles, `all` in balls.
+///
+/// A doubt that the flight of the `centre` does not share is the set's width's fault.
+pub(crate) fn isolate_first(
+    pair: &Doubles,
+    start: &Start,
+    all: impl FnOnce() -> Flight<MpBall>,
+    centre: &Flight<MpBall>,
+) -> Result<Isolated, Undecided> {
+    if let Some(isolated) = isolate_in_doubles(pair, start) {
+        return Ok(isolated);
+    }
+    isolate::isolate(&all()).map_err(|doubt| match isolate::isolate(centre) {
+        Ok(_) => Undecided { reason: Reason::Width, ..doubt },
+        Err(_) => doubt,
+    })
+}
+
+/// What doubles can say of the set.
+fn isolate_in_doubles(pair: &Doubles, start: &Start) -> Option<Isolated> {
+    let Start { wall, height, phase, velocity } = *start;
+    let sin_cos = kernel::sin_cos(phase.mid());
+    let (flight, height) = match wall {
+        Some(wall) => (Flight::from_wall(&pair.centre, wall, phase.mid(), velocity.mid(), sin_cos), 0.0),
+        // From inside Lemma C1 wants the rounding of the height.
+        None => {
+            let flight = Flight::from_inside(&pair.centre, height.mid(), phase.mid(), velocity.mid(), sin_cos);
+            (flight, height.rad() + UNIT)
+        }
+    };
+    let radii = Radii { phase: phase.rad(), velocity: velocity.rad(), height };
+    let bracket = propose::<Kernel, _>(&flight, &Bounds::<true>::new(&flight, &pair.margins, radii)).ok()?;
+    Isolated::new(bracket, &pair.margins)
+}

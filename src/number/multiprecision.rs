@@ -1,0 +1,346 @@
+//! Balls with MPFR centres: as many digits as asked.
+//!
+//! A centre has a precision of its own; the result of an operation has the larger one of its operands. Radii are
+//! [`Magnitude`]s.
+//!
+//! **Lemma M1.** MPFR rounds every function used here correctly: the result `m` of a rounding to nearest at `p` bits
+//! is within `2^(e - p - 1)` of the exact one, `2^(e - 1) <= |m| < 2^e`, and equal to it when MPFR says so. So the
+//! radii of Lemma B2 with this in place of `UNIT |m|` enclose.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use num_bigint::{BigInt, Sign};
+use rug::float::{Constant, Round};
+use rug::integer::Order;
+use rug::{Assign, Float, Integer};
+
+use super::{Ball, Magnitude, Number, up};
+use crate::exact::{Dyadic, Enclosure};
+
+/// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
+///
+/// **Enclosure**: the result of an operation on balls holds the result for every choice of their members.
+///
+/// ```
+/// use impact_pair::number::{MpBall, Number};
+/// use rug::Float;
+/// let three = MpBall::exact(Float::with_val(200, 3));
+/// let third = MpBall::exact(Float::with_val(200, 1)).checked_div(three.clone()).unwrap();
+/// let one = third.clone() * three;
+/// assert!(one.contains(&MpBall::from_f64(1.0)) && third.rad().log2() <= -200.0);
+/// ```
+#[derive(Clone, Debug)]
+pub struct MpBall {
+    mid: Float,
+    rad: Magnitude,
+}
+
+/// The least bits a centre has.
+pub const LEAST_BITS: u32 = 64;
+
+/// `2^(e - p - 1)` for a rounded result, 0 when it is exact (Lemma M1).
+#[inline]
+fn rounding((mid, ordering): (Float, Ordering)) -> (Float, Magnitude) {
+    let error = match ordering {
+        Ordering::Equal => Magnitude::ZERO,
+        _ => half_unit(&mid),
+    };
+    (mid, error)
+}
+
+/// Half a unit in the last place; no bound for 0, which no inexact result is but by underflow.
+#[inline]
+fn half_unit(x: &Float) -> Magnitude {
+    match x.get_exp() {
+        Some(exponent) => Magnitude::power_of_two(i64::from(exponent) - i64::from(x.prec()) - 1),
+        None => Magnitude::INFINITE,
+    }
+}
+
+/// `|x|` rounded up.
+pub(crate) fn magnitude(x: &Float) -> Magnitude {
+    let (fraction, exponent) = x.to_f64_exp_round(Round::AwayZero);
+    Magnitude::new(fraction.abs(), i64::from(exponent))
+}
+
+/// `|x|` rounded down.
+fn least(x: &Float) -> Magnitude {
+    let (fraction, exponent) = x.to_f64_exp_round(Round::Zero);
+    Magnitude::new(fraction.abs(), i64::from(exponent))
+}
+
+impl MpBall {
+    /// The ball of this centre and radius.
+    pub fn new(mid: Float, rad: Magnitude) -> Self {
+        Self { mid, rad }
+    }
+
+    /// The single number `mid`.
+    pub fn exact(mid: Float) -> Self {
+        Self { mid, rad: Magnitude::ZERO }
+    }
+
+    /// Encloses an enclosure, with a centre of `bits` bits.
+    pub fn enclosing(x: &Enclosure, bits: u32) -> Self {
+        let (low, high) = (float_of(x.lo()), float_of(x.hi()));
+        let middle: Float = Float::with_val(low.prec().max(high.prec()) + 1, &low + &high) / 2u32;
+        let mid = Float::with_val(bits, &middle);
+        // Differences of two numbers, rounded away from 0.
+        let distance = |end: &Float| magnitude(&Float::with_val_round(64, end - &mid, Round::AwayZero).0);
+        let (below, above) = (distance(&low), distance(&high));
+        let rad = if below < above { above } else { below };
+        Self { mid, rad }
+    }
+
+    /// The centre.
+    pub fn mid(&self) -> &Float {
+        &self.mid
+    }
+
+    /// The radius, an upper bound.
+    pub fn rad(&self) -> Magnitude {
+        self.rad
+    }
+
+    /// The bits of the centre.
+    pub fn bits(&self) -> u32 {
+        self.mid.prec()
+    }
+
+    /// An upper bound of the absolute values inside.
+    pub fn mag(&self) -> Magnitude {
+        magnitude(&self.mid) + self.rad
+    }
+
+    /// A lower bound of the absolute values inside; `None` when 0 may be one.
+    pub fn mig(&self) -> Option<Magnitude> {
+        least(&self.mid).less(self.rad)
+    }
+
+    /// Its sign, if that is certain.
+    pub fn sign(&self) -> Option<Ordering> {
+        if self.rad.is_zero() {
+            return self.mid.cmp0();
+        }
+        self.mig().and_then(|_| self.mid.cmp0())
+    }
+
+    /// Whether all of `other` lies inside.
+    pub fn contains(&self, other: &Self) -> bool {
+        let bits = self.bits().max(other.bits()) + 2;
+        let (distance, _) = Float::with_val_round(bits, &self.mid - &other.mid, Round::AwayZero);
+        magnitude(&distance) + other.rad <= self.rad
+    }
+
+    /// The same centre with a radius larger by `by`.
+    pub fn widened(self, by: Magnitude) -> Self {
+        Self { rad: self.rad + by, mid: self.mid }
+    }
+
+    /// The centre rounded to `bits` bits, the radius larger by the rounding.
+    pub fn rounded(&self, bits: u32) -> Self {
+        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid, Round::Nearest));
+        Self { mid, rad: self.rad + error }
+    }
+
+    /// Encloses it in a double-precision ball.
+    pub fn to_ball(&self) -> Ball {
+        let mid = self.mid.to_f64();
+        let (distance, _) = Float::with_val_round(53, &self.mid - mid, Round::AwayZero);
+        let rounding = magnitude(&distance).to_f64();
+        Ball::new(mid, up(self.rad.to_f64() + rounding))
+    }
+
+    /// Encloses a double-precision ball; a ball that is not finite has no bound.
+    pub fn from_ball(x: Ball) -> Self {
+        let mid = if x.mid().is_finite() { x.mid() } else { 0.0 };
+        let rad = if x.mid().is_finite() { x.rad() } else { f64::INFINITY };
+        Self { mid: Float::with_val(f64::MANTISSA_DIGITS, mid), rad: Magnitude::new(rad, 0) }
+    }
+
+    /// The ball as an interval; `None` when it has no bound.
+    pub fn enclosure(&self) -> Option<Enclosure> {
+        let mid = dyadic_of(&self.mid);
+        let Some(exponent) = self.rad.exponent() else { return Some(Enclosure::point(mid)) };
+        let fraction = Dyadic::from_f64(self.rad.in_units_of(exponent))?;
+        let rad = Enclosure::point(fraction.scaled(exponent));
+        // Enough bits for all between the top of one and the bottom of the other.
+        let spread = mid.top().map_or(0, |top| (top - exponent).unsigned_abs());
+        let bits = u32::try_from(spread).map_or(u32::MAX / 2, |spread| self.bits().max(spread) + 64);
+        let mid = Enclosure::point(mid);
+        Some(mid.sub(&rad, bits).hull(&mid.add(&rad, bits)))
+    }
+
+    /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter turns they are exact.
+    pub fn sin_cos(&self) -> (Self, Self) {
+        if let Some(quarter) = self.quarter() {
+            let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize];
+            return (Self::from_f64(at(0)), Self::from_f64(at(1)));
+        }
+        let angle = self.turn() * self.clone();
+        let bits = self.bits();
+        let (mut sin, mut cos) = (Float::new(bits), Float::new(bits));
+        (&mut sin, &mut cos).assign(angle.mid.sin_cos_ref());
+        // Both are 1 at most: half a unit in the last place is at most 2^-p. Their slopes are at most 1.
+        let rad = angle.rad + Magnitude::power_of_two(-i64::from(bits));
+        (Self { mid: sin, rad }, Self { mid: cos, rad })
+    }
+
+    /// How many quarter turns it is, when it is exactly so many, and a few at most.
+    fn quarter(&self) -> Option<i32> {
+        let quarters = Float::with_val(self.bits(), &self.mid * 4u32);
+        let is_one = self.rad.is_zero() && quarters.is_integer() && quarters.clone().abs() <= 8u32;
+        is_one.then(|| quarters.to_f64() as i32)
+    }
+
+    /// Encloses `acos(q) / (2 pi)` for all `q` in the ball that lie in `[-1, 1]`.
+    pub fn acos(&self) -> Self {
+        let bits = self.bits();
+        let Some(rad) = float_of_magnitude(self.rad) else {
+            return Self { mid: Float::new(bits), rad: Magnitude::INFINITE };
+        };
+        // acos falls: each end bounds the other side.
+        let end = |x: Float, round: Round| {
+            let inside = x.clamp(&-1, &1);
+            Float::with_val_round(bits, inside.acos_ref(), round).0
+        };
+        let low = end(Float::with_val_round(bits, &self.mid + &rad, Round::Up).0, Round::Down);
+        let high = end(Float::with_val_round(bits, &self.mid - &rad, Round::Down).0, Round::Up);
+        let mid = Float::with_val(bits, &low + &high) / 2u32;
+        let distance = |end: &Float| magnitude(&Float::with_val_round(64, end - &mid, Round::AwayZero).0);
+        let rad = distance(&low) + distance(&high);
+        let angle = Self { mid, rad };
+        let turn = angle.turn();
+        angle.checked_div(turn).expect("a turn is not 0")
+    }
+
+    /// Encloses the versine and the sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.
+    ///
+    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of sine and versine is less than a 64th of
+    /// the one before, so what is left out is smaller than the last term taken.
+    pub fn short_departure(&self) -> Option<(Self, Self)> {
+        if self.mag() > Magnitude::power_of_two(-6) {
+            return None;
+        }
+        let x = self.turn() * self.clone();
+        let floor = x.mag() * Magnitude::power_of_two(-i64::from(self.bits()));
+        let (mut sine, mut versine) = (x.clone(), Self::from_f64(0.0));
+        let mut term = x.clone();
+        for n in 2u32.. {
+            // x^n / n!
+            term = (term * x.clone()).divided(n);
+            let sum = if n.is_multiple_of(2) { &mut versine } else { &mut sine };
+            let signed = if matches!(n % 4, 1 | 2) { term.clone() } else { -term.clone() };
+            *sum = sum.clone() + signed;
+            if term.mag() <= floor {
+                break;
+            }
+        }
+        Some((versine.widened(term.mag()), sine.widened(term.mag())))
+    }
+
+    /// A `n`-th of it.
+    fn divided(self, n: u32) -> Self {
+        let (mid, error) = rounding(Float::with_val_round(self.bits(), &self.mid / n, Round::Nearest));
+        Self { mid, rad: self.rad.over(Magnitude::new(f64::from(n), 0)) + error }
+    }
+}
+
+impl Add for MpBall {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        let bits = self.bits().max(b.bits());
+        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid + &b.mid, Round::Nearest));
+        Self { mid, rad: self.rad + b.rad + error }
+    }
+}
+
+impl Neg for MpBall {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { mid: -self.mid, rad: self.rad }
+    }
+}
+
+impl Sub for MpBall {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        self + -b
+    }
+}
+
+impl MpBall {
+    /// What the radii add to a product.
+    fn product_spread(&self, b: &Self) -> Magnitude {
+        match (self.rad.is_zero(), b.rad.is_zero()) {
+            (true, true) => Magnitude::ZERO,
+            _ => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
+        }
+    }
+}
+
+impl Mul for MpBall {
+    type Output = Self;
+    fn mul(self, b: Self) -> Self {
+        let bits = self.bits().max(b.bits());
+        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
+        Self { mid, rad: self.product_spread(&b) + error }
+    }
+}
+
+impl Number for MpBall {
+    fn from_f64(x: f64) -> Self {
+        Self::exact(Float::with_val(f64::MANTISSA_DIGITS, x))
+    }
+
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        let bits = self.bits().max(b.bits()).max(c.bits());
+        let product = self.mid.mul_add_ref(&b.mid, &c.mid);
+        let (mid, error) = rounding(Float::with_val_round(bits, product, Round::Nearest));
+        Self { mid, rad: self.product_spread(&b) + c.rad + error }
+    }
+
+    fn checked_div(self, b: Self) -> Option<Self> {
+        let least = b.mig()?;
+        let bits = self.bits().max(b.bits());
+        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid / &b.mid, Round::Nearest));
+        let spread = (self.rad + magnitude(&mid) * b.rad).over(least);
+        // The rounding is that of the centres' quotient; a member's quotient differs by |m| r_b / |b| of it more.
+        let error = error + error * b.rad.over(least);
+        Some(Self { mid, rad: spread + error })
+    }
+
+    fn turn(&self) -> Self {
+        let (pi, error) = rounding(Float::with_val_round(self.bits(), Constant::Pi, Round::Nearest));
+        let two = Magnitude::new(2.0, 0);
+        Self { mid: pi * 2u32, rad: error * two }
+    }
+
+    fn signed(self, sign: f64) -> Self {
+        if sign < 0.0 { -self } else { self }
+    }
+}
+
+/// A finite magnitude as a float, exactly.
+fn float_of_magnitude(x: Magnitude) -> Option<Float> {
+    let Some(exponent) = x.exponent() else { return Some(Float::new(f64::MANTISSA_DIGITS)) };
+    let shift = i32::try_from(exponent).ok().filter(|_| x.is_finite())?;
+    Some(Float::with_val(f64::MANTISSA_DIGITS, x.in_units_of(exponent)) << shift)
+}
+
+/// A dyadic number as a float, exactly.
+fn float_of(x: &Dyadic) -> Float {
+    let (sign, digits) = x.mantissa().to_u64_digits();
+    let magnitude = Integer::from_digits(&digits, Order::Lsf);
+    let mantissa = if sign == Sign::Minus { -magnitude } else { magnitude };
+    let shift = i32::try_from(x.exponent()).expect("exponents of exact numbers are far smaller");
+    Float::with_val(mantissa.significant_bits().max(1), mantissa) << shift
+}
+
+/// A float as a dyadic number, exactly.
+fn dyadic_of(x: &Float) -> Dyadic {
+    let Some((mantissa, exponent)) = x.to_integer_exp() else { return Dyadic::zero() };
+    let sign = if mantissa.cmp0() == Ordering::Less { Sign::Minus } else { Sign::Plus };
+    Dyadic::new(BigInt::from_slice(sign, &mantissa.to_digits::<u32>(Order::Lsf)), i64::from(exponent))
+}

@@ -1,0 +1,142 @@
+//! How many bits each impact of an orbit gets.
+//!
+//! Chaos eats bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
+//! the length of a tangent vector that the Jacobians (A.7) carry along. A floating run finds how much that is. It
+//! leaves the true orbit after a hundred impacts of a chaotic one, but a neighbour's growth differs from the true one
+//! as sums of weakly dependent numbers do: by a few times the root of the number of impacts left. So impact `i` gets
+//! what was asked for, what the rest of the orbit will eat, and that much more; precision falls as the orbit goes on.
+//! A plan proves nothing. One that falls short is raised, by what was missing.
+
+use std::sync::Arc;
+
+use super::motion::{FloatMotion, Motion};
+use super::origin::{Location, Origin};
+use crate::mapping::{Passage, jacobian};
+use crate::number::{Ball, LEAST_BITS, kernel};
+use crate::pair::Reduced;
+
+/// Impacts that a plan looks ahead at first when an orbit has no end.
+const HORIZON: u64 = 1 << 12;
+/// Impacts that a plan looks ahead at most: it holds a number for each.
+const FARTHEST: u64 = 1 << 22;
+/// Bits that constant factors eat.
+const GUARD: f64 = 24.0;
+/// Standard deviations of the growth that are allowed for.
+const DEVIATIONS: f64 = 3.0;
+/// Impacts whose growth is one of the weakly dependent numbers.
+const BLOCK: usize = 32;
+
+/// The bits of each impact.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// What the rest of the orbit eats after impact `i`, by the floating run; nothing beyond its end.
+    rest: Arc<[f32]>,
+    /// Impacts it looks ahead; the floating run may have ended before.
+    horizon: u64,
+    /// Bits at the last impact.
+    last: f64,
+    /// The growth's standard deviation over `n` impacts is this times the root of `n`.
+    deviation: f64,
+    most: u32,
+}
+
+impl Plan {
+    /// The same bits for every impact.
+    pub fn constant(bits: u32) -> Self {
+        let bits = bits.max(LEAST_BITS);
+        Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
+    }
+
+    /// What the impacts of `run` need so that each has a relative width of `2^-asked`; at most `most` bits.
+    pub(super) fn new(mut run: impl Iterator<Item = f64>, impacts: Option<u64>, asked: f64, most: u32) -> Self {
+        let horizon = impacts.unwrap_or(HORIZON).min(FARTHEST);
+        let mut sum = 0.0;
+        let mut growth: Vec<f32> = Vec::new();
+        growth.extend(run.by_ref().take(horizon as usize).map(|grown| {
+            sum += grown;
+            sum as f32
+        }));
+        let deviation = deviation(&growth);
+        // The largest growth still to come, backwards.
+        let mut highest = f32::NEG_INFINITY;
+        for grown in growth.iter_mut().rev() {
+            highest = highest.max(*grown);
+            *grown = highest - *grown;
+        }
+        let last = asked + GUARD + (horizon.max(1) as f64).log2();
+        Self { rest: growth.into(), horizon, last, deviation, most: most.max(LEAST_BITS) }
+    }
+
+    /// The bits of the state after `index` impacts.
+    pub fn bits(&self, index: u64) -> u32 {
+        let index = usize::try_from(index).unwrap_or(usize::MAX).saturating_sub(1);
+        let left = self.rest.len().saturating_sub(index);
+        let eaten = self.rest.get(index).map_or(0.0, |&bits| f64::from(bits));
+        let bits = self.last + eaten + DEVIATIONS * self.deviation * (left as f64).sqrt();
+        (bits as u32).clamp(LEAST_BITS.min(self.most), self.most)
+    }
+
+    /// How many impacts it looks ahead.
+    pub(super) fn horizon(&self) -> u64 {
+        self.horizon
+    }
+
+    /// Raises all impacts by `missing` bits; whether that was possible.
+    pub(super) fn raise(&mut self, missing: f64) -> bool {
+        let before = self.bits(0);
+        self.last += missing.max(f64::from(LEAST_BITS));
+        self.bits(0) > before
+    }
+}
+
+/// The standard deviation of the growth over an impact, from the sums over blocks.
+fn deviation(growth: &[f32]) -> f64 {
+    let ends: Vec<f64> = growth.iter().step_by(BLOCK).map(|&sum| f64::from(sum)).collect();
+    let blocks: Vec<f64> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    if blocks.len() < 2 {
+        return 0.0;
+    }
+    let mean = blocks.iter().sum::<f64>() / blocks.len() as f64;
+    let square = blocks.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (blocks.len() - 1) as f64;
+    (square / BLOCK as f64).sqrt()
+}
+
+/// A floating run that carries a tangent vector along: how many bits each impact eats.
+#[derive(Debug)]
+pub(super) struct Growth {
+    pair: Reduced<f64>,
+    motion: FloatMotion,
+    /// Velocity before the last impact, and the sine of its phase; `None` inside the gap.
+    last: Option<(f64, f64)>,
+    /// In turns, and in units of the scale.
+    tangent: [f64; 2],
+    scale: f64,
+}
+
+impl Growth {
+    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
+        let scale = super::motion::scale(pair, origin.velocity);
+        let last = match origin.place {
+            Location::Wall(_) => Some((origin.velocity.mid(), kernel::sin_cos(origin.phase.mid()).0)),
+            Location::Inside(_) => None,
+        };
+        Self { pair: pair.centre(), motion: FloatMotion::new(pair, origin), last, tangent: [1.0, 1.0], scale }
+    }
+
+    /// Goes on to the next impact: the bits it eats, and the turns that passed.
+    pub fn next_impact(&mut self) -> Option<(f64, f64)> {
+        let contact = self.motion.next_contact().ok()?;
+        let (velocity, sin) = (contact.velocity.mid(), kernel::sin_cos(contact.phase.mid()).0);
+        let last = self.last.replace((velocity, sin));
+        let Some((velocity0, sin0)) = last else { return Some((0.0, contact.time.mid())) };
+        let passage = Passage { time: contact.time.mid(), sin0, sin1: sin, velocity0, velocity1: velocity };
+        let [[a, b], [c, d]] = jacobian(self.pair.beta, self.pair.restitution, &passage)?;
+        let [x, y] = self.tangent;
+        let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];
+        let (before, after) = (x.hypot(y), image[0].hypot(image[1]));
+        // A dead impact forgets all.
+        let usable = after.is_normal();
+        self.tangent = if usable { image.map(|x| x / after) } else { [1.0, 1.0] };
+        Some((if usable { (after / before).log2() } else { 0.0 }, contact.time.mid()))
+    }
+}

@@ -1,0 +1,95 @@
+//! What `auto` does when the motion falls short: the same orbit again from its start, in more precision.
+//!
+//! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it eats.
+
+use super::clock::Phase;
+use super::origin::Origin;
+use super::plan::{Growth, Plan};
+use super::precise::PreciseMotion;
+use super::{Settings, Shortfall};
+use crate::exact::Exact;
+use crate::number::{Ball, LEAST_BITS};
+use crate::pair::{Reduced, ball};
+
+/// The exact orbit, and how it was tried before.
+#[derive(Debug)]
+pub(super) struct Raise {
+    pair: Reduced<Exact>,
+    origin: Origin<Exact>,
+    impacts: Option<u64>,
+    /// How long the orbit is to last, in turns.
+    turns: f64,
+    /// Bits of the width asked for.
+    asked: f64,
+    most: u32,
+    plan: Option<Plan>,
+    /// Where it fell short before, in width or else in a verdict, and how narrow the set was there.
+    before: Option<(u64, bool, f64)>,
+}
+
+impl Raise {
+    pub fn new(
+        pair: Reduced<Exact>,
+        origin: Origin<Exact>,
+        turns: i64,
+        until: Option<Phase>,
+        settings: &Settings,
+    ) -> Self {
+        let turns = until.map_or(f64::INFINITY, |until| until.turns.saturating_sub(turns) as f64 + 1.0);
+        let asked = f64::from(settings.digits) * 10f64.log2();
+        let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
+        Self { pair, origin, impacts, turns, asked, most, plan: None, before: None }
+    }
+
+    /// The motion from the start in more precision; `None` when that would not help.
+    ///
+    /// The motion fell short on the way to the impact after `index`, with a set of `accuracy` bits: the one before
+    /// that impact where a verdict is missing, the one after it where it is too wide.
+    pub fn again(
+        &mut self,
+        pair: &Reduced<Ball>,
+        shortfall: Shortfall,
+        index: u64,
+        accuracy: f64,
+    ) -> Option<PreciseMotion> {
+        // More precision that did not make the set narrower is not what is missing.
+        let in_width = matches!(shortfall, Shortfall::Width(_));
+        let stuck =
+            self.before.is_some_and(|(at, kind, bits)| (at, kind) == (index, in_width) && accuracy < bits + 1.0);
+        // Doubles may be lucky: only what multiprecision did before counts.
+        self.before = self.plan.is_some().then_some((index, in_width, accuracy));
+        let plan = match self.plan.take() {
+            None => self.look_ahead(pair, self.impacts)?,
+            Some(plan) if index >= plan.horizon() => self.look_ahead(pair, Some(plan.horizon() * 2))?,
+            Some(mut plan) => {
+                let missing = match shortfall {
+                    // What is missing here grows in proportion to the end.
+                    Shortfall::Width(bits) => bits * (plan.horizon() as f64 / (index + 1) as f64).max(1.0),
+                    // A decision near a graze takes twice the digits.
+                    Shortfall::Verdict => accuracy,
+                };
+                let raised = !stuck && plan.raise(missing);
+                if !raised {
+                    self.plan = Some(plan);
+                    return None;
+                }
+                plan
+            }
+        };
+        self.plan = Some(plan.clone());
+        Some(PreciseMotion::new(&self.pair, pair, &self.origin, plan))
+    }
+
+    /// Plans for `impacts` impacts from a floating run.
+    fn look_ahead(&self, pair: &Reduced<Ball>, impacts: Option<u64>) -> Option<Plan> {
+        let origin = self.origin.map(ball).ok()?;
+        let mut growth = Growth::new(pair, &origin);
+        let mut left = self.turns;
+        let run = std::iter::from_fn(|| {
+            let (bits, turns) = growth.next_impact()?;
+            left -= turns;
+            (left > 0.0).then_some(bits)
+        });
+        Some(Plan::new(run, impacts, self.asked, self.most))
+    }
+}
