@@ -1,4 +1,5 @@
 //! The workloads of the benches: the flights of figures 12-17, from their printed data.
+#![allow(dead_code, reason = "not every bench needs all of it")]
 
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, kernel};

@@ -177,6 +177,12 @@ impl Orbit {
         self.motion.bits()
     }
 
+    /// The bits of each impact, once it is computed in multiprecision.
+    #[cfg(feature = "multiprecision")]
+    pub fn plan(&self) -> Option<&Plan> {
+        self.motion.plan()
+    }
+
     /// How the orbit ended; `None` while it goes on.
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()

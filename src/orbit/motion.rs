@@ -1,6 +1,8 @@
 //! One impact after another, in double precision: plain and certified.
 
 use super::origin::{Location, Origin};
+#[cfg(feature = "multiprecision")]
+use super::plan::Plan;
 use super::set::StateSet;
 use crate::contact::{
     Contact, Margins, Radii, Reason, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
@@ -19,6 +21,12 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     /// The bits that the first impact is computed with.
     fn bits(&self) -> u32 {
         f64::MANTISSA_DIGITS
+    }
+
+    /// The bits of each impact, in multiprecision.
+    #[cfg(feature = "multiprecision")]
+    fn plan(&self) -> Option<&Plan> {
+        None
     }
 
     /// How narrow the set of states is: `-log2` of its greatest radius.

@@ -63,7 +63,7 @@ impl Plan {
             highest = highest.max(*grown);
             *grown = highest - *grown;
         }
-        let last = asked + GUARD + (horizon.max(1) as f64).log2();
+        let last = asked + GUARD + (growth.len().max(1) as f64).log2();
         Self { rest: growth.into(), horizon, last, deviation, most: most.max(LEAST_BITS) }
     }
 
@@ -79,6 +79,11 @@ impl Plan {
     /// How many impacts it looks ahead.
     pub(super) fn horizon(&self) -> u64 {
         self.horizon
+    }
+
+    /// How many of them the floating run found.
+    pub(super) fn impacts(&self) -> u64 {
+        self.rest.len() as u64
     }
 
     /// Raises all impacts by `missing` bits; whether that was possible.

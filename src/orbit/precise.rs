@@ -198,6 +198,10 @@ impl Motion for PreciseMotion {
         self.plan.bits(0)
     }
 
+    fn plan(&self) -> Option<&Plan> {
+        Some(&self.plan)
+    }
+
     fn accuracy(&self) -> f64 {
         let (a, b) = match &self.state {
             State::Wall { set, .. } => set.balls(),

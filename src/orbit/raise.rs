@@ -64,7 +64,7 @@ impl Raise {
             Some(mut plan) => {
                 let missing = match shortfall {
                     // What is missing here grows in proportion to the end.
-                    Shortfall::Width(bits) => bits * (plan.horizon() as f64 / (index + 1) as f64).max(1.0),
+                    Shortfall::Width(bits) => bits * (plan.impacts() as f64 / (index + 1) as f64).max(1.0),
                     // A decision near a graze takes twice the digits.
                     Shortfall::Verdict => accuracy,
                 };
@@ -85,6 +85,8 @@ impl Raise {
         let origin = self.origin.map(ball).ok()?;
         let mut growth = Growth::new(pair, &origin);
         let mut left = self.turns;
+        // A time to stop at ends the floating run too.
+        let impacts = impacts.or(left.is_finite().then_some(u64::MAX));
         let run = std::iter::from_fn(|| {
             let (bits, turns) = growth.next_impact()?;
             left -= turns;
