@@ -137,10 +137,10 @@ impl Orbit {
             #[cfg(not(feature = "multiprecision"))]
             Arithmetic::Bits(bits) => return Err(Error::arithmetic(&bits.to_string())),
         };
+        let is_point = pair.is_point() && start.is_point();
         #[cfg(feature = "multiprecision")]
         let raise = (settings.arithmetic == Arithmetic::Auto)
-            .then(|| Raise::new(exact, origin.clone(), turns, until, &settings));
-        let is_point = pair.is_point() && start.is_point();
+            .then(|| Raise::new(exact, origin.clone(), is_point, turns, until, &settings));
         let start = Cursor { index: 0, wall: origin.wall(), turns, phase: origin_ball.phase };
         Ok(Self {
             pair: reduced,

@@ -15,10 +15,6 @@ use crate::mapping::{Passage, jacobian};
 use crate::number::{Ball, LEAST_BITS, kernel};
 use crate::pair::Reduced;
 
-/// Impacts that a plan looks ahead at first when an orbit has no end.
-const HORIZON: u64 = 1 << 12;
-/// Impacts that a plan looks ahead at most: it holds a number for each.
-const FARTHEST: u64 = 1 << 22;
 /// Bits that constant factors eat.
 const GUARD: f64 = 24.0;
 /// Standard deviations of the growth that are allowed for.
@@ -47,15 +43,16 @@ impl Plan {
         Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
     }
 
-    /// What the impacts of `run` need so that each has a relative width of `2^-asked`; at most `most` bits.
-    pub(super) fn new(mut run: impl Iterator<Item = f64>, impacts: Option<u64>, asked: f64, most: u32) -> Self {
-        let horizon = impacts.unwrap_or(HORIZON).min(FARTHEST);
+    /// What the first `horizon` impacts of `run` need for relative widths of `2^-asked`; at most `most` bits.
+    ///
+    /// The run tells the bits that each impact eats.
+    pub(super) fn new(run: impl Iterator<Item = f64>, horizon: u64, asked: f64, most: u32) -> Self {
         let mut sum = 0.0;
-        let mut growth: Vec<f32> = Vec::new();
-        growth.extend(run.by_ref().take(horizon as usize).map(|grown| {
+        let total = |grown| {
             sum += grown;
             sum as f32
-        }));
+        };
+        let mut growth: Vec<f32> = run.take(horizon as usize).map(total).collect();
         let deviation = deviation(&growth);
         // The largest growth still to come, backwards.
         let mut highest = f32::NEG_INFINITY;

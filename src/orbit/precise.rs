@@ -15,9 +15,11 @@ use crate::contact::{Contact, Margins, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
-use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
 use crate::pair::{Reduced, Wall};
 
+/// Bits below the radius of a set that its centre is not worth.
+const DROWNED: i64 = 64;
 /// Edges shorter than this fraction of the longest are taken for this long.
 const SHORTEST_EDGE: f64 = f64::from_bits((1023 - 600) << 52);
 
@@ -106,6 +108,17 @@ impl PreciseMotion {
         Self { pair: exact.map(enclose), doubles, plan, index: 0, state }
     }
 
+    /// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
+    fn bits_for(&self, set: &PreciseSet, index: u64) -> u32 {
+        let planned = self.plan.bits(index);
+        let (phase, velocity) = set.shape.hull();
+        let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit);
+        match radius.exponent() {
+            Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
+            None => planned,
+        }
+    }
+
     /// From inside the gap: the enclosure of all first contacts is the new set.
     fn first(&self, height: &MpBall, phase: &MpBall, velocity: &MpBall) -> Result<Arrival, Undecided> {
         let (height, phase, velocity) = (height.clone(), phase.clone(), velocity.clone());
@@ -130,7 +143,7 @@ impl PreciseMotion {
 
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
     fn step(&self, wall: Wall, set: &PreciseSet, sin_cos: &(MpBall, MpBall)) -> Result<Arrival, Undecided> {
-        let bits = self.plan.bits(self.index);
+        let bits = self.bits_for(set, self.index);
         let pair = self.pair.map(|x| x.rounded(bits));
         let (phase, before) = set.balls();
         let doubles = &self.doubles;
@@ -158,7 +171,7 @@ impl PreciseMotion {
         let isolated = isolate_first(doubles, &start, all, &centre)?;
         let contact = isolated.contact(wall);
         let narrow = Undecided::precision(&contact);
-        let next_bits = self.plan.bits(self.index + 1);
+        let next_bits = self.bits_for(set, self.index + 1);
         let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, next_bits).ok_or(narrow)?;
         let passage = Passage {
             time: contact.time,

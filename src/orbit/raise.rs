@@ -11,11 +11,19 @@ use crate::exact::Exact;
 use crate::number::{Ball, LEAST_BITS};
 use crate::pair::{Reduced, ball};
 
+/// Impacts that are planned for at once; of longer orbits first a quarter of a quarter, so that impacts appear soon.
+///
+/// A quarter of the impacts costs a sixteenth to a sixtieth of all.
+const AT_ONCE: u64 = 1 << 14;
+/// Impacts that a plan looks ahead at most: it holds a number for each.
+const FARTHEST: u64 = 1 << 22;
+
 /// The exact orbit, and how it was tried before.
 #[derive(Debug)]
 pub(super) struct Raise {
     pair: Reduced<Exact>,
     origin: Origin<Exact>,
+    is_point: bool,
     impacts: Option<u64>,
     /// How long the orbit is to last, in turns.
     turns: f64,
@@ -31,6 +39,7 @@ impl Raise {
     pub fn new(
         pair: Reduced<Exact>,
         origin: Origin<Exact>,
+        is_point: bool,
         turns: i64,
         until: Option<Phase>,
         settings: &Settings,
@@ -38,7 +47,7 @@ impl Raise {
         let turns = until.map_or(f64::INFINITY, |until| until.turns.saturating_sub(turns) as f64 + 1.0);
         let asked = f64::from(settings.digits) * 10f64.log2();
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
-        Self { pair, origin, impacts, turns, asked, most, plan: None, before: None }
+        Self { pair, origin, is_point, impacts, turns, asked, most, plan: None, before: None }
     }
 
     /// The motion from the start in more precision; `None` when that would not help.
@@ -59,10 +68,11 @@ impl Raise {
         // Doubles may be lucky: only what multiprecision did before counts.
         self.before = self.plan.is_some().then_some((index, in_width, accuracy));
         let plan = match self.plan.take() {
-            None => self.look_ahead(pair, self.impacts)?,
-            Some(plan) if index >= plan.horizon() => self.look_ahead(pair, Some(plan.horizon() * 2))?,
+            None => self.look_ahead(pair, 0)?,
+            Some(plan) if index >= plan.horizon() => self.look_ahead(pair, index)?,
             Some(mut plan) => {
                 let missing = match shortfall {
+                    Shortfall::Width(bits) if !self.is_point => bits,
                     // What is missing here grows in proportion to the end.
                     Shortfall::Width(bits) => bits * (plan.impacts() as f64 / (index + 1) as f64).max(1.0),
                     // A decision near a graze takes twice the digits.
@@ -80,18 +90,25 @@ impl Raise {
         Some(PreciseMotion::new(&self.pair, pair, &self.origin, plan))
     }
 
-    /// Plans for `impacts` impacts from a floating run.
-    fn look_ahead(&self, pair: &Reduced<Ball>, impacts: Option<u64>) -> Option<Plan> {
+    /// Plans beyond impact `index` from a floating run.
+    fn look_ahead(&self, pair: &Reduced<Ball>, index: u64) -> Option<Plan> {
         let origin = self.origin.map(ball).ok()?;
-        let mut growth = Growth::new(pair, &origin);
-        let mut left = self.turns;
+        let run = || {
+            let (mut growth, mut left) = (Growth::new(pair, &origin), self.turns);
+            std::iter::from_fn(move || {
+                let (bits, turns) = growth.next_impact()?;
+                left -= turns;
+                (left > 0.0).then_some(bits)
+            })
+        };
         // A time to stop at ends the floating run too.
-        let impacts = impacts.or(left.is_finite().then_some(u64::MAX));
-        let run = std::iter::from_fn(|| {
-            let (bits, turns) = growth.next_impact()?;
-            left -= turns;
-            (left > 0.0).then_some(bits)
-        });
-        Some(Plan::new(run, impacts, self.asked, self.most))
+        let until = || self.turns.is_finite().then(|| run().take(FARTHEST as usize).count() as u64 + 1);
+        let mut horizon = self.impacts.into_iter().chain(until()).min().unwrap_or(FARTHEST).min(FARTHEST);
+        while horizon > AT_ONCE && horizon / 4 > index {
+            horizon /= 4;
+        }
+        // An orbit that goes on beyond what the floating run saw.
+        let horizon = if horizon > index { horizon } else { index.saturating_mul(2) };
+        Some(Plan::new(run(), horizon, self.asked, self.most))
     }
 }

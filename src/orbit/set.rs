@@ -80,6 +80,12 @@ impl Shape {
         Self { axis, edges, scale: self.scale }
     }
 
+    /// The unit of velocities.
+    #[cfg(feature = "multiprecision")]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// Half the edges.
     #[cfg(feature = "multiprecision")]
     pub fn edges(&self) -> [f64; 2] {

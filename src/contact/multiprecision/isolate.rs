@@ -182,20 +182,18 @@ fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated,
         let residual = flight.height_above(height, whole.clone(), point, sin.clone());
         let velocity = flight.velocity_at(cos);
         let side = residual.sign();
+        if (side == Some(Ordering::Greater)) == (direction > 0.0) {
+            high.clone_from(&at);
+        } else {
+            low.clone_from(&at);
+        }
         let ahead = velocity.clone().signed(direction).sign() == Some(Ordering::Greater);
-        let middle = Float::with_val(bits, &low + &high) / 2u32;
-        let next = match Float::with_val(bits, residual.mid() / velocity.mid()) {
-            step if ahead && step.is_finite() => Float::with_val(bits, &at - &step),
-            _ => middle.clone(),
-        };
-        let next = if low < next && next < high { next } else { middle };
+        let step = Float::with_val(bits, residual.mid() / velocity.mid());
+        let next = Float::with_val(bits, &at - &step);
+        let is_better = ahead && low < next && next < high;
+        let next = if is_better { next } else { Float::with_val(bits, &low + &high) / 2u32 };
         if side.is_none() || side == Some(Ordering::Equal) || next == at {
             return prove(flight, piece.target, turns, at, &residual, &velocity, &sin);
-        }
-        if (side == Some(Ordering::Greater)) == (direction > 0.0) {
-            high = at;
-        } else {
-            low = at;
         }
         at = next;
     }
