@@ -1,7 +1,7 @@
 //! Upper bounds in doubles with wide exponents: the radii of multiprecision balls.
 //!
 //! A chaotic orbit of 10,000 impacts starts with errors of `2^-5800`, far below the range of doubles, but two digits
-//! of a radius are plenty. Every operation rounds up.
+//! of a radius are plenty. Every operation rounds up (Lemma M0).
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul};

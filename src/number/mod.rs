@@ -1,8 +1,8 @@
 //! The arithmetics: one small trait, so that each formula of the paper is written once.
 //!
-//! `f64` proposes, [`Ball`] disposes: the float twin, the enclosure and the Jacobian run through the same
-//! lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart. Phases are in turns everywhere
-//! (see [`kernel`]).
+//! `f64` proposes, [`Ball`] disposes, and `MpBall` where doubles do not suffice: the float twin, the enclosures and
+//! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart. Phases
+//! are in turns everywhere (see [`kernel`]).
 
 mod ball;
 pub mod kernel;

@@ -218,7 +218,7 @@ impl MpBall {
     /// Encloses the versine and the sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.
     ///
     /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of sine and versine is less than a 64th of
-    /// the one before, so what is left out is smaller than the last term taken.
+    /// the one two before, so what is left out is smaller than the last term taken.
     pub fn short_departure(&self) -> Option<(Self, Self)> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
