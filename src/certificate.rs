@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_digits, decimal_f64};
 use crate::mapping::Mapping;
-use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Place, Settings, Start};
+use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Period, Place, Progress, Settings, Start};
 use crate::pair::{ImpactPair, Wall};
 
 /// The schema of the orbit JSON.
@@ -82,43 +82,88 @@ pub fn is_certified(arithmetic: Arithmetic) -> bool {
 /// An event of an orbit with its bounds in the units of the scene. Its `Display` is the JSON of one line.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// Counts the impacts from 1.
+    /// Counts the impacts from 1; for other events the last impact's.
     pub index: u64,
-    /// The mapping that led here; `None` for the first contact of a start inside the gap.
-    pub mapping: Option<Mapping>,
     /// The wall.
     pub wall: Wall,
     /// When \[time\].
     pub time: Bounds,
-    /// The relative velocity `y'` just before the impact \[length/time\].
-    pub velocity: Bounds,
+    /// What happens.
+    pub kind: Kind,
+}
+
+/// What happens at an event.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// The ball hits the wall.
+    Impact {
+        /// The mapping that led here; `None` for the first contact of a start inside the gap.
+        mapping: Option<Mapping>,
+        /// The relative velocity `y'` just before the impact \[length/time\].
+        velocity: Bounds,
+    },
+    /// The ball comes to rest on the wall.
+    Rest {
+        /// After infinitely many impacts that are not listed.
+        is_accumulation: bool,
+    },
+    /// The ball leaves the wall that it rested on.
+    Release,
 }
 
 impl Event {
     /// The event of an impact of `orbit`.
     pub fn new(orbit: &Orbit, impact: &Impact) -> Self {
         let (time, velocity) = orbit.bounds(impact);
-        let bounds = |x| if is_certified(orbit.arithmetic()) { Bounds::Certified(x) } else { Bounds::Float(x) };
         let Impact { index, mapping, wall, .. } = *impact;
-        Self { index, mapping, wall, time: bounds(time), velocity: bounds(velocity) }
+        let velocity = Bounds::of(orbit, velocity);
+        Self { index, wall, time: Bounds::of(orbit, time), kind: Kind::Impact { mapping, velocity } }
+    }
+
+    /// The event that `progress` of `orbit` is, after `index` impacts, if it is one.
+    pub fn of(orbit: &Orbit, progress: &Progress, index: u64) -> Option<Self> {
+        let (wall, time, kind) = match progress {
+            Progress::Impact(impact) => return Some(Self::new(orbit, impact)),
+            Progress::Rest(rest) => {
+                (rest.wall, orbit.rest_time(rest), Kind::Rest { is_accumulation: rest.is_accumulation })
+            }
+            Progress::Release(release) => (release.wall, orbit.release_time(release), Kind::Release),
+            Progress::Retraced(_) | Progress::Ended => return None,
+        };
+        Some(Self { index, wall, time: Bounds::of(orbit, time), kind })
     }
 
     /// The word of the orbit JSON.
     pub fn name(&self) -> &'static str {
-        "impact"
+        match self.kind {
+            Kind::Impact { .. } => "impact",
+            Kind::Rest { .. } => "rest",
+            Kind::Release => "release",
+        }
     }
 }
 
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // Names and decimals need no escapes. Written by hand, since an orbit has millions of these.
-        write!(f, r#"{{"event":"{}","index":{},"mapping":"#, self.name(), self.index)?;
-        match self.mapping {
-            Some(mapping) => write!(f, r#""{mapping}""#)?,
-            None => f.write_str("null")?,
+        write!(f, r#"{{"event":"{}","#, self.name())?;
+        if let Kind::Impact { mapping, .. } = self.kind {
+            write!(f, r#""index":{},"mapping":"#, self.index)?;
+            match mapping {
+                Some(mapping) => write!(f, r#""{mapping}","#)?,
+                None => f.write_str("null,")?,
+            }
         }
-        let ([t0, t1], [v0, v1]) = (self.time.decimals(), self.velocity.decimals());
-        write!(f, r#","wall":"{}","time":["{t0}","{t1}"],"velocity":["{v0}","{v1}"]}}"#, self.wall.name())
+        let [t0, t1] = self.time.decimals();
+        write!(f, r#""wall":"{}","time":["{t0}","{t1}"]"#, self.wall.name())?;
+        match &self.kind {
+            Kind::Impact { velocity, .. } => {
+                let [v0, v1] = velocity.decimals();
+                write!(f, r#","velocity":["{v0}","{v1}"]}}"#)
+            }
+            Kind::Rest { is_accumulation: true } => f.write_str(r#","skipped":"infinite"}"#),
+            Kind::Rest { is_accumulation: false } | Kind::Release => f.write_str("}"),
+        }
     }
 }
 
@@ -132,6 +177,11 @@ pub enum Bounds {
 }
 
 impl Bounds {
+    /// What `orbit` knows of a number.
+    fn of(orbit: &Orbit, x: Enclosure) -> Self {
+        if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
+    }
+
     /// The lower and the upper bound, rounded outward; of a float, the shortest decimal of the double twice.
     pub fn decimals(&self) -> [String; 2] {
         match self {
@@ -160,6 +210,7 @@ pub struct Conclusion {
     kind: &'static str,
     message: String,
     doubt: Option<Doubt>,
+    period: Option<Period>,
 }
 
 /// What is known of the event that was not decided.
@@ -176,15 +227,22 @@ impl Conclusion {
         let index = last.map_or(0, |event| event.index);
         let after = if index == 0 { "before the first impact".into() } else { format!("after impact {index}") };
         let kind = orbit.outcome().map_or("undecided", Outcome::kind);
+        let said = |message: String| Self { kind, message, doubt: None, period: None };
         match orbit.outcome() {
-            Some(Outcome::ImpactsReached) => Self { kind, message: counted(index), doubt: None },
-            Some(Outcome::TimeReached) => {
-                Self { kind, message: format!("{} up to the time asked for", counted(index)), doubt: None }
+            Some(Outcome::ImpactsReached) => said(counted(index)),
+            Some(Outcome::TimeReached) => said(format!("{} up to the time asked for", counted(index))),
+            Some(Outcome::Periodic(period)) => {
+                let Period { cycles, impacts } = *period;
+                let every = format!("{} every {cycles} cycle{}", counted(impacts), if cycles == 1 { "" } else { "s" });
+                let message = format!("{}; from the first release on exactly periodic, {every}", counted(index));
+                Self { period: Some(*period), ..said(message) }
             }
+            Some(Outcome::RestsForever(wall)) => said(format!("{after} at rest on the {} wall for ever", wall.name())),
+            Some(Outcome::NeverImpacts) => said(format!("{after} no wall is ever touched again")),
             Some(Outcome::Undecided { reason, wall, time }) => {
                 let doubt = Doubt { reason: *reason, wall: *wall, time: time.clone() };
                 let message = format!("undecided {after}: {} ({doubt})", explanation(*reason));
-                Self { kind, message, doubt: Some(doubt) }
+                Self { doubt: Some(doubt), ..said(message) }
             }
             None => {
                 let time = match last.map(|event| &event.time) {
@@ -192,7 +250,7 @@ impl Conclusion {
                     None => enclosed(start.time()),
                 };
                 let doubt = Doubt { reason: Reason::Budget, wall: None, time: (time, None) };
-                Self { kind, message: format!("interrupted {after}"), doubt: Some(doubt) }
+                Self { doubt: Some(doubt), ..said(format!("interrupted {after}")) }
             }
         }
     }
@@ -214,7 +272,13 @@ impl Conclusion {
 
     /// The `outcome` of the orbit JSON.
     pub fn json(&self) -> Value {
-        let Some(doubt) = &self.doubt else { return json!({"kind": self.kind, "message": self.message}) };
+        let Some(doubt) = &self.doubt else {
+            let mut outcome = json!({"kind": self.kind, "message": self.message});
+            if let Some(Period { cycles, impacts }) = self.period {
+                outcome["period"] = json!({"cycles": cycles, "impacts": impacts});
+            }
+            return outcome;
+        };
         let mut outcome = json!({"kind": self.kind, "reason": doubt.reason.name(), "message": self.message});
         if let Some(wall) = doubt.wall {
             outcome["wall"] = json!(wall.name());

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Event, asked_arithmetic, head, write_json};
+use impact_pair::certificate::{Event, Kind, asked_arithmetic, head, write_json};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::Settings;
 use serde_json::{Map, Value, json};
@@ -55,10 +55,15 @@ impl<'s, W: Write> Listing<'s, W> {
             }
             Format::Jsonl => writeln!(self.out, "{event}"),
             Format::Csv => {
-                let mapping = event.mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
-                let ([t0, t1], [v0, v1]) = (event.time.decimals(), event.velocity.decimals());
-                let (name, index, wall) = (event.name(), event.index, event.wall.name());
-                writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
+                let (name, wall, [t0, t1]) = (event.name(), event.wall.name(), event.time.decimals());
+                match &event.kind {
+                    Kind::Impact { mapping, velocity } => {
+                        let mapping = mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
+                        let (index, [v0, v1]) = (event.index, velocity.decimals());
+                        writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
+                    }
+                    Kind::Rest { .. } | Kind::Release => writeln!(self.out, "{name},,,{wall},{t0},{t1},,"),
+                }
             }
         }
     }

@@ -37,15 +37,17 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     listing.begin().context(write)?;
     let mut last = None;
     while !interrupted.load(Ordering::Relaxed) {
-        match orbit.advance() {
-            Step::Impact(impact) => {
-                let event = Event::new(&orbit, &impact);
-                listing.event(&event).context(write)?;
-                progress.reach(event.index);
-                last = Some(event);
-            }
+        let step = orbit.advance();
+        match step {
             Step::Retraced(index) => progress.retrace(index, orbit.bits()),
             Step::Ended => break,
+            Step::Impact(_) | Step::Rest(_) | Step::Release(_) => {}
+        }
+        let index = last.as_ref().map_or(0, |event: &Event| event.index);
+        if let Some(event) = Event::of(&orbit, &step, index) {
+            listing.event(&event).context(write)?;
+            progress.reach(event.index);
+            last = Some(event);
         }
     }
     progress.clear();

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Event, is_certified};
+use impact_pair::certificate::{Event, Kind, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Place, Settings};
 
@@ -40,9 +40,18 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
 }
 
 pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
-    let mapping = event.mapping.as_ref().map_or("-".into(), Mapping::to_string);
-    let (index, wall) = (event.index, event.wall.name());
-    writeln!(out, "{index:>7}  {mapping:7}  {wall:5}  {:31}  {}", event.time, event.velocity)
+    let wall = event.wall.name();
+    match &event.kind {
+        Kind::Impact { mapping, velocity } => {
+            let mapping = mapping.as_ref().map_or("-".into(), Mapping::to_string);
+            writeln!(out, "{:>7}  {mapping:7}  {wall:5}  {:31}  {velocity}", event.index, event.time)
+        }
+        Kind::Rest { is_accumulation } => {
+            let note = if *is_accumulation { "after infinitely many impacts" } else { "at once" };
+            writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  {note}", "", "rest", event.time)
+        }
+        Kind::Release => writeln!(out, "{:>7}  {:7}  {wall:5}  {}", "", "release", event.time),
+    }
 }
 
 pub fn end(out: &mut impl Write, ending: &Ending<'_>) -> io::Result<()> {

@@ -126,6 +126,18 @@ impl Clock {
         whole.add(rest, self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
     }
 
+    /// The same for a phase that is exactly known, itself exact where an exact expression says it.
+    pub fn time_of(&self, turns: i64, rest: f64) -> Enclosure {
+        let exact = || {
+            let phase = Exact::from(&self.origin + turns).checked_add(&Exact::from_f64(rest)?).ok()?;
+            phase.checked_sub(&self.shift).ok()?.checked_div(&self.rate).ok()
+        };
+        match exact() {
+            Some(time) => time.enclose(self.bits),
+            None => self.time(turns, &enclosure(rest)),
+        }
+    }
+
     /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
     pub fn time_in_period(&self, rest: &Enclosure) -> Enclosure {
         let turns = rest.sub(&self.shift.enclose(self.shown), self.shown);
@@ -153,4 +165,9 @@ fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError>
 fn nearest(value: &Exact) -> BigInt {
     let low = value.enclose(BITS).lo().to_rational();
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer()
+}
+
+/// A number as an interval.
+fn enclosure(x: f64) -> Enclosure {
+    Enclosure::from_f64_bounds(x, x).expect("a finite number")
 }

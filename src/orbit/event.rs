@@ -35,15 +35,71 @@ impl Impact {
     }
 }
 
-/// What [`Orbit::advance`] has done.
+/// The ball has come to rest on a wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rest {
+    /// The wall.
+    pub wall: Wall,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    /// Encloses the rest of the phase when it does, in turns.
+    pub phase: Enclosure,
+    /// Infinitely many impacts, each slower than the one before, come between the last one listed and the rest.
+    pub is_accumulation: bool,
+}
+
+/// The ball leaves the wall that it rested on, where its acceleration turns inward.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Release {
+    /// The wall.
+    pub wall: Wall,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    /// The rest of the phase in turns, exactly: 0 on the left wall, -1/2 on the right one.
+    pub phase: f64,
+}
+
+/// What [`Orbit::advance`](super::Orbit::advance) has done.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Progress {
     /// The next impact is certified.
     Impact(Impact),
+    /// The ball has come to rest, proved.
+    Rest(Rest),
+    /// The ball is released, proved.
+    Release(Release),
     /// The precision has risen and an impact that was listed before was computed anew.
     Retraced(u64),
     /// The orbit has ended.
     Ended,
+}
+
+/// How often an exactly periodic motion repeats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Period {
+    /// In turns of the excitation.
+    pub cycles: u64,
+    /// In impacts that are listed.
+    pub impacts: u64,
+}
+
+impl Progress {
+    /// The same event so many periods later.
+    pub(super) fn after(&self, period: Period, rounds: u64) -> Self {
+        let cycles = i64::try_from(period.cycles.saturating_mul(rounds)).unwrap_or(i64::MAX);
+        let mut event = self.clone();
+        match &mut event {
+            Self::Impact(impact) => {
+                impact.turns = impact.turns.saturating_add(cycles);
+                impact.index += period.impacts * rounds;
+            }
+            Self::Rest(Rest { turns, .. }) | Self::Release(Release { turns, .. }) => {
+                *turns = turns.saturating_add(cycles)
+            }
+            Self::Retraced(_) | Self::Ended => {}
+        }
+        event
+    }
 }
 
 /// Why an orbit ended.
@@ -53,6 +109,12 @@ pub enum Outcome {
     ImpactsReached,
     /// All the impacts up to the time asked for.
     TimeReached,
+    /// All that was asked for, and from a release on the motion is proved to repeat exactly, for ever.
+    Periodic(Period),
+    /// The ball rests on its wall for ever: nothing shakes the box.
+    RestsForever(Wall),
+    /// No wall is ever touched again.
+    NeverImpacts,
     /// The next impact could not be proved.
     Undecided {
         /// Why.
@@ -70,6 +132,9 @@ impl Outcome {
         match self {
             Self::ImpactsReached => "impacts-reached",
             Self::TimeReached => "time-reached",
+            Self::Periodic(_) => "periodic",
+            Self::RestsForever(_) => "rests-forever",
+            Self::NeverImpacts => "never-impacts",
             Self::Undecided { .. } => "undecided",
         }
     }

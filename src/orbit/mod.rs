@@ -10,12 +10,14 @@ mod plan;
 mod precise;
 #[cfg(feature = "multiprecision")]
 mod raise;
+mod recurrence;
 mod set;
 mod settings;
 mod start;
+mod still;
 
 pub use clock::Clock;
-pub use event::{Impact, Outcome, Progress};
+pub use event::{Impact, Outcome, Period, Progress, Release, Rest};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
 pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
@@ -23,17 +25,19 @@ pub use start::{Place, Start};
 
 use crate::contact::{Contact, Undecided};
 use crate::error::Error;
-use crate::exact::Enclosure;
+use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall, ball};
+use crate::rest;
 use crate::switch_plane::{SwitchPoint, absolute};
 use clock::Phase;
 use event::finite;
 use motion::{FloatMotion, IntervalMotion, Motion};
-use origin::Origin;
+use origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
+use recurrence::Recurrence;
 use settings::Width;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
@@ -60,6 +64,7 @@ use settings::Width;
 /// ```
 #[derive(Debug)]
 pub struct Orbit {
+    exact: Reduced<Exact>,
     pair: Reduced<Ball>,
     clock: Clock,
     motion: Box<dyn Motion>,
@@ -71,8 +76,8 @@ pub struct Orbit {
     is_point: bool,
     /// Bits of what is printed beyond doubles.
     shown: u32,
-    /// Where the orbit starts.
-    #[cfg(feature = "multiprecision")]
+    /// Where the motion starts: the orbit's start, or the last release.
+    origin: Origin<Exact>,
     start: Cursor,
     /// Where the motion is.
     cursor: Cursor,
@@ -82,6 +87,9 @@ pub struct Orbit {
     #[cfg(feature = "multiprecision")]
     raise: Option<Raise>,
     first_wide: Option<u64>,
+    /// The ball rests and will be released then; for ever if it is not.
+    resting: Option<Option<Release>>,
+    recurrence: Recurrence,
     outcome: Option<Outcome>,
 }
 
@@ -102,6 +110,8 @@ struct Cursor {
     wall: Option<Wall>,
     turns: i64,
     phase: Ball,
+    /// Before the impact.
+    velocity: Ball,
 }
 
 impl Orbit {
@@ -111,7 +121,6 @@ impl Orbit {
     /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
     /// asked for.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
-        #[cfg(feature = "multiprecision")]
         let exact = pair.exact()?;
         let reduced = pair.reduced()?;
         let shown = match settings.arithmetic {
@@ -127,22 +136,12 @@ impl Orbit {
         })?;
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
-        let motion: Box<dyn Motion> = match settings.arithmetic {
-            Arithmetic::Float => Box::new(FloatMotion::new(&reduced, &origin_ball)),
-            Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(&reduced, &origin_ball)),
-            #[cfg(feature = "multiprecision")]
-            Arithmetic::Bits(bits) => {
-                Box::new(precise::PreciseMotion::new(&exact, &reduced, &origin, Plan::constant(bits)))
-            }
-            #[cfg(not(feature = "multiprecision"))]
-            Arithmetic::Bits(bits) => return Err(Error::arithmetic(&bits.to_string())),
-        };
         let is_point = pair.is_point() && start.is_point();
-        #[cfg(feature = "multiprecision")]
-        let raise = (settings.arithmetic == Arithmetic::Auto)
-            .then(|| Raise::new(exact, origin.clone(), is_point, turns, until, &settings));
-        let start = Cursor { index: 0, wall: origin.wall(), turns, phase: origin_ball.phase };
-        Ok(Self {
+        let motion = first_motion(settings.arithmetic, &exact, &reduced, &origin, &origin_ball)?;
+        let (phase, velocity) = (origin_ball.phase, origin_ball.velocity);
+        let cursor = Cursor { index: 0, wall: origin.wall(), turns, phase, velocity };
+        let mut orbit = Self {
+            exact,
             pair: reduced,
             clock,
             motion,
@@ -150,16 +149,34 @@ impl Orbit {
             widths: [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)],
             is_point,
             shown,
-            #[cfg(feature = "multiprecision")]
-            start,
-            cursor: start,
+            origin,
+            start: cursor,
+            cursor,
             listed: 0,
             #[cfg(feature = "multiprecision")]
-            raise,
+            raise: None,
             first_wide: None,
+            resting: None,
+            recurrence: Recurrence::default(),
             outcome: None,
             settings,
-        })
+        };
+        orbit.look_ahead();
+        Ok(orbit)
+    }
+
+    /// What there is to know of a new start.
+    fn look_ahead(&mut self) {
+        #[cfg(feature = "multiprecision")]
+        if self.settings.arithmetic == Arithmetic::Auto {
+            let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts));
+            let settings = Settings { impacts: left, ..self.settings.clone() };
+            let (origin, turns) = (self.origin.clone(), self.start.turns);
+            self.raise = Some(Raise::new(self.exact.clone(), origin, self.is_point, turns, self.until, &settings));
+        }
+        if self.settings.arithmetic != Arithmetic::Float && still::never_impacts(&self.exact, &self.origin) {
+            self.outcome = Some(Outcome::NeverImpacts);
+        }
     }
 
     /// Turns phases into times and reduced velocities into velocities.
@@ -217,10 +234,21 @@ impl Orbit {
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.
     pub fn advance(&mut self) -> Progress {
         if self.outcome.is_none() && self.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
-            self.outcome = Some(Outcome::ImpactsReached);
+            self.finish(Outcome::ImpactsReached);
         }
         if self.outcome.is_some() {
             return Progress::Ended;
+        }
+        if let Some(event) = self.recurrence.repeat() {
+            return self.repeat(event);
+        }
+        if let Some(release) = self.resting.take() {
+            return self.release(release);
+        }
+        if self.cursor.index == self.listed
+            && let Some(progress) = self.come_to_rest()
+        {
+            return progress;
         }
         let contact = match self.motion.next_contact() {
             Ok(contact) => contact,
@@ -228,14 +256,14 @@ impl Orbit {
         };
         // At most 2^52 turns a flight: no sum of flights that can be listed overflows.
         let turns = self.cursor.turns.saturating_add(contact.turns as i64);
-        let next = Cursor { index: self.cursor.index + 1, wall: Some(contact.wall), turns, phase: contact.phase };
+        let Contact { wall, phase, velocity, .. } = contact;
+        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), turns, phase, velocity };
         if next.index <= self.listed {
             self.cursor = next;
             return Progress::Retraced(next.index);
         }
-        if self.is_past(turns, contact.phase) {
-            self.outcome = Some(Outcome::TimeReached);
-            return Progress::Ended;
+        if self.is_past(turns, phase) {
+            return self.finish(Outcome::TimeReached);
         }
         let excess = self.excess(turns, &contact);
         if excess > 0.0 {
@@ -247,9 +275,120 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
-        let Contact { wall, phase, velocity, .. } = contact;
         let precise = self.precise(&contact).map(Box::new);
-        Progress::Impact(Impact { index: next.index, mapping, wall, turns, phase, velocity, precise })
+        let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
+        self.hand_out(Progress::Impact(impact))
+    }
+
+    /// Keeps what may have to be repeated.
+    fn hand_out(&mut self, event: Progress) -> Progress {
+        self.recurrence.keep(&event);
+        event
+    }
+
+    /// All that was asked for is listed.
+    fn finish(&mut self, reached: Outcome) -> Progress {
+        self.outcome = Some(self.recurrence.period().map_or(reached, Outcome::Periodic));
+        Progress::Ended
+    }
+
+    /// An event of a motion that is proved to be periodic.
+    fn repeat(&mut self, event: Progress) -> Progress {
+        let (turns, phase) = match &event {
+            Progress::Impact(impact) => (impact.turns, impact.phase),
+            Progress::Rest(rest) => {
+                let (mid, rad) = rest.phase.mid_rad();
+                (rest.turns, Ball::new(mid, rad))
+            }
+            Progress::Release(release) => (release.turns, Ball::exact(release.phase)),
+            Progress::Retraced(_) | Progress::Ended => return event,
+        };
+        if self.is_past(turns, phase) {
+            return self.finish(Outcome::TimeReached);
+        }
+        if let Progress::Impact(impact) = &event {
+            self.listed = impact.index;
+        }
+        event
+    }
+
+    /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
+    #[inline]
+    fn come_to_rest(&mut self) -> Option<Progress> {
+        let wall = self.cursor.wall?;
+        let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
+        let is_still = self.pair.beta == Ball::exact(0.0);
+        let time = match (is_still, after == Ball::exact(0.0)) {
+            (true, still) => still.then_some(0.0)?,
+            (false, _) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
+        };
+        self.rest(wall, time, is_still)
+    }
+
+    /// The ball rests from `time` turns after the last contact on, at the latest.
+    #[cold]
+    fn rest(&mut self, wall: Wall, time: f64, for_ever: bool) -> Option<Progress> {
+        let width = self.widths[0];
+        // Impacts are listed until they shrink below the digits asked for.
+        if time.log2() > width.log2 - 1.0 {
+            return None;
+        }
+        let Cursor { turns, phase, .. } = self.cursor;
+        let radius = self.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
+        let is_wide = radius > width.log2 - 2.0;
+        if is_wide && self.settings.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
+            return Some(Progress::Retraced(0));
+        }
+        let at_start = self.cursor.index == self.start.index;
+        let enclosed = match self.motion.enclosures().filter(|_| !at_start) {
+            _ if at_start => self.origin.phase.enclose(self.shown),
+            Some((phase, _)) => phase.rounded(self.shown),
+            None => finite(phase),
+        };
+        let span = Enclosure::from_f64_bounds(0.0, time)?;
+        let enclosed = enclosed.add(&span, self.shown.saturating_add(64));
+        let release = (!for_ever).then(|| {
+            let (ahead, phase) = rest::release(wall, phase.mid());
+            Release { wall, turns: turns.saturating_add(ahead), phase }
+        });
+        self.resting = Some(release);
+        let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
+        Some(self.hand_out(Progress::Rest(rest)))
+    }
+
+    /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
+    #[cold]
+    fn release(&mut self, release: Option<Release>) -> Progress {
+        let Some(release) = release else {
+            self.outcome = self.cursor.wall.map(Outcome::RestsForever);
+            return Progress::Ended;
+        };
+        let Release { wall, turns, phase } = release;
+        if self.is_past(turns, Ball::exact(phase)) {
+            return self.finish(Outcome::TimeReached);
+        }
+        let event = self.hand_out(Progress::Release(release));
+        self.recurrence.release(wall, turns, self.listed);
+        let point = |x: f64| Exact::from_f64(x).expect("a finite number");
+        self.origin = Origin { place: Location::Wall(wall), phase: point(phase), velocity: point(0.0) };
+        let (phase, velocity) = (Ball::exact(phase), Ball::exact(0.0));
+        let origin = Origin { place: Location::Wall(wall), phase, velocity };
+        self.start = Cursor { index: self.listed, wall: Some(wall), turns, phase, velocity };
+        self.cursor = self.start;
+        self.motion = first_motion(self.settings.arithmetic, &self.exact, &self.pair, &self.origin, &origin)
+            .expect("the arithmetic was there at the start");
+        self.look_ahead();
+        event
+    }
+
+    /// When a rest begins or ends \[time\].
+    pub fn rest_time(&self, rest: &Rest) -> Enclosure {
+        self.clock.time(rest.turns, &rest.phase)
+    }
+
+    /// When a release happens \[time\], as exactly as it can be shown.
+    pub fn release_time(&self, release: &Release) -> Enclosure {
+        self.clock.time_of(release.turns, release.phase)
     }
 
     /// How many bits a contact is wider than asked for; not positive if it is not.
@@ -305,7 +444,9 @@ impl Orbit {
     #[cfg(feature = "multiprecision")]
     fn restart(&mut self, shortfall: Shortfall) -> bool {
         let Some(raise) = &mut self.raise else { return false };
-        let Some(motion) = raise.again(&self.pair, shortfall, self.cursor.index, self.motion.accuracy()) else {
+        let Some(motion) =
+            raise.again(&self.pair, shortfall, self.cursor.index - self.start.index, self.motion.accuracy())
+        else {
             return false;
         };
         self.motion = Box::new(motion);
@@ -344,6 +485,27 @@ impl Orbit {
     }
 }
 
+/// The first motion from an origin that is tried in an arithmetic.
+fn first_motion(
+    arithmetic: Arithmetic,
+    exact: &Reduced<Exact>,
+    pair: &Reduced<Ball>,
+    origin: &Origin<Exact>,
+    origin_ball: &Origin<Ball>,
+) -> Result<Box<dyn Motion>, Error> {
+    Ok(match arithmetic {
+        Arithmetic::Float => Box::new(FloatMotion::new(pair, origin_ball)),
+        Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(pair, origin_ball)),
+        #[cfg(feature = "multiprecision")]
+        Arithmetic::Bits(bits) => Box::new(precise::PreciseMotion::new(exact, pair, origin, Plan::constant(bits))),
+        #[cfg(not(feature = "multiprecision"))]
+        Arithmetic::Bits(bits) => {
+            let _ = (exact, origin);
+            return Err(Error::arithmetic(&bits.to_string()));
+        }
+    })
+}
+
 impl Iterator for Orbit {
     type Item = Impact;
 
@@ -351,7 +513,7 @@ impl Iterator for Orbit {
         loop {
             match self.advance() {
                 Progress::Impact(impact) => return Some(impact),
-                Progress::Retraced(_) => {}
+                Progress::Rest(_) | Progress::Release(_) | Progress::Retraced(_) => {}
                 Progress::Ended => return None,
             }
         }

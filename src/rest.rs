@@ -1,0 +1,101 @@
+//! Chatter that ends in rest, and release: beyond the paper.
+//!
+//! Told from the wall (mirrored, as a flight is), `z'' = 2 pi beta sin th`: the wall is pressed while `sin th < 0`, on
+//! phases between 1/2 and 1. Lemmas Z1-Z3 of `docs/proofs.md`.
+
+use crate::number::{Ball, Number, kernel, up};
+use crate::pair::{Reduced, Wall};
+
+/// How long, in turns, chatter can last that begins with a bounce at `phase` and `velocity`, both of a whole set, the
+/// velocity that after the impact.
+///
+/// `Some(t)`: within `t` turns infinitely many impacts follow, all on this wall, each slower than the one before, and
+/// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
+/// `None`: not proved.
+pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Ball) -> Option<f64> {
+    let at = phase.mid() + wall.mirror_phase();
+    // Exact for phases in [-1/2, 1/2], but for a rounding of 2^-53 that the edges below take in.
+    let at = at - at.floor();
+    let speed = velocity.mag();
+    if speed == 0.0 && phase.rad() == 0.0 && at == 0.5 {
+        // Pressed from now on (Lemma Z2).
+        return Some(0.0);
+    }
+    let edge = up(phase.rad() + 2f64.powi(-52));
+    let (first, last) = ((at - edge).next_down(), (at + edge).next_up());
+    let press = -kernel::sin_cos(at).0;
+    let rebound = pair.restitution.mag();
+    if first <= 0.5 || last >= 1.0 || press <= 0.0 || rebound >= 1.0 && speed > 0.0 {
+        return None;
+    }
+    // Twice what constant acceleration would give: any window will do that the sum fits into.
+    let swing = pair.beta.turn() * pair.beta;
+    let window = 4.0 * speed / (swing.mid() * press * (1.0 - rebound));
+    let end = if speed > 0.0 { (last + window).next_up() } else { last };
+    if end.partial_cmp(&1.0) != Some(std::cmp::Ordering::Less) {
+        return None;
+    }
+    if speed == 0.0 {
+        return Some(0.0);
+    }
+    // |sin| rises to phase 3/4 and falls after it.
+    let size = |phase: f64| Ball::new(-kernel::sin_cos(phase).0, kernel::SIN_COS_ERROR);
+    let (one, two) = (size(first), size(end));
+    let least = swing * if one.mid() < two.mid() { one } else { two };
+    let most = swing.mag() * if first <= 0.75 && end >= 0.75 { 1.0 } else { one.mag().max(two.mag()) };
+    let least = (least.mid() - least.rad()).next_down();
+    if least.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+        return None;
+    }
+    let ratio = up(rebound * up((up(most) / least).sqrt()));
+    let room = (1.0 - ratio).next_down();
+    let height = up(speed * speed / least);
+    let time = up(up(2.0 * speed) / (least * room).next_down());
+    (room > 0.0 && height < 1.0 && time <= window).then_some(time)
+}
+
+/// The whole turns to come and the phase, exactly, at which a ball that rests on `wall` at `phase` is released.
+///
+/// The phase is 0 on the left wall and -1/2 on the right one, where the mirrored sine turns positive (Lemma Z2).
+pub fn release(wall: Wall, phase: f64) -> (i64, f64) {
+    let mirrored = phase + wall.mirror_phase();
+    (mirrored.floor() as i64 + 1, -wall.mirror_phase())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair(alpha: f64, restitution: f64) -> Reduced<Ball> {
+        let alpha = Ball::exact(alpha);
+        Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(restitution) }
+    }
+
+    #[test]
+    fn a_slow_bounce_on_a_pressed_wall_ends_in_rest() {
+        let pair = pair(0.1, 0.5);
+        let bound = accumulation(&pair, Wall::Left, Ball::exact(-0.25), Ball::exact(1e-4)).unwrap();
+        // Constant acceleration a = 2 pi beta would end after 2u/(a (1 - e)).
+        let constant = 2e-4 / (std::f64::consts::TAU.powi(2) * 0.1 * 0.5);
+        assert!(constant <= bound && bound < 1.01 * constant);
+        assert!(accumulation(&pair, Wall::Left, Ball::exact(0.25), Ball::exact(1e-4)).is_none());
+        assert!(accumulation(&pair, Wall::Right, Ball::exact(0.25), Ball::exact(1e-4)).is_some());
+        assert!(accumulation(&pair, Wall::Left, Ball::exact(-0.25), Ball::exact(1.0)).is_none());
+        assert!(accumulation(&pair, Wall::Left, Ball::new(-0.25, 0.26), Ball::exact(1e-4)).is_none());
+    }
+
+    #[test]
+    fn nothing_ends_without_loss() {
+        assert!(accumulation(&pair(0.1, 1.0), Wall::Left, Ball::exact(-0.25), Ball::exact(1e-4)).is_none());
+        assert_eq!(accumulation(&pair(0.1, 1.0), Wall::Left, Ball::exact(-0.25), Ball::exact(0.0)), Some(0.0));
+    }
+
+    #[test]
+    fn release_is_where_the_pressure_ends() {
+        assert_eq!(release(Wall::Left, -0.25), (0, 0.0));
+        assert_eq!(release(Wall::Left, 0.5), (1, 0.0));
+        assert_eq!(release(Wall::Right, 0.25), (1, -0.5));
+        assert_eq!(release(Wall::Right, 0.0), (1, -0.5));
+        assert_eq!(release(Wall::Left, -0.5), (0, 0.0));
+    }
+}
