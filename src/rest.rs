@@ -3,6 +3,8 @@
 //! Told from the wall (mirrored, as a flight is), `z'' = 2 pi beta sin th`: the wall is pressed while `sin th < 0`, on
 //! phases between 1/2 and 1. Lemmas Z1-Z3 of `docs/proofs.md`.
 
+use std::cmp::Ordering;
+
 use crate::number::{Ball, Number, kernel, up};
 use crate::pair::{Reduced, Wall};
 
@@ -13,10 +15,16 @@ use crate::pair::{Reduced, Wall};
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
 /// `None`: not proved.
 pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Ball) -> Option<f64> {
+    let (speed, rebound) = (velocity.mag(), pair.restitution.mag());
+    let swing = pair.beta.turn() * pair.beta;
+    // Twice what the greatest pressure would take if it were constant: most bounces are too fast for any window.
+    let shortest = 4.0 * speed / (swing.mid() * (1.0 - rebound));
+    if speed > 0.0 && (rebound >= 1.0 || shortest.partial_cmp(&0.5) != Some(Ordering::Less)) {
+        return None;
+    }
     let at = phase.mid() + wall.mirror_phase();
     // Exact for phases in [-1/2, 1/2], but for a rounding of 2^-53 that the edges below take in.
     let at = at - at.floor();
-    let speed = velocity.mag();
     if speed == 0.0 && phase.rad() == 0.0 && at == 0.5 {
         // Pressed from now on (Lemma Z2).
         return Some(0.0);
@@ -24,19 +32,17 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     let edge = up(phase.rad() + 2f64.powi(-52));
     let (first, last) = ((at - edge).next_down(), (at + edge).next_up());
     let press = -kernel::sin_cos(at).0;
-    let rebound = pair.restitution.mag();
-    if first <= 0.5 || last >= 1.0 || press <= 0.0 || rebound >= 1.0 && speed > 0.0 {
-        return None;
-    }
-    // Twice what constant acceleration would give: any window will do that the sum fits into.
-    let swing = pair.beta.turn() * pair.beta;
-    let window = 4.0 * speed / (swing.mid() * press * (1.0 - rebound));
-    let end = if speed > 0.0 { (last + window).next_up() } else { last };
-    if end.partial_cmp(&1.0) != Some(std::cmp::Ordering::Less) {
+    if !(first > 0.5 && last < 1.0 && press > 0.0) {
         return None;
     }
     if speed == 0.0 {
         return Some(0.0);
+    }
+    // Any window will do that the sum fits into.
+    let window = shortest / press;
+    let end = (last + window).next_up();
+    if end.partial_cmp(&1.0) != Some(Ordering::Less) {
+        return None;
     }
     // |sin| rises to phase 3/4 and falls after it.
     let size = |phase: f64| Ball::new(-kernel::sin_cos(phase).0, kernel::SIN_COS_ERROR);
@@ -44,7 +50,7 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     let least = swing * if one.mid() < two.mid() { one } else { two };
     let most = swing.mag() * if first <= 0.75 && end >= 0.75 { 1.0 } else { one.mag().max(two.mag()) };
     let least = (least.mid() - least.rad()).next_down();
-    if least.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+    if least.partial_cmp(&0.0) != Some(Ordering::Greater) {
         return None;
     }
     let ratio = up(rebound * up((up(most) / least).sqrt()));

@@ -83,6 +83,8 @@ pub struct Orbit {
     cursor: Cursor,
     /// Impacts handed out.
     listed: u64,
+    /// The most bits of motions before the last release.
+    bits: u32,
     /// What is left to try when the motion does not suffice.
     #[cfg(feature = "multiprecision")]
     raise: Option<Raise>,
@@ -153,6 +155,7 @@ impl Orbit {
             start: cursor,
             cursor,
             listed: 0,
+            bits: 0,
             #[cfg(feature = "multiprecision")]
             raise: None,
             first_wide: None,
@@ -189,9 +192,9 @@ impl Orbit {
         self.settings.arithmetic
     }
 
-    /// The bits that it takes to compute the first impact: 53 in double precision.
+    /// The most bits that an impact so far was computed with: 53 in double precision.
     pub fn bits(&self) -> u32 {
-        self.motion.bits()
+        self.bits.max(self.motion.bits())
     }
 
     /// The bits of each impact, once it is computed in multiprecision.
@@ -375,6 +378,7 @@ impl Orbit {
         let origin = Origin { place: Location::Wall(wall), phase, velocity };
         self.start = Cursor { index: self.listed, wall: Some(wall), turns, phase, velocity };
         self.cursor = self.start;
+        self.bits = self.bits();
         self.motion = first_motion(self.settings.arithmetic, &self.exact, &self.pair, &self.origin, &origin)
             .expect("the arithmetic was there at the start");
         self.look_ahead();
