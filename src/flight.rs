@@ -24,13 +24,20 @@ use crate::number::Number;
 use crate::number::kernel::Departure;
 use crate::pair::{Reduced, Wall};
 
-/// Sine and cosine of a phase larger by an angle of the given versine and sine: the addition theorems.
+/// Sine and cosine of a phase later by a departure: the addition theorems.
 #[inline(always)]
-pub(crate) fn turned<N: Number>((sin, cos): (N, N), versine: N, sine: N) -> (N, N) {
-    let base = (-sin.clone()).mul_add(versine.clone(), sin.clone());
-    let turned_sin = cos.clone().mul_add(sine.clone(), base);
-    let base = (-cos.clone()).mul_add(versine, cos);
-    (turned_sin, (-sin).mul_add(sine, base))
+pub(crate) fn turned<N: Number>((sin, cos): (N, N), d: &Departure<N>) -> (N, N) {
+    let base = (-sin.clone()).mul_add(d.versine.clone(), sin.clone());
+    let turned_sin = cos.clone().mul_add(d.sine.clone(), base);
+    let base = (-cos.clone()).mul_add(d.versine.clone(), cos);
+    (turned_sin, (-sin).mul_add(d.sine.clone(), base))
+}
+
+/// `z'` later by a departure than where it, sine and cosine are given, without cancellation. **Equation** (12)
+#[inline(always)]
+pub(crate) fn velocity_after<N: Number>(beta: N, velocity: N, (sin, cos): (N, N), versine: N, sine: N) -> N {
+    let wave = cos.mul_add(versine, sin * sine);
+    beta.mul_add(wave, velocity)
 }
 
 /// One flight: its start, in the frame described above, and its drift.
@@ -127,8 +134,8 @@ impl<N: Number> Flight<N> {
     /// `z'` after a hop, without cancellation.
     #[inline(always)]
     pub fn hop_velocity(&self, versine: N, sine: N) -> N {
-        let wave = self.cos.clone().mul_add(versine, self.sin.clone() * sine);
-        self.beta.clone().mul_add(wave, self.velocity.clone())
+        let sin_cos = (self.sin.clone(), self.cos.clone());
+        velocity_after(self.beta.clone(), self.velocity.clone(), sin_cos, versine, sine)
     }
 }
 
@@ -136,7 +143,7 @@ impl Flight<f64> {
     /// The mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
     pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
-        turned((self.sin, self.cos), d.versine, d.sine)
+        turned((self.sin, self.cos), d)
     }
 
     /// `z'` and the mirrored sine a short `step` earlier than where they and the cosine are given, by Taylor's formula.

@@ -89,13 +89,13 @@ const MAGIC: f64 = (3_u64 << 49) as f64;
 
 /// How far sine and cosine at `h` turns have left their values and slopes at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure {
+pub struct Departure<N = f64> {
     /// `1 - cos 2 pi h`
-    pub versine: f64,
+    pub versine: N,
     /// `2 pi h - sin 2 pi h`
-    pub excess: f64,
+    pub excess: N,
     /// `sin 2 pi h`
-    pub sine: f64,
+    pub sine: N,
 }
 
 /// `c[0] + c[1] x + ... + c[5] x^5` with `x2 = x * x` (Estrin: three short chains instead of one long).

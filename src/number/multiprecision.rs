@@ -15,6 +15,7 @@ use rug::float::{Constant, Round};
 use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
+use super::kernel::Departure;
 use super::{Ball, Magnitude, Number, up};
 use crate::exact::{Dyadic, Enclosure};
 
@@ -215,29 +216,33 @@ impl MpBall {
         angle.checked_div(turn).expect("a turn is not 0")
     }
 
-    /// Encloses the versine and the sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.
+    /// Encloses versine, excess and sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.
     ///
-    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of sine and versine is less than a 64th of
+    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than a 64th of
     /// the one two before, so what is left out is smaller than the last term taken.
-    pub fn short_departure(&self) -> Option<(Self, Self)> {
+    pub fn short_departure(&self) -> Option<Departure<Self>> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
         let x = self.turn() * self.clone();
-        let floor = x.mag() * Magnitude::power_of_two(-i64::from(self.bits()));
-        let (mut sine, mut versine) = (x.clone(), Self::from_f64(0.0));
+        // Relative to the excess, the smallest of them.
+        let size = x.mag();
+        let floor = size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3);
+        let (mut versine, mut excess) = (Self::from_f64(0.0), Self::from_f64(0.0));
         let mut term = x.clone();
         for n in 2u32.. {
             // x^n / n!
             term = (term * x.clone()).divided(n);
-            let sum = if n.is_multiple_of(2) { &mut versine } else { &mut sine };
-            let signed = if matches!(n % 4, 1 | 2) { term.clone() } else { -term.clone() };
+            let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
+            let signed = if matches!(n % 4, 2 | 3) { term.clone() } else { -term.clone() };
             *sum = sum.clone() + signed;
             if term.mag() <= floor {
                 break;
             }
         }
-        Some((versine.widened(term.mag()), sine.widened(term.mag())))
+        let left = term.mag();
+        let (versine, excess) = (versine.widened(left), excess.widened(left));
+        Some(Departure { versine, sine: x - excess.clone(), excess })
     }
 
     /// A `n`-th of it.

@@ -175,7 +175,7 @@ impl Orbit {
             let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts));
             let settings = Settings { impacts: left, ..self.settings.clone() };
             let (origin, turns) = (self.origin.clone(), self.start.turns);
-            self.raise = Some(Raise::new(self.exact.clone(), origin, self.is_point, turns, self.until, &settings));
+            self.raise = Some(Raise::new(self.exact.clone(), origin, turns, self.until, &settings));
         }
         if self.settings.arithmetic != Arithmetic::Float && still::never_impacts(&self.exact, &self.origin) {
             self.outcome = Some(Outcome::NeverImpacts);

@@ -78,11 +78,6 @@ impl Plan {
         self.horizon
     }
 
-    /// How many of them the floating run found.
-    pub(super) fn impacts(&self) -> u64 {
-        self.rest.len() as u64
-    }
-
     /// Raises all impacts by `missing` bits; whether that was possible.
     pub(super) fn raise(&mut self, missing: f64) -> bool {
         let before = self.bits(0);

@@ -23,7 +23,6 @@ const FARTHEST: u64 = 1 << 22;
 pub(super) struct Raise {
     pair: Reduced<Exact>,
     origin: Origin<Exact>,
-    is_point: bool,
     impacts: Option<u64>,
     /// How long the orbit is to last, in turns.
     turns: f64,
@@ -39,7 +38,6 @@ impl Raise {
     pub fn new(
         pair: Reduced<Exact>,
         origin: Origin<Exact>,
-        is_point: bool,
         turns: i64,
         until: Option<Phase>,
         settings: &Settings,
@@ -47,7 +45,7 @@ impl Raise {
         let turns = until.map_or(f64::INFINITY, |until| until.turns.saturating_sub(turns) as f64 + 1.0);
         let asked = f64::from(settings.digits) * 10f64.log2();
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
-        Self { pair, origin, is_point, impacts, turns, asked, most, plan: None, before: None }
+        Self { pair, origin, impacts, turns, asked, most, plan: None, before: None }
     }
 
     /// The motion from the start in more precision; `None` when that would not help.
@@ -72,9 +70,8 @@ impl Raise {
             Some(plan) if index >= plan.horizon() => self.look_ahead(pair, index)?,
             Some(mut plan) => {
                 let missing = match shortfall {
-                    Shortfall::Width(bits) if !self.is_point => bits,
-                    // What is missing here grows in proportion to the end.
-                    Shortfall::Width(bits) => bits * (plan.impacts() as f64 / (index + 1) as f64).max(1.0),
+                    // Where some are missing here, more may be farther on.
+                    Shortfall::Width(bits) => 2.0 * bits,
                     // A decision near a graze takes twice the digits.
                     Shortfall::Verdict => accuracy,
                 };

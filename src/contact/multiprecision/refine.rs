@@ -9,7 +9,9 @@
 use rug::Float;
 
 use super::Isolated;
-use crate::flight::{Flight, turned};
+use crate::contact::extrema::Target;
+use crate::flight::{Flight, turned, velocity_after};
+use crate::number::kernel::Departure;
 use crate::number::{LEAST_BITS, Magnitude, MpBall, Number, magnitude};
 
 /// The contact of one flight, in the frame of its start.
@@ -30,11 +32,35 @@ struct Sight {
     sin_cos: (MpBall, MpBall),
 }
 
+/// Terms of a series that cost less than a sine and cosine.
+const MOST_TERMS: f64 = 48.0;
+
+impl Sight {
+    /// Whether the height is as near to 0 as the precision can tell.
+    fn is_noise(&self) -> bool {
+        let noise = self.residual.rad();
+        magnitude(self.residual.mid()) <= noise + noise
+    }
+}
+
+/// What the formulas give so long after the departure from a wall, without cancellation.
+fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<Sight> {
+    let time = MpBall::exact(time.clone());
+    let departure = time.short_departure()?;
+    let Departure { versine, excess, sine } = departure.clone();
+    let residual = flight.hop_height(time, versine.clone(), excess);
+    let sin_cos = turned((flight.sin.clone(), flight.cos.clone()), &departure);
+    Some(Sight { residual, velocity: flight.hop_velocity(versine, sine), sin_cos })
+}
+
 impl Isolated {
     /// Encloses the contact of `flight`, a part of the set, around a phase of `bits` bits.
     ///
     /// `None` when the steps do not stay in the bracket: the precision is too low.
     pub fn refine(&self, flight: &Flight<MpBall>, bits: u32) -> Option<Refined> {
+        if self.is_hop(flight, bits) {
+            return self.refine_hop(flight, bits);
+        }
         let mut at = self.at.clone();
         for level in self.ladder(bits) {
             let coarse = flight.map(|x| x.rounded(level));
@@ -48,15 +74,48 @@ impl Isolated {
         loop {
             let next = Float::with_val(bits, &at + step(flight, &sight)?);
             let moved = MpBall::exact(Float::with_val(bits, &next - &at));
-            let (versine, sine) = moved.short_departure()?;
-            sight = self.evaluate(flight, &next, turned(sight.sin_cos, versine, sine));
-            // As near as the precision can tell, or as it gets.
-            let (left, noise) = (magnitude(sight.residual.mid()), sight.residual.rad());
-            if left <= noise + noise || left >= before {
-                let error = self.error(&next, &sight)?;
+            sight = self.evaluate(flight, &next, turned(sight.sin_cos, &moved.short_departure()?));
+            let left = magnitude(sight.residual.mid());
+            if sight.is_noise() || left >= before {
+                let error = self.error(&MpBall::exact(next.clone()), &sight)?;
                 return Some(Refined { at: next, error, velocity: sight.velocity, sin_cos: sight.sin_cos });
             }
             (at, before) = (next, left);
+        }
+    }
+
+    /// Whether the departure root is better divided out: a short flight back to its wall.
+    fn is_hop(&self, flight: &Flight<MpBall>, bits: u32) -> bool {
+        // A series of so many terms costs less than a sine.
+        let terms = -f64::from(bits) / self.time.mid().log2();
+        let is_short = self.time.mid() <= 2f64.powi(-8) && terms <= MOST_TERMS;
+        is_short && self.target == Target::Near && flight.height.mid().is_zero()
+    }
+
+    /// The same for a hop: the unknown is the time, and nothing cancels however short it is.
+    fn refine_hop(&self, flight: &Flight<MpBall>, bits: u32) -> Option<Refined> {
+        let mut time = Float::with_val(bits, self.time.mid());
+        let mut before = Magnitude::INFINITE;
+        loop {
+            let sight = see_hop(flight, &time)?;
+            let left = magnitude(sight.residual.mid());
+            if !sight.is_noise() && left < before {
+                time += step(flight, &sight)?;
+                before = left;
+                continue;
+            }
+            let phase = flight.phase.clone() + MpBall::exact(time.clone());
+            let error = self.error(&phase, &sight)? + phase.rad();
+            // From the phase at that time to the phase that is kept.
+            let at = Float::with_val(bits, phase.mid());
+            let exact = phase.bits().max(bits) + 64;
+            let since = Float::with_val(exact, &at - flight.phase.mid());
+            let rest = MpBall::exact(since) - MpBall::exact(time);
+            let departure = rest.short_departure()?;
+            let Departure { versine, sine, .. } = departure.clone();
+            let velocity = velocity_after(flight.beta.clone(), sight.velocity, sight.sin_cos.clone(), versine, sine);
+            let error = error + rest.mag();
+            return Some(Refined { at, error, velocity, sin_cos: turned(sight.sin_cos, &departure) });
         }
     }
 
@@ -89,8 +148,8 @@ impl Isolated {
     }
 
     /// Lemma M3.
-    fn error(&self, at: &Float, sight: &Sight) -> Option<Magnitude> {
-        let moved = MpBall::exact(at.clone()) - MpBall::exact(self.at.clone());
+    fn error(&self, at: &MpBall, sight: &Sight) -> Option<Magnitude> {
+        let moved = at.clone() - MpBall::exact(self.at.clone());
         (moved.mag() <= self.reach).then(|| sight.residual.mag().over(self.least))
     }
 }
