@@ -102,6 +102,8 @@ pub enum Kind {
         /// The relative velocity `y'` just before the impact \[length/time\].
         velocity: Bounds,
     },
+    /// The wall is touched with no velocity, or nearly so, or nearly touched.
+    Graze,
     /// The ball comes to rest on the wall.
     Rest {
         /// After infinitely many impacts that are not listed.
@@ -127,6 +129,7 @@ impl Event {
             Progress::Rest(rest) => {
                 (rest.wall, orbit.rest_time(rest), Kind::Rest { is_accumulation: rest.is_accumulation })
             }
+            Progress::Graze(graze) => (graze.wall, orbit.graze_time(graze), Kind::Graze),
             Progress::Release(release) => (release.wall, orbit.release_time(release), Kind::Release),
             Progress::Retraced(_) | Progress::Ended => return None,
         };
@@ -137,6 +140,7 @@ impl Event {
     pub fn name(&self) -> &'static str {
         match self.kind {
             Kind::Impact { .. } => "impact",
+            Kind::Graze => "graze",
             Kind::Rest { .. } => "rest",
             Kind::Release => "release",
         }
@@ -162,7 +166,7 @@ impl fmt::Display for Event {
                 write!(f, r#","velocity":["{v0}","{v1}"]}}"#)
             }
             Kind::Rest { is_accumulation: true } => f.write_str(r#","skipped":"infinite"}"#),
-            Kind::Rest { is_accumulation: false } | Kind::Release => f.write_str("}"),
+            Kind::Rest { is_accumulation: false } | Kind::Graze | Kind::Release => f.write_str("}"),
         }
     }
 }

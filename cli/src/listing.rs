@@ -62,7 +62,9 @@ impl<'s, W: Write> Listing<'s, W> {
                         let (index, [v0, v1]) = (event.index, velocity.decimals());
                         writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
                     }
-                    Kind::Rest { .. } | Kind::Release => writeln!(self.out, "{name},,,{wall},{t0},{t1},,"),
+                    Kind::Graze | Kind::Rest { .. } | Kind::Release => {
+                        writeln!(self.out, "{name},,,{wall},{t0},{t1},,")
+                    }
                 }
             }
         }

@@ -41,7 +41,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
         match step {
             Step::Retraced(index) => progress.retrace(index, orbit.bits()),
             Step::Ended => break,
-            Step::Impact(_) | Step::Rest(_) | Step::Release(_) => {}
+            Step::Impact(_) | Step::Graze(_) | Step::Rest(_) | Step::Release(_) => {}
         }
         let index = last.as_ref().map_or(0, |event: &Event| event.index);
         if let Some(event) = Event::of(&orbit, &step, index) {

@@ -50,6 +50,9 @@ pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
             let note = if *is_accumulation { "after infinitely many impacts" } else { "at once" };
             writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  {note}", "", "rest", event.time)
         }
+        Kind::Graze => {
+            writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  no velocity, or too little to tell", "", "graze", event.time)
+        }
         Kind::Release => writeln!(out, "{:>7}  {:7}  {wall:5}  {}", "", "release", event.time),
     }
 }

@@ -96,6 +96,13 @@ impl Magnitude {
         Self::new(up(self.fraction / least.fraction), self.exponent - least.exponent)
     }
 
+    /// The square root, rounded up.
+    pub fn sqrt(self) -> Self {
+        let odd = self.exponent.rem_euclid(2);
+        let even = self.fraction * if odd == 1 { 2.0 } else { 1.0 };
+        Self::new(up(even.sqrt()), (self.exponent - odd) / 2)
+    }
+
     /// `self - b` rounded *down*; `None` unless it is positive.
     pub fn less(self, b: Self) -> Option<Self> {
         if b.is_zero() {
@@ -164,6 +171,8 @@ mod tests {
             let (x, y) = (exact(a), exact(b));
             prop_assert!(exact(a + b) >= &x + &y && exact(a * b) >= &x * &y);
             prop_assert_eq!(a.partial_cmp(&b), Some(x.cmp(&y)));
+            let root = exact(a.sqrt());
+            prop_assert!(&root * &root >= x && (a.is_zero() || a.sqrt() * a.sqrt() <= a * Magnitude::new(1.0 + 1e-14, 0)));
             if let Some(left) = a.less(b) {
                 prop_assert!(exact(left) <= &x - &y);
             }

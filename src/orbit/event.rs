@@ -35,6 +35,17 @@ impl Impact {
     }
 }
 
+/// A wall that is touched with no velocity, or is not: no precision tells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Graze {
+    /// The wall.
+    pub wall: Wall,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    /// Encloses the rest of the phase, in turns.
+    pub phase: Enclosure,
+}
+
 /// The ball has come to rest on a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
@@ -64,6 +75,8 @@ pub struct Release {
 pub enum Progress {
     /// The next impact is certified.
     Impact(Impact),
+    /// A contact that may be tangential; the orbit goes on with both continuations enclosed.
+    Graze(Graze),
     /// The ball has come to rest, proved.
     Rest(Rest),
     /// The ball is released, proved.
@@ -93,8 +106,10 @@ impl Progress {
                 impact.turns = impact.turns.saturating_add(cycles);
                 impact.index += period.impacts * rounds;
             }
-            Self::Rest(Rest { turns, .. }) | Self::Release(Release { turns, .. }) => {
-                *turns = turns.saturating_add(cycles)
+            Self::Graze(Graze { turns, .. })
+            | Self::Rest(Rest { turns, .. })
+            | Self::Release(Release { turns, .. }) => {
+                *turns = turns.saturating_add(cycles);
             }
             Self::Retraced(_) | Self::Ended => {}
         }

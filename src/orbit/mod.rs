@@ -17,16 +17,18 @@ mod start;
 mod still;
 
 pub use clock::Clock;
-pub use event::{Impact, Outcome, Period, Progress, Release, Rest};
+pub use event::{Graze, Impact, Outcome, Period, Progress, Release, Rest};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
 pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
 pub use start::{Place, Start};
 
-use crate::contact::{Contact, Undecided};
+use crate::contact::{Contact, Reason, Undecided};
 use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
+#[cfg(feature = "multiprecision")]
+use crate::number::MpBall;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall, ball};
 use crate::rest;
@@ -39,6 +41,7 @@ use origin::{Location, Origin};
 use raise::Raise;
 use recurrence::Recurrence;
 use settings::Width;
+use still::Still;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
@@ -91,9 +94,15 @@ pub struct Orbit {
     first_wide: Option<u64>,
     /// The ball rests and will be released then; for ever if it is not.
     resting: Option<Option<Release>>,
+    /// It never hits a wall again, and may graze some, so many times so far.
+    still: Option<Still>,
+    grazes: u64,
     recurrence: Recurrence,
     outcome: Option<Outcome>,
 }
+
+/// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
+const GRAZE_BITS: u32 = 4096;
 
 /// What a motion falls short of.
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +118,10 @@ enum Shortfall {
 #[derive(Clone, Copy, Debug)]
 struct Cursor {
     index: u64,
+    /// The wall of the last impact.
     wall: Option<Wall>,
+    /// Inside the gap: at the start, or after a graze.
+    is_inside: bool,
     turns: i64,
     phase: Ball,
     /// Before the impact.
@@ -141,7 +153,8 @@ impl Orbit {
         let is_point = pair.is_point() && start.is_point();
         let motion = first_motion(settings.arithmetic, &exact, &reduced, &origin, &origin_ball)?;
         let (phase, velocity) = (origin_ball.phase, origin_ball.velocity);
-        let cursor = Cursor { index: 0, wall: origin.wall(), turns, phase, velocity };
+        let wall = origin.wall();
+        let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let mut orbit = Self {
             exact,
             pair: reduced,
@@ -160,6 +173,8 @@ impl Orbit {
             raise: None,
             first_wide: None,
             resting: None,
+            still: None,
+            grazes: 0,
             recurrence: Recurrence::default(),
             outcome: None,
             settings,
@@ -177,9 +192,7 @@ impl Orbit {
             let (origin, turns) = (self.origin.clone(), self.start.turns);
             self.raise = Some(Raise::new(self.exact.clone(), origin, turns, self.until, &settings));
         }
-        if self.settings.arithmetic != Arithmetic::Float && still::never_impacts(&self.exact, &self.origin) {
-            self.outcome = Some(Outcome::NeverImpacts);
-        }
+        self.still = still::still(&self.exact, &self.origin).filter(|_| self.settings.arithmetic != Arithmetic::Float);
     }
 
     /// Turns phases into times and reduced velocities into velocities.
@@ -242,6 +255,9 @@ impl Orbit {
         if self.outcome.is_some() {
             return Progress::Ended;
         }
+        if let Some(still) = self.still {
+            return self.graze_again(still);
+        }
         if let Some(event) = self.recurrence.repeat() {
             return self.repeat(event);
         }
@@ -260,7 +276,7 @@ impl Orbit {
         // At most 2^52 turns a flight: no sum of flights that can be listed overflows.
         let turns = self.cursor.turns.saturating_add(contact.turns as i64);
         let Contact { wall, phase, velocity, .. } = contact;
-        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), turns, phase, velocity };
+        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), is_inside: false, turns, phase, velocity };
         if next.index <= self.listed {
             self.cursor = next;
             return Progress::Retraced(next.index);
@@ -295,13 +311,30 @@ impl Orbit {
         Progress::Ended
     }
 
+    /// The next graze of a motion that only grazes, once a turn, or not even that.
+    #[cold]
+    fn graze_again(&mut self, still: Still) -> Progress {
+        let Cursor { turns, phase, .. } = self.cursor;
+        let Some((wall, turns, at)) = still.graze_after(turns, phase.mid()) else {
+            self.outcome = Some(Outcome::NeverImpacts);
+            return Progress::Ended;
+        };
+        let period = Outcome::Periodic(Period { cycles: 1, impacts: 0 });
+        self.grazes += 1;
+        if self.is_past(turns, Ball::exact(at)) || self.settings.impacts.is_some_and(|impacts| self.grazes > impacts) {
+            return self.finish(period);
+        }
+        (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
+        Progress::Graze(Graze { wall, turns, phase: finite(Ball::exact(at)) })
+    }
+
     /// An event of a motion that is proved to be periodic.
     fn repeat(&mut self, event: Progress) -> Progress {
         let (turns, phase) = match &event {
             Progress::Impact(impact) => (impact.turns, impact.phase),
-            Progress::Rest(rest) => {
-                let (mid, rad) = rest.phase.mid_rad();
-                (rest.turns, Ball::new(mid, rad))
+            Progress::Rest(Rest { turns, phase, .. }) | Progress::Graze(Graze { turns, phase, .. }) => {
+                let (mid, rad) = phase.mid_rad();
+                (*turns, Ball::new(mid, rad))
             }
             Progress::Release(release) => (release.turns, Ball::exact(release.phase)),
             Progress::Retraced(_) | Progress::Ended => return event,
@@ -318,7 +351,7 @@ impl Orbit {
     /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
     #[inline]
     fn come_to_rest(&mut self) -> Option<Progress> {
-        let wall = self.cursor.wall?;
+        let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
         let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
         let is_still = self.pair.beta == Ball::exact(0.0);
         let time = match (is_still, after == Ball::exact(0.0)) {
@@ -376,7 +409,7 @@ impl Orbit {
         self.origin = Origin { place: Location::Wall(wall), phase: point(phase), velocity: point(0.0) };
         let (phase, velocity) = (Ball::exact(phase), Ball::exact(0.0));
         let origin = Origin { place: Location::Wall(wall), phase, velocity };
-        self.start = Cursor { index: self.listed, wall: Some(wall), turns, phase, velocity };
+        self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
         self.cursor = self.start;
         self.bits = self.bits();
         self.motion = first_motion(self.settings.arithmetic, &self.exact, &self.pair, &self.origin, &origin)
@@ -385,9 +418,17 @@ impl Orbit {
         event
     }
 
-    /// When a rest begins or ends \[time\].
+    /// When a rest begins \[time\].
     pub fn rest_time(&self, rest: &Rest) -> Enclosure {
         self.clock.time(rest.turns, &rest.phase)
+    }
+
+    /// When a wall may be grazed \[time\].
+    pub fn graze_time(&self, graze: &Graze) -> Enclosure {
+        match graze.phase.is_point() {
+            true => self.clock.time_of(graze.turns, graze.phase.mid_rad().0),
+            false => self.clock.time(graze.turns, &graze.phase),
+        }
     }
 
     /// When a release happens \[time\], as exactly as it can be shown.
@@ -426,10 +467,51 @@ impl Orbit {
     /// The motion cannot go on: in more precision, or not at all.
     #[cold]
     fn give_up(&mut self, undecided: Undecided) -> Progress {
+        // What so many bits do not tell apart is called a graze; both continuations are then followed as one set.
+        let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
+        let deep = self.settings.arithmetic != Arithmetic::Auto || self.motion.bits() >= GRAZE_BITS;
+        if may_graze
+            && deep
+            && let Some(graze) = self.pass_graze()
+        {
+            return graze;
+        }
         if !undecided.lasting && self.restart(Shortfall::Verdict) {
             return Progress::Retraced(0);
         }
-        self.end(undecided)
+        match may_graze.then(|| self.pass_graze()).flatten() {
+            Some(graze) => graze,
+            None => self.end(undecided),
+        }
+    }
+
+    /// Lists a contact that may be a graze and goes on past it.
+    #[cfg(feature = "multiprecision")]
+    fn pass_graze(&mut self) -> Option<Progress> {
+        let passed = self.motion.pass_graze()?;
+        let whole = passed.at.mid().to_f64().round();
+        let turns = self.cursor.turns.saturating_add(whole as i64);
+        let at = passed.at.clone() - MpBall::from_f64(whole);
+        if self.is_past(turns, at.to_ball()) {
+            return Some(self.finish(Outcome::TimeReached));
+        }
+        let phase = at.enclosure()?.rounded(self.shown);
+        self.cursor = Cursor {
+            is_inside: true,
+            turns: self.cursor.turns.saturating_add(passed.turns as i64),
+            phase: MpBall::exact(passed.phase.clone()).to_ball(),
+            velocity: passed.velocity.to_ball(),
+            ..self.cursor
+        };
+        // From here on the data are a box: no precision makes it narrower.
+        (self.start, self.raise, self.is_point) = (self.cursor, None, false);
+        Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
+    }
+
+    /// It takes balls of many digits to pass a graze.
+    #[cfg(not(feature = "multiprecision"))]
+    fn pass_graze(&mut self) -> Option<Progress> {
+        None
     }
 
     /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
@@ -517,7 +599,7 @@ impl Iterator for Orbit {
         loop {
             match self.advance() {
                 Progress::Impact(impact) => return Some(impact),
-                Progress::Rest(_) | Progress::Release(_) | Progress::Retraced(_) => {}
+                Progress::Graze(_) | Progress::Rest(_) | Progress::Release(_) | Progress::Retraced(_) => {}
                 Progress::Ended => return None,
             }
         }

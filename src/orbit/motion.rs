@@ -4,12 +4,16 @@ use super::origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
 use super::set::StateSet;
+#[cfg(feature = "multiprecision")]
+use crate::contact::multiprecision::{Passed, pass};
 use crate::contact::{
     Contact, Margins, Radii, Reason, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
 };
 use crate::exact::Enclosure;
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
+#[cfg(feature = "multiprecision")]
+use crate::number::MpBall;
 use crate::number::{Ball, Kernel, UNIT, kernel};
 use crate::pair::{Reduced, Wall};
 
@@ -33,6 +37,12 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64;
 
+    /// Goes past a contact that may be a graze, into the gap, if that is proved; `None` leaves all as it was.
+    #[cfg(feature = "multiprecision")]
+    fn pass_graze(&mut self) -> Option<Passed> {
+        None
+    }
+
     /// `log2` of the radii of phase and velocity after the last contact, where doubles do not show them.
     fn radii(&self) -> Option<(f64, f64)> {
         None
@@ -55,6 +65,10 @@ fn carry(turns: f64, phase: f64) -> (f64, f64) {
         (turns, phase)
     }
 }
+
+/// Bits enough to lose nothing of doubles on the way past a graze.
+#[cfg(feature = "multiprecision")]
+const PASSING_BITS: u32 = 128;
 
 /// A power of two near the velocities to come.
 pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
@@ -186,6 +200,26 @@ impl Motion for IntervalMotion {
         let set = set.at_phase(phase);
         self.state = State::Wall { wall: contact.wall, set };
         Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn pass_graze(&mut self) -> Option<Passed> {
+        let wide = |x: Ball| MpBall::from_ball(x).rounded(PASSING_BITS);
+        let pair = self.pair.map(|x| wide(*x));
+        let passed = pass(&match self.state {
+            State::Wall { wall, set } => {
+                let (phase, before) = (wide(set.phase_ball()), set.velocity_ball());
+                let after = wide(wall.inward(self.pair.rebound_of(before)));
+                Flight::from_wall(&pair, wall, phase.clone(), after, phase.sin_cos())
+            }
+            State::Inside { height, phase, velocity } => {
+                let phase = wide(phase);
+                Flight::from_inside(&pair, wide(height), phase.clone(), wide(velocity), phase.sin_cos())
+            }
+        })?;
+        let phase = MpBall::exact(passed.phase.clone()).to_ball();
+        self.state = State::Inside { height: passed.height.to_ball(), phase, velocity: passed.velocity.to_ball() };
+        Some(passed)
     }
 
     #[cfg(feature = "multiprecision")]

@@ -10,7 +10,7 @@ use super::motion::{Motion, scale};
 use super::origin::{Location, Origin};
 use super::plan::Plan;
 use super::set::{Noise, Shape};
-use crate::contact::multiprecision::{Doubles, Refined, Start, isolate_first};
+use crate::contact::multiprecision::{Doubles, Passed, Refined, Start, isolate_first, pass};
 use crate::contact::{Contact, Margins, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Flight;
@@ -149,19 +149,9 @@ impl PreciseMotion {
         let doubles = &self.doubles;
         let (phase64, before64) = (phase.to_ball(), before.to_ball());
         let sin_cos = (sin_cos.0.rounded(bits), sin_cos.1.rounded(bits));
-        let after = |before: MpBall| wall.inward(pair.rebound(before));
-        let centre = Flight::from_wall(
-            &pair,
-            wall,
-            MpBall::exact(set.phase.clone()),
-            after(MpBall::exact(set.velocity.clone())),
-            sin_cos.clone(),
-        );
-        let all = || {
-            let turned = Magnitude::new(6.3, 0) * phase.rad();
-            let sin_cos = (sin_cos.0.clone().widened(turned), sin_cos.1.clone().widened(turned));
-            Flight::from_wall(&pair, wall, phase.clone(), after(before.clone()), sin_cos)
-        };
+        let centre =
+            launch(&pair, wall, MpBall::exact(set.phase.clone()), MpBall::exact(set.velocity.clone()), sin_cos.clone());
+        let all = || launch_all(&pair, wall, set, &sin_cos);
         let start = Start {
             wall: Some(wall),
             height: Ball::exact(0.0),
@@ -192,6 +182,25 @@ impl PreciseMotion {
     }
 }
 
+/// The flight that starts with an impact on `wall`, `before` being the velocity before it.
+fn launch(
+    pair: &Reduced<MpBall>,
+    wall: Wall,
+    phase: MpBall,
+    before: MpBall,
+    sin_cos: (MpBall, MpBall),
+) -> Flight<MpBall> {
+    Flight::from_wall(pair, wall, phase, wall.inward(pair.rebound(before)), sin_cos)
+}
+
+/// The same for all the states of a set as one flight; sine and cosine are those of the centre.
+fn launch_all(pair: &Reduced<MpBall>, wall: Wall, set: &PreciseSet, sin_cos: &(MpBall, MpBall)) -> Flight<MpBall> {
+    let (phase, before) = set.balls();
+    let turned = Magnitude::new(6.3, 0) * phase.rad();
+    let sin_cos = (sin_cos.0.clone().widened(turned), sin_cos.1.clone().widened(turned));
+    launch(pair, wall, phase, before, sin_cos)
+}
+
 impl Motion for PreciseMotion {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
         let Arrival { contact, mut set, sin_cos } = match &self.state {
@@ -209,6 +218,20 @@ impl Motion for PreciseMotion {
 
     fn bits(&self) -> u32 {
         self.plan.bits(0)
+    }
+
+    fn pass_graze(&mut self) -> Option<Passed> {
+        let passed = pass(&match &self.state {
+            State::Wall { wall, set, sin_cos } => launch_all(&self.pair, *wall, set, sin_cos),
+            State::Inside { height, phase, velocity } => {
+                let (height, phase, velocity) = (height.clone(), phase.clone(), velocity.clone());
+                let sin_cos = phase.sin_cos();
+                Flight::from_inside(&self.pair, height, phase, velocity, sin_cos)
+            }
+        })?;
+        let (height, velocity) = (passed.height.clone(), passed.velocity.clone());
+        self.state = State::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
+        Some(passed)
     }
 
     fn plan(&self) -> Option<&Plan> {

@@ -1,4 +1,4 @@
-//! Motions that never touch a wall again, proved from the exact data.
+//! Motions without drift that never hit a wall again, proved from the exact data.
 
 use std::cmp::Ordering;
 
@@ -7,31 +7,59 @@ use num_traits::ToPrimitive;
 
 use super::origin::{Location, Origin};
 use crate::exact::{Exact, ExactError};
-use crate::pair::Reduced;
+use crate::pair::{Reduced, Wall};
 
-/// Whether a start inside the gap is proved to stay there for ever (Lemma Z4).
+/// A motion without drift that stays between the walls for ever.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Still {
+    /// It touches the left wall, with no velocity, at phase 1/4 of every turn.
+    pub grazes_left: bool,
+    /// It touches the right wall at phase 3/4.
+    pub grazes_right: bool,
+}
+
+/// Whether the motion is proved to stay between the walls for ever (Lemma Z4).
 ///
 /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
 /// box stands still, and at quarter turns, where sine and cosine are exact.
-pub(super) fn never_impacts(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> bool {
-    let Location::Inside(height) = &origin.place else { return false };
-    stays_inside(pair, height, origin).unwrap_or(false)
+pub(super) fn still(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Option<Still> {
+    stays_inside(pair, origin).ok().flatten()
 }
 
-fn stays_inside(pair: &Reduced<Exact>, height: &Exact, origin: &Origin<Exact>) -> Result<bool, ExactError> {
-    if pair.beta.sign() == Some(Ordering::Equal) {
-        return Ok(origin.velocity.sign() == Some(Ordering::Equal));
+fn stays_inside(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Still>, ExactError> {
+    let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
+    let (height, on_wall) = match &origin.place {
+        Location::Inside(height) => (height.clone(), false),
+        Location::Wall(wall) => (Exact::from(i64::from(*wall == Wall::Right)), true),
+    };
+    if is_zero(&pair.beta) {
+        let still = Still { grazes_left: false, grazes_right: false };
+        return Ok((!on_wall && is_zero(&origin.velocity)).then_some(still));
     }
-    let Some((sin, cos)) = quarter_turn(&origin.phase) else { return Ok(false) };
+    let Some((sin, cos)) = quarter_turn(&origin.phase) else { return Ok(None) };
     let drift = origin.velocity.checked_add(&pair.beta.checked_mul(&cos)?)?;
-    if drift.sign() != Some(Ordering::Equal) {
-        return Ok(false);
+    if !is_zero(&drift) || on_wall && !is_zero(&origin.velocity) {
+        return Ok(None);
     }
     // z = z0 + alpha sin th0 - alpha sin th
     let middle = height.checked_add(&pair.alpha.checked_mul(&sin)?)?;
-    let room_below = middle.checked_sub(&pair.alpha)?;
-    let room_above = Exact::from(1).checked_sub(&middle.checked_add(&pair.alpha)?)?;
-    Ok([room_below, room_above].iter().all(|room| room.sign() == Some(Ordering::Greater)))
+    let room_below = middle.checked_sub(&pair.alpha)?.sign();
+    let room_above = Exact::from(1).checked_sub(&middle.checked_add(&pair.alpha)?)?.sign();
+    let inside = |room: Option<Ordering>| matches!(room, Some(Ordering::Greater | Ordering::Equal));
+    let [grazes_left, grazes_right] = [room_below, room_above].map(|room| room == Some(Ordering::Equal));
+    Ok((inside(room_below) && inside(room_above)).then_some(Still { grazes_left, grazes_right }))
+}
+
+impl Still {
+    /// The first graze after `phase`, or the next one after another: its wall, whole turns and phase.
+    pub fn graze_after(self, turns: i64, phase: f64) -> Option<(Wall, i64, f64)> {
+        let candidates = [(Wall::Left, 0.25, self.grazes_left), (Wall::Right, -0.25, self.grazes_right)];
+        let next = candidates.into_iter().filter(|(.., grazes)| *grazes).map(|(wall, at, _)| {
+            let ahead = if at > phase { 0 } else { 1 };
+            (wall, turns.saturating_add(ahead), at)
+        });
+        next.min_by(|a, b| (a.1, a.2).partial_cmp(&(b.1, b.2)).expect("phases are numbers"))
+    }
 }
 
 /// Sine and cosine of a phase that is exactly a number of quarter turns.

@@ -54,7 +54,7 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
 }
 
 /// Whether the ball rises right after the start.
-fn is_rising(flight: &Flight<MpBall>) -> Result<bool, Undecided> {
+pub(super) fn is_rising(flight: &Flight<MpBall>) -> Result<bool, Undecided> {
     let direction = match flight.velocity.sign() {
         Some(Ordering::Equal) => flight.sin.sign(),
         sign => sign,
@@ -86,82 +86,135 @@ fn monotone(flight: &Flight<MpBall>) -> Result<Piece, Undecided> {
     Ok(Piece { target, end: None, between: (mean.clone() - &spread, mean + spread), guess })
 }
 
-/// The piece of the first contact of a flight that turns (Lemma E1).
+/// The extrema of one kind.
+#[derive(Clone, Debug)]
+pub(super) struct Kind {
+    pub target: Target,
+    /// When number 0 comes, and how far inside the gap it is.
+    first: MpBall,
+    room: MpBall,
+    /// How long the piece before each lasts.
+    pub span: MpBall,
+}
+
+/// Where the flights of a set turn (Lemma E1).
+#[derive(Clone, Debug)]
+pub(super) struct Turning {
+    /// At every extremum `|sin th|` is this.
+    pub sine: MpBall,
+    pub far: Kind,
+    pub near: Kind,
+    rising: bool,
+}
+
+impl Turning {
+    /// For flights with `|c| < beta`.
+    pub fn new(flight: &Flight<MpBall>, rising: bool) -> Option<Self> {
+        let one = || MpBall::from_f64(1.0);
+        let zero = || MpBall::from_f64(0.0);
+        let p = flight.drift.clone().checked_div(flight.beta.clone())?.acos();
+        let sine = p.sin_cos().0;
+        let double = p.clone() + p.clone();
+        let mirrored = flight.phase.clone() + MpBall::from_f64(flight.wall.mirror_phase());
+        let whole = if rising { mirrored.mid().clone().floor() } else { mirrored.mid().clone().round() };
+        let start = mirrored - MpBall::exact(whole);
+        let (first_max, first_min) = if rising {
+            let first_max = one() - p - start;
+            (first_max.clone(), first_max + double.clone())
+        } else {
+            let first_min = p - start;
+            (first_min.clone() + (one() - double.clone()), first_min)
+        };
+        let height = |time: &MpBall, sine: MpBall| {
+            flight.height_above(zero(), zero(), flight.phase.clone() + time.clone(), sine)
+        };
+        let to_far = one() - height(&first_max, -sine.clone());
+        let to_near = height(&first_min, sine.clone());
+        let far = Kind { target: Target::Far, first: first_max, room: to_far, span: one() - double.clone() };
+        let near = Kind { target: Target::Near, first: first_min, room: to_near, span: double };
+        Some(Self { sine, far, near, rising })
+    }
+
+    /// The extrema in the order in which the first two come.
+    fn in_order(&self) -> [&Kind; 2] {
+        if self.rising { [&self.far, &self.near] } else { [&self.near, &self.far] }
+    }
+
+    /// The kind that the drift brings nearer to its wall, and by how much a turn.
+    fn drifting(&self, flight: &Flight<MpBall>) -> Option<(&Kind, MpBall)> {
+        match flight.drift.sign() {
+            Some(Ordering::Greater) => Some((&self.far, flight.drift.clone())),
+            Some(Ordering::Less) => Some((&self.near, -flight.drift.clone())),
+            _ => None,
+        }
+    }
+
+    /// The extremum that may touch its wall while none before it does: the wall, when, and its room.
+    pub fn doubtful(&self, flight: &Flight<MpBall>) -> Option<(Target, MpBall, MpBall)> {
+        for kind in self.in_order() {
+            match kind.room.sign() {
+                Some(Ordering::Greater) => {}
+                Some(Ordering::Less) => return None,
+                _ => return Some((kind.target, kind.first.clone(), kind.room.clone())),
+            }
+        }
+        let (kind, step) = self.drifting(flight)?;
+        let k = kind.crossing(&step)?;
+        let room = |k: f64| kind.room.clone() - step.clone() * MpBall::from_f64(k);
+        // The one before the first that is not certainly inside has to be.
+        let k = if room(k - 1.0).sign() == Some(Ordering::Greater) { k } else { k - 1.0 };
+        if room(k - 1.0).sign() != Some(Ordering::Greater) || matches!(room(k).sign(), Some(Ordering::Less)) {
+            return None;
+        }
+        Some((kind.target, kind.first.clone() + MpBall::from_f64(k), room(k)))
+    }
+}
+
+impl Kind {
+    /// The number, by the middles, of the first extremum beyond the wall when each comes nearer by `step`.
+    fn crossing(&self, step: &MpBall) -> Option<f64> {
+        let ratio = Float::with_val(self.room.bits(), self.room.mid() / step.mid());
+        let k = ratio.ceil().to_f64().max(1.0);
+        (k < LONGEST_FLIGHT).then_some(k)
+    }
+}
+
+/// The piece of the first contact of a flight that turns.
 fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided> {
-    let one = || MpBall::from_f64(1.0);
-    let zero = || MpBall::from_f64(0.0);
-    let q = flight.drift.clone().checked_div(flight.beta.clone()).ok_or_else(|| endless(flight))?;
-    let p = q.acos();
-    let sine = p.sin_cos().0;
-    let double = p.clone() + p.clone();
-    let mirrored = flight.phase.clone() + MpBall::from_f64(flight.wall.mirror_phase());
-    let whole = if rising { mirrored.mid().clone().floor() } else { mirrored.mid().clone().round() };
-    let start = mirrored - MpBall::exact(whole);
-    let (first_max, first_min) = if rising {
-        let first_max = one() - p - start;
-        (first_max.clone(), first_max + double.clone())
-    } else {
-        let first_min = p - start;
-        (first_min.clone() + (one() - double.clone()), first_min)
-    };
-    let height =
-        |time: &MpBall, sine: MpBall| flight.height_above(zero(), zero(), flight.phase.clone() + time.clone(), sine);
-    // How far extremum 0 is inside the gap, and what each turn takes off.
-    let to_far = one() - height(&first_max, -sine.clone());
-    let to_near = height(&first_min, sine.clone());
-    let far = (Target::Far, first_max, to_far, one() - double.clone());
-    let near = (Target::Near, first_min, to_near, double);
-    let touches = |(target, time, room, _): &(Target, MpBall, MpBall, MpBall)| match room.sign() {
+    let turning = Turning::new(flight, rising).ok_or_else(|| endless(flight))?;
+    let touches = |kind: &Kind| match kind.room.sign() {
         Some(Ordering::Greater) => Ok(false),
         Some(Ordering::Less) => Ok(true),
-        _ => Err(graze(flight, Some(*target), time.clone())),
+        _ => Err(graze(flight, Some(kind.target), kind.first.clone())),
     };
-    let (soon, late) = if rising { (&far, &near) } else { (&near, &far) };
-    let ((target, first, room, span), k) = if touches(soon)? {
+    let [soon, late] = turning.in_order();
+    let (kind, k) = if touches(soon)? {
         (soon, 0.0)
     } else if touches(late)? {
         (late, 0.0)
     } else {
-        let (kind, step) = match flight.drift.sign() {
-            Some(Ordering::Greater) => (&far, flight.drift.clone()),
-            Some(Ordering::Less) => (&near, -flight.drift.clone()),
-            _ => return Err(endless(flight)),
-        };
-        (kind, crossing(flight, kind.0, &kind.1, &kind.2, &step)?)
+        let (kind, step) = turning.drifting(flight).ok_or_else(|| endless(flight))?;
+        let k = kind.crossing(&step).ok_or_else(|| endless(flight))?;
+        for (number, side) in [(k - 1.0, Ordering::Greater), (k, Ordering::Less)] {
+            let number = MpBall::from_f64(number);
+            if (kind.room.clone() - step.clone() * number.clone()).sign() != Some(side) {
+                return Err(graze(flight, Some(kind.target), kind.first.clone() + number));
+            }
+        }
+        (kind, k)
     };
+    let Kind { target, first, room, span } = kind.clone();
     let k = MpBall::from_f64(k);
-    let end = first.clone() + k.clone();
+    let end = first + k.clone();
     // How far the extremum lies beyond the wall, as a fraction of the way that the piece makes.
-    let beyond = flight.drift.clone().signed(target.direction()).mul_add(k, -room.clone());
-    let way = flight.drift.clone().signed(target.direction()) * span.clone();
-    let way = (flight.alpha.clone() + flight.alpha.clone()).mul_add(sine, way);
+    let approach = flight.drift.clone().signed(target.direction());
+    let beyond = approach.clone().mul_add(k, -room);
+    let way = (flight.alpha.clone() + flight.alpha.clone()).mul_add(turning.sine.clone(), approach * span.clone());
     let fraction = beyond.mid().clone() / way.mid();
     let from_end = inverse_smoothstep(fraction.to_f64());
     let guess = end.mid() - span.mid().clone() * from_end;
     let begin = end.mid().clone() - span.mid();
-    Ok(Piece { target: *target, between: (begin, end.mid().clone()), guess, end: Some(end) })
-}
-
-/// The number of the first extremum beyond the wall, when each comes nearer by `step` and number 0 has `room` left.
-fn crossing(
-    flight: &Flight<MpBall>,
-    target: Target,
-    first: &MpBall,
-    room: &MpBall,
-    step: &MpBall,
-) -> Result<f64, Undecided> {
-    let ratio = Float::with_val(room.bits(), room.mid() / step.mid());
-    let k = ratio.ceil().to_f64().max(1.0);
-    if k.partial_cmp(&LONGEST_FLIGHT) != Some(Ordering::Less) {
-        return Err(endless(flight));
-    }
-    let left = |k: f64| (room.clone() - step.clone() * MpBall::from_f64(k)).sign();
-    for (number, side) in [(k - 1.0, Ordering::Greater), (k, Ordering::Less)] {
-        if left(number) != Some(side) {
-            return Err(graze(flight, Some(target), first.clone() + MpBall::from_f64(number)));
-        }
-    }
-    Ok(k)
+    Ok(Piece { target, between: (begin, end.mid().clone()), guess, end: Some(end) })
 }
 
 /// Newton steps, kept inside the piece, until the height is as small as the balls can tell; then Lemma C3.

@@ -5,6 +5,7 @@
 //! decided by the same lemmas in balls ([`isolate`]). Either way one contact lies in a known bracket and [`refine`]
 //! only has to find it: Lemma M3 of `docs/proofs.md`.
 
+mod graze;
 mod isolate;
 mod refine;
 
@@ -18,6 +19,7 @@ use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Reduced, Wall};
+pub(crate) use graze::{Passed, pass};
 pub(crate) use refine::Refined;
 
 /// The first contacts of a set of flights, proved, in the frame of their start.

@@ -1,0 +1,100 @@
+//! Past a contact that may be a graze: both continuations at once, Lemma G1 of `docs/proofs.md`.
+//!
+//! Where no precision tells a touch from a miss, the flight may go on as it is or, after an impact too slow to be
+//! seen, with a velocity changed by as little. Either way it turns back, and a little later one box holds both.
+
+use std::cmp::Ordering;
+
+use rug::Float;
+
+use super::isolate::{Turning, is_rising};
+use crate::contact::extrema::Target;
+use crate::flight::Flight;
+use crate::number::{Magnitude, MpBall, Number};
+use crate::pair::Wall;
+
+/// A graze that was passed, and where to go on from.
+#[derive(Debug)]
+pub(crate) struct Passed {
+    /// The wall that may have been touched.
+    pub wall: Wall,
+    /// At which phase, in turns counted on from that of the start.
+    pub at: MpBall,
+    /// Whole turns to the phase to go on from, and this phase, exactly.
+    pub turns: f64,
+    pub phase: Float,
+    /// Height above the left wall and velocity there, of both continuations.
+    pub height: MpBall,
+    pub velocity: MpBall,
+}
+
+/// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.
+pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
+    let rising = is_rising(flight).ok()?;
+    let turns_back = [flight.drift.clone() - flight.beta.clone(), flight.drift.clone() + flight.beta.clone()];
+    if turns_back.map(|x| x.sign()) != [Some(Ordering::Less), Some(Ordering::Greater)] {
+        return None;
+    }
+    let turning = Turning::new(flight, rising)?;
+    let (target, time, room) = turning.doubtful(flight)?;
+    // How high the extremum may be beyond the wall, and for how long and how fast the flight may be there.
+    let excess = room.mag();
+    let double = excess + excess;
+    let swing = flight.steepest();
+    let sine = turning.sine.clone();
+    let press = |window: Magnitude| {
+        let turned = Magnitude::new(6.3, 0) * (time.rad() + window);
+        (flight.beta.turn() * flight.beta.clone() * sine.clone().widened(turned)).mig()
+    };
+    let window = double.over(press(Magnitude::ZERO)?).sqrt();
+    let window = window + window;
+    if !(double.over(press(window)?).sqrt() <= window) {
+        return None;
+    }
+    let speed = (double * swing).sqrt();
+    // The impact takes away the speed and adds at most as much.
+    let change = speed + speed;
+    let along = match target {
+        Target::Far => &turning.near.span,
+        Target::Near => &turning.far.span,
+    };
+    let mut step = along.mid().clone() / 2u32;
+    for _ in 0..8 {
+        if let Some((turns, phase, height, velocity)) = go_on(flight, target, &time, &step, window, change) {
+            let at = flight.phase.clone() + time.clone().widened(window);
+            let left = |z: MpBall| match flight.wall {
+                Wall::Left => z,
+                Wall::Right => MpBall::from_f64(1.0) - z,
+            };
+            let (height, velocity) = (left(height), flight.wall.inward(velocity));
+            return Some(Passed { wall: target.wall(flight.wall), at, turns, phase, height, velocity });
+        }
+        step /= 2u32;
+    }
+    None
+}
+
+/// The box of both continuations `step` after the extremum, if both are on their way across the gap there.
+fn go_on(
+    flight: &Flight<MpBall>,
+    target: Target,
+    time: &MpBall,
+    step: &Float,
+    window: Magnitude,
+    change: Magnitude,
+) -> Option<(f64, Float, MpBall, MpBall)> {
+    let bits = flight.drift.bits();
+    let at = Float::with_val(bits + 64, time.mid() + step) + flight.phase.mid();
+    let turns = at.to_f64().round();
+    let phase = Float::with_val(bits, at - turns);
+    let point = MpBall::exact(phase.clone());
+    let (sin, cos) = flight.wall.mirror(point.sin_cos());
+    let since = MpBall::exact(step.clone()).mag() + time.rad() + time.rad() + window + window;
+    let whole = MpBall::from_f64(turns);
+    let height = flight.height_above(MpBall::from_f64(0.0), whole, point, sin).widened(change * since);
+    let velocity = flight.velocity_at(cos).widened(change);
+    let inside = [height.clone(), MpBall::from_f64(1.0) - height.clone()];
+    let is_inside = inside.iter().all(|room| room.sign() == Some(Ordering::Greater));
+    let leaves = velocity.clone().signed(-target.direction()).sign() == Some(Ordering::Greater);
+    (is_inside && leaves).then_some((turns, phase, height, velocity))
+}
