@@ -47,7 +47,7 @@ impl Isolated {
         let mut before = Magnitude::INFINITE;
         loop {
             let next = Float::with_val(bits, &at + step(flight, &sight)?);
-            let moved = MpBall::exact(Float::with_val(bits, &next - &at));
+            let moved = MpBall::exact(next.clone()) - MpBall::exact(at);
             let (versine, sine) = moved.short_departure()?;
             sight = self.evaluate(flight, &next, turned(sight.sin_cos, versine, sine));
             // As near as the precision can tell, or as it gets.
