@@ -208,7 +208,7 @@ impl Motion for PreciseMotion {
             State::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
-        let whole = set.phase.to_f64().round();
+        let whole = set.phase.clone().round().to_f64();
         set.phase -= whole;
         let (phase, velocity) = set.balls();
         self.index += 1;

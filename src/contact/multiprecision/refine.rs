@@ -73,7 +73,7 @@ impl Isolated {
         let mut before = Magnitude::INFINITE;
         loop {
             let next = Float::with_val(bits, &at + step(flight, &sight)?);
-            let moved = MpBall::exact(Float::with_val(bits, &next - &at));
+            let moved = MpBall::exact(next.clone()) - MpBall::exact(at);
             sight = self.evaluate(flight, &next, turned(sight.sin_cos, &moved.short_departure()?));
             let left = magnitude(sight.residual.mid());
             if sight.is_noise() || left >= before {
@@ -104,13 +104,12 @@ impl Isolated {
                 before = left;
                 continue;
             }
-            let phase = flight.phase.clone() + MpBall::exact(time.clone());
+            let start = flight.phase.clone() - MpBall::from_f64(self.turns);
+            let phase = start.clone() + MpBall::exact(time.clone());
             let error = self.error(&phase, &sight)? + phase.rad();
             // From the phase at that time to the phase that is kept.
             let at = Float::with_val(bits, phase.mid());
-            let exact = phase.bits().max(bits) + 64;
-            let since = Float::with_val(exact, &at - flight.phase.mid());
-            let rest = MpBall::exact(since) - MpBall::exact(time);
+            let rest = MpBall::exact(at.clone()) - start - MpBall::exact(time);
             let departure = rest.short_departure()?;
             let Departure { versine, sine, .. } = departure.clone();
             let velocity = velocity_after(flight.beta.clone(), sight.velocity, sight.sin_cos.clone(), versine, sine);
