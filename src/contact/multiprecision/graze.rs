@@ -48,7 +48,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     };
     let window = double.over(press(Magnitude::ZERO)?).sqrt();
     let window = window + window;
-    if !(double.over(press(window)?).sqrt() <= window) {
+    if double.over(press(window)?).sqrt() > window {
         return None;
     }
     let speed = (double * swing).sqrt();

@@ -10,6 +10,7 @@ mod scene;
 
 use common::{Random, cases};
 use impact_pair::exact::{Dyadic, Enclosure};
+use impact_pair::number::kernel::Departure;
 use impact_pair::number::{Ball, Magnitude, MpBall, Number};
 use rug::float::Constant;
 use rug::ops::Pow;
@@ -231,7 +232,7 @@ fn arc_cosines_hold_those_of_their_members() {
 }
 
 #[test]
-fn short_departures_hold_versine_and_sine() {
+fn short_departures_hold_versine_excess_and_sine() {
     let mut random = Random::seeded(604);
     let mut refused = 0;
     for _ in 0..cases(3000) {
@@ -244,7 +245,7 @@ fn short_departures_hold_versine_and_sine() {
         };
         let rad = radius(&mut random, &mid);
         let h = MpBall::new(mid, rad);
-        let Some((versine, sine)) = h.short_departure() else {
+        let Some(Departure { versine, excess, sine }) = h.short_departure() else {
             refused += 1;
             assert!(exact(h.mag()) > Rational::from((1, 64)), "{h:?}");
             continue;
@@ -257,6 +258,12 @@ fn short_departures_hold_versine_and_sine() {
         for value in seen(&h, |h| (h * two_pi()).sin()) {
             assert_near(&sine, &value, "sine", &h);
             assert_relative(&sine, &value, "sine", &h);
+        }
+        for value in seen(&h, |h| {
+            let angle = h * two_pi();
+            angle.clone() - angle.sin()
+        }) {
+            assert_near(&excess, &value, "excess", &h);
         }
     }
     println!("{refused} are not short");

@@ -60,7 +60,7 @@ impl Run {
             assert!(steps <= 40 * (impacts + 2), "{kind:?} goes on and on: {scene:?}");
             match orbit.advance() {
                 Progress::Impact(impact) => found.push(impact),
-                Progress::Retraced(_) => {}
+                Progress::Retraced(_) | Progress::Graze(_) | Progress::Rest(_) | Progress::Release(_) => {}
                 Progress::Ended => break,
             }
         }
