@@ -2,10 +2,13 @@
 
 mod arguments;
 mod ending;
+mod follow;
+mod heading;
 mod listing;
 mod output;
 mod progress;
 mod run;
+mod scene;
 mod table;
 
 use std::io::{self, Write};
