@@ -16,7 +16,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 
 const IMPACTS: u64 = 200;
-/// 256 bits take figure 14 through all its impacts.
+/// 128 bits take figure 14 through all its impacts.
 const BITS: [u32; 3] = [64, 128, 256];
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
 

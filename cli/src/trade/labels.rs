@@ -28,6 +28,11 @@ impl Area {
         (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
     }
 
+    fn distance(&self, (x, y): (f64, f64)) -> f64 {
+        let near = self.nearest((x, y));
+        (near.0 - x).hypot(near.1 - y)
+    }
+
     /// Whether the line between both points passes through, looked at in small steps.
     fn is_crossed(&self, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> bool {
         let steps = (x1 - x0).hypot(y1 - y0).ceil().max(1.0) as u32;
@@ -53,10 +58,13 @@ pub const MARKER: f64 = 7.0;
 const DISTANCES: [f64; 9] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 76.0, 94.0, 114.0];
 /// Directions tried at each distance, in sixteenths of a turn from the right: beside first, then above and below.
 const DIRECTIONS: [i32; 16] = [0, 8, 1, -1, 2, -2, 4, -4, 3, -3, 5, -5, 6, -6, 7, -7];
+/// Another marker is at least so many times as far from a label as its own.
+const NEARER: f64 = 1.3;
 /// From here on a line leads from the marker to the label.
 pub const LEADER: f64 = 14.0;
 
-/// Places the labels one after another within `frame`: where nothing is covered and no line crosses anything, else where
+/// Places the labels one after another within `frame`: where nothing is covered, no line
+/// crosses anything and no other marker is nearer, else where
 /// nothing is covered, else to the right of the marker.
 pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
     let markers: Vec<Area> = labels.iter().map(|label| Area::around(label.marker, MARKER)).collect();
@@ -66,9 +74,13 @@ pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
         let is_clear = |area: &&Area| {
             let foot = area.nearest(label.marker);
             // Markers on top of each other cannot be told apart anyway.
-            let others = markers.iter().filter(|other| !other.meets(marker));
+            let others = || labels.iter().zip(&markers).filter(|(_, other)| !other.meets(marker));
+            let is_nearest =
+                others().all(|(other, _)| area.distance(other.marker) > NEARER * area.distance(label.marker));
             let mut leaders = placed.iter().zip(labels).map(|(area, label)| (label.marker, area.nearest(label.marker)));
-            !others.chain(&placed).any(|taken| taken.is_crossed(label.marker, foot))
+            let others = others().map(|(_, other)| other);
+            is_nearest
+                && !others.chain(&placed).any(|taken| taken.is_crossed(label.marker, foot))
                 && !leaders.any(|(from, to)| area.is_crossed(from, to))
         };
         let around = DISTANCES.iter().flat_map(|&distance| DIRECTIONS.map(|turn| candidate(label, distance, turn)));

@@ -76,14 +76,19 @@ impl Mark {
             }
             _ => rung.digits(),
         }?;
-        let (name, impacts) = (rung.rung, rung.impacts);
+        // Short, for the cluster: the legend says what the numbers are.
+        let name = match rung.rung {
+            Rung::Auto(digits) => format!("auto {digits}"),
+            other => other.to_string(),
+        };
+        let impacts = rung.impacts;
         let label = match trade.judgement.as_ref().filter(|_| kind == Kind::Float) {
             Some(Judgement { departure: Some(departure), .. }) => {
                 format!("{name} (wrong word from impact {})", departure.impact)
             }
             Some(judgement) if judgement.judged < impacts => format!("{name} (judged to impact {})", judgement.judged),
-            _ if rung.is_complete() => name.to_string(),
-            _ => format!("{name} (ends after {impacts})"),
+            _ if rung.is_complete() => name,
+            _ => format!("{name} ({impacts})"),
         };
         let microseconds = rung.microseconds(rung.times.orbit)?;
         Some(Self { kind, digits, microseconds, is_complete: rung.is_complete(), label })
@@ -206,13 +211,15 @@ fn legend(marks: &[Mark], root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
             x += width(kind.name()) + 44;
         }
     }
-    if marks.iter().all(|mark| mark.is_complete) {
-        return Ok(());
+    let (mut x, y) = (24, CAPTION as i32 + 36);
+    if !marks.iter().all(|mark| mark.is_complete) {
+        let hollow = "hollow: undecided after (so many) impacts;";
+        symbol(root, Kind::Doubles, false, (x, y))?;
+        symbol(root, Kind::Multiprecision, false, (x + 18, y))?;
+        root.draw(&say(hollow, x + 32, y))?;
+        x += width(hollow) + 40;
     }
-    let (x, y) = (24, CAPTION as i32 + 36);
-    symbol(root, Kind::Doubles, false, (x, y))?;
-    symbol(root, Kind::Multiprecision, false, (x + 18, y))?;
-    root.draw(&say("hollow: undecided before the end, after so many impacts", x + 32, y))?;
+    root.draw(&say("auto n: asked for n digits", x - 6, y))?;
     Ok(())
 }
 
