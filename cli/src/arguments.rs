@@ -46,6 +46,9 @@ pub enum Verb {
     /// List the certified impacts of a scene
     #[command(after_help = EXIT_CODES, after_long_help = RUN_HELP)]
     Run(RunArguments),
+    /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
+    #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
+    Trade(TradeArguments),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -112,6 +115,72 @@ impl RunArguments {
     }
 }
 
+const TRADE_EXIT_CODES: &str = "\
+Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
+measured); 2 usage, bad input, I/O";
+
+const TRADE_HELP: &str = "\
+Example: impact-pair trade scenes/figure-14.toml --impacts 2000 --plot trade.svg
+
+The rungs: float; interval; 64, 128, 256, ... bits until one reaches all the impacts, two more bring none, or --max-bits; \
+auto to 3, 9, 15, 30 and 100 digits. A build without multiprecision has float, interval and auto.
+
+Times are medians of 301 runs after a first one, or of as many as fit into 0.2 s. Orbit: impacts, their phases and velocities enclosed \
+in turns and gaps; with bounds: also their times and velocities in the units of the scene, as exact bounds. Reading \
+the scene and printing are not counted.
+
+Widths are guaranteed: of times in periods 2 pi/W, of velocities in A W (in gaps a turn if A may be 0), rounded up. \
+Certified digits: -log10 of the greatest of both. Errors of float are judged by certified enclosures (auto at 30 \
+digits; a build without multiprecision: interval), as long as its walls are the true ones; an error is said to exceed \
+a threshold only where that is proved.
+
+Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
+measured); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct TradeArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// Stop each rung after so many impacts [default: that of the scene; 100 if it has no time to stop at either]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    impacts: Option<u64>,
+    /// Bits that a rung takes at most
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
+        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    pub max_bits: u32,
+    /// How the rungs are written
+    #[arg(long, value_enum, default_value_t)]
+    pub format: TradeFormat,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Draw the rungs: the time of an impact over the certified digits
+    #[arg(long, value_name = "FILE.svg", value_parser = svg)]
+    pub plot: Option<PathBuf>,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+impl TradeArguments {
+    /// How far each rung is followed.
+    pub fn settings(&self, scene: &Scene) -> Settings {
+        let run = scene.run();
+        let run = Run { impacts: self.impacts.or(run.impacts), ..run.clone() };
+        Settings { max_bits: self.max_bits, ..run.settings(Arithmetic::Auto) }
+    }
+}
+
+/// How the rungs of a trade are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TradeFormat {
+    /// For people: a line a rung
+    #[default]
+    Table,
+    /// One document, schema impact-pair/trade/1
+    Json,
+}
+
 /// How the events of an orbit are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -130,4 +199,14 @@ pub enum Format {
 fn point(text: &str) -> Result<Exact, String> {
     let number = Exact::parse(text).map_err(|error| error.to_string())?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
+}
+
+/// Reads the name of a picture.
+fn svg(path: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(path);
+    if path.extension().is_some_and(|ending| ending == "svg") {
+        Ok(path)
+    } else {
+        Err("accepted is a name that ends in .svg".into())
+    }
 }

@@ -2,11 +2,15 @@
 
 mod arguments;
 mod ending;
+mod follow;
+mod heading;
 mod listing;
 mod output;
 mod progress;
 mod run;
+mod scene;
 mod table;
+mod trade;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -29,6 +33,7 @@ enum Answer {
 fn main() -> ExitCode {
     let answer = match Cli::parse().verb {
         Verb::Run(arguments) => run::run(&arguments),
+        Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

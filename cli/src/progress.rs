@@ -21,11 +21,28 @@ impl Progress {
         if !wanted {
             return Self(None);
         }
-        let template =
-            if impacts.is_some() { "{bar:30} {pos}/{len} impacts, {eta} left{msg}" } else { "{pos} impacts{msg}" };
+        let template = if impacts.is_some() {
+            "{prefix}{bar:30} {pos}/{len} impacts, {eta} left{msg}"
+        } else {
+            "{prefix}{pos} impacts{msg}"
+        };
         let style = ProgressStyle::with_template(template).expect("a valid template");
         let target = ProgressDrawTarget::stderr_with_hz(5);
         Self(Some(ProgressBar::with_draw_target(impacts, target).with_style(style)))
+    }
+
+    /// A line that is never drawn.
+    pub fn hidden() -> Self {
+        Self(None)
+    }
+
+    /// Begins again from the first impact, for `what`.
+    pub fn stage(&self, what: &str) {
+        if let Some(bar) = &self.0 {
+            bar.set_prefix(format!("{what}: "));
+            bar.set_message("");
+            bar.reset();
+        }
     }
 
     /// Notes that impact `index` is done.

@@ -5,30 +5,13 @@ use std::io::{self, Write};
 use impact_pair::Scene;
 use impact_pair::certificate::{Event, Kind, is_certified};
 use impact_pair::mapping::Mapping;
-use impact_pair::orbit::{Arithmetic, Place, Settings};
+use impact_pair::orbit::{Arithmetic, Settings};
 
 use crate::ending::Ending;
+use crate::heading;
 
 pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {
-    if let Some(title) = scene.title() {
-        writeln!(out, "{title}")?;
-    }
-    let (pair, start) = (scene.pair(), scene.start());
-    let excitation = pair.excitation();
-    writeln!(
-        out,
-        "A = {}, W = {}, tau = {}, d = {}, e = {}",
-        excitation.amplitude(),
-        excitation.frequency(),
-        excitation.phase(),
-        pair.gap(),
-        pair.restitution()
-    )?;
-    let (time, velocity) = (start.time(), start.velocity());
-    match start.place() {
-        Place::Wall(wall) => writeln!(out, "start: t = {time}, {} wall, v = {velocity}", wall.name())?,
-        Place::Inside(position) => writeln!(out, "start: t = {time}, y = {position}, y' = {velocity}")?,
-    }
+    heading::write(out, scene)?;
     let bits = if let Arithmetic::Bits(_) = settings.arithmetic { " bits" } else { "" };
     let arithmetic = format!("{}{bits}", settings.arithmetic);
     if is_certified(settings.arithmetic) {

@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test crate uses a part
 
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
-use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings, Start as LibraryStart};
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Start as LibraryStart};
 use impact_pair::pair::Wall as LibraryWall;
 use impact_pair::{Error, Harmonic, ImpactPair};
 use impact_pair_truth::{Contact, Number, Problem, Start, Wall, orbit};
@@ -156,7 +156,7 @@ pub fn objection(orbit: &Orbit, impacts: &[Impact], truth: &[Contact]) -> Option
 /// Runs the library's orbit and judges it by the truth of each member; a failure is asked again at thrice the bits.
 pub fn judge(scene: &Scene, bits: u32, impacts: usize, members: &[[f64; 5]]) -> (usize, Option<Outcome>) {
     let mut orbit = scene.orbit(impacts as u64).unwrap_or_else(|error| panic!("{error}: {scene:?}"));
-    let found: Vec<Impact> = orbit.by_ref().collect();
+    let found = impacts_before_rest(&mut orbit);
     for parts in members {
         let truth = scene.truth(bits, *parts, found.len());
         if objection(&orbit, &found, &truth).is_some() {
@@ -166,7 +166,21 @@ pub fn judge(scene: &Scene, bits: u32, impacts: usize, members: &[[f64; 5]]) -> 
             }
         }
     }
+    // Through rests, which `validation/arb` judges.
+    orbit.by_ref().for_each(drop);
     (found.len(), orbit.outcome().cloned())
+}
+
+/// The impacts up to the first graze or rest, where the truth ends.
+pub fn impacts_before_rest(orbit: &mut Orbit) -> Vec<Impact> {
+    let mut found = Vec::new();
+    loop {
+        match orbit.advance() {
+            Progress::Impact(impact) => found.push(impact),
+            Progress::Retraced(_) => {}
+            Progress::Graze(_) | Progress::Rest(_) | Progress::Release(_) | Progress::Ended => return found,
+        }
+    }
 }
 
 /// Whether the true orbit from the first member ends (it rests, or never meets a wall again) after `impacts`.

@@ -1,0 +1,38 @@
+//! The scene that a verb is about: where it is read from, and what must not be written over it.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+use impact_pair::Scene;
+
+/// Reads the scene of a file, or of stdin when it is `-`.
+pub fn read(path: &Path) -> Result<Scene> {
+    let text = if path.as_os_str() == "-" {
+        let mut text = String::new();
+        io::stdin().read_to_string(&mut text).map(|_| text)
+    } else {
+        fs::read_to_string(path)
+    };
+    let text = text.with_context(|| format!("cannot read {}", name(path)))?;
+    Scene::parse(&text).with_context(|| name(path))
+}
+
+/// The file as messages name it.
+pub fn name(path: &Path) -> String {
+    if path.as_os_str() == "-" { "stdin".into() } else { path.display().to_string() }
+}
+
+/// Refuses to write `output` onto the scene.
+pub fn keep(scene: &Path, output: Option<&Path>) -> Result<()> {
+    if let Some(output) = output.filter(|output| is_same_file(output, scene)) {
+        bail!("cannot write {}: it is the scene", output.display());
+    }
+    Ok(())
+}
+
+/// Whether both paths name one file that exists.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    fs::canonicalize(one).is_ok_and(|one| fs::canonicalize(other).is_ok_and(|other| one == other))
+}

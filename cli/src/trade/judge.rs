@@ -1,0 +1,253 @@
+//! Judges an orbit that proves nothing by one that is certified, impact by impact.
+//!
+//! An error is known between two bounds, the least and the greatest distance to the enclosure of the truth. It is said
+//! to exceed a threshold where the least does, and to keep within it where the greatest does. Impacts are matched by
+//! their number as long as all walls agree; where one does not, the orbit has left the true word and is judged no more.
+
+use std::ops::ControlFlow;
+
+use anyhow::Result;
+use impact_pair::Scene;
+use impact_pair::exact::{Dyadic, Enclosure};
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Settings};
+use impact_pair::pair::Wall;
+
+use super::ladder::Rung;
+use super::size::{Size, Unit, Units};
+use crate::follow::follow_impacts;
+use crate::progress::Progress;
+
+/// Digits of the truth: far beyond what doubles hold.
+const DIGITS: u32 = 30;
+/// Thresholds of the errors of times, powers of ten of a period.
+const THRESHOLDS: [i32; 3] = [-9, -6, -3];
+/// Bits of a difference.
+const BITS: u32 = 64;
+
+/// An impact as an orbit has it.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    pub wall: Wall,
+    pub time: Enclosure,
+    pub velocity: Enclosure,
+}
+
+impl Reading {
+    fn new(orbit: &Orbit, impact: &Impact) -> Self {
+        let (time, velocity) = orbit.bounds(impact);
+        Self { wall: impact.wall, time, velocity }
+    }
+}
+
+/// The true errors of an orbit, as far as they were judged.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    pub units: Units,
+    /// Impacts on the true word that were compared.
+    pub judged: u64,
+    pub time: Largest,
+    pub velocity: Largest,
+    pub crossings: Vec<Crossing>,
+    pub departure: Option<Departure>,
+}
+
+/// Bounds of the largest error so far; both only grow.
+#[derive(Clone, Copy, Debug)]
+pub struct Largest {
+    pub at_least: Size,
+    pub at_most: Size,
+    /// The impact with the greatest upper bound.
+    pub impact: u64,
+}
+
+impl Largest {
+    const NONE: Self = Self { at_least: Size::ZERO, at_most: Size::ZERO, impact: 0 };
+
+    fn note(&mut self, index: u64, [at_least, at_most]: [Size; 2]) {
+        self.at_least = self.at_least.max(at_least);
+        if self.impact == 0 || at_most > self.at_most {
+            (self.at_most, self.impact) = (at_most, index);
+        }
+    }
+}
+
+/// Where the errors of times exceed a threshold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// The power of ten of a period.
+    pub exponent: i32,
+    /// All errors up to this impact are proved not to exceed it.
+    pub within: u64,
+    /// The first error that is proved to exceed it.
+    pub exceeded: Option<u64>,
+}
+
+/// Where the orbit leaves the true word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Departure {
+    pub impact: u64,
+    pub truth: Wall,
+    /// `None` if there the orbit ends.
+    pub judged: Option<Wall>,
+}
+
+impl Judgement {
+    pub fn new(units: Units) -> Self {
+        let crossing = |exponent| Crossing { exponent, within: 0, exceeded: None };
+        Self {
+            units,
+            judged: 0,
+            time: Largest::NONE,
+            velocity: Largest::NONE,
+            crossings: THRESHOLDS.map(crossing).into(),
+            departure: None,
+        }
+    }
+
+    /// Compares the next impact of both; breaks off where the orbit leaves the true word.
+    pub fn compare(&mut self, truth: &Reading, judged: Option<&Reading>) -> ControlFlow<()> {
+        let index = self.judged + 1;
+        let Some(reading) = judged.filter(|judged| judged.wall == truth.wall) else {
+            self.departure =
+                Some(Departure { impact: index, truth: truth.wall, judged: judged.map(|judged| judged.wall) });
+            return ControlFlow::Break(());
+        };
+        self.judged = index;
+        let error = distance(&reading.time, &truth.time, &self.units.time);
+        self.time.note(index, error);
+        self.velocity.note(index, distance(&reading.velocity, &truth.velocity, &self.units.velocity));
+        for crossing in &mut self.crossings {
+            let threshold = Size::power_of_ten(crossing.exponent);
+            if error[1] <= threshold && crossing.within + 1 == index {
+                crossing.within = index;
+            }
+            if error[0] > threshold {
+                crossing.exceeded.get_or_insert(index);
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Bounds of the distance of the points of both.
+fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
+    let difference = one.sub(other, BITS);
+    let (least, most): (Dyadic, Dyadic) = (difference.mig(), difference.mag());
+    [unit.below(&least), unit.above(&most)]
+}
+
+/// What the truth is computed with.
+pub fn truth(asked: &Settings) -> Settings {
+    if cfg!(feature = "multiprecision") { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
+}
+
+/// The truth in words.
+pub fn name(truth: &Settings) -> String {
+    match truth.arithmetic {
+        Arithmetic::Auto => format!("auto at {} digits", truth.digits),
+        arithmetic => arithmetic.to_string(),
+    }
+}
+
+/// Judges `float` on this scene; when interrupted, as far as it came.
+pub fn judge_float(scene: &Scene, asked: &Settings, units: &Units, progress: &Progress) -> Result<Judgement> {
+    let mut truth = scene.orbit(self::truth(asked))?;
+    let mut float = scene.orbit(Rung::Float.settings(asked))?;
+    let mut judgement = Judgement::new(*units);
+    let _ = follow_impacts(&mut truth, progress, |truth, impact| {
+        let judged = float.next().map(|impact| Reading::new(&float, &impact));
+        judgement.compare(&Reading::new(truth, &impact), judged.as_ref())
+    });
+    Ok(judgement)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCENE: &str = "excitation = { amplitude = 8, frequency = \"pi\", phase = 0 }\n\
+                         pair = { gap = 9.42497, restitution = 0.5 }\n\
+                         start = { time = 0, wall = \"left\", velocity = -12.56636 }";
+
+    /// Floats and truths of the first impacts of figure 14.
+    fn readings(impacts: u64) -> (Units, Vec<Reading>, Vec<Reading>) {
+        let scene = Scene::parse(SCENE).unwrap();
+        let asked = Settings { impacts: Some(impacts), ..scene.settings() };
+        let read = |settings: Settings| {
+            let mut orbit = scene.orbit(settings).unwrap();
+            let impacts: Vec<_> = orbit.by_ref().collect();
+            impacts.iter().map(|impact| Reading::new(&orbit, impact)).collect()
+        };
+        (Units::of(&scene), read(Rung::Float.settings(&asked)), read(truth(&asked)))
+    }
+
+    fn judge(units: Units, floats: &[Reading], truths: &[Reading]) -> Judgement {
+        let mut judgement = Judgement::new(units);
+        let _ = truths.iter().enumerate().try_for_each(|(i, truth)| judgement.compare(truth, floats.get(i)));
+        judgement
+    }
+
+    #[test]
+    fn a_flipped_wall_is_caught_at_its_impact() {
+        let (units, mut floats, truths) = readings(20);
+        assert_eq!(judge(units, &floats, &truths).departure, None);
+        for flipped in [1, 7, 20] {
+            let wall = floats[flipped - 1].wall;
+            floats[flipped - 1].wall = wall.other();
+            let judgement = judge(units, &floats, &truths);
+            let impact = flipped as u64;
+            assert_eq!(judgement.departure, Some(Departure { impact, truth: wall, judged: Some(wall.other()) }));
+            assert_eq!(judgement.judged, impact - 1);
+            floats[flipped - 1].wall = wall;
+        }
+    }
+
+    #[test]
+    fn an_orbit_that_ends_early_has_left_the_word() {
+        let (units, floats, truths) = readings(20);
+        let departure = judge(units, &floats[..12], &truths).departure.unwrap();
+        assert_eq!((departure.impact, departure.judged), (13, None));
+    }
+
+    #[test]
+    fn bounds_of_the_largest_error_grow_and_hold_it() {
+        let (units, floats, truths) = readings(20);
+        let mut judgement = Judgement::new(units);
+        let mut before = Largest::NONE;
+        for (float, truth) in floats.iter().zip(&truths) {
+            assert!(judgement.compare(truth, Some(float)).is_continue());
+            let now = judgement.time;
+            assert!(now.at_least <= now.at_most);
+            assert!(now.at_least >= before.at_least && now.at_most >= before.at_most && now.impact >= before.impact);
+            before = now;
+        }
+        // A chaotic orbit in doubles: wrong, but not by much yet.
+        assert!(before.at_most > Size::power_of_ten(-15) && before.at_most < Size::power_of_ten(-9));
+    }
+
+    /// The reading with its time shifted by `shift`.
+    fn shifted(reading: &Reading, shift: f64) -> Reading {
+        let shift = Enclosure::from_f64_bounds(shift, shift).unwrap();
+        Reading { time: reading.time.add(&shift, 200), ..reading.clone() }
+    }
+
+    #[test]
+    fn a_threshold_is_exceeded_only_where_that_is_proved() {
+        let (units, _, truths) = readings(9);
+        // Two units of time are a period.
+        let errors = [0.0, 1e-12, 3e-9, 0.0, 3e-6, 1e-3, 3e-3, 0.0, 1e-12];
+        let floats: Vec<_> = truths.iter().zip(errors).map(|(truth, error)| shifted(truth, error)).collect();
+        let judgement = judge(units, &floats, &truths);
+        let crossings = [(-9, 2, 3), (-6, 4, 5), (-3, 6, 7)];
+        let crossings = crossings.map(|(exponent, within, at)| Crossing { exponent, within, exceeded: Some(at) });
+        assert_eq!(judgement.crossings, crossings);
+        assert_eq!((judgement.judged, judgement.time.impact), (9, 7));
+
+        // A wide truth proves less: errors between 0 and 2e-3 periods neither keep within nor exceed.
+        let wide =
+            |reading: &Reading| Reading { time: reading.time.hull(&shifted(reading, 4e-3).time), ..reading.clone() };
+        let judgement = judge(units, &truths, &truths.iter().map(wide).collect::<Vec<_>>());
+        assert!(judgement.crossings.iter().all(|crossing| crossing.within == 0 && crossing.exceeded.is_none()));
+        assert!(judgement.time.at_least == Size::ZERO && judgement.time.at_most > Size::power_of_ten(-3));
+    }
+}

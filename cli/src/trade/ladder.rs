@@ -1,0 +1,124 @@
+//! The rungs: which arithmetics are measured, and when more bits are no use.
+
+use std::fmt;
+
+use impact_pair::orbit::{Arithmetic, BITS, Settings};
+
+/// Digits that `auto` is asked for.
+const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
+/// Rungs of fixed bits that bring no further impact before the ladder gives up: the first may just miss one.
+const PATIENCE: u32 = 2;
+
+/// An arithmetic, and what is asked of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rung {
+    Float,
+    Interval,
+    Bits(u32),
+    /// To so many digits.
+    Auto(u32),
+}
+
+impl Rung {
+    /// The settings of this rung that reach as far as `asked`.
+    pub fn settings(self, asked: &Settings) -> Settings {
+        let settings = |arithmetic| Settings { arithmetic, ..asked.clone() };
+        match self {
+            Self::Float => settings(Arithmetic::Float),
+            Self::Interval => settings(Arithmetic::Interval),
+            Self::Bits(bits) => settings(Arithmetic::Bits(bits)),
+            Self::Auto(digits) => Settings { digits, ..settings(Arithmetic::Auto) },
+        }
+    }
+}
+
+impl fmt::Display for Rung {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&match self {
+            Self::Float => "float".to_owned(),
+            Self::Interval => "interval".to_owned(),
+            Self::Bits(bits) => format!("{bits} bits"),
+            Self::Auto(digits) => format!("auto, {digits} digits"),
+        })
+    }
+}
+
+/// The rungs one after another; how many of fixed bits there are shows on the way.
+#[derive(Clone, Debug)]
+pub struct Ladder {
+    next: Option<Rung>,
+    max_bits: u32,
+    /// The most impacts that a rung of fixed bits has reached, and how many rungs in a row brought none.
+    reached: u64,
+    idle: u32,
+}
+
+impl Ladder {
+    pub fn new(max_bits: u32) -> Self {
+        Self { next: Some(Rung::Float), max_bits, reached: 0, idle: 0 }
+    }
+
+    /// The rung to measure.
+    pub fn rung(&self) -> Option<Rung> {
+        self.next
+    }
+
+    /// Goes on, when the rung has reached so many impacts, or all of them.
+    pub fn climb(&mut self, impacts: u64, all: bool) {
+        let auto = Some(Rung::Auto(DIGITS[0]));
+        self.next = match self.next {
+            Some(Rung::Float) => Some(Rung::Interval),
+            Some(Rung::Interval) if cfg!(feature = "multiprecision") => Some(Rung::Bits(*BITS.start())),
+            Some(Rung::Bits(bits)) => {
+                self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
+                self.reached = self.reached.max(impacts);
+                let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
+                double.filter(|_| self.idle < PATIENCE).map(Rung::Bits).or(auto)
+            }
+            Some(Rung::Interval) => auto,
+            Some(Rung::Auto(digits)) => DIGITS.into_iter().find(|&more| more > digits).map(Rung::Auto),
+            None => None,
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The names of the rungs when `bits` bits reach so many of 100 impacts.
+    fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
+        let mut ladder = Ladder::new(max_bits);
+        let mut names = Vec::new();
+        while let Some(rung) = ladder.rung() {
+            names.push(rung.to_string());
+            let impacts = if let Rung::Bits(bits) = rung { reach(bits) } else { 100 };
+            ladder.climb(impacts, impacts == 100);
+        }
+        names
+    }
+
+    #[cfg(feature = "multiprecision")]
+    #[test]
+    fn bits_double_until_all_impacts_are_reached() {
+        let names = rungs(1_000_000, |bits| u64::from(bits / 4).min(100));
+        assert_eq!(names[..2], ["float", "interval"]);
+        assert_eq!(names[2..6], ["64 bits", "128 bits", "256 bits", "512 bits"]);
+        assert_eq!(names[6..9], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
+        assert_eq!(names[9..], ["auto, 30 digits", "auto, 100 digits"]);
+    }
+
+    #[cfg(feature = "multiprecision")]
+    #[test]
+    fn bits_that_bring_nothing_twice_are_the_last() {
+        assert_eq!(rungs(1_000_000, |_| 20)[2..6], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(1_000_000, |_| 0)[2..5], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(200, |_| 20)[2..5], ["64 bits", "128 bits", "auto, 3 digits"]);
+    }
+
+    #[cfg(not(feature = "multiprecision"))]
+    #[test]
+    fn doubles_have_no_rungs_of_bits() {
+        assert_eq!(rungs(1_000_000, |_| 0)[..3], ["float", "interval", "auto, 3 digits"]);
+    }
+}

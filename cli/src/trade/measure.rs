@@ -1,0 +1,224 @@
+//! One rung: how far it comes, how wide its enclosures are, and how long it takes.
+
+use std::hint::black_box;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use anyhow::Result;
+use impact_pair::certificate::{Conclusion, Event, arithmetic, is_certified};
+use impact_pair::orbit::{Impact, Orbit, Settings};
+use impact_pair::{Error, Scene};
+use serde_json::Value;
+
+use super::ladder::Rung;
+use super::size::{Size, Units};
+use crate::follow::follow_impacts;
+use crate::progress::Progress;
+
+/// Runs are repeated until those without and with bounds, and what prepares them, have taken so long together, ...
+const LONG_ENOUGH: Duration = Duration::from_millis(400);
+/// ... or so often.
+const OFTEN_ENOUGH: usize = 301;
+/// The first run is timed impact by impact. That is all when it takes longer than this, ...
+const LONG: Duration = Duration::from_secs(1);
+/// ... and than this an impact: looking at the clock three times takes less than 1 % of it.
+const SLOW: Duration = Duration::from_micros(20);
+
+/// A rung that has been measured.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    pub rung: Rung,
+    /// What computed it, as the orbit JSON says it.
+    pub computed: Value,
+    pub bits: u32,
+    pub impacts: u64,
+    pub is_certified: bool,
+    pub conclusion: Conclusion,
+    /// The guaranteed widths; `None` where nothing is guaranteed.
+    pub widths: Option<Widths>,
+    pub times: Times,
+}
+
+impl Measured {
+    /// Whether all the impacts asked for are there.
+    pub fn is_complete(&self) -> bool {
+        self.conclusion.reason().is_none()
+    }
+
+    /// The digits of the widest enclosure of a time or a velocity.
+    pub fn digits(&self) -> Option<f64> {
+        self.widths.map(|Widths { time, velocity }| time.greatest.max(velocity.greatest).digits())
+    }
+
+    /// Microseconds that an impact takes of `whole`.
+    pub fn microseconds(&self, whole: Duration) -> Option<f64> {
+        (self.impacts > 0).then(|| whole.as_secs_f64() * 1e6 / self.impacts as f64)
+    }
+}
+
+/// Guaranteed widths, in the units of [`Units`].
+#[derive(Clone, Copy, Debug)]
+pub struct Widths {
+    pub time: Extent,
+    pub velocity: Extent,
+}
+
+/// How wide the enclosures of a quantity are.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    pub greatest: Size,
+    pub last: Size,
+}
+
+impl Extent {
+    const NONE: Self = Self { greatest: Size::ZERO, last: Size::ZERO };
+
+    fn note(&mut self, width: Size) {
+        *self = Self { greatest: self.greatest.max(width), last: width };
+    }
+}
+
+/// How long a rung takes from the orbit's first impact to its end: medians.
+#[derive(Clone, Copy, Debug)]
+pub struct Times {
+    /// The impacts with phases and velocities enclosed, in turns and gaps.
+    pub orbit: Duration,
+    /// These, and their bounds in the units of the scene; `None` where there are none.
+    pub with_bounds: Option<Duration>,
+    /// Runs that each median is taken of.
+    pub repetitions: usize,
+}
+
+/// Measures a rung; `None` if interrupted.
+pub fn measure(
+    scene: &Scene,
+    rung: Rung,
+    asked: &Settings,
+    units: &Units,
+    progress: &Progress,
+) -> Result<Option<Measured>> {
+    let settings = rung.settings(asked);
+    let is_certified = is_certified(settings.arithmetic);
+    let begin = || scene.orbit(settings.clone());
+    let mut orbit = begin()?;
+    let Seen { last, widths, times } = observe(&mut orbit, units, progress);
+    if orbit.outcome().is_none() {
+        return Ok(None);
+    }
+    let impacts = last.as_ref().map_or(0, |event| event.index);
+    let is_long = |time: Duration| time > LONG && time.as_secs_f64() > SLOW.as_secs_f64() * impacts as f64;
+    let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified)? };
+    Ok(times.map(|times| Measured {
+        rung,
+        computed: arithmetic(&orbit),
+        bits: orbit.bits(),
+        impacts,
+        is_certified,
+        conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
+        widths: widths.filter(|_| is_certified),
+        times: Times { with_bounds: times.with_bounds.filter(|_| is_certified), ..times },
+    }))
+}
+
+/// What the first run shows.
+struct Seen {
+    last: Option<Event>,
+    widths: Option<Widths>,
+    times: Times,
+}
+
+/// The first run: looks at each impact, and at the clock.
+fn observe(orbit: &mut Orbit, units: &Units, progress: &Progress) -> Seen {
+    let mut widths = Widths { time: Extent::NONE, velocity: Extent::NONE };
+    let mut last = None;
+    let (mut in_orbit, mut in_bounds) = (Duration::ZERO, Duration::ZERO);
+    let mut since = Instant::now();
+    let ended: ControlFlow<()> = follow_impacts(orbit, progress, |orbit, impact| {
+        let computed = Instant::now();
+        let (time, velocity) = orbit.bounds(&impact);
+        let bounded = Instant::now();
+        in_orbit += computed - since;
+        in_bounds += bounded - computed;
+        widths.time.note(units.time.above(&time.width()));
+        widths.velocity.note(units.velocity.above(&velocity.width()));
+        last = Some(impact);
+        since = Instant::now();
+        ControlFlow::Continue(())
+    });
+    debug_assert!(ended.is_continue(), "nothing breaks it off");
+    in_orbit += since.elapsed();
+    Seen {
+        widths: last.is_some().then_some(widths),
+        last: last.map(|impact| Event::new(orbit, &impact)),
+        times: Times { orbit: in_orbit, with_bounds: Some(in_orbit + in_bounds), repetitions: 1 },
+    }
+}
+
+/// Repeats the run for a while, in turns without and, where they are certified, with bounds; `None` if interrupted.
+fn repeat(begin: impl Fn() -> Result<Orbit, Error>, is_certified: bool) -> Result<Option<Times>> {
+    let (mut without, mut with) = (Vec::new(), Vec::new());
+    let begun = Instant::now();
+    while without.is_empty() || (without.len() < OFTEN_ENOUGH && begun.elapsed() < LONG_ENOUGH) {
+        let alone = time(begin()?, |_, impact| _ = black_box(impact));
+        let Some(alone) = alone else { return Ok(None) };
+        without.push(alone);
+        if is_certified {
+            let bounded = time(begin()?, |orbit, impact| _ = black_box(orbit.bounds(&impact)));
+            let Some(bounded) = bounded else { return Ok(None) };
+            with.push(bounded);
+        }
+    }
+    let repetitions = without.len();
+    let with_bounds = is_certified.then(|| median(with));
+    Ok(Some(Times { orbit: median(without), with_bounds, repetitions }))
+}
+
+/// How long the orbit takes from here to its end; `None` if interrupted.
+fn time(mut orbit: Orbit, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
+    let since = Instant::now();
+    let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
+        each(orbit, impact);
+        ControlFlow::Continue(())
+    });
+    let time = since.elapsed();
+    debug_assert!(ended.is_continue(), "nothing breaks it off");
+    orbit.outcome().map(|_| time)
+}
+
+fn median(mut times: Vec<Duration>) -> Duration {
+    times.sort_unstable();
+    let (half, count) = (times.len() / 2, times.len());
+    if count % 2 == 1 { times[half] } else { (times[half - 1] + times[half]) / 2 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        let of = |times: &[u64]| median(times.iter().copied().map(Duration::from_secs).collect());
+        assert_eq!(of(&[9]), Duration::from_secs(9));
+        assert_eq!(of(&[5, 1, 100]), Duration::from_secs(5));
+        assert_eq!(of(&[4, 1, 2, 100]), Duration::from_secs(3));
+    }
+
+    #[test]
+    fn widths_are_those_of_the_enclosures() {
+        let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
+                     pair = { gap = \"3*pi\", restitution = 0.5 }\n\
+                     start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
+        let scene = Scene::parse(scene).unwrap();
+        let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Units::of(&scene));
+        let of = |rung| measure(&scene, rung, &asked, &units, &Progress::hidden()).unwrap().unwrap();
+        let float = of(Rung::Float);
+        assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));
+        assert!(float.widths.is_none() && float.times.with_bounds.is_none());
+        let interval = of(Rung::Interval);
+        // A period is two units of time, A W is pi: no narrower than doubles, no wider than a few.
+        let digits = interval.digits().unwrap();
+        assert!((13.0..16.5).contains(&digits), "{digits}");
+        let Widths { time, velocity } = interval.widths.unwrap();
+        assert!(time.last <= time.greatest && velocity.last <= velocity.greatest);
+    }
+}

@@ -1,0 +1,257 @@
+//! The work-precision plot: what an impact costs over the digits that are certain, as SVG.
+
+use std::error::Error as StdError;
+
+use anyhow::{Result, anyhow};
+use impact_pair::certificate::PROGRAM;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::Trade;
+use super::axis::{self, Digits};
+use super::judge::Judgement;
+use super::labels::{self, Area, Label};
+use super::ladder::Rung;
+use super::measure::Measured;
+use crate::heading;
+
+const SIZE: (u32, u32) = (900, 620);
+const FONT: i32 = 15;
+/// How wide a letter is on average, in those sizes: what a reader's fonts do is not known here.
+const LETTER: f64 = 0.45;
+/// Where a rung with no width at all stands: beyond all others by this factor.
+const BEYOND: f64 = 1.5;
+
+/// What stands behind a rung's digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Float,
+    Doubles,
+    Multiprecision,
+}
+
+impl Kind {
+    fn of(rung: &Measured) -> Self {
+        match (rung.rung, rung.bits) {
+            (Rung::Float, _) => Self::Float,
+            (_, f64::MANTISSA_DIGITS) => Self::Doubles,
+            _ => Self::Multiprecision,
+        }
+    }
+
+    /// Of the colours that Okabe and Ito (2008) chose for all eyes.
+    fn colour(self) -> RGBColor {
+        match self {
+            Self::Float => RGBColor(0xd5, 0x5e, 0x00),
+            Self::Doubles => RGBColor(0x00, 0x72, 0xb2),
+            Self::Multiprecision => RGBColor(0x00, 0x9e, 0x73),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Float => "float: its true error, not certified",
+            Self::Doubles => "certified in doubles",
+            Self::Multiprecision => "certified in multiprecision",
+        }
+    }
+}
+
+/// A rung to draw.
+struct Mark {
+    kind: Kind,
+    digits: f64,
+    microseconds: f64,
+    is_complete: bool,
+    label: String,
+}
+
+impl Mark {
+    /// `None` when there is nothing to draw: no impact, or no error known.
+    fn of(rung: &Measured, trade: &Trade<'_>) -> Option<Self> {
+        let kind = Kind::of(rung);
+        let digits = match (kind, &trade.judgement) {
+            (Kind::Float, Some(judgement)) => {
+                (judgement.judged > 0).then(|| judgement.time.at_most.max(judgement.velocity.at_most).digits())
+            }
+            _ => rung.digits(),
+        }?;
+        // Short, for the cluster: the legend says what the numbers are.
+        let name = match rung.rung {
+            Rung::Auto(digits) => format!("auto {digits}"),
+            other => other.to_string(),
+        };
+        let impacts = rung.impacts;
+        let label = match trade.judgement.as_ref().filter(|_| kind == Kind::Float) {
+            Some(Judgement { departure: Some(departure), .. }) => {
+                format!("{name} (wrong word from impact {})", departure.impact)
+            }
+            Some(judgement) if judgement.judged < impacts => format!("{name} (judged to impact {})", judgement.judged),
+            _ if rung.is_complete() => name,
+            _ => format!("{name} ({impacts})"),
+        };
+        let microseconds = rung.microseconds(rung.times.orbit)?;
+        Some(Self { kind, digits, microseconds, is_complete: rung.is_complete(), label })
+    }
+}
+
+pub fn svg(trade: &Trade<'_>) -> Result<String> {
+    let mut text = String::new();
+    draw(trade, &mut text).map_err(|error| anyhow!("{error}"))?;
+    Ok(text)
+}
+
+fn draw(trade: &Trade<'_>, text: &mut String) -> Result<(), Box<dyn StdError>> {
+    let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
+    let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
+    let beyond = BEYOND * finite.fold(10.0, f64::max);
+    for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
+        (mark.digits, mark.label) = (beyond, format!("{}, exact", mark.label));
+    }
+    let root = SVGBackend::with_string(text, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    caption(trade, &root)?;
+    legend(&marks, &root)?;
+    let (_, below) = root.split_vertically(CAPTION + LEGEND);
+
+    let digits = Digits::around(marks.iter().map(|mark| mark.digits));
+    let times = axis::times(marks.iter().map(|mark| mark.microseconds));
+    let mut chart = ChartBuilder::on(&below)
+        .margin(10)
+        .margin_right(24)
+        .x_label_area_size(52)
+        .y_label_area_size(72)
+        .build_cartesian_2d(digits, times.log_scale())?;
+    let font = ("sans-serif", FONT);
+    chart
+        .configure_mesh()
+        .x_desc(format!(
+            "certified digits n: −log₁₀ of the greatest guaranteed width (times in 2π/Ω, velocities in {}); scale log(1+n)",
+            greek(&trade.units.speed.to_string())
+        ))
+        .y_desc("time an impact [µs]")
+        .y_labels(8)
+        .y_label_formatter(&|time| format!("{time}"))
+        .label_style(font)
+        .axis_desc_style(font)
+        .bold_line_style(BLACK.mix(0.12))
+        .light_line_style(BLACK.mix(0.04))
+        .draw()?;
+
+    let area = chart.plotting_area();
+    let pixel = |mark: &Mark| area.map_coordinate(&(mark.digits, mark.microseconds));
+    let points: Vec<(i32, i32)> = marks.iter().map(pixel).collect();
+    let (x, y) = area.get_pixel_range();
+    let frame = Area {
+        left: f64::from(x.start) + 2.0,
+        top: f64::from(y.start) + 2.0,
+        right: f64::from(x.end) - 2.0,
+        bottom: f64::from(y.end) - 2.0,
+    };
+    let boxes: Vec<Label> = marks
+        .iter()
+        .zip(&points)
+        .map(|(mark, &(x, y))| Label {
+            marker: (f64::from(x), f64::from(y)),
+            width: LETTER * f64::from(FONT) * mark.label.chars().count() as f64,
+            height: f64::from(FONT) + 1.0,
+        })
+        .collect();
+    for ((mark, area), label) in marks.iter().zip(labels::place(&boxes, &frame)).zip(&boxes) {
+        lead(&root, mark.kind, label.marker, &area)?;
+        // Flush with the end that is nearer, since the width is a guess.
+        let (x, side) = match label.marker.0 {
+            marker if marker > area.right => (area.right, HPos::Right),
+            marker if marker > area.left => ((area.left + area.right) / 2.0, HPos::Center),
+            _ => (area.left, HPos::Left),
+        };
+        let at = (x.round() as i32, ((area.top + area.bottom) / 2.0).round() as i32);
+        root.draw(&Text::new(mark.label.clone(), at, words(FONT, &mark.kind.colour(), side)))?;
+    }
+    for (mark, &point) in marks.iter().zip(&points) {
+        symbol(&root, mark.kind, mark.is_complete, point)?;
+    }
+    root.present()?;
+    Ok(())
+}
+
+/// Heights of the lines above the plot.
+const CAPTION: u32 = 70;
+const LEGEND: u32 = 52;
+
+type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+
+/// The words of a scene as they are set in print.
+fn greek(words: &str) -> String {
+    let letters = [("tau", "τ"), ("*pi", "π"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−")];
+    letters.iter().fold(words.to_owned(), |words, (ascii, greek)| words.replace(ascii, greek))
+}
+
+/// Title, parameters, start, and what was asked.
+fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+    let scene = trade.scene;
+    let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
+    let parameters = greek(&format!("{}; {}", heading::parameters(scene), heading::start(scene)));
+    let asked = format!("{} asked for; {PROGRAM}; medians on one machine", greek(&trade.goal()));
+    for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (asked, FONT)].into_iter().enumerate() {
+        root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, &BLACK, HPos::Left)))?;
+    }
+    Ok(())
+}
+
+/// What the symbols say: their kinds, and whether they reach the end.
+fn legend(marks: &[Mark], root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+    let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
+    let width = |text: &str| (LETTER * f64::from(FONT) * text.chars().count() as f64) as i32;
+    let (mut x, y) = (24, CAPTION as i32 + 14);
+    for kind in [Kind::Float, Kind::Doubles, Kind::Multiprecision] {
+        if marks.iter().any(|mark| mark.kind == kind) {
+            symbol(root, kind, true, (x, y))?;
+            root.draw(&say(kind.name(), x + 14, y))?;
+            x += width(kind.name()) + 44;
+        }
+    }
+    let (mut x, y) = (24, CAPTION as i32 + 36);
+    if !marks.iter().all(|mark| mark.is_complete) {
+        let hollow = "hollow: undecided after (so many) impacts;";
+        symbol(root, Kind::Doubles, false, (x, y))?;
+        symbol(root, Kind::Multiprecision, false, (x + 18, y))?;
+        root.draw(&say(hollow, x + 32, y))?;
+        x += width(hollow) + 40;
+    }
+    root.draw(&say("auto n: asked for n digits", x - 6, y))?;
+    Ok(())
+}
+
+/// The marker of a kind; hollow where the orbit ends early. The crosses of `float` have no inside.
+fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) -> Result<(), Box<dyn StdError>> {
+    let style = |colour: RGBColor| ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: 2 };
+    let (line, inside) = (style(kind.colour()), if is_complete { kind.colour() } else { WHITE }.filled());
+    match kind {
+        Kind::Float => root.draw(&Cross::new((x, y), 5, line))?,
+        Kind::Doubles => {
+            root.draw(&Circle::new((x, y), 5, inside))?;
+            root.draw(&Circle::new((x, y), 5, line))?;
+        }
+        Kind::Multiprecision => {
+            let corners = [(x - 5, y - 5), (x + 5, y + 5)];
+            root.draw(&Rectangle::new(corners, inside))?;
+            root.draw(&Rectangle::new(corners, line))?;
+        }
+    }
+    Ok(())
+}
+
+/// The line from a marker to a label that stands apart.
+fn lead(root: &Canvas<'_>, kind: Kind, marker: (f64, f64), label: &Area) -> Result<(), Box<dyn StdError>> {
+    let foot = label.nearest(marker);
+    if (foot.0 - marker.0).hypot(foot.1 - marker.1) > labels::LEADER {
+        let pixel = |(x, y): (f64, f64)| (x.round() as i32, y.round() as i32);
+        root.draw(&PathElement::new([pixel(marker), pixel(foot)], kind.colour().mix(0.5)))?;
+    }
+    Ok(())
+}
+
+fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
+    TextStyle::from(("sans-serif", size).into_font()).color(colour).pos(Pos::new(side, VPos::Center))
+}

@@ -1,0 +1,204 @@
+//! Widths and errors of any smallness, in the units that the digits are asked in.
+
+use std::fmt;
+
+use impact_pair::Scene;
+use impact_pair::exact::{Dyadic, Enclosure, Exact};
+
+/// What a logarithm here may be off by, absolutely and in proportion: each is a few roundings of doubles.
+const SLACK: (f64, f64) = (1e-9, 1e-14);
+/// Bits that sizes are rounded to.
+const BITS: u32 = 64;
+
+/// A bound of a size >= 0 by its decimal logarithm, since it may be below the range of doubles.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Size(f64);
+
+impl Size {
+    pub const ZERO: Self = Self(f64::NEG_INFINITY);
+
+    /// `10^exponent`
+    pub const fn power_of_ten(exponent: i32) -> Self {
+        Self(exponent as f64)
+    }
+
+    /// The greater one.
+    pub fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
+    }
+
+    /// `-log10`: as a width, the digits it leaves. Infinite for zero.
+    pub fn digits(self) -> f64 {
+        -self.0
+    }
+
+    /// Three significant digits, rounded up.
+    pub fn decimal_up(self) -> String {
+        self.decimal(2, f64::ceil)
+    }
+
+    /// Three significant digits, rounded down.
+    pub fn decimal_down(self) -> String {
+        self.decimal(2, f64::floor)
+    }
+
+    /// Two significant digits, rounded up: for tables.
+    pub fn short(self) -> String {
+        self.decimal(1, f64::ceil)
+    }
+
+    /// Two significant digits, to nearest: not a bound.
+    pub fn rounded(self) -> String {
+        self.decimal(1, f64::round)
+    }
+
+    fn decimal(self, places: i32, round: fn(f64) -> f64) -> String {
+        if self == Self::ZERO {
+            return "0".into();
+        }
+        if self.0 == f64::INFINITY {
+            return "inf".into();
+        }
+        let mut exponent = self.0.floor();
+        let one = 10f64.powi(places);
+        let mut mantissa = round(10f64.powf(self.0 - exponent) * one) / one;
+        if mantissa >= 10.0 {
+            (mantissa, exponent) = (1.0, exponent + 1.0);
+        }
+        format!("{mantissa:.*}e{exponent}", places as usize)
+    }
+}
+
+/// A positive unit, as bounds of its logarithm.
+#[derive(Clone, Copy, Debug)]
+pub struct Unit {
+    low: f64,
+    high: f64,
+}
+
+impl Unit {
+    /// The unit that lies in `x`; `None` if it may be zero.
+    fn new(x: &Enclosure) -> Option<Self> {
+        let (low, high) = (outward(log10(&x.mig(), -1.0), -1.0), outward(log10(&x.mag(), 1.0), 1.0));
+        low.is_finite().then_some(Self { low, high })
+    }
+
+    /// An upper bound of `x` in this unit.
+    pub fn above(&self, x: &Dyadic) -> Size {
+        Size(outward(log10(x, 1.0) - self.low, 1.0))
+    }
+
+    /// A lower bound of `x` in this unit.
+    pub fn below(&self, x: &Dyadic) -> Size {
+        Size(outward(log10(x, -1.0) - self.high, -1.0))
+    }
+}
+
+/// What times and velocities are measured in.
+#[derive(Clone, Copy, Debug)]
+pub struct Units {
+    /// The period of the excitation, `2 pi / W`.
+    pub time: Unit,
+    /// `A W`; the gap a turn, `d W / (2 pi)`, when A may be zero.
+    pub velocity: Unit,
+    /// What the unit of velocities is.
+    pub speed: Speed,
+}
+
+/// A speed of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Speed {
+    /// The greatest one of the excitation.
+    Excitation,
+    /// The gap a period.
+    Gap,
+}
+
+impl fmt::Display for Speed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Excitation => "A W",
+            Self::Gap => "d W/(2 pi)",
+        })
+    }
+}
+
+impl Units {
+    pub fn of(scene: &Scene) -> Self {
+        let (pair, enclose) = (scene.pair(), |x: &Exact| x.enclose(BITS));
+        let frequency = enclose(pair.excitation().frequency());
+        let turn = enclose(&(Exact::pi() * Exact::from(2)));
+        let period = turn.div(&frequency, BITS).expect("W > 0 is checked with the scene");
+        let speed = enclose(pair.excitation().amplitude()).mul(&frequency, BITS);
+        let gap = enclose(pair.gap()).div(&period, BITS).expect("a period is positive");
+        let positive = "W > 0 and d > 0 are checked with the scene";
+        let (velocity, speed) = match Unit::new(&speed) {
+            Some(velocity) => (velocity, Speed::Excitation),
+            None => (Unit::new(&gap).expect(positive), Speed::Gap),
+        };
+        Self { time: Unit::new(&period).expect(positive), velocity, speed }
+    }
+}
+
+/// About the decimal logarithm of `x >= 0`, on the given side but for the roundings of doubles.
+fn log10(x: &Dyadic, side: f64) -> f64 {
+    if x.is_zero() {
+        return f64::NEG_INFINITY;
+    }
+    let x = Enclosure::point(x.clone()).rounded(BITS);
+    let x = if side > 0.0 { x.hi() } else { x.lo() };
+    let mantissa = Dyadic::new(x.mantissa().clone(), 0).to_f64_up();
+    (mantissa.log2() + x.exponent() as f64) * 2f64.log10()
+}
+
+/// The logarithm with its slack.
+fn outward(log: f64, side: f64) -> f64 {
+    if log.is_finite() { log + side * SLACK.1.mul_add(log.abs(), SLACK.0) } else { log }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn unit(x: f64) -> Unit {
+        Unit::new(&Enclosure::from_f64_bounds(x, x).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn sizes_are_rounded_outward() {
+        let third = Dyadic::from_f64(1.0 / 3.0).unwrap();
+        assert_eq!(unit(1.0).above(&third).decimal_up(), "3.34e-1");
+        assert_eq!(unit(1.0).below(&third).decimal_down(), "3.33e-1");
+        assert_eq!(unit(2.0).above(&third).short(), "1.7e-1");
+        // The slack leads beyond a number that three digits hold.
+        let ten = Dyadic::from_f64(10.0).unwrap();
+        assert_eq!(unit(1.0).above(&ten).decimal_up(), "1.01e1");
+        assert_eq!(unit(1.0).below(&ten).decimal_down(), "9.99e0");
+        assert_eq!(Size::power_of_ten(-9).short(), "1.0e-9");
+    }
+
+    #[test]
+    fn sizes_far_below_doubles_have_digits() {
+        let tiny = unit(1.0).above(&Dyadic::power_of_two(-10_000));
+        assert_eq!(tiny.decimal_up(), "5.02e-3011");
+        assert!((3010.29..3010.3).contains(&tiny.digits()));
+        assert!(tiny > Size::ZERO && tiny < Size::power_of_ten(-3000));
+        assert_eq!(unit(1.0).above(&Dyadic::zero()).short(), "0");
+    }
+
+    #[test]
+    fn without_an_amplitude_velocities_are_gaps_a_period() {
+        let scene = |amplitude: &str| {
+            let text = format!(
+                "excitation = {{ amplitude = {amplitude}, frequency = \"2*pi\", phase = 0 }}\n\
+                 pair = {{ gap = 4, restitution = 0.5 }}\n\
+                 start = {{ time = 0, wall = \"left\", velocity = -1 }}"
+            );
+            Units::of(&Scene::parse(&text).unwrap())
+        };
+        let eight = Dyadic::from_f64(8.0).unwrap();
+        assert_eq!(scene("0").velocity.above(&eight).short(), "2.1e0");
+        assert_eq!(scene("\"1/pi\"").velocity.below(&eight).decimal_down(), "3.99e0");
+        assert_eq!(scene("1").time.below(&eight).decimal_down(), "7.99e0");
+    }
+}

@@ -1,0 +1,126 @@
+//! The table for people: a line a rung, then what became of `float`.
+
+use std::io::Write;
+
+use super::judge::{self, Crossing, Judgement, Largest};
+use super::measure::{Extent, Measured};
+use super::{Trade, counted};
+use crate::heading;
+
+const TIMES: &str =
+    "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: and their exact bounds in the units of the scene";
+
+pub fn table(trade: &Trade<'_>) -> String {
+    let mut head = Vec::new();
+    heading::write(&mut head, trade.scene).expect("memory takes all");
+    write!(head, "asked for: {}\n\n", trade.goal()).expect("memory takes all");
+    let mut lines = vec![names()];
+    lines.extend(trade.rungs.iter().map(row));
+    lines.push(format!("\n{TIMES}"));
+    let speed = trade.units.speed;
+    lines.push(format!("widths: guaranteed, of times in periods 2 pi/W, of velocities in {speed}"));
+    if let Some(judgement) = &trade.judgement {
+        let impacts = trade.rungs.first().map_or(0, |float| float.impacts);
+        lines.extend(verdict(judgement, &judge::name(&judge::truth(&trade.asked)), impacts));
+    }
+    if let Some(rung) = trade.interrupted {
+        lines.push(format!("\ninterrupted in rung {rung}"));
+    }
+    String::from_utf8(head).expect("it is text") + &lines.join("\n") + "\n"
+}
+
+/// The names of the columns, in two lines.
+fn names() -> String {
+    let (cost, greatest, last) = ("us an impact", "greatest width", "last width");
+    let upper = format!("{:33}{cost:>18}{:11}{greatest:>19}{last:>19}", "", "");
+    let columns = ["bits", "impacts", "orbit", "bounds", "impacts/s", "time", "velocity", "time", "velocity"];
+    upper + "\n" + &line("arithmetic", columns.map(str::to_owned), "end")
+}
+
+/// A line in columns of fixed widths.
+fn line(name: &str, columns: [String; 9], end: &str) -> String {
+    let [bits, impacts, orbit, bounds, rate, time, velocity, last_time, last_velocity] = columns;
+    format!(
+        "{name:16}{bits:>8}{impacts:>9}{orbit:>8}{bounds:>10}{rate:>11}\
+         {time:>10}{velocity:>9}{last_time:>10}{last_velocity:>9}  {end}"
+    )
+}
+
+fn row(rung: &Measured) -> String {
+    let none = || "-".to_owned();
+    let microseconds = |time| rung.microseconds(time).map(significant);
+    let rate = rung.microseconds(rung.times.orbit).map(|time| format!("{:.1e}", 1e6 / time));
+    let width = |extent: Option<Extent>| match extent {
+        Some(Extent { greatest, last }) => [greatest.short(), last.short()],
+        None => [none(), none()],
+    };
+    let [time, last_time] = width(rung.widths.map(|widths| widths.time));
+    let [velocity, last_velocity] = width(rung.widths.map(|widths| widths.velocity));
+    let columns = [
+        rung.bits.to_string(),
+        rung.impacts.to_string(),
+        microseconds(rung.times.orbit).unwrap_or_else(none),
+        rung.times.with_bounds.and_then(microseconds).unwrap_or_else(none),
+        rate.unwrap_or_else(none),
+        time,
+        velocity,
+        last_time,
+        last_velocity,
+    ];
+    let end = match rung.conclusion.reason() {
+        None if rung.is_certified => "all certified".into(),
+        None => "not certified".into(),
+        Some(reason) => format!("undecided: {}", reason.name()),
+    };
+    line(&rung.rung.to_string(), columns, &end)
+}
+
+/// Three significant digits, no exponent.
+fn significant(x: f64) -> String {
+    let places = (2.0 - x.log10().floor()).clamp(0.0, 6.0);
+    format!("{x:.*}", places as usize)
+}
+
+/// What is known of the errors of `float` and its so many impacts.
+fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
+    let mut lines =
+        vec![format!("\ntrue errors of float, judged by {truth} on {} of {}:", judgement.judged, counted(impacts))];
+    let mut say = |what: &str, answer: String| lines.push(format!("  {what:38}{answer}"));
+    if judgement.judged > 0 {
+        let largest =
+            |largest: &Largest, unit: &str| format!("{} {unit} (impact {})", between(largest), largest.impact);
+        say("largest error of a time", largest(&judgement.time, "periods"));
+        say("largest error of a velocity", largest(&judgement.velocity, &judgement.units.speed.to_string()));
+        for crossing in &judgement.crossings {
+            let what = format!("times off by more than 1e{} periods", crossing.exponent);
+            say(&what, first(crossing, judgement.judged));
+        }
+    }
+    let on_the_word = format!("not up to impact {}", judgement.judged);
+    let departure = judgement.departure.map(|departure| {
+        let float = departure.judged.map_or("float ends".to_owned(), |wall| format!("float on the {}", wall.name()));
+        format!("at impact {}: the truth is on the {} wall, {float}", departure.impact, departure.truth.name())
+    });
+    say("leaves the true word", departure.unwrap_or(on_the_word));
+    lines
+}
+
+/// Bounds that agree to two digits are one number.
+fn between(largest: &Largest) -> String {
+    let (least, most) = (largest.at_least.decimal_down(), largest.at_most.decimal_up());
+    if largest.at_least.rounded() == largest.at_most.rounded() {
+        largest.at_most.rounded()
+    } else {
+        format!("from {least} to {most}")
+    }
+}
+
+fn first(crossing: &Crossing, judged: u64) -> String {
+    match crossing.exceeded {
+        Some(at) if crossing.within + 1 == at => format!("first at impact {at}"),
+        Some(at) => format!("proved at impact {at}, not excluded from impact {}", crossing.within + 1),
+        None if crossing.within == judged => format!("not up to impact {judged}"),
+        None if crossing.within == 0 => "not decided".into(),
+        None => format!("not up to impact {}, not decided from there on", crossing.within),
+    }
+}

@@ -1,0 +1,158 @@
+//! The table, the document and the picture of `trade`: everything but the times, which no two runs share.
+
+mod common;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use common::program;
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+
+fn trade(arguments: &[&str]) -> Command {
+    let mut command = program(&["trade"]);
+    command.args(arguments);
+    command
+}
+
+/// An empty folder of this test.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("trade").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Times, widths and errors, with the spaces before them; sizes are tested where they are proved.
+#[cfg(feature = "multiprecision")]
+const MEASURED: [(&str, &str); 4] = [
+    (r"(auto, \d+ digits) +\d+", "$1  (bits)"),
+    (r" +\d+\.?\d* +([\d.]+|-) +\d\.\de\d+ ", "  (time)  (time)  (rate) "),
+    (r" +\d\.\de-\d+", "  (size)"),
+    (r"impact \d+\)", "impact ..)"),
+];
+
+#[cfg(feature = "multiprecision")]
+#[test]
+fn the_table() {
+    insta::with_settings!({ filters => MEASURED.to_vec() }, {
+        assert_cmd_snapshot!("figure_14_as_a_table", trade(&["scenes/figure-14.toml", "--impacts", "150"]));
+    });
+}
+
+#[test]
+fn the_command_line() {
+    assert_cmd_snapshot!("arguments_of_trade", trade(&["--help"]));
+    assert_cmd_snapshot!("no_impacts", trade(&["scenes/figure-12.toml", "--impacts", "0"]));
+    assert_cmd_snapshot!("picture_of_another_kind", trade(&["scenes/figure-12.toml", "--plot", "trade.png"]));
+    assert_cmd_snapshot!("trade_as_csv", trade(&["scenes/figure-12.toml", "--format", "csv"]));
+    let twice = ["scenes/figure-12.toml", "--output", "a.svg", "--plot", "a.svg"];
+    assert_cmd_snapshot!("one_file_for_both", trade(&twice));
+    assert_cmd_snapshot!("trade_of_no_scene", trade(&["scenes/figure-99.toml"]));
+}
+
+#[test]
+fn a_scene_that_asks_for_no_impact_is_refused() {
+    let scene = folder("no-impact").join("scene.toml");
+    fs::write(&scene, common::scene("figure-12.toml").replace("impacts = 200", "impacts = 0")).unwrap();
+    let answer = trade(&[scene.to_str().unwrap()]).output().unwrap();
+    assert_eq!(answer.status.code(), Some(2));
+    let text = String::from_utf8(answer.stderr).unwrap();
+    assert!(text.contains("run.impacts is 0, there is nothing to measure (try --impacts)"), "{text}");
+}
+
+#[test]
+fn document_and_picture_appear_whole() {
+    let folder = folder("whole");
+    let (document, picture) = (folder.join("trade.json"), folder.join("trade.svg"));
+    let answer = trade(&["scenes/figure-14.toml", "--impacts", "120", "--format", "json"])
+        .arg("--output")
+        .arg(&document)
+        .arg("--plot")
+        .arg(&picture)
+        .output()
+        .unwrap();
+    assert!(answer.status.success() && answer.stdout.is_empty() && answer.stderr.is_empty(), "{answer:?}");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
+    has_the_shape_of_a_trade(&serde_json::from_str(&fs::read_to_string(&document).unwrap()).unwrap());
+    let picture = fs::read_to_string(&picture).unwrap();
+    let judged = if cfg!(feature = "multiprecision") { "wrong word from" } else { "judged to" };
+    let wrong = &format!("float ({judged} impact ");
+    for word in ["<svg", "Figure 14", "A = 8, Ω = π", wrong, "certified digits", "[µs]", "</svg>"] {
+        assert!(picture.contains(word), "no {word}");
+    }
+}
+
+fn has_the_shape_of_a_trade(document: &Value) {
+    assert_eq!(document["schema"], "impact-pair/trade/1");
+    assert_eq!(document["scene"]["gap"], "9.42497");
+    assert_eq!(document["asked"]["impacts"], 120);
+    assert_eq!(document["units"]["velocity"], "A W");
+    assert_eq!(document["interrupted"], Value::Null);
+    let rungs = document["rungs"].as_array().unwrap();
+    let names: Vec<_> = rungs.iter().map(|rung| rung["name"].as_str().unwrap()).collect();
+    let auto = ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits", "auto, 30 digits", "auto, 100 digits"];
+    let bits: &[&str] = if cfg!(feature = "multiprecision") { &["64 bits", "128 bits"] } else { &[] };
+    assert_eq!(names, [&["float", "interval"], bits, &auto].concat());
+    for rung in rungs {
+        let impacts = rung["impacts"].as_u64().unwrap();
+        assert_eq!(rung["complete"], Value::Bool(impacts == 120), "{rung}");
+        assert_eq!(rung["certified"], Value::Bool(rung["name"] != "float"));
+        assert!(rung["outcome"]["kind"].is_string());
+        assert!(rung["seconds"]["repetitions"].as_u64().unwrap() > 0);
+        assert!(rung["arithmetic"]["bits"].as_u64().unwrap() >= 53);
+        if impacts == 0 {
+            assert!(rung["impacts_per_second"].is_null() && rung["digits"].is_null() && rung["widths"].is_null());
+            continue;
+        }
+        assert!(rung["impacts_per_second"].as_f64().unwrap() > 0.0);
+        assert!(rung["microseconds_per_impact"]["orbit"].as_f64().unwrap() > 0.0);
+        if rung["certified"] == true {
+            let width = |of: &str, which: &str| rung["widths"][of][which].as_str().unwrap().parse::<f64>().unwrap();
+            let widest = width("time", "greatest").max(width("velocity", "greatest"));
+            assert!(width("time", "last") <= width("time", "greatest"));
+            let digits = rung["digits"].as_f64().unwrap();
+            assert!((-widest.log10() - digits).abs() < 0.02, "{rung}");
+            assert!(rung["asked"]["digits"].as_f64().is_none_or(|asked| digits >= asked), "{rung}");
+        }
+    }
+    // What is known of the float's errors is independent of how it was found out, as far as doubles lead.
+    let truth = &rungs[0]["truth"];
+    let [nine, ..] = truth["time_errors"].as_array().unwrap().as_slice() else { panic!("no errors: {truth}") };
+    assert_eq!(nine["threshold"], "1e-9");
+    assert!(nine["within"].as_u64().unwrap() > 20);
+    if cfg!(feature = "multiprecision") {
+        assert_eq!(nine["within"].as_u64().unwrap() + 1, nine["exceeded"].as_u64().unwrap());
+        assert_eq!(truth["judged"].as_u64().unwrap() + 1, truth["leaves_word"]["impact"].as_u64().unwrap());
+    } else {
+        assert!(truth["judged"].as_u64().unwrap() < 120 && truth["leaves_word"].is_null());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_what_is_measured() {
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::Pid;
+    use std::process::Stdio;
+
+    let folder = folder("interrupted");
+    let file = folder.join("trade.json");
+    let child = trade(&["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "json", "--output"])
+        .arg(&file)
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The draft appears after the handler is in place.
+    while fs::read_dir(&folder).unwrap().next().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+    let answer = child.wait_with_output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    assert_eq!(String::from_utf8(answer.stderr).unwrap(), "interrupted in rung float\n");
+    let document: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    assert_eq!(document["interrupted"], "float");
+    assert!(document["rungs"].as_array().unwrap().is_empty());
+}
