@@ -40,17 +40,28 @@ def start(draw, gap, speed):
     return {"time": time, "wall": wall, "velocity": f"{-pace if wall == LEFT else pace:.9g}"}
 
 
+def late_press(draw, speed):
+    """(phase, start) on a wall whose pressure ends soon, with a bounce that just comes to rest before, or does not."""
+    ahead = 10 ** draw.uniform(-4, -0.3)
+    pace = speed * ahead**2 * 10 ** draw.uniform(-1.5, 0.5)
+    wall = draw.choice((LEFT, RIGHT))
+    phase = f"-{ahead:.9g}" if wall == LEFT else f"pi - {ahead:.9g}"
+    return phase, {"time": "0", "wall": wall, "velocity": f"{-pace if wall == LEFT else pace:.9g}"}
+
+
 def scene(draw):
     """The tables of a random scene; all its values are strings, that is expressions."""
     bounce = restitution(draw)
     frequency, w = one_of(draw, FREQUENCIES, -1, 3)
     gap, d = one_of(draw, GAPS, -3, 3)
     ratio = 10 ** draw.uniform(-2, 2)
-    phase = draw.choice([draw.choice(PHASES), f"{draw.uniform(-7, 7):.6f}"])
+    phase, first = draw.choice([draw.choice(PHASES), f"{draw.uniform(-7, 7):.6f}"]), start(draw, gap, ratio * d * w)
+    if draw.random() < 0.15:
+        phase, first = late_press(draw, ratio * d * w)
     return {
         "excitation": {"amplitude": f"{ratio:.6g}*({gap})", "frequency": frequency, "phase": phase},
         "pair": {"gap": gap, "restitution": bounce},
-        "start": start(draw, gap, ratio * d * w),
+        "start": first,
     }
 
 
