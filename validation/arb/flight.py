@@ -75,7 +75,8 @@ class Flight:
     def departure(self, width):
         """(b, w): no contact is in (0, b], since (z(s) - z(0))/s = u + z''/2 s keeps its sign there; w to go on with.
 
-        The root s = 0 is divided out: this is the Taylor form of z at the wall, with z'' over [0, b].
+        The root s = 0 is divided out: this is the Taylor form of z at the wall, with z'' over [0, b]. At a release it
+        is divided out three times: u = 0 and z''(0) = 0, so z(s) - z(0) = z'''/6 s^3 with z''' somewhere on (0, s).
         """
         if self.wall is None:
             return arb(0), width
@@ -87,11 +88,19 @@ class Flight:
             part = between(arb(0), width)
             z2 = inward * self.derivatives(part)[2]
             slope = u + z2 * part / 2
-            leaves = slope > 0 or z2 > 0
+            leaves = slope > 0 or z2 > 0 or self.is_release() and inward * self.third(part) > 0
             if leaves and slope * part < self.motion.gap:
                 return width, width
             width = width / 2
         raise Undecided("the ball does not leave the wall")
+
+    def is_release(self):
+        """Whether u and z''(0) are 0, exactly."""
+        return self.wall is not None and self.u == 0 and self.e2 == 0
+
+    def third(self, s):
+        """z'''(s)."""
+        return -self.motion.third(self.t0 + s)
 
     def judge(self, a, b):
         """CLEAR, the wall of the only contact in (a, b], or None, given that z(a) is inside the gap.

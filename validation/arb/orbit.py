@@ -16,6 +16,7 @@ MAPPING = {(LEFT, RIGHT): "P2", (RIGHT, LEFT): "P1", (RIGHT, RIGHT): "P3", (LEFT
 FIRST_BITS, FIRST_COARSE_BITS, MOST_BITS, MOST_COARSE_BITS = 192, 128, 1 << 17, 1 << 11
 
 Impact = namedtuple("Impact", "index mapping wall time velocity")
+Proved = namedtuple("Proved", "impacts rest bits reason")
 
 
 def rotate(rotation, x, y):
@@ -118,8 +119,11 @@ def leave(motion, wall, time, velocity):
     return Flight(motion, wall, time, arb(0) if wall == LEFT else motion.gap, -motion.restitution * velocity)
 
 
-def orbit_at(scene, impacts, digits, bits, coarse_bits):
-    """(impacts, reason): the impacts as far as these precisions prove them, and why they end there, or None."""
+def orbit_at(scene, impacts, digits, bits, coarse_bits, settle=None):
+    """(impacts, rest, reason): the impacts as far as these precisions prove them, and why they end there, or None.
+
+    `settle(walk, states)` tells the rest that these states come to without any further impact that matters, or None.
+    """
     found = []
     with ctx.workprec(bits):
         walk = Walk(scene, coarse_bits)
@@ -129,6 +133,9 @@ def orbit_at(scene, impacts, digits, bits, coarse_bits):
             if first is not None:
                 found.append(first)
             while len(found) < impacts:
+                rest = settle(walk, states) if settle else None
+                if rest is not None:
+                    return found, rest, None
                 after = walk.step(states)
                 time, velocity = after.balls()
                 if not (2 * time.rad() < widest[0] and 2 * velocity.rad() < widest[1]):
@@ -136,27 +143,38 @@ def orbit_at(scene, impacts, digits, bits, coarse_bits):
                 found.append(Impact(len(found) + 1, MAPPING[states.wall, after.wall], after.wall, time, velocity))
                 states = after
         except Undecided as reason:
-            return found, f"impact {len(found) + 1}: {reason}"
-    return found[:impacts], None
+            return found, None, f"impact {len(found) + 1}: {reason}"
+    return found[:impacts], None, None
+
+
+def prove(scene, impacts, digits=30, settle=None, most_bits=MOST_BITS):
+    """So many impacts, or those up to a rest, each narrower than the digits ask for relative to 2 pi/W and A W.
+
+    Starts again with more bits whenever something is undecided; where no precision is enough, `reason` says why.
+    """
+    bits, coarse_bits, best = max(FIRST_BITS, 4 * digits + 64), FIRST_COARSE_BITS, Proved([], None, 0, "")
+    while True:
+        found, rest, reason = orbit_at(scene, impacts, digits, bits, coarse_bits, settle)
+        helped = best.bits == 0 or len(found) > len(best.impacts)
+        if helped or reason is None:
+            best = Proved(found, rest, bits, reason)
+        if reason is None:
+            return best
+        if helped:
+            bits = more_bits(bits, len(best.impacts), impacts)
+        else:
+            # More bits did not help: the proofs need them, not the centre.
+            coarse_bits, bits = 2 * coarse_bits, 3 * bits // 2
+        if bits > most_bits or coarse_bits > MOST_COARSE_BITS:
+            return best
 
 
 def orbit(scene, impacts, digits=30):
-    """(impacts, bits): so many impacts, each proved, and narrower than the digits ask for relative to 2 pi/W and A W.
-
-    Starts again with more bits whenever something is undecided; raises Undecided when no precision is enough.
-    """
-    bits, coarse_bits, reach = max(FIRST_BITS, 4 * digits + 64), FIRST_COARSE_BITS, -1
-    while True:
-        found, reason = orbit_at(scene, impacts, digits, bits, coarse_bits)
-        if reason is None:
-            return found, bits
-        if len(found) <= reach:
-            # More bits did not help: the proofs need them, not the centre.
-            coarse_bits *= 2
-        reach = max(reach, len(found))
-        bits = more_bits(bits, reach, impacts)
-        if bits > MOST_BITS or coarse_bits > MOST_COARSE_BITS:
-            raise Undecided(reason)
+    """(impacts, bits): as many impacts as asked for; raises Undecided when no precision is enough."""
+    proved = prove(scene, impacts, digits)
+    if proved.reason is not None:
+        raise Undecided(proved.reason)
+    return proved.impacts, proved.bits
 
 
 def more_bits(bits, reach, impacts):

@@ -20,7 +20,7 @@ class Scene:
         motion = self.motion()
         if not (motion.gap > 0 and 0 <= motion.restitution <= 1):
             raise SceneError("a scene needs gap > 0 and 0 <= restitution <= 1")
-        if not all(amplitude >= 0 and frequency > 0 for amplitude, frequency, _ in motion.terms):
+        if not all(value >= 0 for value in self.numbers("amplitude")) or not all(w > 0 for _, w, _ in motion.terms):
             raise SceneError("a scene needs amplitudes >= 0 and frequencies > 0")
 
     @classmethod
@@ -50,6 +50,9 @@ class Scene:
         if not len(amplitudes) == len(frequencies) == len(phases):
             raise SceneError("amplitude, frequency and phase are lists of different lengths")
         terms = list(zip(amplitudes, frequencies, phases))
+        if self.tables["excitation"]["phase"] == "pi":
+            # As exact as it can be said: at time 0 the phase is a release or the beginning of a press.
+            terms = [(-amplitude, frequency, arb(0)) for amplitude, frequency, _ in terms]
         return Motion(terms, self.number("pair", "gap"), self.number("pair", "restitution"))
 
     def start(self):
@@ -73,7 +76,10 @@ class Scene:
 
 
 class Motion:
-    """The parameters: terms (A, W, tau) of the excitation (1), the gap d and the restitution e of (15)."""
+    """The parameters: terms (A, W, tau) of the excitation (1), the gap d and the restitution e of (15).
+
+    An amplitude may be negative here: -A sin(W t) is A sin(W t + pi), exactly.
+    """
 
     def __init__(self, terms, gap, restitution):
         self.terms = terms
@@ -89,11 +95,15 @@ class Motion:
             e0, e1, e2 = e0 + amplitude * sine, e1 + speed * cosine, e2 - speed * frequency * sine
         return e0, e1, e2
 
+    def third(self, time):
+        """E''' at a time."""
+        return sum((-a * w**3 * (w * time + phase).cos() for a, w, phase in self.terms), arb(0))
+
     def period(self):
         """The shortest period 2 pi/W of the excitation, about."""
         return 2 * arb.pi() / max((frequency.mid() for _, frequency, _ in self.terms))
 
     def speed(self):
         """The largest of the speeds A W, about; 1 if nothing moves."""
-        speed = max((amplitude * frequency).mid() for amplitude, frequency, _ in self.terms)
+        speed = max(abs(amplitude * frequency).mid() for amplitude, frequency, _ in self.terms)
         return speed if speed > 0 else arb(1)

@@ -65,7 +65,7 @@ class Orbits(unittest.TestCase):
     def test_few_bits_hold_many_bits(self):
         for figure in (13, 14, 15, 16, 17):
             truth, _ = orbit(scene(figure), 60, 60)
-            rough, _ = orbit_at(scene(figure), 60, 4, 140, 128)
+            rough, _, _ = orbit_at(scene(figure), 60, 4, 140, 128)
             self.assertGreater(len(rough), 50)
             for few, many in zip(rough, truth):
                 self.assertEqual(few.wall, many.wall)
