@@ -59,11 +59,12 @@ pub(super) fn is_rising(flight: &Flight<MpBall>) -> Result<bool, Undecided> {
         Some(Ordering::Equal) => flight.sin.sign(),
         sign => sign,
     };
+    let is_inside = !flight.height.mid().is_zero();
     match direction {
         Some(Ordering::Greater) => Ok(true),
-        Some(Ordering::Less) if !flight.height.mid().is_zero() => Ok(false),
         // On release the next derivative decides, which has the sign of cos th0.
         Some(Ordering::Equal) if flight.cos.sign() == Some(Ordering::Greater) => Ok(true),
+        Some(_) if is_inside => Ok(false),
         Some(_) => Err(rest(flight)),
         None => Err(graze(flight, Some(Target::Near), MpBall::from_f64(0.0))),
     }
@@ -299,6 +300,7 @@ fn rest(flight: &Flight<MpBall>) -> Undecided {
 
 /// The drift may be 0, or the flight is too long to follow.
 fn endless(flight: &Flight<MpBall>) -> Undecided {
-    let lasting = flight.drift.sign() == Some(Ordering::Equal);
+    // Either it is known not to be 0, and then the flight is too long in any precision, or exactly 0.
+    let lasting = flight.drift.sign().is_some();
     Undecided { reason: Reason::Budget, wall: None, time: None, lasting }
 }

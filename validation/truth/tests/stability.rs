@@ -117,7 +117,7 @@ fn random_corners_are_the_same_in_every_arithmetic() {
         // More bits go farther; `Bits(64)` has no more to offer than doubles have.
         for pair in runs[2..5].windows(2) {
             assert!(
-                pair[0].len() <= pair[1].len(),
+                pair[0].len() <= pair[1].len() || pair[0].rests,
                 "{:?} goes farther than {:?}: {scene:?}",
                 pair[0].kind,
                 pair[1].kind
@@ -127,8 +127,14 @@ fn random_corners_are_the_same_in_every_arithmetic() {
         impacts += autos[0].len();
         least += runs[0].len();
         for run in autos {
-            assert!(run.len() >= runs[0].len(), "{:?} {}: {scene:?}", run.kind, run.len());
-            assert_eq!((run.len(), run.end()), (autos[0].len(), autos[0].end()), "{:?}: {scene:?}", run.kind);
+            // How much of a chatter is listed depends on the digits asked for.
+            assert!(run.rests || run.len() >= runs[0].len(), "{:?} {}: {scene:?}", run.kind, run.len());
+            assert_eq!(run.rests, autos[0].rests, "{:?}: {scene:?}", run.kind);
+            assert!(
+                run.rests || (run.len(), run.end()) == (autos[0].len(), autos[0].end()),
+                "{:?}: {scene:?}",
+                run.kind
+            );
         }
         // What auto leaves open the truth does, too: the ball rests, never meets a wall again, or in 2^52 turns.
         if let Outcome::Undecided { reason, .. } = autos[0].outcome() {
@@ -262,7 +268,7 @@ fn whole_periods_before_the_start_change_nothing() {
                     assert_eq!(run.objection(&scene.truth(2048, [0.0; 5], run.len())), None, "{scene:?}");
                     if kind.0 == Arithmetic::Auto {
                         run.assert_narrow(&scene);
-                        assert!(run.len() == 30 || run.end() == "graze", "{} {}", run.len(), run.end());
+                        assert!(run.len() == 30 || run.rests || run.end() == "graze", "{} {}", run.len(), run.end());
                     }
                 }
             }
@@ -402,10 +408,10 @@ fn releases_are_decided_in_every_arithmetic() {
     }
 }
 
-/// What no precision decides is given up at once: a ball that comes to rest on its wall again and again (the paper's
-/// model II), and a drift that takes more than 2^52 turns to cross the gap.
+/// What no precision decides costs little: a ball that grazes its wall once a turn for ever (the paper's model II), and
+/// a drift that takes more than 2^52 turns to cross the gap.
 #[test]
-fn what_no_precision_decides_is_given_up_at_once() {
+fn what_no_precision_decides_costs_little() {
     let scene = |tau: &str, time: &str| Scene {
         amplitude: "0.01".into(),
         omega: "2*pi".into(),
@@ -416,10 +422,10 @@ fn what_no_precision_decides_is_given_up_at_once() {
         velocity: "0".into(),
         at: At::Wall(Wall::Left),
     };
-    for (scene, reason) in [(scene("pi/2", "0"), Reason::Graze), (scene("pi/2", "-1e-60"), Reason::Budget)] {
+    for (scene, end) in [(scene("pi/2", "0"), "periodic"), (scene("pi/2", "-1e-60"), "budget")] {
         let run = Run::new(&scene, (Arithmetic::Auto, 9), 5);
         println!("{} after {} steps, {} bits", run.end(), run.steps, run.orbit.bits());
-        assert!(matches!(run.outcome(), Outcome::Undecided { reason: found, .. } if *found == reason), "{}", run.end());
+        assert_eq!(run.end(), end);
         assert!(run.orbit.bits() < 5_000, "{} bits", run.orbit.bits());
     }
 }

@@ -39,6 +39,8 @@ pub struct Run {
     pub bounds: Vec<(Enclosure, Enclosure)>,
     /// How often it was asked to advance.
     pub steps: u64,
+    /// Whether it grazes or rests after the impacts.
+    pub rests: bool,
 }
 
 impl Run {
@@ -53,19 +55,21 @@ impl Run {
         let settings = Settings { impacts: Some(impacts), ..settings };
         let kind = (settings.arithmetic, settings.digits);
         let mut orbit = Orbit::new(&pair, &start, settings).unwrap_or_else(|error| panic!("{error}: {scene:?}"));
-        let (mut found, mut steps) = (Vec::new(), 0);
+        let (mut found, mut steps, mut rests) = (Vec::new(), 0, false);
         loop {
             steps += 1;
             // A restart at most doubles the bits, which are a million at most: some twenty passes.
             assert!(steps <= 40 * (impacts + 2), "{kind:?} goes on and on: {scene:?}");
             match orbit.advance() {
-                Progress::Impact(impact) => found.push(impact),
-                Progress::Retraced(_) | Progress::Graze(_) | Progress::Rest(_) | Progress::Release(_) => {}
+                Progress::Impact(impact) if !rests => found.push(impact),
+                // The truth ends at a graze or a rest; `validation/arb` goes on.
+                Progress::Graze(_) | Progress::Rest(_) => rests = true,
+                Progress::Impact(_) | Progress::Retraced(_) | Progress::Release(_) => {}
                 Progress::Ended => break,
             }
         }
         let bounds = found.iter().map(|impact| orbit.bounds(impact)).collect();
-        Run { kind, orbit, impacts: found, bounds, steps }
+        Run { kind, orbit, impacts: found, bounds, steps, rests }
     }
 
     pub fn len(&self) -> usize {
