@@ -3,7 +3,6 @@
 //! `instructions ARITHMETIC FIGURE IMPACTS [gap]`; `gap` starts figure 12 inside the gap instead of on the wall.
 
 #[path = "../benches/common/mod.rs"]
-#[allow(dead_code)] // the benches use more of it
 mod common;
 
 use std::hint::black_box;

@@ -8,6 +8,14 @@ use std::cmp::Ordering;
 use crate::number::{Ball, Number, kernel, up};
 use crate::pair::{Reduced, Wall};
 
+/// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
+pub(crate) fn haste(pair: &Reduced<Ball>) -> f64 {
+    let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
+    let haste = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
+    // Where nothing shakes anything may rest; where nothing is lost only what is at rest.
+    if beta == 0.0 { 0.0 } else { haste.min(f64::MAX) }
+}
+
 /// How long, in turns, chatter can last that begins with a bounce at `phase` and `velocity`, both of a whole set, the
 /// velocity that after the impact.
 ///

@@ -1,5 +1,6 @@
 //! Orbits: chains of certified impacts from a point or a box of initial data.
 
+mod aside;
 mod clock;
 mod event;
 mod motion;
@@ -27,8 +28,6 @@ use crate::contact::{Contact, Reason, Undecided};
 use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
-#[cfg(feature = "multiprecision")]
-use crate::number::MpBall;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall, ball};
 use crate::rest;
@@ -36,7 +35,7 @@ use crate::switch_plane::{SwitchPoint, absolute};
 use clock::Phase;
 use event::finite;
 use motion::{FloatMotion, IntervalMotion, Motion};
-use origin::{Location, Origin};
+use origin::Origin;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
 use recurrence::Recurrence;
@@ -92,6 +91,10 @@ pub struct Orbit {
     #[cfg(feature = "multiprecision")]
     raise: Option<Raise>,
     first_wide: Option<u64>,
+    /// No chatter is shorter than the velocity before an impact times this, in turns.
+    haste: f64,
+    /// There has been a rest, or a wall is never hit: more than flights is to be looked after.
+    is_aside: bool,
     /// The ball rests and will be released then; for ever if it is not.
     resting: Option<Option<Release>>,
     /// It never hits a wall again, and may graze some, so many times so far.
@@ -172,6 +175,8 @@ impl Orbit {
             #[cfg(feature = "multiprecision")]
             raise: None,
             first_wide: None,
+            haste: rest::haste(&reduced),
+            is_aside: false,
             resting: None,
             still: None,
             grazes: 0,
@@ -193,6 +198,7 @@ impl Orbit {
             self.raise = Some(Raise::new(self.exact.clone(), origin, turns, self.until, &settings));
         }
         self.still = still::still(&self.exact, &self.origin).filter(|_| self.settings.arithmetic != Arithmetic::Float);
+        self.is_aside |= self.still.is_some();
     }
 
     /// Turns phases into times and reduced velocities into velocities.
@@ -255,19 +261,15 @@ impl Orbit {
         if self.outcome.is_some() {
             return Progress::Ended;
         }
-        if let Some(still) = self.still {
-            return self.graze_again(still);
-        }
-        if let Some(event) = self.recurrence.repeat() {
-            return self.repeat(event);
-        }
-        if let Some(release) = self.resting.take() {
-            return self.release(release);
-        }
-        if self.cursor.index == self.listed
-            && let Some(progress) = self.come_to_rest()
+        if self.is_aside
+            && let Some(event) = self.aside()
         {
-            return progress;
+            return event;
+        }
+        if self.may_rest()
+            && let Some(event) = self.come_to_rest()
+        {
+            return event;
         }
         let contact = match self.motion.next_contact() {
             Ok(contact) => contact,
@@ -300,122 +302,28 @@ impl Orbit {
     }
 
     /// Keeps what may have to be repeated.
+    #[inline]
     fn hand_out(&mut self, event: Progress) -> Progress {
-        self.recurrence.keep(&event);
+        if self.is_aside {
+            self.recurrence.keep(&event);
+        }
         event
+    }
+
+    /// Whether the last bounce is slow enough to ask whether it is the first of a chatter: most are not.
+    #[inline]
+    fn may_rest(&self) -> bool {
+        let Some(wall) = self.cursor.wall else { return false };
+        let phase = self.cursor.phase.mid() + wall.mirror_phase();
+        // Chatter that begins now would have to end before the pressure does.
+        let shortest = (self.cursor.velocity.mid() * self.haste).abs();
+        shortest <= phase.ceil() - phase && self.cursor.index == self.listed
     }
 
     /// All that was asked for is listed.
     fn finish(&mut self, reached: Outcome) -> Progress {
         self.outcome = Some(self.recurrence.period().map_or(reached, Outcome::Periodic));
         Progress::Ended
-    }
-
-    /// The next graze of a motion that only grazes, once a turn, or not even that.
-    #[cold]
-    fn graze_again(&mut self, still: Still) -> Progress {
-        let Cursor { turns, phase, .. } = self.cursor;
-        let Some((wall, turns, at)) = still.graze_after(turns, phase.mid()) else {
-            self.outcome = Some(Outcome::NeverImpacts);
-            return Progress::Ended;
-        };
-        let period = Outcome::Periodic(Period { cycles: 1, impacts: 0 });
-        self.grazes += 1;
-        if self.is_past(turns, Ball::exact(at)) || self.settings.impacts.is_some_and(|impacts| self.grazes > impacts) {
-            return self.finish(period);
-        }
-        (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
-        Progress::Graze(Graze { wall, turns, phase: finite(Ball::exact(at)) })
-    }
-
-    /// An event of a motion that is proved to be periodic.
-    fn repeat(&mut self, event: Progress) -> Progress {
-        let (turns, phase) = match &event {
-            Progress::Impact(impact) => (impact.turns, impact.phase),
-            Progress::Rest(Rest { turns, phase, .. }) | Progress::Graze(Graze { turns, phase, .. }) => {
-                let (mid, rad) = phase.mid_rad();
-                (*turns, Ball::new(mid, rad))
-            }
-            Progress::Release(release) => (release.turns, Ball::exact(release.phase)),
-            Progress::Retraced(_) | Progress::Ended => return event,
-        };
-        if self.is_past(turns, phase) {
-            return self.finish(Outcome::TimeReached);
-        }
-        if let Progress::Impact(impact) = &event {
-            self.listed = impact.index;
-        }
-        event
-    }
-
-    /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
-    #[inline]
-    fn come_to_rest(&mut self) -> Option<Progress> {
-        let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
-        let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
-        let is_still = self.pair.beta == Ball::exact(0.0);
-        let time = match (is_still, after == Ball::exact(0.0)) {
-            (true, still) => still.then_some(0.0)?,
-            (false, _) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
-        };
-        self.rest(wall, time, is_still)
-    }
-
-    /// The ball rests from `time` turns after the last contact on, at the latest.
-    #[cold]
-    fn rest(&mut self, wall: Wall, time: f64, for_ever: bool) -> Option<Progress> {
-        let width = self.widths[0];
-        // Impacts are listed until they shrink below the digits asked for.
-        if time.log2() > width.log2 - 1.0 {
-            return None;
-        }
-        let Cursor { turns, phase, .. } = self.cursor;
-        let radius = self.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
-        let is_wide = radius > width.log2 - 2.0;
-        if is_wide && self.settings.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
-            return Some(Progress::Retraced(0));
-        }
-        let at_start = self.cursor.index == self.start.index;
-        let enclosed = match self.motion.enclosures().filter(|_| !at_start) {
-            _ if at_start => self.origin.phase.enclose(self.shown),
-            Some((phase, _)) => phase.rounded(self.shown),
-            None => finite(phase),
-        };
-        let span = Enclosure::from_f64_bounds(0.0, time)?;
-        let enclosed = enclosed.add(&span, self.shown.saturating_add(64));
-        let release = (!for_ever).then(|| {
-            let (ahead, phase) = rest::release(wall, phase.mid());
-            Release { wall, turns: turns.saturating_add(ahead), phase }
-        });
-        self.resting = Some(release);
-        let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
-        Some(self.hand_out(Progress::Rest(rest)))
-    }
-
-    /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
-    #[cold]
-    fn release(&mut self, release: Option<Release>) -> Progress {
-        let Some(release) = release else {
-            self.outcome = self.cursor.wall.map(Outcome::RestsForever);
-            return Progress::Ended;
-        };
-        let Release { wall, turns, phase } = release;
-        if self.is_past(turns, Ball::exact(phase)) {
-            return self.finish(Outcome::TimeReached);
-        }
-        let event = self.hand_out(Progress::Release(release));
-        self.recurrence.release(wall, turns, self.listed);
-        let point = |x: f64| Exact::from_f64(x).expect("a finite number");
-        self.origin = Origin { place: Location::Wall(wall), phase: point(phase), velocity: point(0.0) };
-        let (phase, velocity) = (Ball::exact(phase), Ball::exact(0.0));
-        let origin = Origin { place: Location::Wall(wall), phase, velocity };
-        self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
-        self.cursor = self.start;
-        self.bits = self.bits();
-        self.motion = first_motion(self.settings.arithmetic, &self.exact, &self.pair, &self.origin, &origin)
-            .expect("the arithmetic was there at the start");
-        self.look_ahead();
-        event
     }
 
     /// When a rest begins \[time\].
@@ -483,35 +391,6 @@ impl Orbit {
             Some(graze) => graze,
             None => self.end(undecided),
         }
-    }
-
-    /// Lists a contact that may be a graze and goes on past it.
-    #[cfg(feature = "multiprecision")]
-    fn pass_graze(&mut self) -> Option<Progress> {
-        let passed = self.motion.pass_graze()?;
-        let whole = passed.at.mid().to_f64().round();
-        let turns = self.cursor.turns.saturating_add(whole as i64);
-        let at = passed.at.clone() - MpBall::from_f64(whole);
-        if self.is_past(turns, at.to_ball()) {
-            return Some(self.finish(Outcome::TimeReached));
-        }
-        let phase = at.enclosure()?.rounded(self.shown);
-        self.cursor = Cursor {
-            is_inside: true,
-            turns: self.cursor.turns.saturating_add(passed.turns as i64),
-            phase: MpBall::exact(passed.phase.clone()).to_ball(),
-            velocity: passed.velocity.to_ball(),
-            ..self.cursor
-        };
-        // From here on the data are a box: no precision makes it narrower.
-        (self.start, self.raise, self.is_point) = (self.cursor, None, false);
-        Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
-    }
-
-    /// It takes balls of many digits to pass a graze.
-    #[cfg(not(feature = "multiprecision"))]
-    fn pass_graze(&mut self) -> Option<Progress> {
-        None
     }
 
     /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.

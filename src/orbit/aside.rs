@@ -1,0 +1,163 @@
+//! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
+
+use super::event::{Graze, Outcome, Period, Progress, Release, Rest, finite};
+use super::origin::{Location, Origin};
+use super::still::Still;
+use super::{Cursor, Orbit, Shortfall, first_motion};
+use crate::exact::{Enclosure, Exact};
+use crate::number::Ball;
+#[cfg(feature = "multiprecision")]
+use crate::number::{MpBall, Number};
+use crate::orbit::Arithmetic;
+use crate::pair::Wall;
+use crate::rest;
+
+impl Orbit {
+    /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
+    #[cold]
+    pub(super) fn aside(&mut self) -> Option<Progress> {
+        if let Some(still) = self.still {
+            return Some(self.graze_again(still));
+        }
+        if let Some(event) = self.recurrence.repeat() {
+            return Some(self.repeat(event));
+        }
+        self.resting.take().map(|release| self.release(release))
+    }
+
+    /// The next graze of a motion that only grazes, once a turn, or not even that.
+    #[cold]
+    fn graze_again(&mut self, still: Still) -> Progress {
+        let Cursor { turns, phase, .. } = self.cursor;
+        let Some((wall, turns, at)) = still.graze_after(turns, phase.mid()) else {
+            self.outcome = Some(Outcome::NeverImpacts);
+            return Progress::Ended;
+        };
+        let period = Outcome::Periodic(Period { cycles: 1, impacts: 0 });
+        self.grazes += 1;
+        if self.is_past(turns, Ball::exact(at)) || self.settings.impacts.is_some_and(|impacts| self.grazes > impacts) {
+            return self.finish(period);
+        }
+        (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
+        Progress::Graze(Graze { wall, turns, phase: finite(Ball::exact(at)) })
+    }
+
+    /// An event of a motion that is proved to be periodic.
+    fn repeat(&mut self, event: Progress) -> Progress {
+        let (turns, phase) = match &event {
+            Progress::Impact(impact) => (impact.turns, impact.phase),
+            Progress::Rest(Rest { turns, phase, .. }) | Progress::Graze(Graze { turns, phase, .. }) => {
+                let (mid, rad) = phase.mid_rad();
+                (*turns, Ball::new(mid, rad))
+            }
+            Progress::Release(release) => (release.turns, Ball::exact(release.phase)),
+            Progress::Retraced(_) | Progress::Ended => return event,
+        };
+        if self.is_past(turns, phase) {
+            return self.finish(Outcome::TimeReached);
+        }
+        if let Progress::Impact(impact) = &event {
+            self.listed = impact.index;
+        }
+        event
+    }
+
+    /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
+    #[cold]
+    pub(super) fn come_to_rest(&mut self) -> Option<Progress> {
+        let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
+        let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
+        let is_still = self.pair.beta == Ball::exact(0.0);
+        let time = match (is_still, after == Ball::exact(0.0)) {
+            (true, still) => still.then_some(0.0)?,
+            (false, _) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
+        };
+        self.rest(wall, time, is_still)
+    }
+
+    /// The ball rests from `time` turns after the last contact on, at the latest.
+    #[cold]
+    fn rest(&mut self, wall: Wall, time: f64, for_ever: bool) -> Option<Progress> {
+        let width = self.widths[0];
+        // Impacts are listed until they shrink below the digits asked for.
+        if time.log2() > width.log2 - 1.0 {
+            return None;
+        }
+        let Cursor { turns, phase, .. } = self.cursor;
+        let radius = self.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
+        let is_wide = radius > width.log2 - 2.0;
+        if is_wide && self.settings.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
+            return Some(Progress::Retraced(0));
+        }
+        let at_start = self.cursor.index == self.start.index;
+        let enclosed = match self.motion.enclosures().filter(|_| !at_start) {
+            _ if at_start => self.origin.phase.enclose(self.shown),
+            Some((phase, _)) => phase.rounded(self.shown),
+            None => finite(phase),
+        };
+        let span = Enclosure::from_f64_bounds(0.0, time)?;
+        let enclosed = enclosed.add(&span, self.shown.saturating_add(64));
+        let release = (!for_ever).then(|| {
+            let (ahead, phase) = rest::release(wall, phase.mid());
+            Release { wall, turns: turns.saturating_add(ahead), phase }
+        });
+        (self.resting, self.is_aside) = (Some(release), true);
+        let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
+        Some(self.hand_out(Progress::Rest(rest)))
+    }
+
+    /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
+    #[cold]
+    fn release(&mut self, release: Option<Release>) -> Progress {
+        let Some(release) = release else {
+            self.outcome = self.cursor.wall.map(Outcome::RestsForever);
+            return Progress::Ended;
+        };
+        let Release { wall, turns, phase } = release;
+        if self.is_past(turns, Ball::exact(phase)) {
+            return self.finish(Outcome::TimeReached);
+        }
+        let event = self.hand_out(Progress::Release(release));
+        self.recurrence.release(wall, turns, self.listed);
+        let point = |x: f64| Exact::from_f64(x).expect("a finite number");
+        self.origin = Origin { place: Location::Wall(wall), phase: point(phase), velocity: point(0.0) };
+        let (phase, velocity) = (Ball::exact(phase), Ball::exact(0.0));
+        let origin = Origin { place: Location::Wall(wall), phase, velocity };
+        self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
+        self.cursor = self.start;
+        self.bits = self.bits();
+        self.motion = first_motion(self.settings.arithmetic, &self.exact, &self.pair, &self.origin, &origin)
+            .expect("the arithmetic was there at the start");
+        self.look_ahead();
+        event
+    }
+
+    /// Lists a contact that may be a graze and goes on past it.
+    #[cfg(feature = "multiprecision")]
+    pub(super) fn pass_graze(&mut self) -> Option<Progress> {
+        let passed = self.motion.pass_graze()?;
+        let whole = passed.at.mid().to_f64().round();
+        let turns = self.cursor.turns.saturating_add(whole as i64);
+        let at = passed.at.clone() - MpBall::from_f64(whole);
+        if self.is_past(turns, at.to_ball()) {
+            return Some(self.finish(Outcome::TimeReached));
+        }
+        let phase = at.enclosure()?.rounded(self.shown);
+        self.cursor = Cursor {
+            is_inside: true,
+            turns: self.cursor.turns.saturating_add(passed.turns as i64),
+            phase: MpBall::exact(passed.phase.clone()).to_ball(),
+            velocity: passed.velocity.to_ball(),
+            ..self.cursor
+        };
+        // From here on the data are a box: no precision makes it narrower.
+        (self.start, self.raise, self.is_point) = (self.cursor, None, false);
+        Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
+    }
+
+    /// It takes balls of many digits to pass a graze.
+    #[cfg(not(feature = "multiprecision"))]
+    pub(super) fn pass_graze(&mut self) -> Option<Progress> {
+        None
+    }
+}
