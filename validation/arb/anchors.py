@@ -1,4 +1,4 @@
-"""The chatter of ANCHORS: A = 1, W = tau = pi, d = 9.42497, from the left wall with v = -0.5, for e = 0.3 and 0.5."""
+"""Chatter that others are measured by: A = 1, W = tau = pi, d = 9.42497, from the left wall with v = -0.5."""
 from fractions import Fraction
 
 from flint import arb, ctx
@@ -24,6 +24,22 @@ def anchor(restitution):
 
 
 ANCHORS = {f"chatter with e = {restitution}": anchor(restitution) for restitution in RESTS}
+
+
+def edge(velocity):
+    """A = 2, W = d = 1, e = 0.5, from the left wall, which releases the ball 0.3 later."""
+    return {
+        "excitation": {"amplitude": "2", "frequency": "1", "phase": "-0.3"},
+        "pair": {"gap": "1", "restitution": "0.5"},
+        "start": {"time": "0", "wall": LEFT, "velocity": velocity},
+    }
+
+
+# Found by bisection: at rest less than 10^-10 before the release, and not at rest before it.
+EDGES = {
+    "chatter that just ends": edge("-0.0536887739492693936982359"),
+    "chatter that just does not": edge("-0.05368877394926939402"),
+}
 
 
 def crossing():

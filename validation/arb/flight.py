@@ -52,14 +52,14 @@ class Flight:
         """The height of a wall."""
         return arb(0) if wall == LEFT else self.motion.gap
 
-    def first_contact(self):
+    def first_contact(self, periods=LONGEST):
         """(wall, S): each flight of the set touches this wall first, once in the bracket S, and z' != 0 on S.
 
         The flight is cut into parts from left to right; a part is discarded, holds the contact, or is halved.
         """
         period = self.motion.period()
         a, width = self.departure(period.mid() / 8)
-        while a < LONGEST * period:
+        while a < periods * period:
             b = (a + width).mid()
             verdict = self.judge(a, b)
             if verdict == CLEAR:
@@ -70,7 +70,7 @@ class Flight:
                 raise Undecided(f"near s = {a.str(10)}: a graze, or too little precision")
             else:
                 width = width / 2
-        raise Undecided(f"no contact in {LONGEST} periods")
+        raise Undecided(f"no contact in {periods} periods")
 
     def departure(self, width):
         """(b, w): no contact is in (0, b], since (z(s) - z(0))/s = u + z''/2 s keeps its sign there; w to go on with.

@@ -11,10 +11,14 @@ import sys
 import tomllib
 from collections import Counter
 
-from anchors import ANCHORS, ANCHOR_DIGITS, check_anchor
+from flint import ctx
+
+from anchors import ANCHORS, ANCHOR_DIGITS, EDGES, check_anchor
 from compare import Disagreement
+from flight import Flight, Undecided
 from listing import chatter_limit, check_order, check_widths, judge, judge_period
 from mirror import check_overlap, mirror, reflected
+from orbit import FIRST_BITS
 from program import listing
 from random_scenes import is_calm, ratio, scenes, toml
 from rest_controls import check_rest_controls
@@ -27,8 +31,8 @@ RESTING = 0.6
 # So many may end before all was compared: undecided, in doubles above all, or at an exact graze.
 CUT_SHORT = 0.2
 ENOUGH = 10
-# From so many digits on, the pressure hardly changes while a chatter that is not listed any more lasts.
-SHARP = 6
+# A motion that is said never to touch a wall is followed for so many periods.
+NEVER = 100
 
 
 def check_outcome(verdict, outcome, rows, impacts):
@@ -41,6 +45,19 @@ def check_outcome(verdict, outcome, rows, impacts):
         raise Disagreement(f"unexpected outcome {outcome['kind']!r}")
 
 
+def check_never(scene, rows):
+    """Nothing is listed, and there is no contact as far as the flight is followed."""
+    with ctx.workprec(FIRST_BITS):
+        wall, time, height, velocity = scene.start()
+        try:
+            if rows or wall is not None:
+                raise Disagreement("a motion that never touches a wall, but was on one")
+            wall, _ = Flight(scene.motion(), None, time, height, velocity).first_contact(NEVER)
+        except Undecided:
+            return
+    raise Disagreement(f"a motion that never touches a wall, proved to touch the {wall} one")
+
+
 def judge_scene(tables, binary, impacts, digits, arithmetic):
     """(rows, tally): what the program lists of a scene, and a Counter of what was found to agree."""
     arguments = ["--impacts", str(impacts), "--digits", str(digits), "--arithmetic", arithmetic]
@@ -49,7 +66,7 @@ def judge_scene(tables, binary, impacts, digits, arithmetic):
 
     def check(rows):
         check_order(rows)
-        return judge(rows, timeline, is_auto and digits >= SHARP)
+        return judge(rows, timeline, is_auto)
 
     rows, outcome = listing(binary, toml(tables), arguments)
     verdict = check(rows)
@@ -59,7 +76,9 @@ def judge_scene(tables, binary, impacts, digits, arithmetic):
     tally = Counter(scenes=1, impacts=verdict.impacts, rests=verdict.rests, releases=len(verdict.releases))
     tally.update(held=verdict.held, enclosures=2 * verdict.impacts + verdict.rests, resting=verdict.rests > 0)
     tally[outcome["kind"]] += 1
-    if verdict.proved_end is not None:
+    if outcome["kind"] == "never-impacts":
+        check_never(scene, rows)
+    if verdict.proved_end is not None or outcome["kind"] == "never-impacts":
         tally["beyond"] += 1
         return rows, tally
     check_outcome(verdict, outcome, rows, impacts)
@@ -103,6 +122,8 @@ def cases(asked):
     """(name, tables, digits, arithmetic, further check) of all that is to be judged."""
     for name, tables in ANCHORS.items():
         yield name, tables, ANCHOR_DIGITS, "auto", check_anchor
+    for name, tables in EDGES.items():
+        yield name, tables, 9, "auto", None
     for number, tables in enumerate(scenes(asked.scenes, asked.seed)):
         name = f"scene {number} of seed {asked.seed}: e = {tables['pair']['restitution']}, A/d = {ratio(tables)}"
         yield name, tables, *way(number), None

@@ -4,7 +4,7 @@ import unittest
 
 from flint import arb, ctx
 
-from anchors import ANCHORS, crossing
+from anchors import ANCHORS, EDGES, crossing
 from compare import Disagreement
 from controls import printed
 from flight import Flight, Undecided
@@ -14,6 +14,7 @@ from program import as_row
 from random_scenes import scenes, toml
 from rest import Rest, accumulation, release_after
 from rest_controls import check_rest_controls
+from rests import check_never
 from scene import LEFT, RIGHT, Motion, Scene
 from simulate import decimals, exact
 from timeline import Timeline
@@ -126,6 +127,13 @@ class Rests(unittest.TestCase):
                 self.assertEqual((proved.impacts, proved.rest), ([], Rest(wall, arb(0), rest)))
 
 
+    def test_the_edge_of_coming_to_rest(self):
+        ends, does_not = (Timeline(Scene(tables), 9).begin().prove(150, True) for tables in EDGES.values())
+        self.assertEqual(ends.rest.release, 0)
+        self.assertTrue(0 < arb("0.3") - ends.rest.time < arb("1e-9"))
+        self.assertTrue(does_not.rest is None or does_not.rest.time > 1)
+
+
 class Judgements(unittest.TestCase):
     def test_controls(self):
         for e, impacts in [("0", 12), ("0.2", 60), ("0.5", 150)]:
@@ -155,6 +163,21 @@ class Judgements(unittest.TestCase):
             (rows, timeline), (others, _) = (listed(Scene(case), 9, 15) for case in (tables, mirror(tables)))
             if judge(rows, timeline).proved_end is None:
                 judge(list(reflected(others)), timeline)
+
+    def test_motions_that_never_touch(self):
+        inside = Scene(box(amplitude="0.2", phase="pi/2").tables | {"start": {"time": 0, "position": 0, "velocity": 0}})
+        check_never(inside, [])
+        with self.assertRaisesRegex(Disagreement, "touch the left one"):
+            check_never(Scene(inside.tables | {"start": {"time": 0, "position": 0, "velocity": "-0.1"}}), [])
+        for scene, rows in [(inside, [{}]), (box(), [])]:
+            with self.assertRaisesRegex(Disagreement, "was on one"):
+                check_never(scene, rows)
+
+    def test_a_graze_between_proved_impacts_is_refused(self):
+        rows, timeline = listed(box(restitution="0.5", velocity="-1"), 9, 4)
+        graze = rows[1] | {"event": "graze", "index": "", "mapping": "", "velocity_lower": "", "velocity_upper": ""}
+        with self.assertRaisesRegex(Disagreement, "a graze, proved none"):
+            judge(rows[:1] + [graze] + rows[1:], timeline)
 
     def test_scenes_are_written_as_toml(self):
         self.assertIn('[start]\ntime = "0"\nwall = "left"\n', toml(next(iter(ANCHORS.values()))))
