@@ -57,8 +57,39 @@ snapshots! {
     figure_12_in_128_bits: run(&["scenes/figure-12.toml", "--impacts", "3", "--arithmetic", "128"]);
     figure_12_in_128_bits_as_json:
         run(&["scenes/figure-12.toml", "--impacts", "1", "--arithmetic", "128", "--format", "json"]);
+    chatter_as_a_table: run(&["scenes/chatter.toml"]);
+    chatter_as_json_lines: run(&["scenes/chatter.toml", "--digits", "3", "--impacts", "12", "--format", "jsonl"]);
+    chatter_as_csv: run(&["scenes/chatter.toml", "--digits", "3", "--impacts", "12", "--format", "csv"]);
+    graze_as_a_table: run(&["scenes/graze.toml"]);
+    graze_in_doubles_as_json:
+        run(&["scenes/graze.toml", "--impacts", "2", "--arithmetic", "interval", "--format", "json"]);
     too_few_bits: run(&["scenes/figure-12.toml", "--arithmetic", "32"]);
     too_few_bits_at_most: run(&["scenes/figure-12.toml", "--max-bits", "53"]);
+}
+
+/// How `impact-pair run` ends on a scene of this excitation and phase, pair and start.
+fn end_of(excitation: &str, pair: &str, start: &str, arguments: &[&str]) -> (serde_json::Value, usize) {
+    let scene = format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ time = 0, {start} }}\n");
+    let answer = common::answer_to(&scene, &[&["--format", "json"], arguments].concat());
+    assert_eq!(answer.status.code(), Some(0), "{}", String::from_utf8_lossy(&answer.stderr));
+    let document: serde_json::Value = serde_json::from_slice(&answer.stdout).unwrap();
+    (document["outcome"].clone(), document["events"].as_array().unwrap().len())
+}
+
+/// MODEL, item 9, and Lemmas Z2-Z4: ends that no simulation reaches.
+#[test]
+fn what_happens_for_ever_is_said() {
+    let shaken = "amplitude = 1, frequency = \"2*pi\", phase = 0";
+    let (outcome, events) = end_of(shaken, "gap = 4, restitution = 0.5", "position = 0.5, velocity = \"-2*pi\"", &[]);
+    assert_eq!((outcome["kind"].as_str(), events), (Some("never-impacts"), 0));
+    let quiet = "amplitude = 0, frequency = 1, phase = 0";
+    let (outcome, events) = end_of(quiet, "gap = 1, restitution = 0", "position = 0, velocity = 1", &[]);
+    assert_eq!((outcome["kind"].as_str(), events), (Some("rests-forever"), 2));
+    // Pressed against the left wall from the start, and released at t = 1 exactly; e = 0 rests again and again.
+    let pressed = "amplitude = 1, frequency = \"pi\", phase = \"pi\"";
+    let start = "wall = \"left\", velocity = 0";
+    let (outcome, _) = end_of(pressed, "gap = 2, restitution = 0", start, &["--impacts", "5000"]);
+    assert_eq!(outcome["kind"], "periodic");
 }
 
 #[cfg(not(feature = "multiprecision"))]
