@@ -238,7 +238,7 @@ impl Conclusion {
             Some(Outcome::Periodic(period)) => {
                 let Period { cycles, impacts } = *period;
                 let every = format!("{} every {cycles} cycle{}", counted(impacts), if cycles == 1 { "" } else { "s" });
-                let message = format!("{}; from the first release on exactly periodic, {every}", counted(index));
+                let message = format!("{}; proved to repeat exactly for ever, {every}", counted(index));
                 Self { period: Some(*period), ..said(message) }
             }
             Some(Outcome::RestsForever(wall)) => said(format!("{after} at rest on the {} wall for ever", wall.name())),

@@ -2,8 +2,9 @@
 
 use super::event::{Graze, Outcome, Period, Progress, Release, Rest, finite};
 use super::origin::{Location, Origin};
+use super::shortfall::Shortfall;
 use super::still::Still;
-use super::{Cursor, Orbit, Shortfall, first_motion};
+use super::{Cursor, Orbit, first_motion};
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]

@@ -14,6 +14,7 @@ mod raise;
 mod recurrence;
 mod set;
 mod settings;
+mod shortfall;
 mod start;
 mod still;
 
@@ -24,7 +25,7 @@ pub use plan::Plan;
 pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
 pub use start::{Place, Start};
 
-use crate::contact::{Contact, Reason, Undecided};
+use crate::contact::Contact;
 use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
@@ -45,7 +46,8 @@ use still::Still;
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
 /// **Enclosure**: for every start and all parameters of the scene, impact `i` of the true orbit lies in the `i`-th
-/// item, on that wall, and no other wall contact comes between. With [`Arithmetic::Float`] nothing is claimed.
+/// item, on that wall, and no other wall contact comes between, but those of a rest or a graze: [`Orbit::advance`]
+/// tells of these, too. With [`Arithmetic::Float`] nothing is claimed.
 /// **Cost**: a certified flight, a second bracket and a Jacobian for each impact; memory does not grow.
 ///
 /// ```
@@ -102,19 +104,6 @@ pub struct Orbit {
     grazes: u64,
     recurrence: Recurrence,
     outcome: Option<Outcome>,
-}
-
-/// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
-const GRAZE_BITS: u32 = 4096;
-
-/// What a motion falls short of.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
-enum Shortfall {
-    /// So many bits of the width asked for.
-    Width(f64),
-    /// A decision.
-    Verdict,
 }
 
 /// How far the motion has come.
@@ -251,7 +240,7 @@ impl Orbit {
         }
     }
 
-    /// Goes on: to the next impact, or in more precision over one that was listed before.
+    /// Goes on: to the next event, or in more precision over an impact that was listed before.
     ///
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.
     pub fn advance(&mut self) -> Progress {
@@ -342,103 +331,6 @@ impl Orbit {
     /// When a release happens \[time\], as exactly as it can be shown.
     pub fn release_time(&self, release: &Release) -> Enclosure {
         self.clock.time_of(release.turns, release.phase)
-    }
-
-    /// How many bits a contact is wider than asked for; not positive if it is not.
-    #[inline]
-    fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
-        let [time, velocity] = self.widths;
-        let radii = self.motion.radii();
-        if radii.is_none() {
-            let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
-            if of_time <= time.linear && of_velocity <= velocity.linear {
-                return 0.0;
-            }
-        }
-        let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2()));
-        let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
-        let excess = (of_time - time.log2).max(of_velocity - velocity.log2);
-        if excess.is_nan() { f64::INFINITY } else { excess }
-    }
-
-    /// Phase and velocity as intervals where doubles are too coarse to show them.
-    fn precise(&self, contact: &Contact<Ball>) -> Option<(Enclosure, Enclosure)> {
-        let in_full = matches!(self.settings.arithmetic, Arithmetic::Bits(_));
-        let [time, velocity] = self.widths;
-        let fine = 4.0 * contact.phase.rad() <= time.linear && 4.0 * contact.velocity.rad() <= velocity.linear;
-        if fine && !in_full {
-            return None;
-        }
-        self.motion.enclosures().map(|(phase, velocity)| (phase.rounded(self.shown), velocity.rounded(self.shown)))
-    }
-
-    /// The motion cannot go on: in more precision, or not at all.
-    #[cold]
-    fn give_up(&mut self, undecided: Undecided) -> Progress {
-        // What so many bits do not tell apart is called a graze; both continuations are then followed as one set.
-        let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
-        let deep = self.settings.arithmetic != Arithmetic::Auto || self.motion.bits() >= GRAZE_BITS;
-        if may_graze
-            && deep
-            && let Some(graze) = self.pass_graze()
-        {
-            return graze;
-        }
-        if !undecided.lasting && self.restart(Shortfall::Verdict) {
-            return Progress::Retraced(0);
-        }
-        match may_graze.then(|| self.pass_graze()).flatten() {
-            Some(graze) => graze,
-            None => self.end(undecided),
-        }
-    }
-
-    /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
-    #[cold]
-    fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
-        if self.settings.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
-            return None;
-        }
-        if self.restart(Shortfall::Width(excess)) {
-            return Some(Progress::Retraced(0));
-        }
-        self.is_point.then(|| self.end(Undecided::precision(contact)))
-    }
-
-    /// Starts again in more precision, if that may help.
-    #[cfg(feature = "multiprecision")]
-    fn restart(&mut self, shortfall: Shortfall) -> bool {
-        let Some(raise) = &mut self.raise else { return false };
-        let Some(motion) =
-            raise.again(&self.pair, shortfall, self.cursor.index - self.start.index, self.motion.accuracy())
-        else {
-            return false;
-        };
-        self.motion = Box::new(motion);
-        self.cursor = self.start;
-        true
-    }
-
-    /// Doubles are all there is in this build.
-    #[cfg(not(feature = "multiprecision"))]
-    fn restart(&mut self, _: Shortfall) -> bool {
-        false
-    }
-
-    fn end(&mut self, undecided: Undecided) -> Progress {
-        let at = |phase: Ball| finite(phase);
-        let Cursor { turns, phase, .. } = self.cursor;
-        let time = match undecided.time {
-            Some(since) => {
-                let whole = since.mid().floor();
-                let rest = phase + (since - Ball::exact(whole));
-                let at = self.clock.time(turns.saturating_add(whole as i64), &at(rest));
-                (at.clone(), Some(at))
-            }
-            None => (self.clock.time(turns, &at(phase)), None),
-        };
-        self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
-        Progress::Ended
     }
 
     /// Whether an impact certainly comes after the time to stop at.

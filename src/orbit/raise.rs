@@ -2,11 +2,12 @@
 //!
 //! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it eats.
 
+use super::Settings;
 use super::clock::Phase;
 use super::origin::Origin;
 use super::plan::{Growth, Plan};
 use super::precise::PreciseMotion;
-use super::{Settings, Shortfall};
+use super::shortfall::Shortfall;
 use crate::exact::Exact;
 use crate::number::{Ball, LEAST_BITS};
 use crate::pair::{Reduced, ball};

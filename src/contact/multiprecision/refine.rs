@@ -62,7 +62,7 @@ impl Isolated {
             return self.refine_hop(flight, bits);
         }
         let mut at = self.at.clone();
-        for level in self.ladder(bits) {
+        for level in self.ladder(flight, bits) {
             let coarse = flight.map(|x| x.rounded(level));
             at.set_prec(level);
             let sight = self.look(&coarse, &at);
@@ -119,9 +119,9 @@ impl Isolated {
     }
 
     /// The precisions of the steps before the last, rising to a quarter of `bits`.
-    fn ladder(&self, bits: u32) -> Vec<u32> {
+    fn ladder(&self, flight: &Flight<MpBall>, bits: u32) -> Vec<u32> {
         // Bits that a step loses: an error of the phase counts against |z'| / z''.
-        let lost = (8.0 - self.velocity.mid().abs().log2().min(0.0)).ceil() as u32;
+        let lost = (8.0 + (flight.steepest().log2() - self.least.log2()).max(0.0)).ceil() as u32;
         let known = -self.reach.log2();
         let mut levels = Vec::new();
         let mut needed = bits;

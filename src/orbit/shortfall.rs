@@ -1,0 +1,119 @@
+//! What happens when the motion does not suffice: more precision, a graze passed, or an honest end.
+
+use super::event::{Outcome, Progress, finite};
+use super::{Arithmetic, Cursor, Orbit};
+use crate::contact::{Contact, Reason, Undecided};
+use crate::exact::Enclosure;
+use crate::number::Ball;
+
+/// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
+const GRAZE_BITS: u32 = 4096;
+
+/// What a motion falls short of.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
+pub(super) enum Shortfall {
+    /// So many bits of the width asked for.
+    Width(f64),
+    /// A decision.
+    Verdict,
+}
+
+impl Orbit {
+    /// How many bits a contact is wider than asked for; not positive if it is not.
+    #[inline]
+    pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
+        let [time, velocity] = self.widths;
+        let radii = self.motion.radii();
+        if radii.is_none() {
+            let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
+            if of_time <= time.linear && of_velocity <= velocity.linear {
+                return 0.0;
+            }
+        }
+        let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2()));
+        let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
+        let excess = (of_time - time.log2).max(of_velocity - velocity.log2);
+        if excess.is_nan() { f64::INFINITY } else { excess }
+    }
+
+    /// Phase and velocity as intervals where doubles are too coarse to show them.
+    pub(super) fn precise(&self, contact: &Contact<Ball>) -> Option<(Enclosure, Enclosure)> {
+        let in_full = matches!(self.settings.arithmetic, Arithmetic::Bits(_));
+        let [time, velocity] = self.widths;
+        let fine = 4.0 * contact.phase.rad() <= time.linear && 4.0 * contact.velocity.rad() <= velocity.linear;
+        if fine && !in_full {
+            return None;
+        }
+        self.motion.enclosures().map(|(phase, velocity)| (phase.rounded(self.shown), velocity.rounded(self.shown)))
+    }
+
+    /// The motion cannot go on: in more precision, or not at all.
+    #[cold]
+    pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
+        // What so many bits do not tell apart is called a graze; both continuations are then followed as one set.
+        let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
+        let deep = self.settings.arithmetic != Arithmetic::Auto || self.motion.bits() >= GRAZE_BITS;
+        if may_graze
+            && deep
+            && let Some(graze) = self.pass_graze()
+        {
+            return graze;
+        }
+        if !undecided.lasting && self.restart(Shortfall::Verdict) {
+            return Progress::Retraced(0);
+        }
+        match may_graze.then(|| self.pass_graze()).flatten() {
+            Some(graze) => graze,
+            None => self.end(undecided),
+        }
+    }
+
+    /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
+    #[cold]
+    pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
+        if self.settings.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
+            return None;
+        }
+        if self.restart(Shortfall::Width(excess)) {
+            return Some(Progress::Retraced(0));
+        }
+        self.is_point.then(|| self.end(Undecided::precision(contact)))
+    }
+
+    /// Starts again in more precision, if that may help.
+    #[cfg(feature = "multiprecision")]
+    pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
+        let Some(raise) = &mut self.raise else { return false };
+        let Some(motion) =
+            raise.again(&self.pair, shortfall, self.cursor.index - self.start.index, self.motion.accuracy())
+        else {
+            return false;
+        };
+        self.motion = Box::new(motion);
+        self.cursor = self.start;
+        true
+    }
+
+    /// Doubles are all there is in this build.
+    #[cfg(not(feature = "multiprecision"))]
+    pub(super) fn restart(&mut self, _: Shortfall) -> bool {
+        false
+    }
+
+    fn end(&mut self, undecided: Undecided) -> Progress {
+        let at = |phase: Ball| finite(phase);
+        let Cursor { turns, phase, .. } = self.cursor;
+        let time = match undecided.time {
+            Some(since) => {
+                let whole = since.mid().floor();
+                let rest = phase + (since - Ball::exact(whole));
+                let at = self.clock.time(turns.saturating_add(whole as i64), &at(rest));
+                (at.clone(), Some(at))
+            }
+            None => (self.clock.time(turns, &at(phase)), None),
+        };
+        self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
+        Progress::Ended
+    }
+}
