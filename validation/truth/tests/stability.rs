@@ -425,3 +425,28 @@ fn what_no_precision_decides_costs_little() {
         assert!(run.orbit.bits() < 5_000, "{} bits", run.orbit.bits());
     }
 }
+
+/// Flights of more than 2^39 turns, which doubles leave to multiprecision: the turn of the contact is a division.
+#[test]
+fn flights_of_a_trillion_turns_end_in_the_right_turn() {
+    let mut random = Random::seeded(702);
+    for _ in 0..cases(60) {
+        let wall = pick(&mut random, &[Wall::Left, Wall::Right]);
+        let scene = Scene {
+            amplitude: Value(format!("{:.5}e-13", random.uniform(0.3, 2.0)), None),
+            omega: "2*pi".into(),
+            tau: Value(format!("{:.5}", random.uniform(-3.0, 3.0)), None),
+            gap: "1".into(),
+            restitution: "1".into(),
+            time: "0".into(),
+            velocity: Value(format!("{:.5}e-13", -random.uniform(0.0, 6.0) * f64::from(-wall.sign())), None),
+            at: At::Wall(wall),
+        };
+        let truth = scene.truth(1024, [0.0; 5], 1);
+        for kind in [(Arithmetic::Bits(128), 9), (Arithmetic::Bits(256), 9), (Arithmetic::Auto, 9)] {
+            let run = Run::new(&scene, kind, 1);
+            assert_eq!(run.objection(&truth), None, "{scene:?}");
+            assert_eq!(run.len(), truth.len(), "{kind:?}: {} {scene:?}", run.end());
+        }
+    }
+}
