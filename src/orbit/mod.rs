@@ -244,25 +244,31 @@ impl Orbit {
     ///
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.
     pub fn advance(&mut self) -> Progress {
+        self.fly().map_or_else(|other| other, Progress::Impact)
+    }
+
+    /// The next impact, or else what has happened instead: impacts, of which there are many, are not moved about.
+    #[inline(always)]
+    fn fly(&mut self) -> Result<Impact, Progress> {
         if self.outcome.is_none() && self.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
             self.finish(Outcome::ImpactsReached);
         }
         if self.outcome.is_some() {
-            return Progress::Ended;
+            return Err(Progress::Ended);
         }
         if self.is_aside
             && let Some(event) = self.aside()
         {
-            return event;
+            return Err(event);
         }
         if self.may_rest()
             && let Some(event) = self.come_to_rest()
         {
-            return event;
+            return Err(event);
         }
         let contact = match self.motion.next_contact() {
             Ok(contact) => contact,
-            Err(undecided) => return self.give_up(undecided),
+            Err(undecided) => return Err(self.give_up(undecided)),
         };
         // At most 2^52 turns a flight: no sum of flights that can be listed overflows.
         let turns = self.cursor.turns.saturating_add(contact.turns as i64);
@@ -270,15 +276,15 @@ impl Orbit {
         let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), is_inside: false, turns, phase, velocity };
         if next.index <= self.listed {
             self.cursor = next;
-            return Progress::Retraced(next.index);
+            return Err(Progress::Retraced(next.index));
         }
         if self.is_past(turns, phase) {
-            return self.finish(Outcome::TimeReached);
+            return Err(self.finish(Outcome::TimeReached));
         }
         let excess = self.excess(turns, &contact);
         if excess > 0.0 {
             if let Some(progress) = self.narrow(&contact, excess) {
-                return progress;
+                return Err(progress);
             }
             self.first_wide.get_or_insert(next.index);
         }
@@ -287,7 +293,10 @@ impl Orbit {
         self.listed = next.index;
         let precise = self.precise(&contact).map(Box::new);
         let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
-        self.hand_out(Progress::Impact(impact))
+        if self.is_aside {
+            self.recurrence.keep(&Progress::Impact(impact.clone()));
+        }
+        Ok(impact)
     }
 
     /// Keeps what may have to be repeated.
@@ -368,10 +377,11 @@ impl Iterator for Orbit {
 
     fn next(&mut self) -> Option<Impact> {
         loop {
-            match self.advance() {
-                Progress::Impact(impact) => return Some(impact),
-                Progress::Graze(_) | Progress::Rest(_) | Progress::Release(_) | Progress::Retraced(_) => {}
-                Progress::Ended => return None,
+            match self.fly() {
+                // Repeated impacts come with the other events.
+                Ok(impact) | Err(Progress::Impact(impact)) => return Some(impact),
+                Err(Progress::Ended) => return None,
+                Err(_) => {}
             }
         }
     }

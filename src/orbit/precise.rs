@@ -61,7 +61,7 @@ impl PreciseSet {
 
     /// Encloses phases and velocities of the set.
     fn balls(&self) -> (MpBall, MpBall) {
-        let (phase, velocity) = self.shape.hull();
+        let (phase, velocity) = (self.shape.phase_radius(), self.shape.velocity_radius());
         let ball = |mid: &Float, rad| MpBall::new(mid.clone(), Magnitude::new(rad, self.unit));
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }
@@ -111,7 +111,7 @@ impl PreciseMotion {
     /// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
     fn bits_for(&self, set: &PreciseSet, index: u64) -> u32 {
         let planned = self.plan.bits(index);
-        let (phase, velocity) = set.shape.hull();
+        let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
         let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit);
         match radius.exponent() {
             Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
@@ -127,7 +127,6 @@ impl PreciseMotion {
         let start =
             Start { wall: None, height: all.height.to_ball(), phase: phase.to_ball(), velocity: velocity.to_ball() };
         let isolated = isolate_first(&self.doubles, &start, || all.clone(), &all.map(centre_of))?;
-        let wall = isolated.target.wall(all.wall);
         let contact = isolated.contact(all.wall);
         let narrow = Undecided::precision(&contact);
         let refined = isolated.refine(&all, self.plan.bits(1)).ok_or(narrow)?;
@@ -137,7 +136,6 @@ impl PreciseMotion {
         let sin_cos = all.wall.mirror(sin_cos);
         let phase = MpBall::new(at, error);
         let set = PreciseSet::new(&phase, &velocity, scale(&self.doubles.pair, velocity.to_ball()));
-        debug_assert_eq!(wall, contact.wall);
         Ok(Arrival { contact, set, sin_cos })
     }
 

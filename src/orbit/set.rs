@@ -45,12 +45,18 @@ impl Shape {
         Self { axis: (1.0, 0.0), edges: [phase, up(velocity / scale)], scale }
     }
 
-    /// Bounds the distances from the centre, of phase and velocity.
+    /// Bounds the distances of phases from the centre's.
     #[inline(always)]
-    pub fn hull(&self) -> (f64, f64) {
-        let (c, s) = (self.axis.0.abs(), self.axis.1.abs());
-        let [a, b] = self.edges;
-        (up(c * a + s * b), up(self.scale * (s * a + c * b)))
+    pub fn phase_radius(&self) -> f64 {
+        let (c, s) = self.axis;
+        up(c.abs() * self.edges[0] + s.abs() * self.edges[1])
+    }
+
+    /// Bounds the distances of velocities.
+    #[inline(always)]
+    pub fn velocity_radius(&self) -> f64 {
+        let (c, s) = self.axis;
+        up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]))
     }
 
     /// The image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
@@ -61,8 +67,9 @@ impl Shape {
         // Powers of two: exact unless they overflow, and then the balls are infinite.
         let (scale, unscale) = (exact(self.scale), exact(1.0 / self.scale));
         let [[a, b], [d, e]] = *jacobian;
-        let rows = [[a, b * scale], [d * unscale, e]];
-        let columns = rows.map(|[x, y]| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)]);
+        // Not by `map` of the array, which is not always inlined.
+        let turned = |x: Ball, y: Ball| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)];
+        let columns = [turned(a, b * scale), turned(d * unscale, e)];
         let (p, q) = (noise.phase, up(noise.velocity * (1.0 / self.scale)));
         let shear = noise.slope * unscale;
         // The longest of both image edges and the error of the centre gives the first axis.
@@ -127,13 +134,13 @@ impl StateSet {
     /// Encloses the phases of the set.
     #[inline(always)]
     pub fn phase_ball(&self) -> Ball {
-        Ball::new(self.phase, self.shape.hull().0.min(self.box_radii.0))
+        Ball::new(self.phase, self.shape.phase_radius().min(self.box_radii.0))
     }
 
     /// Encloses the velocities of the set.
     #[inline(always)]
     pub fn velocity_ball(&self) -> Ball {
-        Ball::new(self.velocity, self.shape.hull().1.min(self.box_radii.1))
+        Ball::new(self.velocity, self.shape.velocity_radius().min(self.box_radii.1))
     }
 
     /// The image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.

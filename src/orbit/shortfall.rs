@@ -24,13 +24,18 @@ impl Orbit {
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.widths;
-        let radii = self.motion.radii();
-        if radii.is_none() {
-            let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
-            if of_time <= time.linear && of_velocity <= velocity.linear {
-                return 0.0;
-            }
+        let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
+        if of_time <= time.linear && of_velocity <= velocity.linear {
+            return 0.0;
         }
+        self.excess_below_doubles(turns, contact)
+    }
+
+    /// The same where doubles are too coarse to say.
+    #[cold]
+    fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
+        let [time, velocity] = self.widths;
+        let radii = self.motion.radii();
         let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2()));
         let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
         let excess = (of_time - time.log2).max(of_velocity - velocity.log2);
