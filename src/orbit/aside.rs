@@ -91,7 +91,7 @@ impl Orbit {
             return Some(Progress::Retraced(0));
         }
         let at_start = self.cursor.index == self.start.index;
-        let enclosed = match self.motion.enclosures().filter(|_| !at_start) {
+        let enclosed = match self.motion.enclosures() {
             _ if at_start => self.origin.phase.enclose(self.shown),
             Some((phase, _)) => phase.rounded(self.shown),
             None => finite(phase),

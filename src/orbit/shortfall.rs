@@ -107,16 +107,15 @@ impl Orbit {
     }
 
     fn end(&mut self, undecided: Undecided) -> Progress {
-        let at = |phase: Ball| finite(phase);
         let Cursor { turns, phase, .. } = self.cursor;
         let time = match undecided.time {
             Some(since) => {
                 let whole = since.mid().floor();
                 let rest = phase + (since - Ball::exact(whole));
-                let at = self.clock.time(turns.saturating_add(whole as i64), &at(rest));
+                let at = self.clock.time(turns.saturating_add(whole as i64), &finite(rest));
                 (at.clone(), Some(at))
             }
-            None => (self.clock.time(turns, &at(phase)), None),
+            None => (self.clock.time(turns, &finite(phase)), None),
         };
         self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
         Progress::Ended

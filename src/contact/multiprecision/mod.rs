@@ -58,9 +58,7 @@ impl Isolated {
             sin,
         })
     }
-}
 
-impl Isolated {
     /// The contacts over the set in doubles, out of the mirrored frame of flights measured from `near`.
     pub fn contact(&self, near: Wall) -> Contact<Ball> {
         Contact {

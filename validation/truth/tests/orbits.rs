@@ -143,28 +143,15 @@ fn orbits_of_boxes_hold_the_orbits_of_their_members() {
     assert!(ends.1 > 2_000 * cases(1));
 }
 
-fn figure(omega: &str, amplitude: &str, gap: &str, restitution: &str, velocity: &str, tau: &str) -> Scene {
-    Scene {
-        amplitude: amplitude.into(),
-        omega: omega.into(),
-        tau: tau.into(),
-        gap: gap.into(),
-        restitution: restitution.into(),
-        time: "0".into(),
-        velocity: velocity.into(),
-        at: At::Wall(Wall::Left),
-    }
-}
-
 #[test]
 fn figures_12_to_17_hold_the_truth_as_far_as_double_precision_reaches() {
     let figures = [
-        (12, figure("pi", "1", "9.42497", "0.5", "-12.56636", "0"), 2000, 2000),
-        (13, figure("pi", "2", "9.42497", "0.5", "-12.56636", "0"), 2000, 2000),
-        (14, figure("pi", "8", "9.42497", "0.5", "-12.56636", "0"), 200, 80),
-        (15, figure("10*pi", "2", "1", "0.8", "-14.48", "0"), 2000, 2000),
-        (16, figure("20*pi", "10", "1", "0.8", "-2", "0"), 400, 143),
-        (17, figure("200*pi", "10", "10", "0.8", "0", "1.047196"), 200, 64),
+        (12, Scene::figure(12), 2000, 2000),
+        (13, Scene::figure(13), 2000, 2000),
+        (14, Scene::figure(14), 200, 80),
+        (15, Scene::figure(15), 2000, 2000),
+        (16, Scene::figure(16), 400, 143),
+        (17, Scene::figure(17), 200, 64),
     ];
     for (number, scene, asked, least) in figures {
         let (found, outcome) = judge(&scene, 1024, asked, &[[0.0; 5]]);

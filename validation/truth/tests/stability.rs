@@ -16,34 +16,11 @@ use rug::Float;
 use scene::{At, Scene, Value};
 use std::collections::BTreeMap;
 
-/// The paper's figures 12-17 as printed.
-fn figure(number: u32) -> Scene {
-    let [omega, amplitude, gap, restitution, velocity, tau] = match number {
-        12 => ["pi", "1", "9.42497", "0.5", "-12.56636", "0"],
-        13 => ["pi", "2", "9.42497", "0.5", "-12.56636", "0"],
-        14 => ["pi", "8", "9.42497", "0.5", "-12.56636", "0"],
-        15 => ["10*pi", "2", "1", "0.8", "-14.48", "0"],
-        16 => ["20*pi", "10", "1", "0.8", "-2", "0"],
-        17 => ["200*pi", "10", "10", "0.8", "0", "1.047196"],
-        _ => panic!("no figure {number}"),
-    };
-    Scene {
-        amplitude: amplitude.into(),
-        omega: omega.into(),
-        tau: tau.into(),
-        gap: gap.into(),
-        restitution: restitution.into(),
-        time: "0".into(),
-        velocity: velocity.into(),
-        at: At::Wall(Wall::Left),
-    }
-}
-
 #[test]
 fn the_figures_are_the_same_in_every_arithmetic() {
     for number in 12..=17 {
         print!("figure {number}: ");
-        let runs = assert_stable(&figure(number), 200, 1536);
+        let runs = assert_stable(&Scene::figure(number), 200, 1536);
         for run in runs.iter().filter(|run| run.kind.0 == Arithmetic::Auto) {
             assert_eq!(run.len(), 200, "figure {number}, {:?}: {}", run.kind, run.end());
         }
@@ -151,7 +128,7 @@ fn random_corners_are_the_same_in_every_arithmetic() {
 
 #[test]
 fn figure_14_at_100_digits_for_10_000_impacts() {
-    let scene = figure(14);
+    let scene = Scene::figure(14);
     let impacts = 10_000;
     let [nine, hundred] = [9, 100].map(|digits| Run::new(&scene, (Arithmetic::Auto, digits), impacts));
     assert_eq!((nine.len(), hundred.len()), (10_000, 10_000));
@@ -322,7 +299,7 @@ fn boxes_of_data_end_by_their_own_width() {
         (15, "gap", ["1", "1.000000000001"]),
     ];
     for (number, key, ends) in boxes {
-        let (scene, members) = members(&figure(number), key, ends);
+        let (scene, members) = members(&Scene::figure(number), key, ends);
         let interval = Run::new(&scene, (Arithmetic::Interval, 9), 120);
         let kinds =
             [(Arithmetic::Auto, 9), (Arithmetic::Auto, 30), (Arithmetic::Bits(256), 9), (Arithmetic::Bits(64), 9)];
@@ -349,7 +326,7 @@ fn boxes_of_data_end_by_their_own_width() {
 fn the_tiniest_boxes_go_where_no_double_goes() {
     let low = "-12.5663600000000000000000000000000000000000";
     let high = "-12.5663599999999999999999999999999999999999";
-    let (scene, members) = members(&figure(14), "velocity", [low, high]);
+    let (scene, members) = members(&Scene::figure(14), "velocity", [low, high]);
     let interval = Run::new(&scene, (Arithmetic::Interval, 9), 1000);
     for kind in [(Arithmetic::Auto, 9), (Arithmetic::Auto, 30), (Arithmetic::Bits(256), 9)] {
         let run = Run::new(&scene, kind, 1000);
@@ -363,7 +340,7 @@ fn the_tiniest_boxes_go_where_no_double_goes() {
 #[test]
 fn few_bits_at_most_end_in_precision() {
     for (digits, max_bits) in [(15, 64), (30, 64), (30, 100), (9, 100), (100, 100), (100, 300)] {
-        let scene = figure(14);
+        let scene = Scene::figure(14);
         let settings = Settings { digits, max_bits, ..Settings::default() };
         let run = Run::within(&scene, settings, 1000);
         println!("{digits} digits, {max_bits} bits: {} impacts, {} in {} steps", run.len(), run.end(), run.steps);

@@ -76,6 +76,29 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The printed data of figures 12-17.
+    pub fn figure(number: u32) -> Scene {
+        let [omega, amplitude, gap, restitution, velocity, tau] = match number {
+            12 => ["pi", "1", "9.42497", "0.5", "-12.56636", "0"],
+            13 => ["pi", "2", "9.42497", "0.5", "-12.56636", "0"],
+            14 => ["pi", "8", "9.42497", "0.5", "-12.56636", "0"],
+            15 => ["10*pi", "2", "1", "0.8", "-14.48", "0"],
+            16 => ["20*pi", "10", "1", "0.8", "-2", "0"],
+            17 => ["200*pi", "10", "10", "0.8", "0", "1.047196"],
+            _ => panic!("no figure {number}"),
+        };
+        Scene {
+            amplitude: amplitude.into(),
+            omega: omega.into(),
+            tau: tau.into(),
+            gap: gap.into(),
+            restitution: restitution.into(),
+            time: "0".into(),
+            velocity: velocity.into(),
+            at: At::Wall(Wall::Left),
+        }
+    }
+
     /// The pair and the start as the library takes them.
     pub fn library(&self) -> Result<(ImpactPair, LibraryStart), Error> {
         let harmonic = Harmonic::new(self.amplitude.exact(), self.omega.exact(), self.tau.exact())?;
