@@ -22,6 +22,7 @@ enum Kind {
     Range,
     Scene,
     Word,
+    Certificate,
 }
 
 impl Error {
@@ -44,6 +45,11 @@ impl Error {
         self.kind == Kind::Word
     }
 
+    /// Whether a certificate does not read as one.
+    pub fn is_certificate(&self) -> bool {
+        self.kind == Kind::Certificate
+    }
+
     /// The key of the scene file that is at fault, such as `pair.gap`, when it is one.
     pub fn key(&self) -> Option<&str> {
         self.key.as_deref()
@@ -58,6 +64,10 @@ impl Error {
 
     pub(crate) fn scene(message: String) -> Self {
         Self::new(Kind::Scene, message)
+    }
+
+    pub(crate) fn certificate(message: String) -> Self {
+        Self::new(Kind::Certificate, message)
     }
 
     /// A value of a scene file, as written there, that is not of the accepted kind.

@@ -46,6 +46,9 @@ pub enum Verb {
     /// List the certified impacts of a scene
     #[command(after_help = EXIT_CODES, after_long_help = RUN_HELP)]
     Run(RunArguments),
+    /// Prove every claim of an orbit JSON again, by another route, from its own numbers
+    #[command(after_help = CHECK_EXIT_CODES, after_long_help = CHECK_HELP)]
+    Check(CheckArguments),
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),
@@ -113,6 +116,27 @@ impl RunArguments {
         };
         Settings { max_bits: self.max_bits, ..run.settings(self.arithmetic) }
     }
+}
+
+const CHECK_EXIT_CODES: &str = "\
+Exit code: 0 every claim is proved again; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O";
+
+const CHECK_HELP: &str = "\
+Example: impact-pair run scenes/figure-14.toml --format json | impact-pair check -
+
+Each flight is followed anew from the exact data of the certificate's own scene: in physical units, by halving, in one \
+arithmetic of integers whose precision rises until every claimed bound is decided. A claim is confirmed when what is \
+found lies inside its bounds, refuted when it lies outside. JSON Lines are read as well.
+
+Exit code: 0 every claim is proved again; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct CheckArguments {
+    /// Orbit JSON or JSON Lines, as written by run --format json or jsonl, or - for stdin
+    pub certificate: PathBuf,
+    /// No progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
 }
 
 const TRADE_EXIT_CODES: &str = "\

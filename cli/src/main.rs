@@ -1,6 +1,7 @@
 //! Command line of impact-pair: certified orbits of the horizontal impact pair.
 
 mod arguments;
+mod check;
 mod ending;
 mod follow;
 mod heading;
@@ -33,6 +34,7 @@ enum Answer {
 fn main() -> ExitCode {
     let answer = match Cli::parse().verb {
         Verb::Run(arguments) => run::run(&arguments),
+        Verb::Check(arguments) => check::check(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::Completions { shell } => completions(shell),
     };

@@ -9,14 +9,18 @@ use impact_pair::Scene;
 
 /// Reads the scene of a file, or of stdin when it is `-`.
 pub fn read(path: &Path) -> Result<Scene> {
+    Scene::parse(&text(path)?).with_context(|| name(path))
+}
+
+/// Reads a file, or stdin when it is `-`.
+pub fn text(path: &Path) -> Result<String> {
     let text = if path.as_os_str() == "-" {
         let mut text = String::new();
         io::stdin().read_to_string(&mut text).map(|_| text)
     } else {
         fs::read_to_string(path)
     };
-    let text = text.with_context(|| format!("cannot read {}", name(path)))?;
-    Scene::parse(&text).with_context(|| name(path))
+    text.with_context(|| format!("cannot read {}", name(path)))
 }
 
 /// The file as messages name it.

@@ -1,0 +1,87 @@
+//! Quantities that depend on the data nearly linearly: sets without the wrapping of boxes.
+
+use super::real::Real;
+use crate::exact::Dyadic;
+
+/// Bits of columns and errors, which measure widths.
+pub(super) const COLUMN_BITS: u32 = 96;
+
+/// `x = centre + sum_j columns[j] q_j + r` with `|q_j| <= 1` and `|r| <= error`.
+///
+/// The `q_j` are the deviations of those data of the scene that are intervals, the same ones in every quantity of an orbit;
+/// data that are points have none, and then this is a ball.
+#[derive(Clone, Debug)]
+pub(super) struct Affine {
+    /// Encloses the value at the middle of the data.
+    pub centre: Real,
+    columns: Vec<Real>,
+    error: Dyadic,
+}
+
+impl Affine {
+    /// A quantity that does not depend on the data that are intervals.
+    pub fn fixed(centre: Real) -> Self {
+        Self { centre, columns: Vec::new(), error: Dyadic::zero() }
+    }
+
+    /// `centre + radius q_j`
+    pub fn varied(centre: Real, radius: Dyadic, j: usize) -> Self {
+        let zero = Real::zero(COLUMN_BITS);
+        let mut columns = vec![zero; j];
+        columns.push(Real::point(radius, COLUMN_BITS));
+        Self { centre, columns, error: Dyadic::zero() }
+    }
+
+    /// The mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
+    ///
+    /// Each slope holds the partial derivative over the hulls of all the terms, `centre` the value where each of them is
+    /// at any point of its own `centre`.
+    pub fn of(centre: Real, terms: &[(&Real, &Self)]) -> Self {
+        let length = terms.iter().map(|(_, x)| x.columns.len()).max().unwrap_or(0);
+        let mut columns = vec![Real::zero(COLUMN_BITS); length];
+        let mut spread = Real::zero(COLUMN_BITS);
+        for (slope, x) in terms {
+            let slope = slope.rounded(COLUMN_BITS);
+            for (sum, column) in columns.iter_mut().zip(&x.columns) {
+                *sum = sum.clone() + &(column.clone() * &slope);
+            }
+            spread = spread + &Real::point(slope.set().mag().times(&x.error), COLUMN_BITS);
+        }
+        Self { centre, columns, error: spread.set().hi().clone() }
+    }
+
+    /// The same set with a point as its centre.
+    pub fn recentred(self) -> Self {
+        let middle = Real::point(self.centre.middle(), self.centre.bits());
+        let off = Real::point((self.centre - &middle).set().mag(), COLUMN_BITS);
+        let error = off + &Real::point(self.error, COLUMN_BITS);
+        Self { centre: middle, columns: self.columns, error: error.set().hi().clone() }
+    }
+
+    /// The same deviations from 0.
+    pub fn less_centre(self) -> Self {
+        Self { centre: Real::zero(self.centre.bits()), ..self }
+    }
+
+    /// The datum that it depends on most.
+    pub fn widest(&self) -> Option<usize> {
+        let sizes = self.columns.iter().map(|column| column.set().mag()).enumerate();
+        sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
+    }
+
+    /// How far the deviations reach.
+    pub fn reach(&self) -> Dyadic {
+        let reach = |sum: Real, column: &Real| sum + &Real::point(column.set().mag(), COLUMN_BITS);
+        self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).set().hi().clone()
+    }
+
+    /// The set of all its values.
+    pub fn hull(&self) -> Real {
+        self.centre.clone() + &Real::within(&self.reach(), COLUMN_BITS) + &Real::within(&self.error, COLUMN_BITS)
+    }
+
+    /// Whether the deviations of the data make up most of its width.
+    pub fn is_wide_by_data(&self) -> bool {
+        self.reach() > self.error
+    }
+}

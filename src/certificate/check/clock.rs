@@ -1,0 +1,92 @@
+//! From radians since an origin to the times of the scene and back, and where what is found lies beside what is claimed.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use super::affine::Affine;
+use super::data::Data;
+use super::real::Real;
+use crate::exact::{Dyadic, Exact, compare_rational};
+
+/// Times `t = base + s / W` of the phases `s` since an origin.
+#[derive(Clone, Debug)]
+pub(super) struct Clock {
+    /// With as many more bits as it has turns.
+    base: Real,
+    slowness: Real,
+    frequency: Real,
+}
+
+/// Where a set lies beside the bounds claimed for it.
+pub(super) enum Beside {
+    Inside,
+    Outside,
+    Across,
+}
+
+impl Clock {
+    /// The clock of phases counted from the start, whose phase is around `phase`.
+    pub fn at_start(data: &Data, phase: &Affine, bits: u32) -> Self {
+        let bits = with_turns(data, bits);
+        let exact = [&data.time, &data.frequency, &data.delay].into_iter().all(Exact::is_point);
+        let base = if exact {
+            Real::of(&data.time, bits)
+        } else {
+            let turns = Real::rational(&data.turns.clone().into(), bits) * &Real::pi(bits);
+            let phase = turns.clone() + &turns + &phase.centre - &Real::of(&data.delay, bits);
+            phase.over(&Real::of(&data.frequency, bits)).expect("the frequency is positive")
+        };
+        Self::new(data, base, bits)
+    }
+
+    /// The clock of phases counted from `halves` half turns; `None` beyond what exact expressions hold.
+    pub fn at_half_turns(data: &Data, halves: &BigInt, bits: u32) -> Option<Self> {
+        let bits = with_turns(data, bits).saturating_add(u32::try_from(halves.bits()).ok()?);
+        let phase = Exact::from_rational(halves.clone().into()).checked_mul(&Exact::pi()).ok()?;
+        let time = phase.checked_sub(&data.delay).ok()?.checked_div(&data.frequency).ok()?;
+        Some(Self::new(data, Real::of(&time, bits), bits))
+    }
+
+    fn new(data: &Data, base: Real, bits: u32) -> Self {
+        let slowness = Exact::from(1).checked_div(&data.frequency).expect("the frequency is positive");
+        Self { base, slowness: Real::of(&slowness, bits), frequency: Real::of(&data.frequency, bits) }
+    }
+
+    /// The time of a phase.
+    pub fn time(&self, phase: &Real) -> Real {
+        self.base.clone() + &(phase.clone() * &self.slowness)
+    }
+
+    /// A velocity in lengths per time.
+    pub fn velocity(&self, velocity: &Real) -> Real {
+        velocity.clone() * &self.frequency
+    }
+
+    /// The middle of the phases of the claimed times.
+    pub fn phase(&self, [lower, upper]: &[BigRational; 2]) -> Dyadic {
+        let bits = self.base.bits();
+        let time = Real::rational(lower, bits).hull(&Real::rational(upper, bits)).middle();
+        ((Real::point(time, bits) - &self.base) * &self.frequency).middle()
+    }
+}
+
+/// Bits that also hold the whole turns of the start.
+fn with_turns(data: &Data, bits: u32) -> u32 {
+    let time = data.time.enclose(64).mag().top().unwrap_or(0).max(0);
+    let turns = u32::try_from(data.turns.bits()).unwrap_or(u32::MAX / 4);
+    bits.saturating_add(turns.max(u32::try_from(time).unwrap_or(0)))
+}
+
+/// Where `found` lies.
+pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> Beside {
+    let (lo, hi) = (found.set().lo(), found.set().hi());
+    if compare_rational(lo, lower).is_ge() && compare_rational(hi, upper).is_le() {
+        Beside::Inside
+    } else if compare_rational(hi, lower) == Ordering::Less || compare_rational(lo, upper) == Ordering::Greater {
+        Beside::Outside
+    } else {
+        Beside::Across
+    }
+}

@@ -1,0 +1,165 @@
+//! The first contact of all flights of a set, proved by halving (Lemma V1).
+
+use super::flight::{Flight, Part};
+use super::real::Real;
+use crate::exact::Dyadic;
+use crate::pair::Wall;
+
+/// What cannot be confirmed, and why.
+#[derive(Clone, Debug)]
+pub(super) enum Doubt {
+    /// More bits, or smaller sets of data, may tell.
+    Open(String),
+    /// It is proved to be false.
+    False(String),
+}
+
+/// Bits that most parts of most flights are judged with.
+const FIRST_BITS: u32 = 128;
+/// A flight is cut into so many parts at most.
+const MOST_PARTS: u32 = 1 << 21;
+/// Steps of Newton's iteration from a guess.
+const STEPS: u32 = 64;
+
+/// The contact with `wall` near `guess`: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
+/// ball strictly between the walls from the departure to its beginning.
+pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, guess: &Real) -> Result<Real, Doubt> {
+    let most = flight.phase.bits();
+    let mut bits = FIRST_BITS;
+    loop {
+        let coarse = flight.rounded(bits.min(most));
+        match isolate(&coarse, from, wall, guess) {
+            Err(Doubt::Open(_)) if bits < most => bits *= 4,
+            Err(doubt) => return Err(doubt),
+            Ok(bracket) => return Ok(contract(&coarse, wall, bracket)),
+        }
+    }
+}
+
+/// How a flight begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    /// The wall it leaves, if it does.
+    pub wall: Option<Wall>,
+    /// From rest at the phase where the acceleration turns inward.
+    pub is_release: bool,
+}
+
+fn isolate(flight: &Flight, from: Start, wall: Wall, guess: &Real) -> Result<Real, Doubt> {
+    let bits = flight.phase.bits();
+    let h = Real::point(newton(flight, wall, guess).middle(), bits);
+    let guessed = Real::point(guess.middle(), bits);
+    let near = |x: &Real| !x.is_below(&guessed.half()) && !(guessed.clone() + &guessed).is_below(x);
+    let Some((before, after)) = Some(&h).filter(|h| near(h)).and_then(|h| bracket(flight, wall, h)) else {
+        // Where no contact is found near the guess, one before it, or none at all, may be.
+        clear(flight, from, &guessed)?;
+        return Err(Doubt::Open(format!("no contact with the {} wall is found there", wall.name())));
+    };
+    clear(flight, from, &before)?;
+    Ok(before.hull(&after))
+}
+
+/// Two points around `h`, the ball between the walls at the first and beyond `wall` at the second, `y'` not 0 between them.
+fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
+    let bits = h.bits();
+    let mut reach = h.half();
+    for _ in 0..bits {
+        let (before, after) = (h.clone() - &reach, h.clone() + &reach);
+        let slope = flight.slope(&flight.sin_cos(&before.hull(&after)).1);
+        let arrives = if wall == Wall::Right { slope.is_positive() } else { slope.is_negative() };
+        let height = |at: &Real| flight.height(at, &flight.sin_cos(at).0);
+        if arrives && matches!(flight.place(&height(&before)), Part::Clear) {
+            let (end, level) = (height(&after), flight.level(wall));
+            let is_beyond = if wall == Wall::Right { level.is_below(&end) } else { end.is_below(&level) };
+            return is_beyond.then_some((before, after));
+        }
+        reach = reach.half();
+    }
+    None
+}
+
+/// The ball is strictly between the walls on all of `(0, end]`, where the flight begins as `from` says.
+fn clear(flight: &Flight, from: Start, end: &Real) -> Result<(), Doubt> {
+    let bits = end.bits();
+    let (mut at, mut width) = (Real::zero(bits), end.clone());
+    if let Some(wall) = from.wall {
+        while !flight.departs(wall, &width, from.is_release) {
+            width = width.half();
+            if is_short(&width, end) {
+                return Err(Doubt::Open(format!("the ball is not proved to leave the {} wall", wall.name())));
+            }
+        }
+        at = width.clone();
+    }
+    for _ in 0..MOST_PARTS {
+        if !at.is_below(end) {
+            return Ok(());
+        }
+        let next = Real::point((at.clone() + &width).middle(), bits);
+        let next = if next.is_below(end) { next } else { end.clone() };
+        match flight.judge(&at, &next) {
+            Part::Clear => (at, width) = (next, width.clone() + &width),
+            Part::Contact => return Err(Doubt::False("an earlier contact is proved".into())),
+            Part::Open => width = width.half(),
+        }
+        if is_short(&width, end) {
+            return Err(Doubt::Open("an earlier contact is not excluded".into()));
+        }
+    }
+    Err(Doubt::Open("the flight is too long".into()))
+}
+
+/// Whether a part is too short for the arithmetic.
+fn is_short(width: &Real, whole: &Real) -> bool {
+    let top = |x: &Real| x.set().mag().top();
+    top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
+}
+
+/// Where Newton's plain iteration from `guess` ends, with as many bits as its digits are worth; nothing is proved of it.
+pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
+    let most = flight.phase.bits();
+    let mut bits = FIRST_BITS.min(most);
+    let mut h = Real::point(guess.middle(), bits);
+    for _ in 0..STEPS {
+        let coarse = flight.rounded(bits);
+        let point = |x: Real| Real::point(x.middle(), bits);
+        let (sin, cos) = coarse.sin_cos(&h);
+        let (height, slope) = (point(coarse.height(&h, &sin)), point(coarse.slope(&cos)));
+        let Some(step) = (height - &point(coarse.level(wall))).over(&slope) else { return h };
+        let step = point(step);
+        let is_last = is_last(&step, &h);
+        h = point(h - &step);
+        match (is_last, bits < most) {
+            (true, false) => return h,
+            (true, true) => bits = (2 * bits).min(most),
+            (false, _) => {}
+        }
+    }
+    h
+}
+
+/// Whether a step of Newton's iteration, which doubles the digits, is the last one needed.
+fn is_last(step: &Real, h: &Real) -> bool {
+    let top = |x: &Real| x.set().mag().top();
+    top(step).is_none_or(|small| top(h).is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))
+}
+
+/// The bracket cut by interval Newton for as long as that halves it: it still holds all contacts (Lemma V1).
+fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
+    let mut bracket = bracket;
+    loop {
+        let middle = Real::point(bracket.middle(), bracket.bits());
+        let (sin, slope) = (flight.sin_cos(&middle).0, flight.slope(&flight.sin_cos(&bracket).1));
+        let Some(step) = (flight.height(&middle, &sin) - &flight.level(wall)).over(&slope) else { return bracket };
+        let cut = bracket.cut(&(middle - &step));
+        let is_halved = width(&cut).scaled(1) < width(&bracket);
+        bracket = cut;
+        if !is_halved {
+            return bracket;
+        }
+    }
+}
+
+fn width(x: &Real) -> Dyadic {
+    x.set().width()
+}
