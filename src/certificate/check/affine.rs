@@ -63,10 +63,22 @@ impl Affine {
         Self { centre: Real::zero(self.centre.bits()), ..self }
     }
 
+    /// The sum with a number.
+    pub fn shifted(self, by: &Real) -> Self {
+        Self { centre: self.centre.clone() + by, ..self }.recentred()
+    }
+
     /// The datum that it depends on most.
     pub fn widest(&self) -> Option<usize> {
         let sizes = self.columns.iter().map(|column| column.set().mag()).enumerate();
         sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
+    }
+
+    /// The leading bits of its centre that are known; `None` for a number known exactly.
+    pub fn accuracy(&self) -> Option<u32> {
+        let unknown = (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).set().mag();
+        let size = self.centre.set().mag().top().unwrap_or(0);
+        unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0))
     }
 
     /// How far the deviations reach.

@@ -41,10 +41,11 @@ impl Clock {
         Self::new(data, base, bits)
     }
 
-    /// The clock of phases counted from `halves` half turns; `None` beyond what exact expressions hold.
-    pub fn at_half_turns(data: &Data, halves: &BigInt, bits: u32) -> Option<Self> {
-        let bits = with_turns(data, bits).saturating_add(u32::try_from(halves.bits()).ok()?);
-        let phase = Exact::from_rational(halves.clone().into()).checked_mul(&Exact::pi()).ok()?;
+    /// The clock of phases counted from `quarters` quarter turns; `None` beyond what exact expressions hold.
+    pub fn at_quarter_turns(data: &Data, quarters: &BigInt, bits: u32) -> Option<Self> {
+        let bits = with_turns(data, bits).saturating_add(u32::try_from(quarters.bits()).ok()?);
+        let halves = Exact::from_rational(BigRational::new(quarters.clone(), 2.into()));
+        let phase = halves.checked_mul(&Exact::pi()).ok()?;
         let time = phase.checked_sub(&data.delay).ok()?.checked_div(&data.frequency).ok()?;
         Some(Self::new(data, Real::of(&time, bits), bits))
     }
@@ -62,6 +63,11 @@ impl Clock {
     /// A velocity in lengths per time.
     pub fn velocity(&self, velocity: &Real) -> Real {
         velocity.clone() * &self.frequency
+    }
+
+    /// The phase that passes in a time.
+    pub fn radians(&self, lasting: &Real) -> Real {
+        lasting.clone() * &self.frequency
     }
 
     /// The middle of the phases of the claimed times.

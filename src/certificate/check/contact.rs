@@ -79,7 +79,7 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
 }
 
 /// The ball is strictly between the walls on all of `(0, end]`, where the flight begins as `from` says.
-fn clear(flight: &Flight, from: Start, end: &Real) -> Result<(), Doubt> {
+pub(super) fn clear(flight: &Flight, from: Start, end: &Real) -> Result<(), Doubt> {
     let bits = end.bits();
     let (mut at, mut width) = (Real::zero(bits), end.clone());
     if let Some(wall) = from.wall {

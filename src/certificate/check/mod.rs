@@ -8,13 +8,16 @@
 //! its bounds, refuted when it lies outside.
 
 mod affine;
+mod chatter;
 mod clock;
 mod contact;
 mod data;
 mod flight;
+mod graze;
 mod real;
 mod rest;
 mod step;
+mod still;
 mod walk;
 
 use super::Certificate;

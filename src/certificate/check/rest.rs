@@ -1,71 +1,116 @@
-//! Chatter, rest and release (Lemma V3).
+//! Rests and releases along an orbit (Lemma V3).
 
+use num_bigint::BigInt;
+use num_traits::ToPrimitive;
+
+use super::affine::Affine;
+use super::chatter::{accumulation, bounce, is_held};
+use super::clock::{Beside, Clock, beside};
 use super::contact::Doubt;
 use super::real::Real;
-use super::step::{Departure, Parameters};
+use super::step::Departure;
+use super::walk::{Walk, compare};
+use crate::certificate::Claim;
+use crate::orbit::Period;
 use crate::pair::Wall;
 
-/// Windows are tried from so many times what a constant pressure would take, doubled at most so often.
-const WINDOWS: u32 = 8;
+/// Bounces that are not listed are followed so far at most.
+const MOST_BOUNCES: usize = 1 << 14;
 
-/// How long after the departure the last of infinitely many impacts on the same wall comes \[rad\]; `None`: not proved.
-///
-/// With the pressure between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
-/// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
-/// `2u/(lo (1 - e rho))`; if the window holds that, they all come, and the ball is at rest after them.
-pub(super) fn accumulation(departure: &Departure, parameters: &Parameters, origin: &Real) -> Option<Real> {
-    let wall = departure.start.wall?;
-    let flight = departure.flights(parameters, origin);
-    let bits = flight.phase.bits();
-    let (one, e) = (Real::integer(1, bits), parameters.restitution.hull());
-    let inward = |x: Real| if wall == Wall::Left { x } else { -x };
-    let u = inward(flight.velocity.clone());
-    let twice = u.clone() + &u;
-    let pressure = |h: &Real| -inward(flight.curvature(&flight.sin_cos(h).0));
-    let lasting = |pressure: &Real, loss: &Real| twice.over(&((one.clone() - loss) * pressure));
-    let upper = |x: &Real| Real::point(x.set().hi().clone(), bits);
-    let mut window = upper(&lasting(&pressure(&Real::zero(bits)), &e)?);
-    for _ in 0..WINDOWS {
-        window = window.clone() + &window;
-        let pressure = pressure(&Real::zero(bits).hull(&window));
-        let (lo, hi) = (Real::point(pressure.set().lo().clone(), bits), upper(&pressure));
-        if !lo.is_positive() || u.is_negative() {
-            return None;
+/// The ball lies on a wall from this phase on.
+pub(super) struct Rest {
+    wall: Wall,
+    since: Real,
+}
+
+impl Walk<'_> {
+    pub(super) fn come_to_rest(&mut self, claim: &Claim, is_accumulation: bool) -> Result<(), Doubt> {
+        let Some(wall) = self.departure.start.wall.filter(|&wall| wall == claim.wall && self.rest.is_none()) else {
+            return Err(Doubt::False(format!("the ball is not on the {} wall", claim.wall.name())));
+        };
+        if is_accumulation {
+            let since = self.chatter(claim)?;
+            self.rest = Some(Rest { wall, since });
+            return Ok(());
         }
-        let rho = hi.over(&lo)?.sqrt()?;
-        let (slowed, kept) = (e.over(&rho)?, e.clone() * &rho);
-        if !kept.is_below(&one) {
-            continue;
+        let begins = self.event == 0 && self.starts_where_pressure_ends(2);
+        if !is_held(&self.departure, &self.parameters, &self.origin, begins) {
+            return Err(Doubt::Open("the ball is not proved to stay on its wall".into()));
         }
-        let (least, most) = (lasting(&hi, &slowed)?, lasting(&lo, &kept)?);
-        let stays_low = (u.clone() * &u).over(&lo)?.half().is_below(&(flight.half_gap.clone() + &flight.half_gap));
-        if most.is_below(&window) && stays_low {
-            return Some(least.hull(&most));
-        }
+        let since = self.departure.phase.hull();
+        compare("time", &self.clock.time(&since), &claim.time)?;
+        self.rest = Some(Rest { wall, since });
+        Ok(())
     }
-    None
-}
 
-/// Whether the ball does not leave its wall: it has no velocity, and the wall is pressed.
-///
-/// `is_first` tells that a ball without velocity at a phase where the acceleration is 0 is pressed from then on.
-pub(super) fn is_held(departure: &Departure, parameters: &Parameters, origin: &Real, is_first: bool) -> bool {
-    let flight = departure.flights(parameters, origin);
-    let acceleration = flight.curvature(&flight.departure.0);
-    let is_pressed = match departure.start.wall {
-        Some(Wall::Left) => acceleration.is_negative(),
-        Some(Wall::Right) => acceleration.is_positive(),
-        None => return false,
-    };
-    flight.velocity.is_zero() && (is_pressed || is_first || flight.amplitude.is_zero())
-}
+    /// The phases of the rest after infinitely many impacts, which lie inside the claimed bounds.
+    fn chatter(&mut self, claim: &Claim) -> Result<Real, Doubt> {
+        for _ in 0..MOST_BOUNCES {
+            let lasting = accumulation(&self.departure, &self.parameters, &self.origin)
+                .ok_or_else(|| Doubt::Open("the chatter is not proved to end in rest".into()))?;
+            let since = self.departure.phase.hull() + &lasting;
+            match beside(&self.clock.time(&since), &claim.time) {
+                Beside::Inside => return Ok(since),
+                Beside::Outside => return compare("time", &self.clock.time(&since), &claim.time).map(|()| since),
+                Beside::Across => {
+                    let guess = bounce(&self.departure, &self.parameters, &self.origin)?;
+                    let landing = self.land(claim.wall, &guess)?;
+                    self.departure = Departure::rebound(&self.parameters, &landing);
+                }
+            }
+        }
+        Err(Doubt::Open("the rest is not enclosed as claimed".into()))
+    }
 
-/// About how long the next short bounce lasts \[rad\]: twice the velocity over the pressure.
-pub(super) fn bounce(departure: &Departure, parameters: &Parameters, origin: &Real) -> Result<Real, Doubt> {
-    let flight = departure.flights(parameters, origin);
-    let point = |x: &Real| Real::point(x.middle(), x.bits());
-    let velocity = point(&flight.velocity);
-    let doubled = velocity.clone() + &velocity;
-    let pressure = -point(&flight.curvature(&flight.departure.0));
-    doubled.over(&pressure).ok_or_else(|| Doubt::Open("the wall is not proved to be pressed".into()))
+    /// Whether the start is exactly where, seen from its wall, the acceleration turns inward (`quarters` = 0), or presses from
+    /// then on (2).
+    pub(super) fn starts_where_pressure_ends(&self, quarters: i64) -> bool {
+        let mirrored = match self.data.wall {
+            Some(Wall::Left) => quarters,
+            Some(Wall::Right) => quarters + 2,
+            None => return false,
+        };
+        let is_at = |at: BigInt| (at - mirrored) % 4 == BigInt::ZERO;
+        let velocity = self.departure.velocity.hull();
+        velocity.is_zero() && !self.parameters.amplitude.hull().is_zero() && self.data.quarter().is_some_and(is_at)
+    }
+
+    /// The ball leaves where the acceleration turns inward: at an even number of half turns on the left wall, an odd one on
+    /// the right wall.
+    pub(super) fn release(&mut self, claim: &Claim) -> Result<(), Doubt> {
+        let Some(Rest { wall, since }) = self.rest.take().filter(|rest| rest.wall == claim.wall) else {
+            return Err(Doubt::False(format!("the ball does not lie on the {} wall", claim.wall.name())));
+        };
+        if self.parameters.amplitude.hull().is_zero() {
+            return Err(Doubt::False("the ball lies on its wall for ever".into()));
+        }
+        let odd = i64::from(wall == Wall::Right);
+        let turn = Real::pi(self.bits) + &Real::pi(self.bits);
+        let half = Real::integer(odd, self.bits) * &Real::pi(self.bits);
+        let turns = (self.origin.clone() + &since - &half).over(&turn).and_then(|turns| turns.set().floor());
+        let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
+        // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
+        let halves = &self.halves + (turns + 1) * 2 + odd;
+        let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
+        self.clock = clock.ok_or_else(|| Doubt::Open("the time of the release is too large".into()))?;
+        let zero = || Real::zero(self.bits);
+        compare("time", &self.clock.time(&zero()), &claim.time)?;
+        self.origin = half;
+        let still = || Affine::fixed(zero());
+        self.departure = Departure::on_wall(&self.parameters, wall, still(), still());
+        self.departure.start.is_release = true;
+        self.last = Some(wall);
+        self.halves = &halves - odd;
+        let first = &mut self.releases[usize::from(wall == Wall::Right)];
+        match first {
+            None => *first = Some((halves, self.impacts)),
+            Some((since, before)) if self.period.is_none() => {
+                let cycles: BigInt = (halves - &*since) / 2;
+                let cycles = cycles.to_u64().unwrap_or(u64::MAX);
+                self.period = Some(Period { cycles, impacts: self.impacts - *before });
+            }
+            Some(_) => {}
+        }
+        Ok(())
+    }
 }

@@ -38,16 +38,8 @@ pub(super) struct Landing {
     pub velocity: Affine,
 }
 
-/// Which member of the sets to follow.
-type Member = fn(&Affine) -> Real;
-
-fn all(x: &Affine) -> Real {
-    x.hull()
-}
-
-fn middle(x: &Affine) -> Real {
-    x.centre.clone()
-}
+/// Bits kept below the errors of a set.
+const SPARE_BITS: u32 = 64;
 
 /// `1` for the right wall, `-1` for the left one: the side of `y`.
 fn side(wall: Wall, bits: u32) -> Real {
@@ -73,9 +65,11 @@ impl Departure {
         Self { start: Start { wall: Some(wall), is_release: false }, phase, height, velocity }
     }
 
-    /// The flights of the whole set, or of its middle, where phases are counted from `origin`.
-    fn flight(&self, parameters: &Parameters, origin: &Real, member: Member) -> Flight {
-        let phase = origin.clone() + &member(&self.phase);
+    /// The flights of those members of the set that `member` says, phases counted from `origin`.
+    fn flight(&self, parameters: &Parameters, origin: &Real, member: fn(&Affine) -> Real) -> Flight {
+        let bits = self.bits(origin.bits());
+        let member = |x: &Affine| member(x).rounded(bits);
+        let phase = origin.rounded(bits) + &member(&self.phase);
         let departure = phase.sin_cos();
         Flight {
             amplitude: member(&parameters.amplitude),
@@ -87,20 +81,28 @@ impl Departure {
         }
     }
 
+    /// The bits that are worth computing: none far below what is not known of the set anyway.
+    fn bits(&self, most: u32) -> u32 {
+        let known = [&self.phase, &self.velocity].into_iter().filter_map(Affine::accuracy).max();
+        known.map_or(most, |known| known.saturating_add(SPARE_BITS).min(most))
+    }
+
     /// The flights of the whole set.
     pub fn flights(&self, parameters: &Parameters, origin: &Real) -> Flight {
-        self.flight(parameters, origin, all)
+        self.flight(parameters, origin, Affine::hull)
     }
 
     /// The landings, if all flights are proved to touch `wall` first, near `guess` after the departure.
     pub fn land(&self, parameters: &Parameters, origin: &Real, wall: Wall, guess: &Real) -> Result<Landing, Doubt> {
-        let (set, centre) = (self.flights(parameters, origin), self.flight(parameters, origin, middle));
+        let set = self.flights(parameters, origin);
+        let centre = self.flight(parameters, origin, |x| x.centre.clone());
         let contact = first_contact(&set, self.start, wall, guess)?;
         let bits = set.phase.bits();
         // The middle, where Newton's iteration ends; it need not be the root.
         let h = Real::point(newton(&centre, wall, &contact.at(bits)).middle(), bits);
-        let landed = Real::point((Real::point(self.phase.centre.middle(), bits) + &h).middle(), bits);
-        let h = landed.clone() - &self.phase.centre;
+        let departed = self.phase.centre.rounded(bits);
+        let landed = Real::point((departed.clone() + &h).middle(), bits);
+        let h = landed.clone() - &departed;
         let (sin, cos) = centre.sin_cos(&h);
         let contact = contact.at(bits).hull(&h);
         let (sin1, cos1) = set.sin_cos(&contact);

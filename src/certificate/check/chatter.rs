@@ -1,0 +1,71 @@
+//! Chatter, rest and release (Lemma V3).
+
+use super::contact::Doubt;
+use super::real::Real;
+use super::step::{Departure, Parameters};
+use crate::pair::Wall;
+
+/// Windows are tried from so many times what a constant pressure would take, doubled at most so often.
+const WINDOWS: u32 = 8;
+
+/// How long after the departure the last of infinitely many impacts on the same wall comes \[rad\]; `None`: not proved.
+///
+/// With the pressure between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
+/// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
+/// `2u/(lo (1 - e rho))`; if the window holds that, they all come, and the ball is at rest after them.
+pub(super) fn accumulation(departure: &Departure, parameters: &Parameters, origin: &Real) -> Option<Real> {
+    let wall = departure.start.wall?;
+    let flight = departure.flights(parameters, origin);
+    let bits = flight.phase.bits();
+    let (one, e) = (Real::integer(1, bits), parameters.restitution.hull());
+    let inward = |x: Real| if wall == Wall::Left { x } else { -x };
+    let u = inward(flight.velocity.clone());
+    let twice = u.clone() + &u;
+    let pressure = |h: &Real| -inward(flight.curvature(&flight.sin_cos(h).0));
+    let lasting = |pressure: &Real, loss: &Real| twice.over(&((one.clone() - loss) * pressure));
+    let upper = |x: &Real| Real::point(x.set().hi().clone(), bits);
+    let mut window = upper(&lasting(&pressure(&Real::zero(bits)), &e)?);
+    for _ in 0..WINDOWS {
+        window = window.clone() + &window;
+        let pressure = pressure(&Real::zero(bits).hull(&window));
+        let (lo, hi) = (Real::point(pressure.set().lo().clone(), bits), upper(&pressure));
+        if !lo.is_positive() || u.is_negative() {
+            return None;
+        }
+        let rho = hi.over(&lo)?.sqrt()?;
+        let (slowed, kept) = (e.over(&rho)?, e.clone() * &rho);
+        if !kept.is_below(&one) {
+            continue;
+        }
+        let (least, most) = (lasting(&hi, &slowed)?, lasting(&lo, &kept)?);
+        let stays_low = (u.clone() * &u).over(&lo)?.half().is_below(&(flight.half_gap.clone() + &flight.half_gap));
+        if most.is_below(&window) && stays_low {
+            return Some(least.hull(&most));
+        }
+    }
+    None
+}
+
+/// Whether the ball does not leave its wall: it has no velocity, and the wall is pressed.
+///
+/// `is_first` tells that a ball without velocity at a phase where the acceleration is 0 is pressed from then on.
+pub(super) fn is_held(departure: &Departure, parameters: &Parameters, origin: &Real, is_first: bool) -> bool {
+    let flight = departure.flights(parameters, origin);
+    let acceleration = flight.curvature(&flight.departure.0);
+    let is_pressed = match departure.start.wall {
+        Some(Wall::Left) => acceleration.is_negative(),
+        Some(Wall::Right) => acceleration.is_positive(),
+        None => return false,
+    };
+    flight.velocity.is_zero() && (is_pressed || is_first || flight.amplitude.is_zero())
+}
+
+/// About how long the next short bounce lasts \[rad\]: twice the velocity over the pressure.
+pub(super) fn bounce(departure: &Departure, parameters: &Parameters, origin: &Real) -> Result<Real, Doubt> {
+    let flight = departure.flights(parameters, origin);
+    let point = |x: &Real| Real::point(x.middle(), x.bits());
+    let velocity = point(&flight.velocity);
+    let doubled = velocity.clone() + &velocity;
+    let pressure = -point(&flight.curvature(&flight.departure.0));
+    doubled.over(&pressure).ok_or_else(|| Doubt::Open("the wall is not proved to be pressed".into()))
+}

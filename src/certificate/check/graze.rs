@@ -1,0 +1,113 @@
+//! Grazes: past a wall that is touched, or nearly touched, with no velocity or nearly none (Lemma V4).
+
+use super::affine::Affine;
+use super::contact::{Doubt, Start, clear};
+use super::flight::{Flight, Part};
+use super::real::Real;
+use super::step::Departure;
+use super::walk::{Walk, compare};
+use crate::certificate::Claim;
+use crate::exact::Dyadic;
+use crate::pair::Wall;
+
+/// What is found around an extremum of all flights of a set, told from the wall it is near.
+struct Summit {
+    /// Two points around it, `y''` not 0 between them.
+    before: Real,
+    after: Real,
+    /// When it comes, and the times around it at which the wall may be touched.
+    touch: Real,
+    /// How far it may reach beyond the wall, negative where it does not.
+    excess: Real,
+    /// The greatest speed at which the wall may be hit.
+    speed: Real,
+    /// The greatest `|y''|`.
+    curvature: Real,
+}
+
+impl Walk<'_> {
+    /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
+    pub(super) fn graze(&mut self, claim: &Claim) -> Result<(), Doubt> {
+        let guess = self.ahead(claim)?;
+        let flight = self.departure.flights(&self.parameters, &self.origin);
+        let summit = summit(&flight, claim.wall, &guess);
+        let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
+        clear(&flight, self.departure.start, &summit.before)?;
+        let time = |h: &Real| self.clock.time(&(self.departure.phase.hull() + h));
+        compare("time", &time(&summit.touch), &claim.time)?;
+        // No further away than a parabola gets in the time claimed.
+        let span = Real::rational(&(&claim.time[1] - &claim.time[0]), self.bits);
+        let span = self.clock.radians(&span);
+        if (summit.curvature.clone() * &(span.clone() * &span)).is_below(&-summit.excess.clone()) {
+            return Err(Doubt::False("the wall is missed by more than the bounds of the time allow".into()));
+        }
+        self.departure = self.pass(&flight, claim.wall, &summit)?;
+        Ok(())
+    }
+
+    /// The states at the end of the summit, of those that miss the wall and of those that hit it.
+    ///
+    /// Who hits it does so at a speed of at most `speed`, which the impact takes away, and at most `e` times as much again; it
+    /// bends away from the wall up to the end of the summit.
+    fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit) -> Result<Departure, Doubt> {
+        let Summit { before, after, speed, .. } = summit;
+        let lost = (Real::integer(1, self.bits) + &self.parameters.restitution.hull()) * speed;
+        let lost = if wall == Wall::Right { -lost } else { lost };
+        let lost = lost.hull(&Real::zero(self.bits));
+        let (sin, cos) = flight.sin_cos(after);
+        let height = flight.height(after, &sin) + &(lost.clone() * &(after.clone() - before));
+        let velocity = flight.slope(&cos) + &lost;
+        let is_away = if wall == Wall::Right { velocity.is_negative() } else { velocity.is_positive() };
+        if !(is_away && matches!(flight.place(&height), Part::Clear)) {
+            return Err(Doubt::Open("both ways past the graze are not proved to leave the wall".into()));
+        }
+        Ok(Departure {
+            start: Start { wall: None, is_release: false },
+            phase: self.departure.phase.clone().shifted(after),
+            height: Affine::fixed(height).recentred(),
+            velocity: Affine::fixed(velocity).recentred(),
+        })
+    }
+}
+
+/// The extremum near `guess` towards `wall`; `None` if it is not found.
+fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
+    let bits = guess.bits();
+    let outward = |x: Real| if wall == Wall::Right { x } else { -x };
+    let slope = |h: &Real| outward(flight.slope(&flight.sin_cos(h).1));
+    let over = |h: &Real| flight.sin_cos(h);
+    let mut reach = guess.half();
+    for _ in 0..bits {
+        let (before, after) = (guess.clone() - &reach, guess.clone() + &reach);
+        let whole = before.hull(&after);
+        // |y''| where it bends away from the wall.
+        let bend = -outward(flight.curvature(&over(&whole).0));
+        let clear = |h: &Real| matches!(flight.place(&flight.height(h, &over(h).0)), Part::Clear);
+        if bend.is_positive() && slope(&before).is_positive() && slope(&after).is_negative() {
+            if !(clear(&before) && clear(&after)) {
+                return None;
+            }
+            let mut top = whole;
+            for _ in 0..bits.ilog2() {
+                // h + y'/|y''|, by interval Newton.
+                let middle = Real::point(top.middle(), bits);
+                let bend = -outward(flight.curvature(&over(&top).0));
+                top = top.cut(&(middle.clone() + &slope(&middle).over(&bend)?));
+            }
+            let middle = Real::point(top.middle(), bits);
+            let off = top.clone() - &middle;
+            let rise = slope(&middle) * &off - &(bend.clone() * &(off.clone() * &off)).half();
+            let excess = outward(flight.height(&middle, &over(&middle).0) - &flight.level(wall)) + &rise;
+            let end = |x: &Dyadic| Real::point(x.clone(), bits);
+            let (least, most) = (end(bend.set().lo()), end(bend.set().hi()));
+            let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.set().hi()) };
+            let twice = high.clone() + &high;
+            let spread = twice.over(&least)?.sqrt()?;
+            let speed = (twice * &most).sqrt()?;
+            let touch = top + &spread.hull(&-spread.clone());
+            return Some(Summit { before, after, touch, excess, speed, curvature: most });
+        }
+        reach = reach.half();
+    }
+    None
+}

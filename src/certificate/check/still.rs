@@ -1,0 +1,78 @@
+//! Motions without drift, `c = 0` exactly: they touch no wall, or graze the same ones in every turn.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+
+use super::clock::Clock;
+use super::contact::Doubt;
+use super::data::Data;
+use super::walk::{Walk, compare};
+use super::real::Real;
+use crate::certificate::Claim;
+use crate::exact::Exact;
+use crate::pair::Wall;
+
+/// `y = m - A sin th` for ever, between the walls.
+pub(super) struct Still {
+    /// The phase last grazed, or of the start, in quarter turns; not 0 without shaking only if it is one.
+    quarters: BigInt,
+    /// Whether the left wall is touched at 1 quarter turn, and the right wall at 3.
+    touches: [bool; 2],
+}
+
+impl Still {
+    /// The motion from the start, if it is proved to be one: from the exact data, at odd quarter turns, where `cos th0 = 0`, or
+    /// where the box stands still. `is_at_rest`: the ball has no velocity after the start.
+    pub fn of(data: &Data, is_at_rest: bool) -> Option<Self> {
+        let stands = data.amplitude.sign() == Some(Ordering::Equal);
+        let quarters = if stands { BigInt::ZERO } else { data.quarter()? };
+        let is_odd = &quarters % 2 != BigInt::ZERO;
+        let on_wall_for_ever = stands && data.wall.is_some();
+        if !is_at_rest || !(stands || is_odd) || on_wall_for_ever {
+            return None;
+        }
+        let quarter = i32::try_from(((&quarters % 4) + 4) % 4).ok()?;
+        let sin = Exact::from([0, 1, 0, -1][quarter as usize]);
+        let height = match data.wall {
+            None => data.height.clone()?,
+            Some(Wall::Left) => data.half_gap.checked_neg().ok()?,
+            Some(Wall::Right) => data.half_gap.clone(),
+        };
+        let middle = height.checked_add(&data.amplitude.checked_mul(&sin).ok()?).ok()?;
+        let reach = |side: &Exact| side.checked_add(&data.half_gap).ok()?.checked_sub(&data.amplitude).ok()?.sign();
+        let rooms = [reach(&middle)?, reach(&middle.checked_neg().ok()?)?];
+        let quarters = quarters + &data.turns * 4;
+        let touches = rooms.map(|room| room == Ordering::Equal);
+        rooms.iter().all(|room| room.is_ge()).then_some(Self { quarters, touches })
+    }
+
+    /// Whether a wall is ever touched.
+    pub fn grazes(&self) -> bool {
+        self.touches != [false; 2]
+    }
+
+    /// The next graze: its wall and its phase in quarter turns.
+    fn next(&self) -> Option<(Wall, BigInt)> {
+        let walls = [(Wall::Left, 1), (Wall::Right, 3)].into_iter().zip(self.touches);
+        let next = walls.filter(|(_, touches)| *touches).map(|((wall, at), _)| {
+            let ahead: BigInt = (((at - &self.quarters - 1) % 4 + 4) % 4) + 1;
+            (wall, &self.quarters + ahead)
+        });
+        next.min_by(|a, b| a.1.cmp(&b.1))
+    }
+}
+
+impl Walk<'_> {
+    /// A graze of a motion that grazes in every turn.
+    pub(super) fn graze_again(&mut self, claim: &Claim) -> Result<(), Doubt> {
+        let bits = self.bits;
+        let next = self.still.as_ref().and_then(Still::next).filter(|(wall, _)| *wall == claim.wall);
+        let (_, quarters) = next.ok_or_else(|| Doubt::False("the wall is not touched next".into()))?;
+        let clock = Clock::at_quarter_turns(self.data, &quarters, bits);
+        let clock = clock.ok_or_else(|| Doubt::Open("the time of the graze is too large".into()))?;
+        compare("time", &clock.time(&Real::zero(bits)), &claim.time)?;
+        self.still.iter_mut().for_each(|still| still.quarters = quarters.clone());
+        Ok(())
+    }
+}
