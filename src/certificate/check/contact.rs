@@ -47,8 +47,8 @@ pub(super) struct Start {
 
 fn isolate(flight: &Flight, from: Start, wall: Wall, guess: &Real) -> Result<Real, Doubt> {
     let bits = flight.phase.bits();
-    let h = Real::point(newton(flight, wall, guess).middle(), bits);
     let guessed = Real::point(guess.middle(), bits);
+    let h = newton(flight, wall, &guessed);
     let near = |x: &Real| !x.is_below(&guessed.half()) && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| near(h)).and_then(|h| bracket(flight, wall, h)) else {
         // Where no contact is found near the guess, one before it, or none at all, may be.
@@ -115,11 +115,13 @@ fn is_short(width: &Real, whole: &Real) -> bool {
     top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
 }
 
-/// Where Newton's plain iteration from `guess` ends, with as many bits as its digits are worth; nothing is proved of it.
+/// Where Newton's plain iteration from `guess` ends; it begins with the bits of `guess` and takes as many as its digits are
+/// worth. Nothing is proved of it.
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     let most = flight.phase.bits();
-    let mut bits = FIRST_BITS.min(most);
+    let mut bits = guess.bits().min(most);
     let mut h = Real::point(guess.middle(), bits);
+    let mut before = None;
     for _ in 0..STEPS {
         let coarse = flight.rounded(bits);
         let point = |x: Real| Real::point(x.middle(), bits);
@@ -127,11 +129,14 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
         let (height, slope) = (point(coarse.height(&h, &sin)), point(coarse.slope(&cos)));
         let Some(step) = (height - &point(coarse.level(wall))).over(&slope) else { return h };
         let step = point(step);
-        let is_last = is_last(&step, &h);
+        // As many digits as the precision holds, or as rounding leaves of them.
+        let size = step.set().mag();
+        let is_last = is_last(&step, &h) || before.is_some_and(|before| size.scaled(1) > before);
         h = point(h - &step);
+        before = Some(size);
         match (is_last, bits < most) {
             (true, false) => return h,
-            (true, true) => bits = (2 * bits).min(most),
+            (true, true) => (bits, before) = ((2 * bits).min(most), None),
             (false, _) => {}
         }
     }

@@ -99,7 +99,7 @@ impl Departure {
         let contact = first_contact(&set, self.start, wall, guess)?;
         let bits = set.phase.bits();
         // The middle, where Newton's iteration ends; it need not be the root.
-        let h = Real::point(newton(&centre, wall, &contact.at(bits)).middle(), bits);
+        let h = newton(&centre, wall, &contact).at(bits);
         let departed = self.phase.centre.rounded(bits);
         let landed = Real::point((departed.clone() + &h).middle(), bits);
         let h = landed.clone() - &departed;
