@@ -1,0 +1,62 @@
+"""What a reference says of one flight, beside what is certified: its class, and the trial of an earlier contact."""
+from enum import StrEnum
+
+from mpmath import mp, mpf
+
+from flight import fly
+from judge import FLIGHT_DIGITS, SLACK, Leg
+from simulator import Contact, Listing
+
+NEAR = mpf("1e-6")  # periods
+
+
+class Verdict(StrEnum):
+    """Of a reference's first contact; the classes and the order of the report's tables."""
+    RIGHT = "right"
+    INEXACT = "inexact"
+    MISSED = "missed"
+    INVENTED = "invented"
+    UNKNOWN = "unknown"
+
+
+def distance(time: float, low: mpf, high: mpf) -> mpf:
+    """How far a time lies outside a bracket; negative before it, 0 in it."""
+    exact = mpf(time)
+    return exact - low if exact < low else exact - high if exact > high else mpf(0)
+
+
+def classify(leg: Leg, listing: Listing) -> Verdict:
+    """The class of the first contact of a list.
+
+    It is the certified contact if its wall is the same and it is nearer than a quarter period (no other peak is as near)
+    and nearer than half the flight (else it is the departure, seen again).
+    """
+    if not listing.contacts:
+        if listing.ended not in ("time", "outside"):
+            return Verdict.UNKNOWN
+        return Verdict.MISSED if leg.wall else Verdict.RIGHT
+    claim = listing.contacts[0]
+    if leg.wall is None:
+        return Verdict.INVENTED
+    off, period = distance(claim.time, leg.low, leg.high), leg.motion.period
+    same = claim.wall == leg.wall and abs(off) < min(period / 4, (leg.low - leg.start.time) / 2)
+    if same:
+        return Verdict.RIGHT if abs(off) <= NEAR * period else Verdict.INEXACT
+    return Verdict.INVENTED if off <= 0 else Verdict.MISSED
+
+
+def is_earlier(leg: Leg, listing: Listing) -> bool:
+    """Whether a list claims a contact before the certified bracket, or one where none is certified."""
+    return bool(listing.contacts) and mpf(listing.contacts[0].time) < leg.low
+
+
+def proves_us_wrong(leg: Leg, claim: Contact) -> bool:
+    """The trial of an earlier contact: y, to 50 digits, is outside the gap at the claimed time.
+
+    The extrema before the bracket are tried by the judge, for every flight, whatever is claimed.
+    """
+    with mp.workdps(FLIGHT_DIGITS):
+        time = mpf(claim.time)
+        if time <= leg.start.time:
+            return False
+        return abs(fly(leg.motion, leg.start).height(time)) > leg.motion.gap / 2 + SLACK
