@@ -24,7 +24,7 @@ OWN = ("1.8", "2.0", "2.6")  # tau
 HOPS = ("-1.2", "-0.4")      # tau, where the wall presses
 LONG = (  # turns, depths
     (10, ("1e-3", "1e-6", "1e-9")), (30, ("1e-3", "1e-6", "1e-9")), (100, ("1e-3", "1e-6", "1e-9")),
-    (300, ("1e-6",)), (1000, ("1e-6",)),
+    (300, ("1e-6",)), (1000, ("1e-6",)), (2000, ("1e-6",)),
 )
 
 
@@ -127,5 +127,5 @@ def flights(quick: bool) -> list[Hard]:
     with mp.workdps(FLIGHT_DIGITS):
         depths = DEPTHS[::2] if quick else DEPTHS
         short = [*far_wall(depths), *own_wall(depths), *hops(4 if quick else 8), *long_flights(30 if quick else 100)]
-        longer = [] if quick else [hard for hard in long_flights(1000) if hard not in short]
+        longer = [] if quick else [hard for hard in long_flights(2000) if hard not in short]
         return [side for hard in short for side in (hard, mirrored(hard))] + longer

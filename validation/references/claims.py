@@ -25,12 +25,17 @@ def distance(time: float, low: mpf, high: mpf) -> mpf:
     return exact - low if exact < low else exact - high if exact > high else mpf(0)
 
 
-def classify(leg: Leg, listing: Listing) -> Verdict:
-    """The class of the first contact of a list.
+def is_it(leg: Leg, contact: Contact, within: mpf) -> bool:
+    """Whether a contact is the certified one: the same wall, off by at most `within` and by less than half the flight.
 
-    It is the certified contact if its wall is the same and it is nearer than a quarter period (no other peak is as near)
-    and nearer than half the flight (else it is the departure, seen again).
+    What is off by more than half the flight is the departure, seen again, or another contact.
     """
+    off = abs(distance(contact.time, leg.low, leg.high))
+    return contact.wall == leg.wall and off <= within and off < (leg.low - leg.start.time) / 2
+
+
+def classify(leg: Leg, listing: Listing) -> Verdict:
+    """The class of the first contact of a list; inexact is off by less than a quarter period, no other peak is as near."""
     if not listing.contacts:
         if listing.ended not in ("time", "outside"):
             return Verdict.UNKNOWN
@@ -38,11 +43,12 @@ def classify(leg: Leg, listing: Listing) -> Verdict:
     claim = listing.contacts[0]
     if leg.wall is None:
         return Verdict.INVENTED
-    off, period = distance(claim.time, leg.low, leg.high), leg.motion.period
-    same = claim.wall == leg.wall and abs(off) < min(period / 4, (leg.low - leg.start.time) / 2)
-    if same:
-        return Verdict.RIGHT if abs(off) <= NEAR * period else Verdict.INEXACT
-    return Verdict.INVENTED if off <= 0 else Verdict.MISSED
+    period = leg.motion.period
+    if is_it(leg, claim, NEAR * period):
+        return Verdict.RIGHT
+    if is_it(leg, claim, period / 4):
+        return Verdict.INEXACT
+    return Verdict.INVENTED if claim.time <= leg.high else Verdict.MISSED
 
 
 def is_earlier(leg: Leg, listing: Listing) -> bool:

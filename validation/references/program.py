@@ -35,9 +35,11 @@ def ask(program: str, verb: str, scene: Scene, *arguments: str) -> dict:
     return json.loads(done.stdout)
 
 
-def certify(program: str, scene: Scene, impacts: int, digits: int, until: str | None = None) -> Certified:
-    """Certified events of the scene (`--arithmetic auto`), up to so many impacts and to the time `until`."""
-    arguments = ["--impacts", str(impacts), "--digits", str(digits)] + (["--until", until] if until else [])
+def certify(program: str, scene: Scene, impacts: int, digits: int, until: str | None = None,
+            arithmetic: str = "auto") -> Certified:
+    """Certified events of the scene, up to so many impacts and to the time `until`."""
+    arguments = ["--impacts", str(impacts), "--digits", str(digits), "--arithmetic", arithmetic]
+    arguments += ["--until", until] if until else []
     document = ask(program, "run", scene, *arguments)
     events = [Event(event["event"], event["wall"], tuple(event["time"]),
                     tuple(event["velocity"]) if "velocity" in event else None) for event in document["events"]]
