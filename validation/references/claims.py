@@ -3,7 +3,7 @@ from enum import StrEnum
 
 from mpmath import mp, mpf
 
-from flight import fly
+from flight import extrema, fly
 from judge import FLIGHT_DIGITS, SLACK, Leg
 from simulator import Contact, Listing
 
@@ -57,12 +57,13 @@ def is_earlier(leg: Leg, listing: Listing) -> bool:
 
 
 def proves_us_wrong(leg: Leg, claim: Contact) -> bool:
-    """The trial of an earlier contact: y, to 50 digits, is outside the gap at the claimed time.
+    """The trial of an earlier contact, to 50 digits: y is outside the gap at the claimed time, or later before `low`.
 
-    The extrema before the bracket are tried by the judge, for every flight, whatever is claimed.
+    A true contact, claimed a little too early, is outside at the next extremum, or at `low` if there is none before it.
     """
     with mp.workdps(FLIGHT_DIGITS):
         time = mpf(claim.time)
-        if time <= leg.start.time:
-            return False
-        return abs(fly(leg.motion, leg.start).height(time)) > leg.motion.gap / 2 + SLACK
+        later = (extremum for extremum in extrema(leg.motion, leg.start, leg.low) if extremum > time)
+        points = [point for point in (time, next(later, leg.low)) if point > leg.start.time]
+        height = fly(leg.motion, leg.start).height
+        return any(abs(height(point)) > leg.motion.gap / 2 + SLACK for point in points)

@@ -4,10 +4,12 @@ from dataclasses import replace
 
 from mpmath import mp, mpf
 
-from judge import DIGITS, FLIGHT_DIGITS, judge
+from claims import proves_us_wrong
+from judge import DIGITS, FLIGHT_DIGITS, Leg, judge
 from program import Certified, Event
 from questions import Flown, Orbit
 from scene import LEFT, RIGHT
+from simulator import Contact
 
 AT = 4  # the event that is spoiled, counted from 0
 
@@ -42,18 +44,29 @@ def spoiled(orbit: Orbit) -> dict[str, Certified]:
     }
 
 
-def control(orbit: Orbit, flown: list[Flown]) -> dict[str, tuple[int, int]]:
-    """For each kind of spoiled listing: how many were refused, of how many."""
+def denied(leg: Leg) -> Leg:
+    """The claim that nothing happens until a hundredth of a period after the contact."""
+    low = leg.high + leg.motion.period / 100
+    return Leg(leg.motion, leg.start, None, low, low)
+
+
+def control(orbit: Orbit, flown: list[Flown], contacts: list[tuple[Leg, Contact]]) -> dict[str, tuple[int, int]]:
+    """For each kind of spoiled listing: how many were refused, of how many.
+
+    `contacts`: contacts of references that are right; each must prove wrong who denies it.
+    """
     found = {name: (int(bool(judge(orbit.scene, listing, DIGITS).problems)), 1)
              for name, listing in spoiled(orbit).items()}
     decided = [one for one in flown if one.leg is not None]
     touching = [one for one in decided if one.leg.wall is not None]
     nothing = Certified([], "time-reached")
-    denied = [bool(judge(one.hard.scene, nothing, FLIGHT_DIGITS, one.hard.until).problems) for one in touching]
-    found["the contact of a hard flight denied"] = (sum(denied), len(denied))
+    refused = [bool(judge(one.hard.scene, nothing, FLIGHT_DIGITS, one.hard.until).problems) for one in touching]
+    found["the contact of a hard flight denied"] = (sum(refused), len(refused))
     invented = [bool(judge(one.hard.scene, invention(one), FLIGHT_DIGITS).problems)
                 for one in decided if one.leg.wall is None]
     found["a contact at the end of a near miss"] = (sum(invented), len(invented))
+    proofs = [proves_us_wrong(denied(leg), contact) for leg, contact in contacts]
+    found["an impact denied, tried by a reference's contact"] = (sum(proofs), len(proofs))
     return found
 
 

@@ -4,12 +4,12 @@ from collections.abc import Iterable, Sequence
 from importlib.metadata import version
 
 from claims import Verdict
-from judge import Leg
-from program import Certified
+from program import Certified, Event
 from questions import FIGURES, Flown
 from runs import SIMULATORS
 from verdicts import Drift, Ending, Tally
 
+TITLE = "# Reference simulators beside certified brackets\n"
 OURS = "impact-pair"
 PACKAGES = ("scipy", "heyoka", "mpmath", "numpy")
 
@@ -92,7 +92,7 @@ def families(flown: list[Flown], found: list[list[Verdict]]) -> str:
     return table(["", "flights", *(simulator.name for simulator in SIMULATORS)], rows)
 
 
-def chatter(endings: list[Ending], legs: list[Leg], certified: Certified) -> str:
+def chatter(endings: list[Ending], certified: Certified) -> str:
     """The chatter scene."""
     why = {"impacts": "stuck: a new impact at the same time, for ever", "outside": "the ball has left the box",
            "time": "reaches the end", "budget": "out of budget"}
@@ -100,10 +100,15 @@ def chatter(endings: list[Ending], legs: list[Leg], certified: Certified) -> str
              "yes" if one.after_release else "no"] for simulator, one in zip(SIMULATORS, endings)]
     kinds = {event.kind: event for event in certified.events}
     last = certified.impacts[-1]
-    rows.append([f"**{OURS}**", len(certified.impacts), len(certified.impacts), last.time[0],
-                 f"rest in [{', '.join(kinds['rest'].time)}], release in [{', '.join(kinds['release'].time)}]", "yes"])
+    rows.append([f"**{OURS}**", len(certified.impacts), len(certified.impacts), f"{float(last.time[0]):.13g}",
+                 f"rest in {within(kinds['rest'])}, release in {within(kinds['release'])}", f"yes, in {within(last)}"])
     return table(["", "impacts listed", "right from the first on", "last one at", "the list ends", "impact after the release"],
                  rows)
+
+
+def within(event: Event) -> str:
+    """The bracket of its time."""
+    return f"[{event.time[0]}, {event.time[1]}]"
 
 
 def controls(found: dict[str, tuple[int, int]]) -> str:
