@@ -5,12 +5,13 @@ from collections import Counter
 from itertools import chain
 from pathlib import Path
 
-from mpmath import mpf
+from mpmath import mp, mpf
 
 import draw
 import report
-from claims import Verdict, classify
+from claims import NEAR, Verdict, classify
 from controls import control
+from judge import DIGITS
 from program import certify, costs
 from questions import (CHATTER_IMPACTS, CHATTER_UNTIL, FIGURES, Flown, Orbit, chatter, figure, hard_flights, hard_question,
                        restarted, whole)
@@ -22,9 +23,16 @@ DRAWN = 14  # the figure whose errors are drawn
 
 def widths(program: str, orbit: Orbit, impacts: int, digits: int, arithmetic: str) -> list[float]:
     """Widths of the certified times in periods."""
-    period = orbit.legs[0].motion.period
     found = certify(program, orbit.scene, impacts, digits, arithmetic=arithmetic).impacts
-    return [float((mpf(event.time[1]) - mpf(event.time[0])) / period) for event in found]
+    with mp.workdps(DIGITS):
+        period = orbit.legs[0].motion.period
+        return [float((mpf(event.time[1]) - mpf(event.time[0])) / period) for event in found]
+
+
+def in_doubles(program: str, orbit: Orbit) -> tuple[int, int]:
+    """How many impacts in a row doubles certify to 1e-6 periods, and how many at all."""
+    found = widths(program, orbit, len(orbit.legs), 6, "interval")
+    return next((number for number, width in enumerate(found) if width > NEAR), len(found)), len(found)
 
 
 def cut(answers: list[Answer], sizes: list[int]) -> list[list[Answer]]:
@@ -125,6 +133,8 @@ def written(program: str, orbits: list[Orbit], rest: Orbit, flown: list[Flown], 
     drifts = [[drift(orbit.legs, reply.listing.contacts, one.tolerance) for orbit, reply in zip(orbits, parts[0])]
               for one, parts in zip(SIMULATORS, answers)]
     seconds = [[reply.seconds / max(1, len(reply.listing.contacts)) for reply in parts[0]] for parts in answers]
+    legs = list(chain.from_iterable(orbit.legs for orbit in orbits))
+    alone = [[classify(leg, reply.listing) for leg, reply in zip(legs, parts[1])] for parts in answers]
     verdicts = [[classify(one.leg, reply.listing) for one, reply in zip(decided, parts[2])] for parts in answers]
     judged = sum(len(orbit.legs) for orbit in (*orbits, rest)) + len(decided)
     tried = [*again, *hard]
@@ -135,11 +145,12 @@ def written(program: str, orbits: list[Orbit], rest: Orbit, flown: list[Flown], 
         report.verdict(disagreements, judged, sum(one.earlier for one in tried), sum(len(one.proofs) for one in tried)),
         f"\nReferences: {report.versions()}. Each gets the scene's data rounded to doubles; `validation/references/README.md` "
         "says how they are used and what counts as a disagreement.\n",
-        section("Whole orbits", report.orbits(drifts, impacts, {number: ours[number]["interval"][0] for number in FIGURES})),
+        section("Whole orbits", report.orbits(drifts, impacts, [in_doubles(program, orbit) for orbit in orbits])),
         "![True errors of the references along figure 14 and guaranteed widths](references-errors.svg)\n",
         section("Microseconds an impact (CPU time)", report.costs(seconds, ours)),
         section("Every flight of the orbits by itself, from the certified state rounded to doubles",
-                report.classes(again, [f"**{report.OURS}**", judged_right(orbits), *blank, "", ""], "")),
+                report.classes(again, [f"**{report.OURS}**", len(legs), *blank, "", ""], ""),
+                report.strays(orbits, alone)),
         section(f"{len(flown)} first flights made to be hard",
                 report.classes(hard, [f"**{report.OURS}**, undecided {right.get('undecided', 0)}", right["right"],
                                       *blank, "", ""], ""),
@@ -149,11 +160,6 @@ def written(program: str, orbits: list[Orbit], rest: Orbit, flown: list[Flown], 
             [ending(rest.legs, parts[3][0].listing) for parts in answers], rest.certified)),
         section("Negative controls", report.controls(spoiled)),
     ])
-
-
-def judged_right(orbits: list[Orbit]) -> int:
-    """Flights of the orbits that the judge found right."""
-    return sum(len(orbit.legs) for orbit in orbits)
 
 
 if __name__ == "__main__":

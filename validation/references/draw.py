@@ -36,7 +36,7 @@ def errors(path: Path, errors_of: list[list[float]], widths: dict[str, list[floa
                       label=f"guaranteed width: {name}")
     axes.axhline(1e-6, color="grey", linewidth=0.8, linestyle=":")
     axes.set_xlabel("impact")
-    axes.set_ylabel("of its time, in periods 2π/W")
+    axes.set_ylabel("error or width of the time, in periods 2π/W")
     axes.set_title(title)
     axes.grid(alpha=0.25)
     axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)

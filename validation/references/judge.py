@@ -42,11 +42,11 @@ def departs(motion: Motion[mpf], start: Start[mpf]) -> bool:
 
 
 def earlier(motion: Motion[mpf], start: Start[mpf], until: mpf) -> list[str]:
-    """Proofs of a contact in (t_i, until): the extrema there at which y is not inside the gap."""
+    """Contacts in (t_i, until): the extrema there at which y is not proved inside the gap, and `until` if it is outside."""
     height = fly(motion, start).height
     found = [] if departs(motion, start) else [f"does not leave the {start.wall} wall at {mp.nstr(start.time, 20)}"]
     for time in (*extrema(motion, start, until), until):
-        if time - start.time > SLACK and abs(height(time)) >= motion.gap / 2 + (SLACK if time == until else 0):
+        if time - start.time > SLACK and abs(height(time)) > motion.gap / 2 + (SLACK if time == until else -SLACK):
             found.append(f"a wall is touched at or before {mp.nstr(time, 20)}")
     return found
 

@@ -5,7 +5,7 @@ from importlib.metadata import version
 
 from claims import Verdict
 from program import Certified, Event
-from questions import FIGURES, Flown
+from questions import FIGURES, Flown, Orbit
 from runs import SIMULATORS
 from verdicts import Drift, Ending, Tally
 
@@ -38,8 +38,8 @@ def versions() -> str:
     return ", ".join(f"{name} {version(name)}" for name in PACKAGES)
 
 
-def orbits(drifts: list[list[Drift]], impacts: int, reach: dict[int, int]) -> str:
-    """How long each reference follows a whole orbit."""
+def orbits(drifts: list[list[Drift]], impacts: int, narrow: list[tuple[int, int]]) -> str:
+    """How long each reference follows a whole orbit; `narrow`: in doubles, impacts certified to 1e-6 periods, and all."""
     def first(value: int | None) -> object:
         return "-" if value is None else value
 
@@ -48,10 +48,12 @@ def orbits(drifts: list[list[Drift]], impacts: int, reach: dict[int, int]) -> st
                 for simulator, line in zip(SIMULATORS, drifts)]
 
     agreeing = [[simulator.name, *(one.agree for one in line)] for simulator, line in zip(SIMULATORS, drifts)]
-    ours = [[f"**{OURS}, certified: interval (doubles)**", *(reach[number] for number in FIGURES)],
+    ours = [[f"**{OURS}, certified: interval (doubles)**", 
+             *(f"{close} ({every})" for close, every in narrow)],
             [f"**{OURS}, certified: auto**", *([impacts] * len(FIGURES))]]
     own = [[f"{row[0]} ({simulator.tolerance:.0e})", *row[1:]] for simulator, row in zip(SIMULATORS, rows("own"))]
-    return (f"Impacts in a row on the certified wall and within 1e-6 periods of the certified bracket, of {impacts}:\n\n"
+    return (f"Impacts in a row on the certified wall and within 1e-6 periods of the certified bracket, of {impacts}; ours: with a "
+            "guaranteed width of at most 1e-6 periods (with any width):\n\n"
             + by_figure([*agreeing, *ours])
             + "\nThe first impact farther from its bracket than the tolerance asked for (in brackets, in periods):\n\n"
             + by_figure(own)
@@ -76,6 +78,18 @@ def classes(tallies: list[Tally], own: Sequence[object], first: str) -> str:
             for simulator, one in zip(SIMULATORS, tallies)]
     header = [first, *Verdict, "claimed earlier", "of these true"]
     return table(header, [*rows, own])
+
+
+def strays(orbits: list[Orbit], found: list[list[Verdict]]) -> str:
+    """The flights that are not even inexact."""
+    names = [f"{orbit.name} impact {number}" for orbit in orbits for number in range(1, len(orbit.legs) + 1)]
+    lines = []
+    for simulator, verdicts in zip(SIMULATORS, found):
+        wrong = [f"{name} ({verdict})" for name, verdict in zip(names, verdicts, strict=True)
+                 if verdict not in (Verdict.RIGHT, Verdict.INEXACT)]
+        if wrong:
+            lines.append(f"- {simulator.name}: {', '.join(wrong)}")
+    return "Neither right nor inexact:\n\n" + ("\n".join(lines) or "- none") + "\n"
 
 
 def families(flown: list[Flown], found: list[list[Verdict]]) -> str:
