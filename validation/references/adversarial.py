@@ -107,7 +107,7 @@ def hops(count: int) -> Iterator[Hard]:
 
 
 def long_flights(most: int) -> Iterator[Hard]:
-    """Drifts of A/10 in all over n turns, started at th = pi/2; the n-th peak barely reaches the wall or falls short."""
+    """Drifts of A/10 over n turns, from th = pi/2; the n-th peak barely reaches the wall or falls short of it."""
     for turns, depths in LONG:
         for depth in depths if turns <= most else ():
             for sign, family in ((1, "long flight, reaches"), (-1, "long flight, falls short")):

@@ -35,7 +35,7 @@ def is_it(leg: Leg, contact: Contact, within: mpf) -> bool:
 
 
 def classify(leg: Leg, listing: Listing) -> Verdict:
-    """The class of the first contact of a list; inexact is off by less than a quarter period, no other peak is as near."""
+    """The class of the first contact of a list; inexact: off by a quarter period at most, no other peak is as near."""
     if not listing.contacts:
         if listing.ended not in ("time", "outside"):
             return Verdict.UNKNOWN

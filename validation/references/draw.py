@@ -4,6 +4,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "impact-pair"  # names inside the file that do not change
 import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
 
 from claims import Verdict
@@ -14,8 +15,8 @@ COLOURS = ("#D55E00", "#CC79A7", "#56B4E9", "#E69F00", "#009E73")  # Okabe and I
 MARKS = ("o", "s", "^", "D", "v")
 CLASS_COLOURS = {Verdict.RIGHT: "#009E73", Verdict.INEXACT: "#F0E442", Verdict.MISSED: "#D55E00",
                  Verdict.INVENTED: "#CC79A7", Verdict.UNKNOWN: "#BBBBBB", "undecided": "#FFFFFF"}
-HATCHES = {Verdict.RIGHT: "", Verdict.INEXACT: "..", Verdict.MISSED: "//", Verdict.INVENTED: "xx", Verdict.UNKNOWN: "--",
-           "undecided": "oo"}
+HATCHES = {Verdict.RIGHT: "", Verdict.INEXACT: "..", Verdict.MISSED: "//", Verdict.INVENTED: "xx",
+           Verdict.UNKNOWN: "--", "undecided": "oo"}
 FLOOR = 1e-17  # periods; a smaller error is drawn here
 
 

@@ -42,7 +42,7 @@ def departs(motion: Motion[mpf], start: Start[mpf]) -> bool:
 
 
 def earlier(motion: Motion[mpf], start: Start[mpf], until: mpf) -> list[str]:
-    """Contacts in (t_i, until): the extrema there at which y is not proved inside the gap, and `until` if it is outside."""
+    """Contacts in (t_i, until): the extrema there at which y is not inside the gap, and `until` if it is outside."""
     height = fly(motion, start).height
     found = [] if departs(motion, start) else [f"does not leave the {start.wall} wall at {mp.nstr(start.time, 20)}"]
     for time in (*extrema(motion, start, until), until):

@@ -31,7 +31,8 @@ def ask(program: str, verb: str, scene: Scene, *arguments: str) -> dict:
     command = [program, verb, "-", "--quiet", "--format", "json", *arguments]
     done = subprocess.run(command, input=scene.toml(), capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):
-        raise RuntimeError(f"{' '.join(command[1:])}: exit code {done.returncode}: {done.stderr.strip()}\n{scene.toml()}")
+        said = f"exit code {done.returncode}: {done.stderr.strip()}"
+        raise RuntimeError(f"{' '.join(command[1:])}: {said}\n{scene.toml()}")
     return json.loads(done.stdout)
 
 
@@ -46,11 +47,7 @@ def certify(program: str, scene: Scene, impacts: int, digits: int, until: str | 
     return Certified(events, document["outcome"]["kind"])
 
 
-def costs(program: str, scene: Scene, impacts: int) -> dict[str, tuple[int, float, float]]:
-    """Of `trade`'s arithmetics float, interval and auto to 9 digits: (impacts, microseconds an impact, greatest width
-    of a time in periods; NaN for float)."""
-    document = ask(program, "trade", scene, "--impacts", str(impacts))
-    wanted = ("float", "interval", "auto, 9 digits")
-    return {rung["name"]: (rung["impacts"], rung["microseconds_per_impact"]["orbit"],
-                           float(rung["widths"]["time"]["greatest"]) if rung["widths"] else float("nan"))
-            for rung in document["rungs"] if rung["name"] in wanted}
+def costs(program: str, scene: Scene, impacts: int) -> dict[str, float]:
+    """Microseconds an impact of `trade`'s arithmetics float, interval and auto to 9 digits."""
+    rungs = {rung["name"]: rung for rung in ask(program, "trade", scene, "--impacts", str(impacts))["rungs"]}
+    return {name: rungs[name]["microseconds_per_impact"]["orbit"] for name in ("float", "interval", "auto, 9 digits")}

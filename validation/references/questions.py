@@ -1,4 +1,4 @@
-"""The certified answers, judged, and the questions that the references get: figures, their flights, hard flights, rest."""
+"""The certified answers, judged, and the questions that the references get: orbits, flights, rest."""
 from dataclasses import dataclass
 from pathlib import Path
 

@@ -49,7 +49,7 @@ class Motion(Generic[Real]):
 
 @dataclass(frozen=True)
 class Start(Generic[Real]):
-    """The ball leaves `wall` at `time` with the relative velocity `after` = v+ [length/time], which leads inward or is 0."""
+    """The ball leaves `wall` at `time` with the relative velocity `after` = v+ [length/time], inward or 0."""
     time: Real
     wall: str
     after: Real
@@ -78,7 +78,8 @@ class Scene:
 
     def toml(self) -> str:
         """The scene file for impact-pair; every number is a quoted exact expression."""
-        return (f'[excitation]\namplitude = "{self.amplitude}"\nfrequency = "{self.frequency}"\nphase = "{self.phase}"\n'
+        return (f'[excitation]\namplitude = "{self.amplitude}"\nfrequency = "{self.frequency}"\n'
+                f'phase = "{self.phase}"\n'
                 f'[pair]\ngap = "{self.gap}"\nrestitution = "{self.restitution}"\n'
                 f'[start]\ntime = "{self.time}"\nwall = "{self.wall}"\nvelocity = "{self.before}"\n')
 

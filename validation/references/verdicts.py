@@ -1,5 +1,4 @@
 """How each reference does: drift along orbits, classes of single flights, trials of its earlier contacts, chatter."""
-from collections import Counter
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -9,7 +8,7 @@ from claims import NEAR, Verdict, classify, distance, is_earlier, is_it, proves_
 from judge import Leg
 from runs import Answer
 from scene import RIGHT
-from simulator import Contact, Listing
+from simulator import Contact, Listing, Simulator
 
 
 class Drift(NamedTuple):
@@ -46,19 +45,26 @@ def errors(legs: list[Leg], contacts: list[Contact]) -> list[float]:
 
 @dataclass(frozen=True)
 class Tally:
-    """Of one reference's single flights: their classes, its earlier contacts, and those that prove us wrong."""
-    classes: Counter[Verdict]
-    earlier: int
-    proofs: list[str]
+    """One reference's single flights."""
+    verdicts: list[Verdict]
+    earlier: int        # contacts before the certified bracket
+    much_earlier: int   # by more than its tolerance
+    proofs: list[str]   # those that prove us wrong
+
+    def count(self, verdict: Verdict) -> int:
+        """Flights of a class."""
+        return self.verdicts.count(verdict)
 
 
-def tally(name: str, legs: list[Leg], answers: list[Answer]) -> Tally:
+def tally(simulator: Simulator, legs: list[Leg], answers: list[Answer]) -> Tally:
     """Classes of all flights; every contact earlier than certified is tried."""
     pairs = [(leg, reply.listing) for leg, reply in zip(legs, answers, strict=True)]
     claims = [(leg, listing.contacts[0]) for leg, listing in pairs if is_earlier(leg, listing)]
-    proofs = [f"{name}: contact at {claim.time!r}, before {leg.low}: {leg.start}"
+    much = [leg for leg, claim in claims
+            if distance(claim.time, leg.low, leg.high) < -simulator.tolerance * leg.motion.period]
+    proofs = [f"{simulator.name}: contact at {claim.time!r}, before {leg.low}: {leg.start}"
               for leg, claim in claims if proves_us_wrong(leg, claim)]
-    return Tally(Counter(classify(leg, listing) for leg, listing in pairs), len(claims), proofs)
+    return Tally([classify(leg, listing) for leg, listing in pairs], len(claims), len(much), proofs)
 
 
 class Ending(NamedTuple):
