@@ -100,7 +100,7 @@ def guess(tau: str) -> mpf:
 
 
 def hops(count: int) -> Iterator[Hard]:
-    """Chatter: velocities 2e-1, 2e-2, ... where the wall presses, back after about 0.1, 0.01, ... periods or less."""
+    """Chatter: velocities 2e-1, 2e-2, ... where the wall presses; the first is back after about 1e-2 periods."""
     for tau in HOPS:
         for digits in range(1, count + 1):
             yield Hard("short hop", scene("0", tau, "0.5", f"-2e-{digits}", "3"), "0.25")

@@ -54,8 +54,8 @@ def main() -> int:
     rest = chatter(options.program, options.scenes)
     flown = hard_flights(options.program, options.quick)
     disagreements = refusals([*orbits, rest], flown, impacts)
-    if disagreements:  # what is refused is no ground to compare on
-        text = "\n".join([report.TITLE, report.verdict(disagreements, 0, 0, 0)])
+    if disagreements:
+        text = "\n".join([report.TITLE, report.refusal(disagreements)])
     else:
         results = compare(orbits, rest, flown)
         for name, (refused, of) in results.spoiled.items():

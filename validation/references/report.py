@@ -27,12 +27,23 @@ def by_figure(rows: Iterable[Sequence[object]]) -> str:
     return table(["", *(f"fig {number}" for number in FIGURES)], rows)
 
 
+def counted(disagreements: list[str]) -> str:
+    """How many there are, in words."""
+    number = len(disagreements)
+    return f"**{number} disagreement{'s' * (number > 1)}**" if number else "Zero disagreements"
+
+
+def refusal(disagreements: list[str]) -> str:
+    """The sentence at the head of a report that ends there: what is refused is no ground to compare on."""
+    listed = "\n".join(f"- {each}" for each in disagreements)
+    return f"{counted(disagreements)}: the judge refuses certified answers, so the references were not asked.\n\n{listed}\n"
+
+
 def verdict(disagreements: list[str], judged: int, earlier: int, true: int) -> str:
     """The sentence at the head of the report, and the disagreements if there are any."""
-    counted = f"**{len(disagreements)} disagreements**" if disagreements else "Zero disagreements"
-    bad = "".join(f"\n- {each}" for each in disagreements)
-    return (f"{counted}: {judged:,} certified flights retraced by mpmath; of {earlier:,} contacts that references "
-            f"claim earlier than certified, {true:,} are there.\n{bad}")
+    listed = "".join(f"\n- {each}" for each in disagreements)
+    return (f"{counted(disagreements)}: {judged:,} certified flights retraced by mpmath; of {earlier:,} contacts that "
+            f"references claim earlier than certified, {true:,} are there.\n{listed}")
 
 
 def versions() -> str:
