@@ -73,7 +73,7 @@ def cost_section(program: str, results: Results) -> str:
     seconds = [[reply.seconds / max(1, len(reply.listing.contacts)) for reply in parts.orbits]
                for parts in results.answers]
     return section("Microseconds an impact", report.costs(seconds, ours),
-                   f"CPU time of the references; of {report.OURS} the orbit step, in wall time, as `trade` measures it.\n")
+                   f"References: CPU time; {report.OURS}: the orbit step, in wall time, as `trade` measures it.\n")
 
 
 def written(program: str, results: Results) -> str:

@@ -36,7 +36,8 @@ def counted(disagreements: list[str]) -> str:
 def refusal(disagreements: list[str]) -> str:
     """The sentence at the head of a report that ends there: what is refused is no ground to compare on."""
     listed = "\n".join(f"- {each}" for each in disagreements)
-    return f"{counted(disagreements)}: the judge refuses certified answers, so the references were not asked.\n\n{listed}\n"
+    said = f"{counted(disagreements)}: the judge refuses certified answers, so the references were not asked."
+    return f"{said}\n\n{listed}\n"
 
 
 def verdict(disagreements: list[str], judged: int, earlier: int, true: int) -> str:
