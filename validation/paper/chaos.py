@@ -1,4 +1,6 @@
 """Figures 14, 16, 17 and a motion with A < d/2: seen chaotic, by growth enclosed along certified impacts."""
+from itertools import groupby
+
 from flint import arb, ctx
 
 from finding import FALSE, SEEN, Finding, expect
@@ -22,7 +24,9 @@ def chaotic(source, expected, statement, quick, verdict=SEEN):
     """A finding: the exponent is near the one of long runs."""
     run, value = growth(source, quick)
     expect(abs(value / arb(expected) - 1) < (0.12 if quick else 0.04), f"{statement}: {value.str(6)}")
-    return Finding(statement, verdict, f"{value.str(6)} per impact over {len(run.impacts):,} certified impacts, no rest")
+    series = max(len(list(group)) for _, group in groupby(wall for wall, _, _ in run.impacts))
+    return Finding(statement, verdict, f"{value.str(6)} per impact over {len(run.impacts):,} certified impacts, no rest, at "
+                   f"most {series} impacts on a wall in a row")
 
 
 def figure(number, expected, name):

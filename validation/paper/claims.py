@@ -10,6 +10,7 @@ from pathlib import Path
 from flint import ctx
 
 import chaos
+import doubles
 import equispaced
 import even
 import figure15
@@ -19,13 +20,15 @@ import models
 import regular
 import rest
 import scaling
+import stability
 import threshold
 from contact import Undecided
 from finding import Failed
 from periodic import Refused
 
 BITS = 160
-MODULES = (manifolds, regular, chaos, figure15, models, equispaced, even, threshold, scaling, rest, misprints)
+MODULES = (models, stability, equispaced, even, manifolds, threshold, regular, chaos, doubles, figure15, scaling, rest,
+           misprints)
 CLAIMS = {name: findings for module in MODULES for name, findings in module.CLAIMS.items()}
 
 

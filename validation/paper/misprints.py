@@ -5,6 +5,7 @@ from contact import first_contact
 from finding import MISPRINT, Finding, excludes, expect, tiny
 from listed import listed
 from pair import LEFT, RIGHT, Pair
+from periodic import Orbit
 
 # An impact of no special kind: A, W, tau, d, e; t0, v0 at the left wall. Fractions of 8 are exact at any precision.
 A, W, TAU, GAP, E, T0, V0 = (arb(x) for x in (2, 3, 0.625, 5, 0.625, 0.25, -4))
@@ -86,25 +87,21 @@ def identity():
 
 
 def elastic():
-    """(70), e = 1: cos th1 = -cos th0 holds on equispaced orbits only; N = 1, th0 = -1/2, th1 = 1/2 + 2 pi."""
+    """(70), e = 1: cos th1 = -cos th0 holds on equispaced orbits only; N = 3, th0 = -1/2, th1 = 1/2 + 2 pi."""
     th0, cycles = arb("-0.5"), 3
     th1 = 2 * arb.pi() - th0
     h, turn = th1 - th0, cycles * arb.pi()
     v = th0.cos() * turn / (h - turn)
     expect(v < 0, "the start is on the left wall")
-    c0, c1 = -v + th0.cos(), v + th1.cos()
-    pair = Pair(c0 * h - th1.sin() + th0.sin(), 1)
-    states = [(LEFT, th0, v), (RIGHT, th1, -v), (LEFT, th0 + 2 * turn, v)]
-    for this, following in zip(states, states[1:]):
-        for miss in pair.misses(this, following):
-            tiny(miss, "the elastic orbit")
-        contact = first_contact(pair, *this)
-        expect(contact.wall == following[0] and contact.isolating.contains(following[1]), "first contact")
+    c0 = -v + th0.cos()
+    orbit = Orbit(Pair(c0 * h - th1.sin() + th0.sin(), 1), cycles, [(LEFT, th0, v), (RIGHT, th1, -v)])
+    for miss in orbit.misses():
+        tiny(miss, "the elastic orbit")
+    orbit.require_first_contacts()
     tiny(th1.cos() - th0.cos(), "cos th1 = cos th0")
     excludes(th1.cos() + th0.cos(), "cos th1 = -cos th0")
-    excludes(c1, "the second drift")
     return Finding("(70): cos th1 = -cos th0 presupposes (64); for e = 1 only cos th1 = cos th0 follows", MISPRINT,
-                   f"unequispaced orbit, N = {cycles}, d/A = {pair.gap.str(8)}, th0 = -1/2: cos th1 + cos th0 = "
+                   f"unequispaced orbit, N = {cycles}, d/A = {orbit.pair.gap.str(8)}, th0 = -1/2: cos th1 + cos th0 = "
                    f"{(th1.cos() + th0.cos()).str(6)}")
 
 

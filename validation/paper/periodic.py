@@ -34,6 +34,17 @@ class Orbit:
             product = self.pair.jacobian(th0, v0, th1, v1) * product
         return product
 
+    def misses(self):
+        """What (A.1)-(A.6) miss to be equations: balls that hold 0 if the states are the orbit's."""
+        return [miss for this, following in self.flights() for miss in self.pair.misses(this, following)]
+
+    def require_first_contacts(self):
+        """Refused unless the end of each flight is proved to be its first contact."""
+        for (wall0, th0, v0), (wall1, th1, _) in self.flights():
+            contact = first_contact(self.pair, wall0, th0, v0)
+            if contact.wall != wall1 or not contact.isolating.contains(th1):
+                raise Refused(f"the flight from th = {th0.str(8)} touches the {contact.wall} wall earlier")
+
     def word(self):
         """The paper's word."""
         return name([wall for wall, _, _ in self.states])
@@ -131,10 +142,7 @@ def prove(pair, seed, cycles, radius=arb(2) ** -50):
 
     box = krawczyk(lambda x: equations(pair, states(x), cycles), [x.mid() for _, *pairs in seed for x in pairs], radius)
     orbit = Orbit(pair, cycles, states(box))
-    for (wall0, th0, v0), (wall1, th1, _) in orbit.flights():
-        contact = first_contact(pair, wall0, th0, v0)
-        if contact.wall != wall1 or not contact.isolating.contains(th1):
-            raise Refused(f"the flight from th = {th0.str(8)} touches the {contact.wall} wall earlier")
+    orbit.require_first_contacts()
     return orbit
 
 

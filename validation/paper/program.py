@@ -24,17 +24,27 @@ def bounds(pair):
     return arb(pair[0]).union(arb(pair[1]))
 
 
+def document(scene, *options):
+    """What `impact-pair run` prints as JSON; `scene` is a path from the root of the repository, or a scene's text."""
+    command = [BINARY, "run", "-" if "\n" in scene else str(ROOT / scene), "--quiet", "--format", "json", *options]
+    done = subprocess.run(command, input=scene, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RuntimeError(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def listed_walls(scene, *options):
+    """The walls of the listed impacts, certified or not."""
+    return [event["wall"] for event in document(scene, *options)["events"] if event["event"] == "impact"]
+
+
 class Run:
-    """The listing of a scene: `pair`, `start` and `impacts` as (wall, th, v), `events` as listed, `outcome`."""
+    """A certified listing: `pair`, `start` and `impacts` as (wall, th, v), `events` as listed, `outcome`."""
 
     def __init__(self, scene, *options):
-        command = [BINARY, "run", "-" if "\n" in scene else str(ROOT / scene), "--quiet", "--format", "json", *options]
-        done = subprocess.run(command, input=scene, capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise RuntimeError(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip()}")
-        document = json.loads(done.stdout)
-        assert document["certified"] is True
-        self.outcome, self.events, scene = document["outcome"], document["events"], document["scene"]
+        listing = document(scene, *options)
+        assert listing["certified"] is True
+        self.outcome, self.events, scene = listing["outcome"], listing["events"], listing["scene"]
         amplitude, self.frequency, tau = (number(scene["excitation"][key][0])
                                           for key in ("amplitude", "frequency", "phase"))
         self.pair = Pair(number(scene["gap"]) / amplitude, number(scene["restitution"]))
