@@ -9,6 +9,7 @@ from pathlib import Path
 
 from flint import ctx
 
+import breaking
 import chaos
 import doubles
 import equispaced
@@ -27,7 +28,7 @@ from finding import Failed
 from periodic import Refused
 
 BITS = 160
-MODULES = (models, stability, equispaced, even, manifolds, threshold, regular, chaos, doubles, figure15, scaling, rest,
+MODULES = (models, stability, equispaced, breaking, even, manifolds, threshold, regular, chaos, doubles, figure15, scaling, rest,
            misprints)
 CLAIMS = {name: findings for module in MODULES for name, findings in module.CLAIMS.items()}
 

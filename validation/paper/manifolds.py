@@ -48,4 +48,29 @@ def two_impacts():
                    + "; ".join(shown))
 
 
-CLAIMS = {"figure-10": lambda quick: [formula(), asymptotes(), two_impacts()]}
+def stable_part():
+    """The stable parts of the curves drawn: figure 10, e = 0.8, d = 20, v = -20, in W; figure 11, W = 30, N = 1, in |v|.
+
+    With (66), (67): tan th0 = (d W - (1 + e) N pi |v|/2)/((1 - e)|v|).
+    """
+    d, e, near = arb(20), arb("0.8"), arb(2) ** -20
+    shown = []
+    for cycles in (1, 3, 5):
+        family = Equispaced("0.8", cycles)
+        ends = family.pitchfork_phase(), family.fold_phase()
+        frequencies = [(1 + e) * family.turn / 2 + (1 - e) * th0.tan() for th0 in ends]
+        for end, inward in zip(ends, (near, -near)):
+            for th0, stable in ((end + inward, True), (end - inward, False)):
+                orbit = prove(family.pair(th0), family.states(th0), cycles, near ** 3)
+                expect(orbit.stable() == stable, f"N = {cycles} at th0 = {th0.str(5)}")
+        solid = (1 + e) * family.turn / 2
+        shown.append(f"figure 10, N = {cycles}: W from {frequencies[0].str(6, radius=False)} to "
+                     f"{frequencies[1].str(6, radius=False)}, solid from {solid.str(6, radius=False)} on")
+    family = Equispaced("0.8")
+    speeds = [30 * d / ((1 + e) * family.turn / 2 + (1 - e) * th0.tan())
+              for th0 in (family.fold_phase(), family.pitchfork_phase())]
+    shown.append(f"figure 11, N = 1: |v| from {speeds[0].str(6, radius=False)} to {speeds[1].str(6, radius=False)}")
+    return Finding("most of the curves of figures 10 and 11 are unstable orbits", PROVED, "stable are " + "; ".join(shown))
+
+
+CLAIMS = {"figure-10": lambda quick: [formula(), asymptotes(), two_impacts(), stable_part()]}
