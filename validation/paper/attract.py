@@ -1,8 +1,8 @@
 """A start proved to be attracted to a stable orbit: a box around the orbit that the map of one period contracts.
 
-With coordinates x = x* + T s around the proved state x*, the mean value theorem gives P(x) - x* = T G s with G = T^-1 DP T
-over the box |s| <= r. If the greatest row sum of |G| is q < 1, every state in the box tends to x*, and if det G is never
-0 none but x* itself ever is x*.
+With coordinates x = x* + T s around the proved state x*, the mean value theorem gives P(x) - x* = T G s with G =
+T^-1 DP T over the box |s| <= r. If the greatest row sum of |G| is q < 1, every state in the box tends to x*, and if
+det G is never 0 none but x* itself ever is x*.
 """
 from flint import arb, arb_mat
 

@@ -25,13 +25,16 @@ def branch(ratio, radius):
 
 
 def doubling():
-    """An eigenvalue passes -1 between two amplitudes, and the branch goes on from one to the other: (39) holds between."""
+    """An eigenvalue passes -1 between two amplitudes on one branch: (39) holds between them."""
     low, high = arb("0.4627"), arb("0.4628")
-    branch(low.union(high), arb("0.002"))
+    whole = branch(low.union(high), arb("0.002"))
     first, last = (branch(ratio, arb(2) ** -50) for ratio in (low, high))
+    for end in (first, last):
+        for (_, th, v), (_, end_th, end_v) in zip(whole.states, end.states):
+            expect(th.contains(end_th) and v.contains(end_v), "the ends are on the branch")
     expect(first.stable() and last.eigenvalues()[0] < -1, "an eigenvalue passes -1")
-    return Finding("the unequispaced orbit doubles, (39)", PROVED, f"between A/d = 0.4627 and 0.4628, e = 0.8: eigenvalues "
-                   f"{first.shown()}, then {last.shown()}, on one branch")
+    return Finding("the unequispaced orbit doubles, (39)", PROVED, "between A/d = 0.4627 and 0.4628, e = 0.8: "
+                   f"eigenvalues {first.shown()}, then {last.shown()}, on one branch")
 
 
 def doubled():

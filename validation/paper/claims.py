@@ -28,8 +28,8 @@ from finding import Failed
 from periodic import Refused
 
 BITS = 160
-MODULES = (models, stability, equispaced, breaking, even, manifolds, threshold, regular, chaos, doubles, figure15, scaling, rest,
-           misprints)
+MODULES = (models, stability, equispaced, breaking, even, manifolds, threshold, regular, chaos, doubles, figure15, scaling,
+           rest, misprints)
 CLAIMS = {name: findings for module in MODULES for name, findings in module.CLAIMS.items()}
 
 
@@ -48,7 +48,8 @@ def write(directory, rows, failures):
     """DIR/paper.md: the report."""
     verdict = (f"{len(rows)} findings on the paper's claims, all as expected." if not failures
                else f"{len(failures)} claims are not as expected: {'; '.join(failures)}.")
-    lines = ["# The paper's claims, checked", "", verdict, "", "| claim | verdict | numbers | command |", "|---|---|---|---|"]
+    lines = ["# The paper's claims, checked", "", verdict, "",
+             "| claim | verdict | numbers | command |", "|---|---|---|---|"]
     for name, finding in rows:
         lines.append(f"| {cell(finding.statement)} | {finding.verdict} | {cell(finding.numbers)} | "
                      f"`validation/paper/run {name}` |")

@@ -35,14 +35,16 @@ def edges():
     """Fold and pitchfork for e = 0.8, N = 1: (40) holds there, and stability ends there."""
     family, near = Equispaced("0.8"), arb(2) ** -40
     rows = []
-    for name, phase, amplitude, inside in (("fold", family.fold_phase(), family.fold(), -1),
-                                           ("symmetry-breaking pitchfork", family.pitchfork_phase(), family.pitchfork(), 1)):
+    ends = (("fold", family.fold_phase(), family.fold(), -1),
+            ("symmetry-breaking pitchfork", family.pitchfork_phase(), family.pitchfork(), 1))
+    for name, phase, amplitude, inside in ends:
         tiny(1 / family.gap(phase) - amplitude, f"A/d of the {name}")
         whole = Orbit(family.pair(phase), 1, family.states(phase)).jacobian()
         tiny(whole.trace() - 1 - whole.det(), f"(40) at the {name}")
         for side, stable in ((inside * near, True), (-inside * near, False)):
             th0 = phase + side
-            expect(prove(family.pair(th0), family.states(th0), 1, near / 1024).stable() == stable, f"stability at the {name}")
+            orbit = prove(family.pair(th0), family.states(th0), 1, near / 1024)
+            expect(orbit.stable() == stable, f"stability at the {name}")
         rows.append(Finding(f"{name} of the equispaced orbit, e = 0.8, N = 1", PROVED,
                             f"A/d = {amplitude.str(12)}; (40) holds; stable on one side, unstable on the other"))
     return rows
