@@ -25,8 +25,8 @@ def chaotic(source, expected, statement, impacts, verdict=SEEN):
     run, value = growth(source, impacts)
     expect(abs(value / arb(expected) - 1) < (0.04 if impacts > 1000 else 0.12), f"{statement}: {value.str(6)}")
     series = max(len(list(group)) for _, group in groupby(wall for wall, _, _ in run.impacts))
-    return Finding(statement, verdict, f"{value.str(6)} per impact over {len(run.impacts):,} certified impacts, no rest, "
-                   f"at most {series} impacts on a wall in a row")
+    return Finding(statement, verdict, f"{value.str(6)} per impact over {len(run.impacts):,} certified impacts, "
+                   f"no rest, at most {series} impacts on a wall in a row")
 
 
 def figure(number, expected, name):

@@ -38,5 +38,7 @@ def finding(name, statement, verdict=PROVED):
     """The finding that a listed orbit answers a statement with."""
     orbit, seed = listed(name), ORBITS[name]
     _, th, v = orbit.states[0]
-    return Finding(statement, verdict, f"stable orbit {orbit.word()} in {orbit.cycles} cycle{'s'[:orbit.cycles > 1]}, A/d = "
-                   f"{seed.ratio}, e = {seed.e}: eigenvalues {orbit.shown()}; th = {th.str(10)}, v/(A W) = {v.str(10)}")
+    cycles = f"{orbit.cycles} cycle{'s' if orbit.cycles > 1 else ''}"
+    return Finding(statement, verdict, f"stable orbit {orbit.word()} in {cycles}, A/d = {seed.ratio}, "
+                   f"e = {seed.e}: eigenvalues {orbit.shown()}; "
+                   f"th = {th.str(10)}, v/(A W) = {v.str(10)}")

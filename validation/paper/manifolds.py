@@ -44,12 +44,12 @@ def two_impacts():
         shown.append(f"A = {a}: v = {(orbit.states[0][2] * arb(a) * 4).str(5, radius=False)}")
     expect(2.5 < special < 3.5, "A_1")
     return Finding("exactly two impacts per cycle only if A = A_1", FALSE,
-                   f"e = 0.8, d = 20, W = 4, A_1(v = -20) = {special.str(6)}; stable orbits with two impacts per cycle: "
+                   f"e = 0.8, d = 20, W = 4, A_1(v = -20) = {special.str(6)}; stable, two impacts per cycle: "
                    + "; ".join(shown))
 
 
 def stable_part():
-    """The stable parts of the curves drawn: figure 10, e = 0.8, d = 20, v = -20, in W; figure 11, W = 30, N = 1, in |v|.
+    """The stable parts of the curves, e = 0.8, d = 20: figure 10, v = -20, in W; figure 11, W = 30, N = 1, in |v|.
 
     With (66), (67): tan th0 = (d W - (1 + e) N pi |v|/2)/((1 - e)|v|).
     """
@@ -70,7 +70,8 @@ def stable_part():
     speeds = [30 * d / ((1 + e) * family.turn / 2 + (1 - e) * th0.tan())
               for th0 in (family.fold_phase(), family.pitchfork_phase())]
     shown.append(f"figure 11, N = 1: |v| from {speeds[0].str(6, radius=False)} to {speeds[1].str(6, radius=False)}")
-    return Finding("most of the curves of figures 10 and 11 are unstable orbits", PROVED, "stable are " + "; ".join(shown))
+    return Finding("most of the curves of figures 10 and 11 are unstable orbits", PROVED,
+                   "stable are " + "; ".join(shown))
 
 
 CLAIMS = {"figure-10": lambda quick: [formula(), asymptotes(), two_impacts(), stable_part()]}

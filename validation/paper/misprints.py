@@ -48,8 +48,8 @@ def jacobian():
         excludes(vt - printed, "sin(W t1 + t) as printed")
         wrong.append((vt - printed).str(4))
     excludes(tv - E * v1 * h, "e v1 h as a product")
-    return Finding("(A.7): sin(W t1 + t) is sin(W t1 + tau)", MISPRINT, f"dv1/dt0 misses the printed form by {wrong[0]} "
-                   f"(t = t0), {wrong[1]} (t = t1), the right one by 0"), \
+    return Finding("(A.7): sin(W t1 + t) is sin(W t1 + tau)", MISPRINT, "dv1/dt0 misses the printed form by "
+                   f"{wrong[0]} (t = t0), {wrong[1]} (t = t1), the right one by 0"), \
         Finding("(A.7): the velocity column has e h/v1, not the product e v1 h", MISPRINT,
                 f"dt1/dv0 = {tv.str(8)}, the product is {(E * v1 * h).str(6)}")
 
@@ -72,7 +72,7 @@ def count():
     impacts = [wall for wall, _, _ in orbit.states]
     expect(exponents == (1, 1) and len(impacts) == sum(exponents) + 2, "m + n + 2")
     expect((impacts.count(RIGHT), impacts.count(LEFT)) == (2, 2), "exponents are impacts less one")
-    return Finding('after (53): "(m + n + 1)" impacts per cycle are m + n + 2, and m impacts on the right need P3^(m-1)',
+    return Finding('after (53): "(m + n + 1)" impacts per cycle are m + n + 2; m impacts on the right need P3^(m-1)',
                    MISPRINT, "P2 P4 P1 P3: exponents 1 and 1, four impacts, two on each side")
 
 

@@ -1,13 +1,12 @@
 """The map of the impact pair in Arb balls, (A.1)-(A.7), for one harmonic.
 
-Units: lengths in A, times in 1/W. So phases are th = W t + tau in radians, velocities y'/(A W), and the only parameters
-are gap = d/A and the restitution e. A velocity is the one just before the impact, with its sign. 0 is this impact, 1 the
-next one.
+Units: lengths in A, times in 1/W. So phases are th = W t + tau in radians, velocities y'/(A W), and the only
+parameters are gap = d/A and the restitution e. A velocity is the one just before the impact, with its sign. 0 is this
+impact, 1 the next one.
 """
 from flint import arb, arb_mat
 
 LEFT, RIGHT = "left", "right"
-OTHER = {LEFT: RIGHT, RIGHT: LEFT}
 MAPPING = {(RIGHT, LEFT): "P1", (LEFT, RIGHT): "P2", (RIGHT, RIGHT): "P3", (LEFT, LEFT): "P4"}
 
 

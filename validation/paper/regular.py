@@ -44,8 +44,9 @@ def attracted(scene, verdict, statement):
         every = [(n, run.impacts[n - 1]) for n in range(2, 201, 2)]
         n, q = enters(orbit, every, RADIUS)
         coordinates = contraction(orbit, RADIUS)[1]
-        return orbit, Finding(statement, verdict, f"eigenvalues {orbit.shown()}; from impact {n} on inside a box that a "
-                              f"cycle shrinks by {q.str(4)}; distance after impact {distances(orbit, run, coordinates)}")
+        return orbit, Finding(statement, verdict, f"eigenvalues {orbit.shown()}; from impact {n} on inside a box that "
+                              f"a cycle shrinks by {q.str(4)}; distance after impact "
+                              f"{distances(orbit, run, coordinates)}")
 
 
 def figure_12(quick):
@@ -58,8 +59,8 @@ def figure_12(quick):
 
 def figure_13(quick):
     """Eigenvalues -0.19127 +- 0.16098 i: no quasi-periodic motion."""
-    orbit, finding = attracted("scenes/figure-13.toml", FALSE, "figure 13 is unequispaced and quasi-periodic: it spirals "
-                               "into the equispaced orbit")
+    orbit, finding = attracted("scenes/figure-13.toml", FALSE, "figure 13 is unequispaced and quasi-periodic: it "
+                               "spirals into the equispaced orbit")
     kind, real, imaginary = orbit.eigenvalues()
     expect(kind == "complex" and abs(real + arb("0.19127")) < 1e-5 and abs(imaginary - arb("0.16098")) < 1e-5,
            "the eigenvalues of figure 13")

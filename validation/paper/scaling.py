@@ -13,7 +13,7 @@ def frequency(quick):
         expect(wall == other_wall and th.overlaps(other_th) and v.overlaps(other_v), "the same scaled impacts")
         expect(max(th.rad(), v.rad(), other_th.rad(), other_v.rad()) < 1e-7, "narrow enough to tell")
     return [Finding("figure 16 is chaotic because of its high frequency", FALSE,
-                    f"W = 20 pi and W = 1/1000: {IMPACTS} impacts with the same walls, W t + tau and v/(A W) to 9 digits")]
+                    f"W = 20 pi and W = 1/1000: the same {IMPACTS} walls, W t + tau and v/(A W) to 9 digits")]
 
 
 CLAIMS = {"frequency": frequency}

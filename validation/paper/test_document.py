@@ -27,7 +27,8 @@ class Document(unittest.TestCase):
             with self.subTest(command=command):
                 arguments = shlex.split(command)[1:]
                 self.assertEqual(arguments[0], "run")
-                done = subprocess.run([BINARY, *arguments, "--quiet"], cwd=ROOT, capture_output=True, text=True, check=False)
+                done = subprocess.run([BINARY, *arguments, "--quiet"], cwd=ROOT, capture_output=True, text=True,
+                                      check=False)
                 self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_no_other_command_is_quoted(self):
