@@ -15,6 +15,7 @@ import doubles
 import equispaced
 import even
 import figure15
+import horseshoe
 import manifolds
 import misprints
 import models
@@ -28,8 +29,8 @@ from finding import Failed
 from periodic import Refused
 
 BITS = 160
-MODULES = (models, stability, equispaced, breaking, even, manifolds, threshold, regular, chaos, doubles, figure15,
-           scaling, rest, misprints)
+MODULES = (models, stability, equispaced, breaking, even, manifolds, threshold, horseshoe, regular, chaos,
+           doubles, figure15, scaling, rest, misprints)
 CLAIMS = {name: findings for module in MODULES for name, findings in module.CLAIMS.items()}
 
 

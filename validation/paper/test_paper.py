@@ -7,6 +7,7 @@ from attract import contraction
 from closed import Equispaced
 from contact import Undecided, first_contact
 from finding import Failed, excludes, tiny
+from horseshoe import balance, every_sequence
 from listed import ORBITS, listed
 from lyapunov import exponent
 from pair import LEFT, RIGHT, Pair, ball, name
@@ -108,6 +109,29 @@ class Proofs(Case):
             """As program.Run."""
             pair, start, impacts = orbit.pair, states[0], states[1:]
         self.assertLess(abs(exponent(Listing) - orbit.eigenvalues()[1].log() / 2), 0.02)
+
+
+class Sequences(Case):
+    """horseshoe.py."""
+
+    def test_equal_flights_are_the_equispaced_orbit(self):
+        family = Equispaced("0.9", 5)
+        th0 = family.phase(1 / arb("0.036"))
+        tiny(balance(1 / arb("0.036"), family.e, (5, 5), (th0, th0, th0)), "F")
+
+    def test_alternating_flights_obey_the_equations_of_the_map(self):
+        orbit = listed("N = 2")
+        (_, th0, v0), (_, th1, _) = orbit.states
+        # Flights of odd half periods M = 1, N = 3 between the phases th0 and th1, each told in its mirror.
+        y, z = th0, th1 - arb.pi()
+        tiny(balance(orbit.pair.gap, orbit.pair.e, (3, 1), (z, y, z)), "F")
+        tiny(balance(orbit.pair.gap, orbit.pair.e, (1, 3), (y, z, y)), "F")
+
+    def test_a_window_without_a_change_of_sign_fails(self):
+        self.assertRaises(Failed, every_sequence, "0.036", "0.9", (5, 7), "-1.4", "-0.9")
+
+    def test_slow_drift_fails(self):
+        self.assertRaises(Failed, every_sequence, "0.036", "0.9", (9, 11), "-2", "-1")
 
 
 class Expectations(Case):
