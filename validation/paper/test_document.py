@@ -1,0 +1,44 @@
+"""docs/paper.md: every command it quotes runs, names a claim that exists, and every claim is quoted."""
+import os
+import re
+import shlex
+import subprocess
+import unittest
+
+from claims import CLAIMS
+from program import BINARY, ROOT
+
+TEXT = (ROOT / "docs/paper.md").read_text(encoding="utf-8")
+COMMANDS = sorted(set(re.findall(r"`((?:impact-pair|validation/paper/run|cargo)\b[^`]*)`", TEXT)))
+
+
+class Document(unittest.TestCase):
+    """The commands in back quotes."""
+
+    def test_claims_and_document_name_each_other(self):
+        quoted = {word for command in COMMANDS if command.startswith("validation/paper/run")
+                  for word in command.split()[1:] if not word.startswith("-")}
+        self.assertEqual(quoted, set(CLAIMS))
+
+    def test_commands_of_the_program_are_certified(self):
+        runs = [command for command in COMMANDS if command.startswith("impact-pair ")]
+        self.assertTrue(runs)
+        for command in runs:
+            with self.subTest(command=command):
+                arguments = shlex.split(command)[1:]
+                self.assertEqual(arguments[0], "run")
+                done = subprocess.run([BINARY, *arguments, "--quiet"], cwd=ROOT, capture_output=True, text=True,
+                                      check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_no_other_command_is_quoted(self):
+        self.assertFalse([command for command in COMMANDS if command.startswith("cargo")
+                          and command != "cargo run --release --"])
+
+    def test_links_exist(self):
+        for link in re.findall(r"\]\(([^)#:]+)\)", TEXT):
+            self.assertTrue(os.path.exists(ROOT / "docs" / link), link)
+
+
+if __name__ == "__main__":
+    unittest.main()
