@@ -49,6 +49,9 @@ pub enum Verb {
     /// Prove every claim of an orbit JSON again, by another route, from its own numbers
     #[command(after_help = CHECK_EXIT_CODES, after_long_help = CHECK_HELP)]
     Check(CheckArguments),
+    /// Write a Coq file whose theorem says what an orbit JSON says
+    #[command(after_help = PROVE_EXIT_CODES, after_long_help = PROVE_HELP)]
+    Prove(ProveArguments),
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),
@@ -135,6 +138,35 @@ pub struct CheckArguments {
     /// Orbit JSON or JSON Lines, as written by run --format json or jsonl, or - for stdin
     pub certificate: PathBuf,
     /// No progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+const PROVE_EXIT_CODES: &str = "\
+Exit code: 0 the file proves all impacts asked for; 1 fewer of them; 2 usage, bad input, I/O";
+
+const PROVE_HELP: &str = "\
+Example: impact-pair run scenes/figure-14.toml --format json | impact-pair prove - --output Figure14.v
+
+The theorem: for every start and all parameters that the scene allows there is exactly one sequence of impacts, each the \
+first contact after the one before, on the listed walls, at times and velocities within the printed bounds. It covers \
+the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; nothing of \
+impact-pair is trusted for that.
+
+Exit code: 0 the file proves all impacts asked for (or those up to the first other event); 1 fewer of them; 2 usage, bad \
+input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct ProveArguments {
+    /// Orbit JSON or JSON Lines, as written by run --format json or jsonl, or - for stdin
+    pub certificate: PathBuf,
+    /// Prove the first N impacts [default: all]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub impacts: Option<u64>,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// No notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,
 }

@@ -1,6 +1,7 @@
 //! `impact-pair check CERTIFICATE`: every claim of an orbit JSON, proved again by another route.
 
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 
 use anyhow::{Context, Result};
 use impact_pair::certificate::{Certificate, ClaimKind, Finding, Verdict};
@@ -11,8 +12,8 @@ use crate::progress::Progress;
 use crate::scene;
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
-    let (path, text) = (&arguments.certificate, scene::text(&arguments.certificate)?);
-    let certificate = Certificate::parse(&text).with_context(|| scene::name(path))?;
+    let path = &arguments.certificate;
+    let certificate = read(path)?;
     let visible = !arguments.quiet && io::stderr().is_terminal();
     let progress = Progress::new(Some(certificate.events().len() as u64), visible);
     let verdict = certificate.check(|event| progress.reach(event as u64)).with_context(|| scene::name(path))?;
@@ -30,8 +31,13 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     Ok(answer)
 }
 
+/// Reads an orbit JSON.
+pub fn read(path: &Path) -> Result<Certificate> {
+    Certificate::parse(&scene::text(path)?).with_context(|| scene::name(path))
+}
+
 /// Which claim, and what is wrong with it.
-fn described(certificate: &Certificate, Finding { event, message }: &Finding) -> String {
+pub fn described(certificate: &Certificate, Finding { event, message }: &Finding) -> String {
     let claim = match certificate.events().get(*event).map(|claim| &claim.kind) {
         None => "outcome".to_owned(),
         Some(ClaimKind::Impact { index, .. }) => format!("events[{event}], impact {index}"),

@@ -8,6 +8,7 @@ mod heading;
 mod listing;
 mod output;
 mod progress;
+mod prove;
 mod run;
 mod scene;
 mod table;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
     let answer = match Cli::parse().verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
+        Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::Completions { shell } => completions(shell),
     };

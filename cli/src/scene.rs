@@ -28,10 +28,10 @@ pub fn name(path: &Path) -> String {
     if path.as_os_str() == "-" { "stdin".into() } else { path.display().to_string() }
 }
 
-/// Refuses to write `output` onto the scene.
+/// Refuses to write `output` onto what is read.
 pub fn keep(scene: &Path, output: Option<&Path>) -> Result<()> {
     if let Some(output) = output.filter(|output| is_same_file(output, scene)) {
-        bail!("cannot write {}: it is the scene", output.display());
+        bail!("cannot write {}: it is the input", output.display());
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ mod check;
 mod conclusion;
 mod document;
 mod event;
+mod prove;
 mod read;
 
 pub use check::{Finding, Verdict};
@@ -16,6 +17,7 @@ pub use document::{
     ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json,
 };
 pub use event::{Bounds, Event, Kind};
+pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
-//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye),
+//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye), `fold` (for other languages),
 //! `error`.
 //!
 //! ```
@@ -24,6 +24,7 @@ mod elementary;
 mod enclosure;
 mod error;
 mod evaluate;
+mod fold;
 mod literal;
 mod monomial;
 mod operators;
@@ -42,6 +43,7 @@ pub(crate) use dyadic::compare_rational;
 pub use dyadic::Dyadic;
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};
+pub use fold::Operation;
 use monomial::Monomial;
 
 /// Expressions of more nested operations are refused, so recursion over a tree cannot exhaust the stack.

@@ -11,7 +11,7 @@ pub(super) const COLUMN_BITS: u32 = 96;
 /// The `q_j` are the deviations of those data of the scene that are intervals, the same ones in every quantity of an orbit;
 /// data that are points have none, and then this is a ball.
 #[derive(Clone, Debug)]
-pub(super) struct Affine {
+pub(in crate::certificate) struct Affine {
     /// Encloses the value at the middle of the data.
     pub centre: Real,
     columns: Vec<Real>,

@@ -12,7 +12,7 @@ use crate::exact::{Dyadic, Exact, compare_rational};
 
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
-pub(super) struct Clock {
+pub(in crate::certificate) struct Clock {
     /// With as many more bits as it has turns.
     base: Real,
     slowness: Real,

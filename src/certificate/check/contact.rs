@@ -7,7 +7,7 @@ use crate::pair::Wall;
 
 /// What cannot be confirmed, and why.
 #[derive(Clone, Debug)]
-pub(super) enum Doubt {
+pub(in crate::certificate) enum Doubt {
     /// More bits, or smaller sets of data, may tell.
     Open(String),
     /// It is proved to be false.
@@ -38,7 +38,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, guess: &Re
 
 /// How a flight begins.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Start {
+pub(in crate::certificate) struct Start {
     /// The wall it leaves, if it does.
     pub wall: Option<Wall>,
     /// From rest at the phase where the acceleration turns inward.

@@ -12,7 +12,7 @@ use crate::pair::{ImpactPair, Wall, within};
 
 /// The exact data.
 #[derive(Clone, Debug)]
-pub(super) struct Data {
+pub(in crate::certificate) struct Data {
     pub amplitude: Exact,
     pub half_gap: Exact,
     pub restitution: Exact,
@@ -33,7 +33,7 @@ pub(super) struct Data {
 
 /// Which halves of halves of each datum that is an interval.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Piece {
+pub(in crate::certificate) struct Piece {
     /// By the number of the datum: part `k` of `2^n`.
     parts: [(u32, u32); DATA],
 }

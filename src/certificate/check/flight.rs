@@ -10,7 +10,7 @@ use crate::pair::Wall;
 
 /// All flights from a set of departures.
 #[derive(Clone, Debug)]
-pub(super) struct Flight {
+pub(in crate::certificate) struct Flight {
     pub amplitude: Real,
     pub half_gap: Real,
     /// `th0`
@@ -24,7 +24,7 @@ pub(super) struct Flight {
 }
 
 /// What is known of a part of a flight.
-pub(super) enum Part {
+pub(in crate::certificate) enum Part {
     /// The ball is strictly between the walls throughout.
     Clear,
     /// Before the end of the part a wall is hit.

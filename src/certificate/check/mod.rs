@@ -22,9 +22,10 @@ mod walk;
 
 use super::Certificate;
 use crate::error::Error;
-use contact::Doubt;
-use data::{Data, Piece};
-use walk::Walk;
+pub(super) use contact::Doubt;
+pub(super) use data::{Data, Piece};
+pub(super) use real::Real;
+pub(super) use walk::Walk;
 
 /// What a check finds.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -9,7 +9,7 @@ use crate::exact::{Dyadic, Enclosure, Exact};
 
 /// Holds a real number; results are rounded outward to `bits`, the larger of the operands'.
 #[derive(Clone, Debug)]
-pub(super) struct Real {
+pub(in crate::certificate) struct Real {
     set: Enclosure,
     bits: u32,
 }

@@ -18,7 +18,7 @@ use crate::pair::Wall;
 const MOST_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
-pub(super) struct Rest {
+pub(in crate::certificate) struct Rest {
     wall: Wall,
     since: Real,
 }

@@ -8,7 +8,7 @@ use crate::pair::Wall;
 
 /// What the motion depends on, over the data of the scene.
 #[derive(Clone, Debug)]
-pub(super) struct Parameters {
+pub(in crate::certificate) struct Parameters {
     /// `A` \[length\]
     pub amplitude: Affine,
     /// `d/2` \[length\]
@@ -19,7 +19,7 @@ pub(super) struct Parameters {
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
 #[derive(Clone, Debug)]
-pub(super) struct Departure {
+pub(in crate::certificate) struct Departure {
     pub start: Start,
     /// \[rad\]
     pub phase: Affine,
@@ -31,7 +31,7 @@ pub(super) struct Departure {
 
 /// The states just before an impact.
 #[derive(Clone, Debug)]
-pub(super) struct Landing {
+pub(in crate::certificate) struct Landing {
     pub wall: Wall,
     pub phase: Affine,
     /// `y'` \[length/rad\]

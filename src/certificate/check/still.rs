@@ -14,7 +14,7 @@ use crate::exact::Exact;
 use crate::pair::Wall;
 
 /// `y = m - A sin th` for ever, between the walls.
-pub(super) struct Still {
+pub(in crate::certificate) struct Still {
     /// The phase last grazed, or of the start, in quarter turns; not 0 without shaking only if it is one.
     quarters: BigInt,
     /// Whether the left wall is touched at 1 quarter turn, and the right wall at 3.

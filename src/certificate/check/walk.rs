@@ -18,15 +18,17 @@ use crate::orbit::Period;
 use crate::pair::Wall;
 
 /// An orbit followed along the claims.
-pub(super) struct Walk<'c> {
+pub(in crate::certificate) struct Walk<'c> {
     certificate: &'c Certificate,
     pub(super) data: &'c Data,
-    pub(super) parameters: Parameters,
+    pub parameters: Parameters,
     pub(super) clock: Clock,
     /// The phase that phases are counted from, within a turn of 0, and the whole half turns dropped from it.
     pub(super) origin: Real,
     pub(super) halves: BigInt,
-    pub(super) departure: Departure,
+    pub departure: Departure,
+    /// The last impact.
+    pub landing: Option<Landing>,
     pub(super) rest: Option<Rest>,
     pub(super) still: Option<Still>,
     /// The wall that the last flight between walls left.
@@ -63,6 +65,7 @@ impl<'c> Walk<'c> {
             origin,
             halves: BigInt::from(2) * &data.turns,
             departure,
+            landing: None,
             rest: None,
             still: None,
             last: data.wall,
@@ -87,13 +90,21 @@ impl<'c> Walk<'c> {
         self.outcome()
     }
 
+    /// The phase `W t + tau` of phases counted from the origin.
+    pub fn absolute(&self, phase: &Real) -> Real {
+        let bits = phase.bits().saturating_add(u32::try_from(self.halves.bits()).unwrap_or(0));
+        let dropped = Real::rational(&self.halves.clone().into(), bits) * &Real::pi(bits);
+        dropped + &self.origin + phase
+    }
+
     /// The datum whose halving narrows the sets most, if the data make most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
         let Departure { phase, velocity, .. } = &self.departure;
         [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
     }
 
-    fn confirm(&mut self, claim: &Claim) -> Result<(), Doubt> {
+    /// Confirms the next claim.
+    pub fn confirm(&mut self, claim: &Claim) -> Result<(), Doubt> {
         let [lower, upper] = &claim.time;
         if lower > upper {
             return Err(Doubt::False("the lower bound of the time is above the upper one".into()));
@@ -130,6 +141,7 @@ impl<'c> Walk<'c> {
         let time = self.clock.time(&landing.phase.hull());
         let found = self.clock.velocity(&landing.velocity.hull());
         self.departure = Departure::rebound(&self.parameters, &landing);
+        self.landing = Some(landing);
         (self.impacts, self.last) = (self.impacts + 1, Some(claim.wall));
         compare("time", &time, &claim.time)?;
         compare("velocity", &found, velocity)

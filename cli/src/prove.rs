@@ -1,0 +1,41 @@
+//! `impact-pair prove CERTIFICATE`: an orbit JSON as a theorem for Coq.
+
+use std::io::{self, IsTerminal, Write};
+
+use anyhow::{Context, Result, bail};
+use impact_pair::certificate::ClaimKind;
+
+use crate::Answer;
+use crate::arguments::ProveArguments;
+use crate::check::{described, read};
+use crate::output::Output;
+use crate::progress::Progress;
+use crate::scene;
+
+pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
+    let path = &arguments.certificate;
+    let certificate = read(path)?;
+    scene::keep(path, arguments.output.as_deref())?;
+    let listed = certificate.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count();
+    if listed == 0 {
+        bail!("{}: there is no impact to prove before the first other event", scene::name(path));
+    }
+    let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
+    let mut out = Output::open(arguments.output.as_deref())?;
+    let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
+    let progress = Progress::new(Some(wanted.min(listed) as u64), visible);
+    let theorem =
+        certificate.prove(wanted, |impact| progress.reach(impact as u64)).with_context(|| scene::name(path))?;
+    progress.clear();
+    let (proved, stop) = (theorem.impacts, theorem.stop.as_ref());
+    if proved > 0 {
+        out.write_all(theorem.text.as_bytes()).context("cannot write the output")?;
+        out.commit()?;
+    }
+    if !arguments.quiet {
+        let why = stop.map_or(String::new(), |finding| format!("; {}", described(&certificate, finding)));
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "written: a theorem of {proved} impacts{why}");
+    }
+    Ok(if stop.is_none() { Answer::Complete } else { Answer::Incomplete })
+}

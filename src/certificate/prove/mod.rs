@@ -1,0 +1,97 @@
+//! A certificate as a theorem that Coq checks.
+//!
+//! `validation/coq` holds the model, a program that checks certificates and the proof that it is right. What is written here is
+//! data for it: the scene, the printed bounds, and boxes around the impacts with the places where flights are cut. Coq trusts
+//! none of it.
+
+mod flights;
+mod legs;
+mod text;
+
+use super::check::{Data, Doubt, Finding};
+use super::{Certificate, ClaimKind};
+use crate::error::Error;
+use crate::exact::Exact;
+use flights::{Flight, Origin, flights};
+use legs::{Box, Leg, excess, leg, start};
+
+/// A file for Coq.
+#[derive(Clone, Debug)]
+pub struct Theorem {
+    /// The file.
+    pub text: String,
+    /// The impacts it proves.
+    pub impacts: usize,
+    /// Why it does not prove all that were asked for.
+    pub stop: Option<Finding>,
+}
+
+/// The scale of the first grid, and the bits of the first computation.
+const FIRST_SCALE: u32 = 64;
+const FIRST_BITS: u32 = 256;
+const MOST_BITS: u32 = 1 << 16;
+/// Bits of the computation below the grid.
+const SPARE_BITS: u32 = 64;
+
+impl Certificate {
+    /// A file for Coq that proves the first `most` impacts, or those up to the first other event: for every start and all
+    /// parameters that the scene allows there is exactly one orbit, its impacts are first contacts on these walls, and its times
+    /// and velocities lie in the printed bounds.
+    ///
+    /// `progress` is told the impacts computed so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions or Coq's hold, or the box is not shaken.
+    pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
+        let data = Data::new(self.pair(), self.start())?;
+        Error::require_positive("excitation.amplitude", &data.amplitude)?;
+        let is_point = self.pair().is_point() && self.start().velocity().is_point() && data.phase.is_point();
+        let is_point = is_point && data.height.as_ref().is_none_or(Exact::is_point);
+        let claims = self.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
+        let claims: Vec<_> = claims.take(most).cloned().collect();
+        let (mut bits, mut scale) = (FIRST_BITS, FIRST_SCALE);
+        loop {
+            let (origin, flights, doubt) = flights(self, &data, &claims, bits, &mut progress);
+            let missing = match doubt {
+                Some(Doubt::Open(_)) if is_point && bits < MOST_BITS => {
+                    bits *= 2;
+                    continue;
+                }
+                other => other,
+            };
+            let (begin, legs) = loop {
+                let (begin, legs) = chain(&origin, &flights, scale);
+                let wanting = legs.iter().zip(&flights).map(|(leg, flight)| excess(flight, &leg.arrival)).max();
+                match wanting.filter(|&wanting| wanting > 0 && is_point && scale < MOST_BITS) {
+                    Some(wanting) => scale += wanting + 1,
+                    None => break (begin, legs),
+                }
+            };
+            if bits < scale + SPARE_BITS && is_point && bits < MOST_BITS {
+                bits = (scale + 2 * SPARE_BITS).max(2 * bits);
+                continue;
+            }
+            let fits = |(leg, flight): &(&Leg, &Flight)| excess(flight, &leg.arrival) == 0 && legs::is_sound(leg);
+            let proved = legs.iter().zip(&flights).take_while(fits).count();
+            let stop = match missing {
+                Some(Doubt::Open(message) | Doubt::False(message)) if proved == flights.len() => Some(message),
+                _ if proved < flights.len() => Some("boxes do not fit into the printed bounds".to_owned()),
+                _ => None,
+            };
+            let stop = stop.map(|message| Finding { event: proved, message });
+            let text = text::file(self, &claims[..proved], &begin, &legs[..proved])?;
+            return Ok(Theorem { text, impacts: proved, stop });
+        }
+    }
+}
+
+/// The boxes of an orbit, each from the one before.
+fn chain(origin: &Origin, flights: &[Flight], scale: u32) -> (Box, Vec<Leg>) {
+    let begin = start(origin, scale);
+    let mut legs: Vec<Leg> = Vec::with_capacity(flights.len());
+    for flight in flights {
+        let next = leg(flight, legs.last().map_or(&begin, |leg| &leg.arrival));
+        legs.push(next);
+    }
+    (begin, legs)
+}
