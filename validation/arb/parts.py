@@ -60,6 +60,8 @@ def scene_jobs(part, all_tables, impacts):
 def judge_random(tables, impacts, digits, arithmetic, binary):
     """The tally, with a count of the scenes of which most must come to rest."""
     _, tally = judge_scene(tables, binary, impacts, digits, arithmetic)
+    if arithmetic == "auto":
+        tally["undecided by auto"] = tally["undecided"]
     if is_calm(tables):
         tally.update(calm=1, calm_resting=tally["resting"])
     return tally, ""

@@ -12,13 +12,14 @@ COLUMNS = [
 OUTCOMES = [
     ("all asked for", ["impacts-reached"]), ("periodic", ["periodic"]), ("rests for ever", ["rests-forever"]),
     ("never impacts", ["never-impacts"]), ("undecided by impact-pair", ["undecided"]),
+    ("of these by auto from exact data", ["undecided by auto"]),
     ("beyond this simulator's proof", ["beyond"]),
 ]
 NOTES = """\
 An interval scene is judged by the orbits of 6 members; its impacts, rests and enclosures are counted once a member.
 Enclosures that do not hold all of the ball overlap it and are not much wider than it. Every listing of a random scene
-was also judged in its mirror image. Undecided are listings that impact-pair itself ends early, in doubles or by the
-width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze or a flight too
+was also judged in its mirror image. Undecided are listings that impact-pair itself ends early, most of them in doubles
+or by the width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze or a flight too
 long to follow part by part: judged up to there, and not counted as proved after it."""
 
 
