@@ -23,7 +23,7 @@ KEYS = [("excitation", "amplitude"), ("excitation", "frequency"), ("excitation",
 def middle(draw):
     """Plain decimals for everything: A/d from 0.03 to 3, e from 0.1 to 0.9, of order 1 otherwise."""
     wall = draw.choice((LEFT, RIGHT))
-    pace = draw.uniform(0.5, 20)
+    velocity = draw.uniform(0.5, 20) * (-1 if wall == LEFT else 1)
     return {
         "excitation": {
             "amplitude": f"{10 ** draw.uniform(-1.5, 0.5):.6f}",
@@ -31,7 +31,7 @@ def middle(draw):
             "phase": f"{draw.uniform(-3, 3):.6f}",
         },
         "pair": {"gap": "1", "restitution": f"{draw.uniform(0.1, 0.9):.6f}"},
-        "start": {"time": f"{draw.uniform(-1, 1):.6f}", "wall": wall, "velocity": f"{-pace if wall == LEFT else pace:.6f}"},
+        "start": {"time": f"{draw.uniform(-1, 1):.6f}", "wall": wall, "velocity": f"{velocity:.6f}"},
     }
 
 

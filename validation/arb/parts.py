@@ -84,7 +84,9 @@ def jobs(amount, seed, parts):
     found = list(figure_jobs(amount))
     found += scene_jobs("resting scenes", scenes(amount.resting, seed), amount.resting_impacts)
     found += scene_jobs("extreme scenes", extreme_scenes(amount.extremes, seed), amount.extreme_impacts)
-    found += [Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables)) for corner in corners()]
+    found += [
+        Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables)) for corner in corners()
+    ]
     found += [
         Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))
         for scene in interval_scenes(amount.intervals, seed)

@@ -19,8 +19,9 @@ NOTES = """\
 An interval scene is judged by the orbits of 6 members; its impacts, rests and enclosures are counted once a member.
 Enclosures that do not hold all of the ball overlap it and are not much wider than it. Every listing of a random scene
 was also judged in its mirror image. Undecided are listings that impact-pair itself ends early, most of them in doubles
-or by the width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze or a flight too
-long to follow part by part: judged up to there, and not counted as proved after it."""
+or by the width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze, with a
+flight too long to follow part by part, or that never impact (followed for 100 periods): judged up to there, and not
+counted as proved after it."""
 
 
 def table(totals, columns, heading):
@@ -40,7 +41,8 @@ def verdict(totals, failures):
     spoiled = sum(total["spoiled"] for total in totals.values())
     return (
         f"No disagreement: {impacts:,} impacts and {rests:,} rests proved independently are what impact-pair lists, "
-        f"{held:,} of {all_of_them:,} enclosures hold all of the Arb ball, and all {spoiled:,} spoiled copies are refused."
+        f"{held:,} of {all_of_them:,} enclosures hold all of the Arb ball, and all {spoiled:,} spoiled copies are "
+        "refused."
     )
 
 

@@ -18,6 +18,7 @@ Job = namedtuple("Job", "part check orbit number")
 # Digits that the program is asked for, starting walls and times, by turns.
 DIGITS, WALLS, TIMES = (9, 35), ("left", "right"), ("0", "1/3", "-7")
 SLIP = "1 + 1e-9"
+EQUISPACED, UNEQUISPACED = "equispaced, e < 1, N odd (66)-(69), (72)", "not equispaced, e < 1 (62), (63)"
 
 
 def judge_orbit(orbit, binary, wall, time, digits):
@@ -117,11 +118,11 @@ def jobs(thin):
     """All jobs; `thin` takes every so many-th orbit of the large families."""
     odd, even, other = elastic_orbits()
     families = {
-        "equispaced, e < 1, N odd (66)-(69), (72)": (check_equispaced, list(equispaced.grid(thin))),
+        EQUISPACED: (check_equispaced, list(equispaced.grid(thin))),
         "equispaced, e = 1, N odd (71)": (check_elastic, odd[::thin]),
         "equispaced, e = 1, N even": (check_elastic, even[::thin]),
         "not equispaced, e = 1 (70)": (check_elastic, other[::thin]),
-        "not equispaced, e < 1 (62), (63)": (check_unequispaced, list(unequispaced_orbits(thin))),
+        UNEQUISPACED: (check_unequispaced, list(unequispaced_orbits(thin))),
         "figures 10 and 11 (68), (73)": (check_manifold, manifold.points()[::thin]),
         "equispaced, e < 1, N even: impossible (65)": (check_even_impossible, [
             (e, angle, cycles) for e in ("0", "0.3", "0.8") for angle in ("0.1", "pi/4", "1.3") for cycles in (2, 4)

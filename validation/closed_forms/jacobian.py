@@ -13,7 +13,7 @@ def jacobian(A, W, tau, e, before, after):
 
 
 def printed_a7(A, W, tau, e, before, after, mistake):
-    """(A.7) as printed, with one of its slips: "tau" (t for tau in the second row) or "velocity" (e v1 h for e h/v1)."""
+    """(A.7) with one of its slips as printed: "tau", t for tau in the second row, or "velocity", e v1 h for e h/v1."""
     (t0, v0), (t1, v1) = before, after
     a0, h = A * W**2 * sin(W * t0 + tau), t1 - t0
     a1 = A * W**2 * sin(W * t1 + (t1 if mistake == "tau" else tau))

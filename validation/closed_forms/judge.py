@@ -46,8 +46,9 @@ def check_earlier(found, orbit, earlier, wall="left", time="0"):
         return 1
     here = wall
     for event, impact in zip(found.events, before):
-        check_event(event, "impact", MAPPING[here, OTHER[here]], OTHER[here], start + impact.time, sign * impact.velocity)
-        here = OTHER[here]
+        there = OTHER[here]
+        check_event(event, "impact", MAPPING[here, there], there, start + impact.time, sign * impact.velocity)
+        here = there
     there = here if earlier.wall == "near" else OTHER[here]
     when = start + (before[-1].time if before else 0) + earlier.phase / orbit.W
     check_event(found.events[earlier.flight], "impact", MAPPING[here, there], there, when, None)

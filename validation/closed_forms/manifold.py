@@ -1,4 +1,4 @@
-"""Figures 10 and 11: A_N from (68) for given v, each point an orbit with (66) and (67); (72), (73) for the right wall."""
+"""Figures 10 and 11: A_N from (68) for given v, each point an orbit with (66), (67); (72), (73) for the right wall."""
 from mpmath import atan2, mpf, pi
 
 from equispaced import amplitude_68

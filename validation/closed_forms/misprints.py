@@ -18,8 +18,8 @@ SETTLED, COUNTED = 600, 100
 
 def claim_62():
     orbit = next(unequispaced("0.5", "-0.5", 2))
-    right_side = orbit.A * orbit.W / (1 - orbit.e) * (cos(orbit.theta0 + orbit.first) - cos(orbit.theta0))
-    return Claim("(62): the left side is v_i, not v_{i+1}", abs(-orbit.speed - right_side), abs(orbit.speed - right_side))
+    side = orbit.A * orbit.W / (1 - orbit.e) * (cos(orbit.theta0 + orbit.first) - cos(orbit.theta0))
+    return Claim("(62): the left side is v_i, not v_{i+1}", abs(-orbit.speed - side), abs(orbit.speed - side))
 
 
 def claims_a7():

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import mpmath
 
+from checks import EQUISPACED, UNEQUISPACED
 from two_impact import DIGITS
 
 COLUMNS = [
@@ -29,10 +30,20 @@ def verdict(totals, claims, failures):
         return f"**{len(failures)} disagreements**: see below."
     total = sum(totals.values(), Counter())
     return (
-        f"No disagreement: {total['enclosures']:,} enclosures hold the {DIGITS}-digit values of {total['orbits']:,} closed "
-        f"forms or of the earlier contact that forbids them, {total['refused']:,} wrong ones are refused, and "
+        f"No disagreement: {total['enclosures']:,} enclosures hold the {DIGITS}-digit values of {total['orbits']:,} "
+        f"closed forms or of the earlier contact that forbids them, {total['refused']:,} wrong ones are refused, and "
         f"{len(claims)} misprints of the paper are decided."
     )
+
+
+EARLIER = """\
+An orbit with an earlier contact is one that its own flight forbids: the program must show that contact instead, at its
+place. Refused are listings of such orbits, of N even with e < 1, of v changed by 10^-9 and of the wrong sign of sin th0.
+"""
+FIGURE_15 = """\
+Text after (53): figure 15 has 2 impacts on the right and 3 on the left a cycle, word P2 P3 P1 P4 P4: m and n count
+impacts if the exponents are m - 1 and n - 1.
+"""
 
 
 def write_report(folder, totals, ends, claims, failures, seconds):
@@ -41,19 +52,17 @@ def write_report(folder, totals, ends, claims, failures, seconds):
     lines += ["| family | " + " | ".join(name for name, _ in COLUMNS) + " |", "|---" * (len(COLUMNS) + 1) + "|"]
     for part, total in totals.items():
         lines.append(f"| {part} | " + " | ".join(f"{total[key]:,}" for _, key in COLUMNS) + " |")
-    first, unequal = next(iter(totals.values())), totals["not equispaced, e < 1 (62), (63)"]
-    lines += ["", "An orbit with an earlier contact is one that its own flight forbids: the program must show that contact",
-              "instead, at its place. Refused are listings of such orbits, of N even with e < 1, of v changed by 10^-9 and of",
-              "the wrong sign of sin th0.", "", "## Equispaced orbits with e < 1", "", "| count | what |", "|---|---|"]
-    lines += [f"| {first[key]:,} | {text} |" for key, text in STABILITY]
-    lines += [f"| {ends} | claims at the ends of the stable range: (40), A_pf and A_sn |", "",
-              f"Of the orbits of (62), (63) {unequal['stable']} are stable and {unequal['unstable']} are not; "
+    equal, unequal = totals[EQUISPACED], totals[UNEQUISPACED]
+    lines += ["", EARLIER, "## Equispaced orbits with e < 1", "", "| count | what |", "|---|---|"]
+    lines += [f"| {equal[key]:,} | {text} |" for key, text in STABILITY]
+    lines += [f"| {ends} | claims at the ends of the stable range: (40), A_pf and A_sn |", ""]
+    lines += [f"Of the orbits of (62), (63) {unequal['stable']} are stable and {unequal['unstable']} are not; "
               f"{unequal['even and stable']} are stable, physical and have N even.", ""]
     if claims:
         lines += ["## Misprints", "", "| form | the right one leaves | the printed one leaves |", "|---|---|---|"]
-        lines += [f"| {claim.name} | {mpmath.nstr(claim.right, 2)} | {mpmath.nstr(claim.printed, 2)} |" for claim in claims]
-        lines += ["", "Text after (53): figure 15 has 2 impacts on the right and 3 on the left a cycle, word P2 P3 P1 P4 P4: m and n",
-                  "count impacts if the exponents are m - 1 and n - 1.", ""]
+        for claim in claims:
+            lines.append(f"| {claim.name} | {mpmath.nstr(claim.right, 2)} | {mpmath.nstr(claim.printed, 2)} |")
+        lines += ["", FIGURE_15]
     if failures:
         lines += ["## Disagreements", ""] + [f"```text\n{failure}\n```" for failure in failures] + [""]
     lines.append(f"Made by `validation/closed_forms/run --report` in {seconds:.0f} s with mpmath {mpmath.__version__}.")

@@ -100,7 +100,7 @@ def check_perturbed(orbit, binary):
     first = mpf(CHANGE) * orbit.speed / (orbit.A * orbit.W)
     nearest, farthest = distance(found.events[-1], list(orbit.impacts(2 * pairs))[-1], orbit)
     if rate < 1 and not farthest < SHRUNK * first or rate > 1 and not nearest > GROWN * first:
-        raise Disagreement(f"changed start: {first} becomes {nearest} to {farthest}, but the eigenvalues are {rate} in size")
+        raise Disagreement(f"changed start: {first} becomes {nearest} to {farthest}, with eigenvalues of size {rate}")
     return "shrinks" if rate < 1 else "grows"
 
 

@@ -44,8 +44,8 @@ class Formulas(unittest.TestCase):
             self.assertLess(abs(evaluate(text) - value), TINY)
 
     def test_all_families_satisfy_their_equations(self):
-        families = [equispaced.grid(40), *elastic.elastic_orbits(), unequispaced("0.5", "-0.9", 2), manifold.points()[::9]]
-        for orbits in families:
+        families = [equispaced.grid(40), *elastic.elastic_orbits(), unequispaced("0.5", "-0.9", 2)]
+        for orbits in [*families, manifold.points()[::9]]:
             orbits = list(orbits)
             self.assertTrue(orbits)
             for orbit in orbits:

@@ -31,8 +31,10 @@ class TwoImpact:
         """So many impacts after the start, which is at time 0."""
         period, crossing = 2 * self.N * pi / self.W, self.first / self.W
         for index in range(1, count + 1):
-            is_far = index % 2 == 1
-            yield Impact(is_far, (index // 2) * period + (crossing if is_far else 0), self.speed if is_far else -self.speed)
+            if index % 2 == 1:
+                yield Impact(True, (index // 2) * period + crossing, self.speed)
+            else:
+                yield Impact(False, (index // 2) * period, -self.speed)
 
     def flights(self):
         """(phase at the departure, length in phase) of both flights, each told as one from the left wall."""
@@ -91,7 +93,8 @@ class TwoImpact:
 
     def margin(self):
         """How far the extrema stay from the walls, in units of the gap; negative if they do not."""
-        heights = [self.height(theta, s) * self.A / self.d for theta, n in self.flights() for s in self.extrema(theta, n)]
+        share = self.A / self.d
+        heights = [self.height(theta, s) * share for theta, n in self.flights() for s in self.extrema(theta, n)]
         return min([mpf(1), *heights, *(1 - height for height in heights)])
 
 
