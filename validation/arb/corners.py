@@ -9,8 +9,8 @@ from anchors import ANCHOR_DIGITS, ANCHORS, EDGES, check_anchor
 from scene import LEFT, RIGHT
 
 # The first events, with a time between low and high, or exactly at both. `proof` is ORBIT: by the simulator, event by
-# event; GRAZES: all of them are touches, and `later`, a start after the graze, proves what follows; STILL: the events are
-# all there is, since nothing moves by (10) or nothing can be proved; NEVER: no contact, followed for 100 periods.
+# event; GRAZES: all of them are touches, and `later`, a start after the graze, proves what follows; STILL: the events
+# are all there is, since nothing moves by (10) or nothing can be proved; NEVER: no contact, followed for 100 periods.
 ORBIT, GRAZES, STILL, NEVER = "orbit", "grazes", "still", "never"
 Event = namedtuple("Event", "kind wall low high")
 Corner = namedtuple(

@@ -38,7 +38,8 @@ def verdict(totals, claims, failures):
 
 EARLIER = """\
 An orbit with an earlier contact is one that its own flight forbids: the program must show that contact instead, at its
-place. Refused are listings of such orbits, of N even with e < 1, of v changed by 10^-9 and of the wrong sign of sin th0.
+place. Refused are listings of such orbits, of N even with e < 1, of v changed by 10^-9 and of the wrong sign of
+sin th0.
 """
 FIGURE_15 = """\
 Text after (53): figure 15 has 2 impacts on the right and 3 on the left a cycle, word P2 P3 P1 P4 P4: m and n count
