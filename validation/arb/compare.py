@@ -11,6 +11,7 @@ import csv
 import re
 import subprocess
 import sys
+from collections import namedtuple
 from fractions import Fraction
 from itertools import zip_longest
 
@@ -23,6 +24,10 @@ from simulate import HEADER, ends, exact
 
 NARROW = 1000
 DECIMAL = re.compile(r"-?\d+(\.\d*)?(e[-+]?\d+)?\Z", re.IGNORECASE)
+
+
+# What agrees: `held` of the two enclosures an impact hold the whole ball; the widest time and velocity printed.
+Found = namedtuple("Found", "impacts held bits time velocity spoiled")
 
 
 class Disagreement(Exception):
@@ -100,35 +105,32 @@ def widest(rows, scene):
     ]
 
 
-def run_binary(asked):
+def run_binary(binary, scene, impacts, digits, arithmetic):
     """The CSV that the program under test prints; it may call some of it too wide only if it was not `auto`."""
-    command = [asked.binary, "run", asked.scene, "--impacts", str(asked.impacts), "--digits", str(asked.digits)]
-    command += ["--arithmetic", asked.arithmetic, "--format", "csv"]
+    command = [binary, "run", scene, "--impacts", str(impacts), "--digits", str(digits)]
+    command += ["--arithmetic", arithmetic, "--format", "csv"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode not in ((0,) if asked.arithmetic == "auto" else (0, 1)):
+    if done.returncode not in ((0,) if arithmetic == "auto" else (0, 1)):
         raise Disagreement(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip()}")
     return done.stdout.splitlines()
 
 
-def lines_to_judge(asked):
-    if not asked.csv:
-        return run_binary(asked)
-    with open(asked.csv, encoding="utf-8") as file:
-        return file.read().splitlines()
+def judge(path, lines, impacts, digits):
+    """`Found` in the lines of a CSV, which list so many impacts of a scene."""
+    scene = Scene.read(path)
+    rows = read_rows(lines)
+    proved, bits = orbit(scene, impacts, max(30, digits + 20))
+    held = compare(rows, proved)
+    spoiled = check_controls(rows, proved, compare, Disagreement)
+    return Found(len(rows), held, bits, *widest(rows, scene), spoiled)
 
 
-def judge(asked):
+def describe(found):
     """The line that says what was compared."""
-    scene = Scene.read(asked.scene)
-    rows = read_rows(lines_to_judge(asked))
-    impacts, bits = orbit(scene, asked.impacts, max(30, asked.digits + 20))
-    held = compare(rows, impacts)
-    spoiled = check_controls(rows, impacts, compare, Disagreement)
-    time, velocity = widest(rows, scene)
     return (
-        f"{asked.scene}: {len(rows)} impacts agree in wall, mapping, time and velocity; {held} of {2 * len(rows)} "
-        f"enclosures hold the whole Arb ball ({bits} bits), widest {time:.1e} periods, {velocity:.1e} A W; "
-        f"{spoiled} spoiled copies were refused"
+        f"{found.impacts} impacts agree in wall, mapping, time and velocity; {found.held} of {2 * found.impacts} "
+        f"enclosures hold the whole Arb ball ({found.bits} bits), widest {found.time:.1e} periods, "
+        f"{found.velocity:.1e} A W; {found.spoiled} spoiled copies were refused"
     )
 
 
@@ -144,7 +146,12 @@ def main():
     if asked.impacts < 1:
         parser.error("--impacts is at least 1")
     try:
-        print(judge(asked))
+        if asked.csv:
+            with open(asked.csv, encoding="utf-8") as file:
+                lines = file.read().splitlines()
+        else:
+            lines = run_binary(asked.binary, asked.scene, asked.impacts, asked.digits, asked.arithmetic)
+        print(f"{asked.scene}: {describe(judge(asked.scene, lines, asked.impacts, asked.digits))}")
     except Disagreement as error:
         sys.exit(f"{asked.scene}: DISAGREEMENT: {error}")
     except (Undecided, ExpressionError, SceneError, OSError, ValueError) as error:

@@ -9,12 +9,16 @@ from flint import arb, ctx
 from scene import LEFT, RIGHT
 
 CLEAR = "clear"
-# A flight is followed for so many periods.
-LONGEST = 100_000
+# A flight is followed for so many periods, in so many parts.
+LONGEST, MOST_PARTS = 10**12, 40_000
 
 
 class Undecided(Exception):
     """Nothing could be proved at this precision."""
+
+
+class TooLong(Undecided):
+    """No contact as far as the flight was followed: more bits are no help."""
 
 
 def shortest(period):
@@ -59,7 +63,9 @@ class Flight:
         """
         period = self.motion.period()
         a, width = self.departure(period.mid() / 8)
-        while a < periods * period:
+        for _ in range(MOST_PARTS):
+            if not a < periods * period:
+                raise TooLong(f"no contact in {periods} periods")
             b = (a + width).mid()
             verdict = self.judge(a, b)
             if verdict == CLEAR:
@@ -70,7 +76,7 @@ class Flight:
                 raise Undecided(f"near s = {a.str(10)}: a graze, or too little precision")
             else:
                 width = width / 2
-        raise Undecided(f"no contact in {periods} periods")
+        raise TooLong(f"no contact in {MOST_PARTS} parts, {(a / period).str(5)} periods")
 
     def departure(self, width):
         """(b, w): no contact is in (0, b], since (z(s) - z(0))/s = u + z''/2 s keeps its sign there; w to go on with.
@@ -105,9 +111,12 @@ class Flight:
     def judge(self, a, b):
         """CLEAR, the wall of the only contact in (a, b], or None, given that z(a) is inside the gap.
 
-        Mean value and Taylor form on the part, or, where z' has a proved sign, the height at its end.
+        Mean value and Taylor form on the part, or, where z' has a proved sign, the height at its end. On parts of more
+        than a period, where E takes all its values, (12) as it stands.
         """
         part, gap = between(a, b), self.motion.gap
+        if b - a > self.motion.period():
+            return CLEAR if 0 < self.height(part) < gap else None
         _, z1, z2 = self.derivatives(part)
         if z1 > 0 or z1 < 0:
             end = self.height(b)

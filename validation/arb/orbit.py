@@ -9,7 +9,7 @@ from collections import namedtuple
 
 from flint import arb, ctx
 
-from flight import Flight, Undecided
+from flight import Flight, TooLong, Undecided
 from scene import LEFT, RIGHT
 
 MAPPING = {(LEFT, RIGHT): "P2", (RIGHT, LEFT): "P1", (RIGHT, RIGHT): "P3", (LEFT, LEFT): "P4"}
@@ -143,29 +143,30 @@ def orbit_at(scene, impacts, digits, bits, coarse_bits, settle=None):
                 found.append(Impact(len(found) + 1, MAPPING[states.wall, after.wall], after.wall, time, velocity))
                 states = after
         except Undecided as reason:
-            return found, None, f"impact {len(found) + 1}: {reason}"
+            return found, None, type(reason)(f"impact {len(found) + 1}: {reason}")
     return found[:impacts], None, None
 
 
 def prove(scene, impacts, digits=30, settle=None, most_bits=MOST_BITS):
     """So many impacts, or those up to a rest, each narrower than the digits ask for relative to 2 pi/W and A W.
 
-    Starts again with more bits whenever something is undecided; where no precision is enough, `reason` says why.
+    Starts again with more bits whenever something is undecided; where no precision is enough, `reason`, an Undecided,
+    says why.
     """
-    bits, coarse_bits, best = max(FIRST_BITS, 4 * digits + 64), FIRST_COARSE_BITS, Proved([], None, 0, "")
+    bits, coarse_bits, best = max(FIRST_BITS, 4 * digits + 64), FIRST_COARSE_BITS, Proved([], None, 0, None)
     while True:
         found, rest, reason = orbit_at(scene, impacts, digits, bits, coarse_bits, settle)
         helped = best.bits == 0 or len(found) > len(best.impacts)
         if helped or reason is None:
             best = Proved(found, rest, bits, reason)
-        if reason is None:
+        if reason is None or isinstance(reason, TooLong):
             return best
-        if helped:
-            bits = more_bits(bits, len(best.impacts), impacts)
+        if helped and bits < most_bits:
+            bits = min(more_bits(bits, len(best.impacts), impacts), most_bits)
         else:
             # More bits did not help: the proofs need them, not the centre.
-            coarse_bits, bits = 2 * coarse_bits, 3 * bits // 2
-        if bits > most_bits or coarse_bits > MOST_COARSE_BITS:
+            coarse_bits, bits = 2 * coarse_bits, min(3 * bits // 2, most_bits)
+        if coarse_bits > MOST_COARSE_BITS:
             return best
 
 
@@ -173,7 +174,7 @@ def orbit(scene, impacts, digits=30):
     """(impacts, bits): as many impacts as asked for; raises Undecided when no precision is enough."""
     proved = prove(scene, impacts, digits)
     if proved.reason is not None:
-        raise Undecided(proved.reason)
+        raise proved.reason
     return proved.impacts, proved.bits
 
 

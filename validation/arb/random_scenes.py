@@ -1,6 +1,7 @@
 """Random scenes, many of which chatter, rest and are released."""
 import random
 
+from expression import evaluate
 from scene import LEFT, RIGHT
 
 FREQUENCIES = [("pi", 3.14), ("2*pi", 6.28), ("1", 1.0), ("sqrt(2)", 1.41), ("200*pi", 628.3), ("0.37", 0.37)]
@@ -78,7 +79,7 @@ def ratio(tables):
 
 def is_calm(tables):
     """Small e or small A/d: most of these scenes come to rest at least once."""
-    return float(tables["pair"]["restitution"]) <= 0.3 or ratio(tables) < 0.1
+    return float(evaluate(tables["pair"]["restitution"])) <= 0.3 or ratio(tables) < 0.1
 
 
 def toml(tables):

@@ -14,7 +14,7 @@ from program import as_row
 from random_scenes import scenes, toml
 from rest import Rest, accumulation, release_after
 from rest_controls import check_rest_controls
-from rests import check_never
+from judging import check_never
 from scene import LEFT, RIGHT, Motion, Scene
 from simulate import decimals, exact
 from timeline import Timeline

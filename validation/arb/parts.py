@@ -1,0 +1,94 @@
+"""What is to be judged, in five parts, each a list of jobs; a job is judged in a process of its own."""
+from collections import Counter, namedtuple
+
+from compare import Disagreement, describe, judge, run_binary
+from corner_check import judge_corner
+from corners import corners
+from extreme_scenes import extreme_scenes
+from intervals import interval_scenes, judge_interval_scene
+from judging import judge_scene
+from random_scenes import is_calm, scenes, toml
+
+FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
+DIGITS = 9
+# Doubles must reach so many impacts of every figure.
+IN_DOUBLES = 60
+
+# `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.
+Job = namedtuple("Job", "part name judge arguments scene")
+# How much of everything is judged; 200 impacts of a scene unless it says otherwise.
+Amount = namedtuple("Amount", "figures long resting resting_impacts extremes extreme_impacts intervals")
+FULL = Amount(200, 2000, 60, 200, 200, 60, 40)
+QUICK = Amount(60, 0, 10, 100, 30, 30, 8)
+INTERVAL_IMPACTS = 20
+PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", "interval scenes"]
+
+
+def way(number):
+    """(digits, arithmetic) for a scene: mostly nine digits, now and then more, fewer, or doubles."""
+    return {3: (25, "auto"), 5: (2, "auto"), 7: (DIGITS, "interval")}.get(number % 10, (DIGITS, "auto"))
+
+
+def figure_jobs(amount):
+    """Each figure in doubles as far as they go and in nine digits; figure 14 once more, far."""
+    asked = [(path, arithmetic, amount.figures) for path in FIGURES for arithmetic in ("interval", "auto")]
+    asked += [(FIGURES[2], "auto", amount.long)] if amount.long else []
+    for path, arithmetic, impacts in asked:
+        name = f"{path.removeprefix('scenes/').removesuffix('.toml')}, {impacts} impacts, {arithmetic}"
+        yield Job("figures", name, judge_figure, (path, impacts, arithmetic), "")
+
+
+def judge_figure(path, impacts, arithmetic, binary):
+    """All that is listed agrees; `auto` lists all, doubles at least IN_DOUBLES."""
+    lines = run_binary(binary, path, impacts, DIGITS, arithmetic)
+    listed = len(lines) - 1 if arithmetic == "interval" else impacts
+    if listed < min(impacts, IN_DOUBLES):
+        raise Disagreement(f"only {listed} impacts in doubles")
+    found = judge(path, lines, listed, DIGITS)
+    tally = Counter(scenes=1, impacts=found.impacts, enclosures=2 * found.impacts, held=found.held)
+    tally.update({"spoiled": found.spoiled, "impacts-reached" if listed == impacts else "undecided": 1})
+    return tally, describe(found)
+
+
+def scene_jobs(part, all_tables, impacts):
+    """Random scenes."""
+    for number, tables in enumerate(all_tables):
+        name = f"{part} {number}, digits and arithmetic {way(number)}"
+        yield Job(part, name, judge_random, (tables, impacts, *way(number)), toml(tables))
+
+
+def judge_random(tables, impacts, digits, arithmetic, binary):
+    """The tally, with a count of the scenes of which most must come to rest."""
+    _, tally = judge_scene(tables, binary, impacts, digits, arithmetic)
+    if arithmetic == "auto":
+        tally["undecided by auto"] = tally["undecided"]
+    if is_calm(tables):
+        tally.update(calm=1, calm_resting=tally["resting"])
+    return tally, ""
+
+
+def judge_one_corner(corner, binary):
+    """The tally, and what was found in words."""
+    tally = judge_corner(corner, binary)
+    found = ", ".join(f"{tally[kind]} {kind}" for kind in ("impacts", "rests", "grazes") if tally[kind])
+    return tally, f"{corner.outcome}: {found or 'as it must be'}; {tally['spoiled']} spoiled copies were refused"
+
+
+def judge_one_interval(scene, binary):
+    """The tally; nothing more to say."""
+    return judge_interval_scene(scene, binary, INTERVAL_IMPACTS), ""
+
+
+def jobs(amount, seed, parts):
+    """All jobs of the parts asked for."""
+    found = list(figure_jobs(amount))
+    found += scene_jobs("resting scenes", scenes(amount.resting, seed), amount.resting_impacts)
+    found += scene_jobs("extreme scenes", extreme_scenes(amount.extremes, seed), amount.extreme_impacts)
+    found += [
+        Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables)) for corner in corners()
+    ]
+    found += [
+        Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))
+        for scene in interval_scenes(amount.intervals, seed)
+    ]
+    return [job for job in found if not parts or job.part in parts]
