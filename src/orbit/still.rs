@@ -46,10 +46,11 @@ fn stays_inside(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<
     if !is_zero(&drift) {
         return Ok(None);
     }
-    // z = z0 + alpha sin th0 - alpha sin th
-    let middle = height.checked_add(&pair.alpha.checked_mul(&sin)?)?;
-    let room_below = middle.checked_sub(&pair.alpha)?.sign();
-    let room_above = Exact::from(1).checked_sub(&middle.checked_add(&pair.alpha)?)?.sign();
+    // z = z0 + alpha sin th0 - alpha sin th; sin th0 is -1, 0 or 1, so that a wall touched at the start has no room, exactly.
+    let one = Exact::from(1);
+    let swing = |part: Exact| if is_zero(&part) { Ok(Exact::from(0)) } else { pair.alpha.checked_mul(&part) };
+    let room_below = height.checked_sub(&swing(one.checked_sub(&sin)?)?)?.sign();
+    let room_above = one.checked_sub(&height)?.checked_sub(&swing(one.checked_add(&sin)?)?)?.sign();
     let inside = |room: Option<Ordering>| matches!(room, Some(Ordering::Greater | Ordering::Equal));
     let [grazes_left, grazes_right] = [room_below, room_above].map(|room| room == Some(Ordering::Equal));
     Ok((inside(room_below) && inside(room_above)).then_some(Still { grazes_left, grazes_right }))

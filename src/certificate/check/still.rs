@@ -33,15 +33,23 @@ impl Still {
             return None;
         }
         let quarter = i32::try_from(((&quarters % 4) + 4) % 4).ok()?;
-        let sin = Exact::from([0, 1, 0, -1][quarter as usize]);
-        let height = match data.wall {
-            None => data.height.clone()?,
-            Some(Wall::Left) => data.half_gap.checked_neg().ok()?,
-            Some(Wall::Right) => data.half_gap.clone(),
+        let sin = [0, 1, 0, -1][quarter as usize];
+        // How far the ball is from each wall at the start, and how much farther it swings towards it.
+        let gap = data.half_gap.checked_mul(&Exact::from(2)).ok()?;
+        let zero = || Exact::from(0);
+        let distances = match data.wall {
+            None => {
+                let height = data.height.clone()?;
+                [data.half_gap.checked_add(&height).ok()?, data.half_gap.checked_sub(&height).ok()?]
+            }
+            Some(Wall::Left) => [zero(), gap],
+            Some(Wall::Right) => [gap, zero()],
         };
-        let middle = height.checked_add(&data.amplitude.checked_mul(&sin).ok()?).ok()?;
-        let reach = |side: &Exact| side.checked_add(&data.half_gap).ok()?.checked_sub(&data.amplitude).ok()?.sign();
-        let rooms = [reach(&middle)?, reach(&middle.checked_neg().ok()?)?];
+        let mut rooms = [Ordering::Less; 2];
+        for ((room, distance), part) in rooms.iter_mut().zip(&distances).zip([1 - sin, 1 + sin]) {
+            let swing = if part == 0 { zero() } else { data.amplitude.checked_mul(&Exact::from(part)).ok()? };
+            *room = distance.checked_sub(&swing).ok()?.sign()?;
+        }
         let quarters = quarters + &data.turns * 4;
         let touches = rooms.map(|room| room == Ordering::Equal);
         rooms.iter().all(|room| room.is_ge()).then_some(Self { quarters, touches })
