@@ -40,7 +40,9 @@ const FEW_BITS: f64 = 10.0;
 const SPARE_BITS: u32 = 20;
 /// Covers what is of second order in the radii.
 const MARGIN: f64 = 1.01;
-/// Shorter flights turn at most once: their zeros of y' follow from the velocities at their ends.
+/// What is of second order in a box is at most `2^-8` of what is of first order, which [`MARGIN`] covers.
+const NEARLY_LINEAR: f64 = 8.0;
+/// In shorter flights the sines are those of a parabola.
 const SHORT: f64 = 1e-3;
 
 /// Zeros as near the ends of a flight as this are those of a departure or an arrival without velocity.
@@ -120,7 +122,7 @@ fn coarser(scale: u32, radius: f64) -> u32 {
     if radius > WIDE { scale - ((radius.log2() - FEW_BITS) as u32).min(scale) } else { scale }
 }
 
-/// By how many bits a box is too wide for what is printed of it; 0 for one that fits.
+/// By how many bits a box is too wide, for what is printed of it or for terms of second order; 0 for one that fits.
 pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
     let room = |middle: &BigInt, [low, high]: &[Real; 2]| {
         let scaled = |end: &Dyadic| Enclosure::point(end.scaled(arrival.scale.into())).floor().unwrap_or_default();
@@ -133,7 +135,9 @@ pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
         if room >= radius { 0 } else { (radius / room.max(1.0)).log2().ceil().max(1.0) as u32 }
     };
     let [time, velocity] = &flight.printed;
-    wanting(room(&arrival.t, time), arrival.rt).max(wanting(room(&arrival.v, velocity), arrival.rv))
+    let curved = (2.0 * arrival.rt * (1.0 + (flight.sin[1] / flight.rate).abs()) / flight.rate.abs()).log2();
+    let curved = (curved - f64::from(arrival.scale) + NEARLY_LINEAR).ceil().max(0.0) as u32;
+    curved.max(wanting(room(&arrival.t, time), arrival.rt)).max(wanting(room(&arrival.v, velocity), arrival.rv))
 }
 
 /// The nearest point of a grid.
@@ -164,11 +168,16 @@ fn cuts(flight: &Flight) -> [f64; 2] {
 
 /// The first and the last zero of `y'` strictly inside the flight, as parts of its length.
 fn zeros(flight: &Flight) -> Vec<f64> {
-    let &Flight { u, h, rate, .. } = flight;
+    let &Flight { u, h, turn: begin, .. } = flight;
+    let is_inside = |zero: &f64| (ENDS..1.0 - ENDS).contains(zero);
     if h < SHORT {
-        return if u * rate < 0.0 { vec![u / (u - rate)] } else { Vec::new() };
+        // y' = u + sin th0 x + cos th0 x^2/2, nearly; both roots without cancellation.
+        let (half, curve) = (flight.sin[0] / 2.0, begin.cos() / 2.0);
+        let sum = -(half + (half * half - curve * u).sqrt().copysign(half));
+        let mut zeros: Vec<_> = [u / sum, sum / curve].map(|x| x / h).into_iter().filter(is_inside).collect();
+        zeros.sort_by(f64::total_cmp);
+        return zeros;
     }
-    let begin = flight.turn;
     let level = u + begin.cos();
     if level.abs() > 1.0 {
         return Vec::new();
@@ -179,7 +188,7 @@ fn zeros(flight: &Flight) -> Vec<f64> {
     for branch in [a, -a] {
         let first = branch + TAU * ((begin - branch) / TAU + ENDS).ceil();
         let last = branch + TAU * ((begin + h - branch) / TAU - ENDS).floor();
-        zeros.extend([first, last].into_iter().map(|zero| (zero - begin) / h).filter(|z| (ENDS..1.0 - ENDS).contains(z)));
+        zeros.extend([first, last].into_iter().map(|zero| (zero - begin) / h).filter(is_inside));
     }
     zeros.sort_by(f64::total_cmp);
     zeros
