@@ -730,5 +730,7 @@ End Checker.
 
 (* Plain: floats on Coq's binary integers; no axioms but those of the real numbers. Fast: on arrays of machine integers
    (Bignums), whose axioms say that the machine's 63-bit integers compute right. *)
-Module Plain := Checker (SpecificFloat StdZRadix2).
-Module Fast := Checker (SpecificFloat BigIntRadix2).
+Module PlainFloats := SpecificFloat StdZRadix2.
+Module FastFloats := SpecificFloat BigIntRadix2.
+Module Plain := Checker PlainFloats.
+Module Fast := Checker FastFloats.
