@@ -71,15 +71,9 @@ Proof.
   - rewrite <- (sin_period _ (Z.to_nat m)). f_equal. rewrite INR_IZR_INZ, Z2Nat.id by lia. ring.
   - rewrite <- (sin_period x (Z.to_nat (- m))). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.
 Qed.
-Lemma cos_turns x m : cos (x - IZR m * (2 * PI)) = cos x.
-Proof.
-  destruct (Z_le_gt_dec 0 m).
-  - rewrite <- (cos_period _ (Z.to_nat m)). f_equal. rewrite INR_IZR_INZ, Z2Nat.id by lia. ring.
-  - rewrite <- (cos_period x (Z.to_nat (- m))). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.
-Qed.
 
-(* Some whole number of turns near n units; any would do. *)
-Definition turns (q : positive) (n : Z) : Z := ((n * 113 + 355 * 2 ^ Zpos q) / (710 * 2 ^ Zpos q))%Z.
+(* Some whole number of quarter turns near n units; any would do. *)
+Definition turns (q : positive) (n : Z) : Z := ((n * 452 + 355 * 2 ^ Zpos q) / (710 * 2 ^ Zpos q))%Z.
 
 (* Cuts [a, b] in halves until `test` holds on all parts. *)
 Fixpoint sweep (test : Z -> Z -> bool) (depth : nat) (a b : Z) : bool :=
@@ -155,19 +149,43 @@ Proof.
   - rewrite Rmin_right, Rmax_left in r by lra. exact (contains_connected (I.convert X) b a hb ha c r).
 Qed.
 
-Definition two_pi := mul (whole 2) (I.pi prec).
-Definition reduced (m : Z) (X : I.type) := sub X (mul (whole m) two_pi).
-Definition sine (m : Z) (X : I.type) := I.sin prec (reduced m X).
-Definition cosine (m : Z) (X : I.type) := I.cos prec (reduced m X).
-Lemma holds_reduced m X x : holds X x -> holds (reduced m X) (x - IZR m * (2 * PI)).
+(* Sine and cosine after k quarter turns are taken off: near 0, Interval's own lose no digits. *)
+Definition half_pi := quotient (I.pi prec) (whole 2).
+Definition reduced (k : Z) (X : I.type) := sub X (mul (whole k) half_pi).
+Definition quarters (k : Z) (X : I.type) : I.type :=
+  match (k mod 4)%Z with 0%Z => I.sin prec X | 1%Z => I.cos prec X | 2%Z => I.neg (I.sin prec X) | _ => I.neg (I.cos prec X) end.
+Definition sine (k : Z) (X : I.type) : I.type := quarters k (reduced k X).
+Definition cosine (k : Z) (X : I.type) : I.type := quarters (k + 1) (reduced k X).
+Lemma holds_reduced k X x : holds X x -> holds (reduced k X) (x - IZR k * (PI / 2)).
 Proof.
   intros h. apply holds_sub; [exact h|]. apply holds_mul; [apply holds_whole|].
-  apply holds_mul; [apply holds_whole|apply I.pi_correct].
+  apply holds_quotient; [apply I.pi_correct|apply holds_whole].
 Qed.
-Lemma holds_sine m X x : holds X x -> holds (sine m X) (sin x).
-Proof. intros h. rewrite <- (sin_turns x m). apply (I.sin_correct prec _ (Xreal _)), holds_reduced, h. Qed.
-Lemma holds_cosine m X x : holds X x -> holds (cosine m X) (cos x).
-Proof. intros h. rewrite <- (cos_turns x m). apply (I.cos_correct prec _ (Xreal _)), holds_reduced, h. Qed.
+Lemma holds_quarters k X r : holds X r -> holds (quarters k X) (sin (r + IZR k * (PI / 2))).
+Proof.
+  intros h. unfold quarters.
+  assert (hs : holds (I.sin prec X) (sin r)) by exact (I.sin_correct prec _ (Xreal _) h).
+  assert (hc : holds (I.cos prec X) (cos r)) by exact (I.cos_correct prec _ (Xreal _) h).
+  assert (hns := holds_neg _ _ hs). assert (hnc := holds_neg _ _ hc).
+  assert (part := Z.div_mod k 4 ltac:(lia)). assert (bound := Z.mod_pos_bound k 4 ltac:(lia)).
+  set (m := (k / 4)%Z) in *. set (j := (k mod 4)%Z) in *. rewrite <- (sin_turns _ m).
+  replace (r + IZR k * (PI / 2) - IZR m * (2 * PI)) with (r + IZR j * (PI / 2)) by (rewrite part, plus_IZR, mult_IZR; field).
+  assert (cases : j = 0%Z \/ j = 1%Z \/ j = 2%Z \/ j = 3%Z) by lia.
+  destruct cases as [c|[c|[c|c]]]; rewrite c in *.
+  - replace (r + 0 * (PI / 2)) with r by ring. exact hs.
+  - replace (r + 1 * (PI / 2)) with (PI / 2 + r) by ring. rewrite <- cos_sin. exact hc.
+  - replace (r + 2 * (PI / 2)) with (r + PI) by field. rewrite neg_sin. exact hns.
+  - replace (r + 3 * (PI / 2)) with ((PI / 2 + r) + PI) by field. rewrite neg_sin, <- cos_sin. exact hnc.
+Qed.
+Lemma holds_sine k X x : holds X x -> holds (sine k X) (sin x).
+Proof.
+  intros h. replace x with (x - IZR k * (PI / 2) + IZR k * (PI / 2)) at 1 by ring. apply holds_quarters, holds_reduced, h.
+Qed.
+Lemma holds_cosine k X x : holds X x -> holds (cosine k X) (cos x).
+Proof.
+  intros h. rewrite cos_sin. replace (PI / 2 + x) with (x - IZR k * (PI / 2) + IZR (k + 1) * (PI / 2)) by (rewrite plus_IZR; ring).
+  apply holds_quarters, holds_reduced, h.
+Qed.
 
 Definition is_positive (X : I.type) : bool := match I.sign_strict X with Xgt => true | _ => false end.
 Definition is_not_negative (X : I.type) : bool := match I.sign_large X with Xgt | Xeq => true | _ => false end.
