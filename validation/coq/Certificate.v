@@ -58,6 +58,9 @@ Record leg := Leg {
   bits : positive; coarse : positive; scale : positive; hits : wall;
   t : Z; rt : Z; v : Z; rv : Z; depart : Z; approach : Z; tilt : Z }.
 
+(* The box of the beginning; from inside the gap its velocity is that of the launch. *)
+Record start := Start { start_bits : positive; start_scale : positive; start_t : Z; start_rt : Z; start_v : Z; start_rv : Z }.
+
 Definition grid (q : positive) (n : Z) : R := / IZR (2 ^ Zpos q) * IZR n.
 
 Lemma grid_step q : 0 < / IZR (2 ^ Zpos q).
@@ -686,9 +689,6 @@ Proof.
     exists (j :: orbit). split; [split; assumption|constructor; assumption].
 Qed.
 End Data.
-
-(* The box of the beginning. *)
-Record start := Start { start_bits : positive; start_scale : positive; start_t : Z; start_rt : Z; start_v : Z; start_rv : Z }.
 
 Definition start_box (param : data) (b : beginning) (o : start) : box :=
   let p := start_bits o in let q := start_scale o in
