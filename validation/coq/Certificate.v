@@ -289,10 +289,11 @@ Hypothesis G_holds : holds G gamma.
 Variable b : box.
 Hypothesis b_holds : in_box b.
 
-(* Sine and cosine of th0 in the box, and at its centre. *)
+(* Sine and cosine of th0 in the box, where precision c is enough, and at its centre. *)
+Variable c : positive.
 Record aspects := { S0 : I.type; C0 : I.type; Sc : I.type; Cc : I.type }.
 Definition look : aspects :=
-  {| S0 := sine p (around b) (T b); C0 := cosine p (around b) (T b);
+  {| S0 := sine c (around b) (T b); C0 := cosine c (around b) (T b);
      Sc := sine p (around b) (Tc b); Cc := cosine p (around b) (Tc b) |}.
 Variable a : aspects.
 Definition seen : Prop := (forall x, holds (T b) x -> holds (S0 a) (sin x) /\ holds (C0 a) (cos x)) /\
@@ -403,16 +404,16 @@ Qed.
 
 (* Velocity of arrival at w between lo and hi, around n: its value where wall and flight meet is that of
    rate - tilt * (distance from the wall), which hardly depends on the phase of arrival. *)
-Definition rate_centre (m : Z) (X : I.type) : I.type := sub p (add p (Uc b) (Cc a)) (cosine p m X).
+Definition rate_centre (k : positive) (m : Z) (X : I.type) : I.type := sub p (add p (Uc b) (Cc a)) (cosine k m X).
 Definition arrival (w : wall) (n r k : Z) : I.type :=
   let m := turns q n in let X := at_ n in let X1 := over (n - r) (n + r) in let mu := at_ k in
-  let centre := sub p (rate_centre m X) (mul p mu (add p (offset w) (rise_centre m X))) in
+  let centre := sub p (rate_centre p m X) (mul p mu (add p (offset w) (rise_centre m X))) in
   let by_phase := sub p (I.neg (S0 a)) (mul p mu (sub p (mul p (I.neg (S0 a)) (sub p X1 (T b))) (U b))) in
   let by_speed := sub p (whole p 1) (mul p mu (sub p X1 (Tc b))) in
-  let by_arrival := sub p (sine p m X1) (mul p mu (rate_centre m X1)) in
+  let by_arrival := sub p (sine c m X1) (mul p mu (rate_centre c m X1)) in
   add p (add p (add p centre (mul p by_phase (dT b))) (mul p by_speed (dU b))) (mul p by_arrival (over (- r) r)).
 
-Lemma holds_rate_centre m X x : holds X x -> holds (rate_centre m X) (rate thc uc x).
+Lemma holds_rate_centre k m X x : holds X x -> holds (rate_centre k m X) (rate thc uc x).
 Proof.
   destruct b_holds as (_ & _ & _ & _ & _ & _ & hu & _), a_holds as (_ & _ & h). unfold rate_centre, rate. enclose.
 Qed.
@@ -449,15 +450,15 @@ Proof.
       replace (rate thc u th1) with (rate thc uc th1 + (u - uc)) in eq by (unfold rate; ring).
       replace (rise thc u th1) with (rise thc uc th1 + (u - uc) * (th1 - thc)) in eq by (unfold rise; ring). lra. }
   assert (hx := at_holds n). assert (hk := at_holds k). assert (ho := holds_offset w).
-  assert (hrc := holds_rate_centre (turns q n) _ _ hx). assert (hri := holds_rise_centre (turns q n) _ _ hx).
-  assert (hrz := holds_rate_centre (turns q n) _ _ hz1).
+  assert (hrc := holds_rate_centre p (turns q n) _ _ hx). assert (hri := holds_rise_centre (turns q n) _ _ hx).
+  assert (hrz := holds_rate_centre c (turns q n) _ _ hz1).
   assert (one : holds (whole p 1) 1) by apply holds_whole.
   unfold arrival. fold x in hx, hrc, hri. fold mu in hk. fold off in ho. enclose.
 Qed.
 End Precision.
 End Flight.
 
-Lemma look_seen gamma y th0 u thc uc p b : in_box gamma y th0 u thc uc b -> seen thc b (look p b).
+Lemma look_seen gamma y th0 u thc uc p c b : in_box gamma y th0 u thc uc b -> seen thc b (look p b c).
 Proof.
   intros (_ & _ & _ & hc & _). unfold seen, look. cbn [S0 C0 Sc Cc].
   split; [intros x hx; split|split]; auto using holds_sine, holds_cosine.
@@ -534,7 +535,7 @@ Definition check_departure (b : box) (l : leg) : bool :=
   let step := unit_step p q in let rough := unit_step c q in
   match from b with
   | None => is_not_negative (sub p (T b) (point p step (depart l))) &? is_not_negative (sub p (point p step (approach l)) (T b))
-  | Some w => let low := (lowest b * 2 ^ Zpos q / 2 ^ Zpos (box_scale b) - 1)%Z in let a := look c b in
+  | Some w => let low := (lowest b * 2 ^ Zpos q / 2 ^ Zpos (box_scale b) - 1)%Z in let a := look c b c in
     is_not_negative (sub p (point p step (depart l)) (T b)) &? is_not_negative (sub p (T b) (point p step low)) &?
     (if sweep (inwards_over c b a q rough w) depth low (depart l) then true
      else is_not_negative (I.neg (sided w (U b))) &? sweep (pressed_over c q rough w) depth low (depart l))
@@ -543,14 +544,14 @@ Definition check_departure (b : box) (l : leg) : bool :=
 Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
   let p := bits l in let c := coarse l in let q := scale l in let w := hits l in
   let G := gamma_in p in let step := unit_step p q in let rough := unit_step c q in
-  let a := look p b in let ac := look c b in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
+  let a := look p b c in let ac := look c b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
   (0 <=? rt l)%Z &? (0 <=? rv l)%Z &? (depart l <=? approach l)%Z &? (approach l <=? lo)%Z &?
   is_positive (sub p (point p step lo) (T b)) &? check_departure b l &?
   sweep (inside_over c (gamma_in c) b ac q rough) depth (depart l) (approach l) &?
   sweep (inwards_over c b ac q rough (opposite w)) depth (approach l) hi &?
   is_positive (I.neg (sided w (add p (offset p G b w) (rise_at p b a q step lo)))) &?
   is_not_negative (sided w (add p (offset p G b w) (rise_at p b a q step hi))) &?
-  between p step (arrival p G b a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
+  between p step (arrival p G b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
   (let W := enclose_range p (frequency param) in let tau := enclose_range p (shift param) in
    let AW := mul p (enclose_range p (amplitude param)) W in
    let TH := stretch p step lo hi in let V := mul p AW (stretch p step (v l - rv l) (v l + rv l)) in
@@ -586,7 +587,7 @@ Lemma departure_sound b l gamma y th0 u thc uc : in_box gamma y th0 u thc uc b -
   let q := scale l in exists ta, (ta = th0 \/ exists w0, y = side w0 * (gamma / 2) /\ leaves w0 th0 u ta) /\
   th0 <= ta /\ grid q (depart l) <= ta /\ (ta <= grid q (approach l) \/ ta = grid q (depart l)).
 Proof.
-  intros inb check q. assert (ac := look_seen _ _ _ _ _ _ (coarse l) b inb).
+  intros inb check q. assert (ac := look_seen _ _ _ _ _ _ (coarse l) (coarse l) b inb).
   assert (sp := unit_step_holds (bits l) q). assert (sc := unit_step_holds (coarse l) q).
   pose proof inb as (hf & h0 & _ & _ & _ & hu & _). unfold check_departure in check. fold q in check.
   destruct (from b) as [w|] eqn:f.
@@ -616,7 +617,7 @@ Proof.
   set (lo := (t legs - rt legs)%Z) in *. set (hi := (t legs + rt legs)%Z) in *.
   assert (Gp := holds_gamma p). assert (Gc := holds_gamma c).
   assert (sp := unit_step_holds p q). assert (sc := unit_step_holds c q).
-  assert (ap := look_seen _ _ _ _ _ _ p b inb). assert (ac := look_seen _ _ _ _ _ _ c b inb).
+  assert (ap := look_seen _ _ _ _ _ _ p c b inb). assert (ac := look_seen _ _ _ _ _ _ c c b inb).
   split_checks. rename check into velocity_upper_check.
   set (th0 := phase s (since l)) in *. set (u := unit_speed s (speed l)) in *. set (gamma := d s / A s) in *.
   set (y := place l / A s) in *.
@@ -649,7 +650,7 @@ Proof.
     assert (0 <= side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise th0 u (grid q hi))) by (apply (is_not_negative_sound _ _ k8); enclose).
     destruct (hits legs); cbn [side] in *; lra.
   - fold th0 u y in onwall, vel. replace (d s / A s / 2) with (gamma / 2) in onwall by reflexivity.
-    assert (speed_in := holds_arrival gamma y th0 u thc uc p _ Gp b inb _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
+    assert (speed_in := holds_arrival gamma y th0 u thc uc p _ Gp b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
     assert (r2 := between_sound _ _ _ _ _ _ k9 speed_in). rewrite <- vel in r2.
     exists i. split; [exact reach|]. split; [|repeat split; try assumption; apply r1 || apply r2].
     destruct described as (dA & dW & dt & _ & _).
