@@ -19,8 +19,6 @@ Proof. apply is_derive_Reals. unfold rate. auto_derive; [exact I|ring]. Qed.
 (* The same displacement when the launch is later: the first entry of (A.7), times the velocity of arrival. *)
 Lemma rise_derivative_launch th0 u th : derivable_pt_lim (fun x => rise x u th) th0 (- sin th0 * (th - th0) - u).
 Proof. apply is_derive_Reals. unfold rise. auto_derive; [exact I|ring]. Qed.
-Lemma rate_derivative_launch th0 u th : derivable_pt_lim (fun x => rate x u th) th0 (- sin th0).
-Proof. apply is_derive_Reals. unfold rate. auto_derive; [exact I|ring]. Qed.
 
 Lemma increasing f f' a b : a < b -> (forall c, derivable_pt_lim f c (f' c)) -> (forall c, a < c < b -> 0 < f' c) -> f a < f b.
 Proof.

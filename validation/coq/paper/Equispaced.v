@@ -105,3 +105,11 @@ Proof.
   { intros m. unfold orbit, figure_12_orbit. rewrite v. cbn [W figure_12_exact Nat.mul Nat.add INR]. f_equal; field; lra. }
   rewrite <- !same. apply equispaced_for_ever; try rewrite z; try rewrite v; rewrite ?sin_0, ?cos_0; cbn; try lra. field. lra.
 Qed.
+(* It is periodic: so the hypotheses of TwoImpact.v can be met. *)
+Theorem figure_12_periodic : next figure_12_exact (figure_12_orbit 0) (figure_12_orbit 1) /\
+  next figure_12_exact (figure_12_orbit 1)
+    {| wall_of := left; time := time (figure_12_orbit 0) + INR 1 * period figure_12_exact; velocity := velocity (figure_12_orbit 0) |}.
+Proof.
+  split; [apply figure_12_for_ever|]. replace {| wall_of := left; time := _; velocity := _ |} with (figure_12_orbit 2); [apply figure_12_for_ever|].
+  assert (pi := PI_RGT_0). unfold figure_12_orbit, period. cbn [wall_after other side time velocity W figure_12_exact INR]. f_equal; field; lra.
+Qed.
