@@ -57,8 +57,9 @@ const FIRST_BITS: u32 = 192;
 const MOST_BITS: u32 = 1 << 17;
 /// Intervals among the data are cut into so many pieces at most.
 const MOST_PIECES: usize = 1 << 12;
-/// A claim that more bits do not decide so often is given up: its bound is the truth, or there is an exact graze.
-const PATIENCE: u32 = 5;
+/// A claim that a fourth as many bits and these did not decide either is given up: its bound is the truth, or there is an exact
+/// graze.
+const ENOUGH_BITS: u32 = 4096;
 
 impl Certificate {
     /// Proves every claim again, or says which one is not true or not proved. `progress` is told the events confirmed so far.
@@ -70,7 +71,8 @@ impl Certificate {
     pub fn check(&self, mut progress: impl FnMut(usize)) -> Result<Verdict, Error> {
         let data = Data::new(self.pair(), self.start())?;
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
-        let mut stuck = (0, 0);
+        // Where more bits did not help, and how many there were at first.
+        let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, &data, &piece, bits);
             let Err(doubt) = walk.all(&mut progress) else { continue };
@@ -83,11 +85,13 @@ impl Certificate {
                         cut += 1;
                     }
                     widest => {
-                        stuck = if stuck.0 == event { (event, stuck.1 + 1) } else { (event, 0) };
-                        if widest.is_some() || stuck.1 == PATIENCE || bits == MOST_BITS {
+                        let is_stuck = stuck.0 == event;
+                        stuck = if is_stuck { stuck } else { (event, bits) };
+                        let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits == MOST_BITS;
+                        if widest.is_some() || is_enough {
                             return Ok(Verdict::Undecided(Finding { event, message }));
                         }
-                        bits = self.more_bits(bits, event);
+                        bits = if is_stuck { (2 * bits).min(MOST_BITS) } else { self.more_bits(bits, event) };
                         pieces.push(piece);
                     }
                 },
