@@ -13,9 +13,7 @@ mod read;
 
 pub use check::{Finding, Verdict};
 pub use conclusion::Conclusion;
-pub use document::{
-    ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json,
-};
+pub use document::{ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json};
 pub use event::{Bounds, Event, Kind};
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};

@@ -15,6 +15,8 @@ from pathlib import Path
 import edits
 
 getcontext().prec = 200
+# Seconds that no answer may take.
+PATIENCE = 60
 # Of these all events are spoiled, one by one; digits for the truth beside them.
 SPOILED = ["figure-13", "figure-14", "figure-17", "chatter"]
 SPOILED_IMPACTS, FINE_DIGITS = 12, 60
@@ -26,7 +28,10 @@ def run(program, scene, impacts, digits=None):
     options = ["--impacts", str(impacts), "--format", "json", "--quiet"]
     if digits:
         options += ["--digits", str(digits)]
-    done = subprocess.run([program, "run", scene, *options], capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run([program, "run", scene, *options], capture_output=True, text=True, check=False, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        raise SystemExit(f"error: {scene}: no orbit in {PATIENCE} s") from None
     if done.returncode == 2 or not done.stdout:
         raise SystemExit(f"error: {scene}: {done.stderr.strip()}")
     return json.loads(done.stdout)
@@ -35,7 +40,11 @@ def run(program, scene, impacts, digits=None):
 def check(program, document):
     """(exit code, what it says, seconds)."""
     start = time.perf_counter()
-    done = subprocess.run([program, "check", "-", "--quiet"], input=json.dumps(document), capture_output=True, text=True, check=False)
+    command = [program, "check", "-", "--quiet"]
+    try:
+        done = subprocess.run(command, input=json.dumps(document), capture_output=True, text=True, check=False, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        return 2, f"no verdict in {PATIENCE} s", PATIENCE
     return done.returncode, (done.stdout or done.stderr).strip(), time.perf_counter() - start
 
 
