@@ -33,9 +33,11 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
         out.commit()?;
     }
     if !arguments.quiet {
+        let said =
+            if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
         let why = stop.map_or(String::new(), |finding| format!("; {}", described(&certificate, finding)));
         // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "written: a theorem of {proved} impacts{why}");
+        let _ = writeln!(io::stderr(), "{said}{why}");
     }
     Ok(if stop.is_none() { Answer::Complete } else { Answer::Incomplete })
 }

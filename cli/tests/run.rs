@@ -43,7 +43,7 @@ snapshots! {
     output_onto_the_scene: run(&["scenes/figure-12.toml", "--output", "scenes/figure-12.toml"]);
     verbs_of_this_version: program(&["--help"]);
     arguments_of_run: run(&["--help"]);
-    unknown_verb: program(&["prove"]);
+    unknown_verb: program(&["juggle"]);
 }
 
 #[cfg(feature = "multiprecision")]

@@ -1,9 +1,11 @@
 use super::*;
 use crate::Scene;
+use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
-use crate::orbit::Settings;
+use crate::orbit::{Arithmetic, Impact, Settings};
 use num_rational::BigRational;
 use proptest::prelude::*;
+use serde_json::{Value, json};
 
 fn scene(amplitude: &str, start: &str) -> Scene {
     let text = format!(
@@ -136,5 +138,58 @@ fn floats_claim_nothing() {
         assert_eq!(event["time"][0], event["time"][1]);
         let expected = 2.0 * (impact.turns as f64 + impact.phase.mid());
         assert!((time - expected).abs() <= 2.0 * f64::EPSILON * expected);
+    }
+}
+
+/// Where the impacts that a document lists come, and how fast, found again: phases `W t + tau` and velocities in lengths a radian.
+fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
+    let certificate = Certificate::parse(&document.to_string()).unwrap();
+    let data = check::Data::new(certificate.pair(), certificate.start()).unwrap();
+    let mut walk = check::Walk::new(&certificate, &data, &check::Piece::default(), 192);
+    let mut found = Vec::new();
+    for claim in certificate.events() {
+        // Whether the set lies inside the printed bounds does not matter here.
+        let _ = walk.confirm(claim);
+        // Wide sets need not all land on one wall.
+        let Some(landing) = walk.landing.take() else { break };
+        let phase = walk.absolute(&landing.phase.hull());
+        found.push((phase.set().clone(), landing.velocity.hull().set().clone()));
+    }
+    found
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Sets in mean value form hold the orbits of their members (Lemma V2): all data are intervals, members anywhere inside.
+    #[test]
+    fn sets_checked_again_hold_their_members(
+        amplitude in 0.5..20.0f64, phase in 0.0..6.28f64, gap in 5.0..15.0f64, e in 0.2..0.9f64,
+        velocity in -30.0..-5.0f64, size in 3u32..9, parts in prop::array::uniform5(0u32..=4),
+    ) {
+        let width = 10f64.powi(-(size as i32));
+        let value = |x: f64, part: Option<u32>| match part {
+            None => format!("\"[{x}, {}]\"", x + width),
+            Some(part) => format!("\"{x} + ({} - {x})*{part}/4\"", x + width),
+        };
+        let scene = |parts: [Option<u32>; 5]| {
+            let [a, p, d, r, v] = parts;
+            Scene::parse(&format!(
+                "excitation = {{ amplitude = {}, frequency = \"pi\", phase = {} }}\npair = {{ gap = {}, restitution = {} }}\n\
+                 start = {{ time = 0, wall = \"left\", velocity = {} }}\nrun = {{ impacts = 3 }}",
+                value(amplitude, a), value(phase, p), value(gap, d), value(e, r), value(velocity, v),
+            )).unwrap()
+        };
+        let (set, impacts) = document(&scene([None; 5]), Arithmetic::Interval);
+        prop_assume!(impacts.len() == 3);
+        let mut member = set.clone();
+        let parts = parts.map(Some);
+        member["scene"] = super::scene(scene(parts).pair(), scene(parts).start());
+        let found = found_again(&set);
+        prop_assert!(size < 6 || !found.is_empty());
+        for ((phases, velocities), (phase, velocity)) in found.iter().zip(found_again(&member)) {
+            prop_assert!(phases.contains_enclosure(&phase), "{phases:?} {phase:?}");
+            prop_assert!(velocities.contains_enclosure(&velocity), "{velocities:?} {velocity:?}");
+        }
     }
 }

@@ -103,7 +103,7 @@ fn a_bound_is_refused_from_the_unit_on_that_makes_it_false() {
                     let mut edited = document.clone();
                     edited["events"][i][key][end] = json!(moved(&bound, &Integer::from(&last * sign)));
                     assert_confirmed(&edited);
-                    edited["events"][i][key][end] = json!(moved(&bound, &(Integer::from(last + 1) * sign)));
+                    edited["events"][i][key][end] = json!(moved(&bound, &((last + 1u32) * sign)));
                     assert_refuted(&edited, i);
                 }
             }

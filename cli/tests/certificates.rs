@@ -1,0 +1,100 @@
+//! `check` and `prove`: what they say of right certificates, wrong ones and what is none.
+
+mod common;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use common::{program, run};
+use insta_cmd::assert_cmd_snapshot;
+
+/// The orbit JSON of a scene, with `edit` applied to its text, in a file that only this test uses.
+fn certificate(name: &str, arguments: &[&str], edit: impl Fn(String) -> String) -> PathBuf {
+    let answer = run(arguments).args(["--quiet", "--format"]).arg("json").output().expect("the program runs");
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.json"));
+    fs::write(&path, edit(String::from_utf8(answer.stdout).expect("JSON"))).expect("a file");
+    path
+}
+
+const FIGURE_12: [&str; 3] = ["scenes/figure-12.toml", "--impacts", "4"];
+
+/// `verb` on a certificate.
+fn on(verb: &str, path: &PathBuf) -> Command {
+    let mut command = program(&[verb]);
+    command.arg(path);
+    command
+}
+
+macro_rules! snapshot {
+    ($name:expr, $command:expr) => {
+        let folder = regex_of(env!("CARGO_TARGET_TMPDIR"));
+        insta::with_settings!({ filters => vec![
+            (folder.as_str(), "[folder]"), (r"\(-?\d+,-?\d+\)", "(..)"), (r"(\d\.\d{5})\d+", "$1.."), (r"\(-?0x[0-9a-f]+\) \d+", "(..) .."),
+            (r"\(-?0x[0-9a-f]+\)", "(..)"), (r"Leg \d+ \d+ \d+", "Leg .."), (r"Start \d+ \d+", "Start .."),
+        ] }, {
+            assert_cmd_snapshot!($name, $command);
+        });
+    };
+}
+
+/// The text as a regular expression.
+fn regex_of(text: &str) -> String {
+    text.chars().map(|c| if c.is_alphanumeric() { c.to_string() } else { format!("\\{c}") }).collect()
+}
+
+#[test]
+fn right_certificates_are_confirmed() {
+    snapshot!("confirmed", on("check", &certificate("confirmed", &FIGURE_12, |text| text)));
+    let boxed = |text: String| text.replace("\"9.42497\"", "\"[9.42497, 9.42497]\"");
+    snapshot!("confirmed_of_an_interval", on("check", &certificate("interval", &FIGURE_12, boxed)));
+}
+
+#[test]
+fn json_lines_are_read() {
+    let lines = run(&["scenes/figure-12.toml", "--impacts", "4", "--format", "jsonl"]).output().unwrap().stdout;
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lines.jsonl");
+    fs::write(&path, lines).unwrap();
+    snapshot!("confirmed_lines", on("check", &path));
+}
+
+#[test]
+fn wrong_certificates_are_refused() {
+    let restitution = |text: String| text.replace("\"0.5\"", "\"0.501\"");
+    snapshot!("refuted", on("check", &certificate("restitution", &FIGURE_12, restitution)));
+    let mapping = |text: String| text.replace("\"mapping\":\"P1\"", "\"mapping\":\"P3\"");
+    snapshot!("refuted_mapping", on("check", &certificate("mapping", &FIGURE_12, mapping)));
+    let outcome = |text: String| text.replace("impacts-reached", "never-impacts");
+    snapshot!("undecided_outcome", on("check", &certificate("outcome", &FIGURE_12, outcome)));
+}
+
+#[test]
+fn what_is_no_certificate_is_named() {
+    let edits: [(&str, &str, &str); 5] = [
+        ("schema", "impact-pair/orbit/1", "impact-pair/orbit/9"),
+        ("float", "\"certified\":true", "\"certified\":false"),
+        ("wall", "\"wall\":\"right\"", "\"wall\":\"top\""),
+        ("key", "\"velocity\":[", "\"speed\":["),
+        ("gap", "\"gap\":\"9.42497\"", "\"gap\":\"-9.42497\""),
+    ];
+    for (name, from, to) in edits {
+        let path = certificate(name, &FIGURE_12, |text| text.replace(from, to));
+        snapshot!(format!("bad_{name}"), on("check", &path));
+    }
+    snapshot!("bad_file", program(&["check", "scenes/figure-12.toml"]));
+}
+
+#[test]
+fn certificates_become_theorems() {
+    snapshot!("theorem", on("prove", &certificate("theorem", &FIGURE_12, |text| text)));
+    let restitution = |text: String| text.replace("\"0.5\"", "\"0.501\"");
+    snapshot!("no_theorem", on("prove", &certificate("false", &FIGURE_12, restitution)));
+    let none = ["scenes/figure-12.toml", "--impacts", "0"];
+    snapshot!("nothing_to_prove", on("prove", &certificate("none", &none, |text| text)));
+}
+
+#[test]
+fn both_explain_themselves() {
+    snapshot!("arguments_of_check", program(&["check", "--help"]));
+    snapshot!("arguments_of_prove", program(&["prove", "--help"]));
+}
