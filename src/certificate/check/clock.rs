@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use super::affine::Affine;
 use super::data::Data;
 use super::real::Real;
-use crate::exact::{Dyadic, Exact, compare_rational};
+use crate::exact::{Exact, compare_rational};
 
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
@@ -70,11 +70,9 @@ impl Clock {
         lasting.clone() * &self.frequency
     }
 
-    /// The middle of the phases of the claimed times.
-    pub fn phase(&self, [lower, upper]: &[BigRational; 2]) -> Dyadic {
-        let bits = self.base.bits();
-        let time = Real::rational(lower, bits).hull(&Real::rational(upper, bits)).middle();
-        ((Real::point(time, bits) - &self.base) * &self.frequency).middle()
+    /// The phase of a claimed time.
+    pub fn phase(&self, time: &BigRational) -> Real {
+        (Real::rational(time, self.base.bits()) - &self.base) * &self.frequency
     }
 }
 

@@ -21,14 +21,23 @@ const MOST_PARTS: u32 = 1 << 21;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
-/// The contact with `wall` near `guess`: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
+/// Where a claim says that a contact comes: phases since the departure.
+#[derive(Clone, Debug)]
+pub(in crate::certificate) struct Claimed {
+    /// At the earliest.
+    pub from: Real,
+    /// Where to look.
+    pub guess: Real,
+}
+
+/// The contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
 /// ball strictly between the walls from the departure to its beginning.
-pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, guess: &Real) -> Result<Real, Doubt> {
+pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
     let most = flight.phase.bits();
     let mut bits = FIRST_BITS;
     loop {
         let coarse = flight.rounded(bits.min(most));
-        match isolate(&coarse, from, wall, guess) {
+        match isolate(&coarse, from, wall, claimed) {
             Err(Doubt::Open(_)) if bits < most => bits *= 4,
             Err(doubt) => return Err(doubt),
             Ok(bracket) => return Ok(contract(&coarse, wall, bracket)),
@@ -45,17 +54,17 @@ pub(in crate::certificate) struct Start {
     pub is_release: bool,
 }
 
-fn isolate(flight: &Flight, from: Start, wall: Wall, guess: &Real) -> Result<Real, Doubt> {
+fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
     let bits = flight.phase.bits();
-    let guessed = Real::point(guess.middle(), bits);
+    let guessed = Real::point(claimed.guess.middle(), bits);
     let h = newton(flight, wall, &guessed);
     let near = |x: &Real| !x.is_below(&guessed.half()) && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| near(h)).and_then(|h| bracket(flight, wall, h)) else {
         // Where no contact is found near the guess, one before it, or none at all, may be.
-        clear(flight, from, &guessed)?;
+        clear(flight, from, &guessed, &claimed.from)?;
         return Err(Doubt::Open(format!("no contact with the {} wall is found there", wall.name())));
     };
-    clear(flight, from, &before)?;
+    clear(flight, from, &before, &claimed.from)?;
     Ok(before.hull(&after))
 }
 
@@ -79,7 +88,9 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
 }
 
 /// The ball is strictly between the walls on all of `(0, end]`, where the flight begins as `from` says.
-pub(super) fn clear(flight: &Flight, from: Start, end: &Real) -> Result<(), Doubt> {
+///
+/// A contact before `claimed` proves the claim false; a later one may be what is claimed.
+pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) -> Result<(), Doubt> {
     let bits = end.bits();
     let (mut at, mut width) = (Real::zero(bits), end.clone());
     if let Some(wall) = from.wall {
@@ -99,7 +110,8 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real) -> Result<(), Doub
         let next = if next.is_below(end) { next } else { end.clone() };
         match flight.judge(&at, &next) {
             Part::Clear => (at, width) = (next, width.clone() + &width),
-            Part::Contact => return Err(Doubt::False("an earlier contact is proved".into())),
+            Part::Contact if next.is_below(claimed) => return Err(Doubt::False("an earlier contact is proved".into())),
+            Part::Contact => return Err(Doubt::Open("an earlier contact is proved, within the bounds".into())),
             Part::Open => width = width.half(),
         }
         if is_short(&width, end) {

@@ -28,11 +28,11 @@ struct Summit {
 impl Walk<'_> {
     /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
     pub(super) fn graze(&mut self, claim: &Claim) -> Result<(), Doubt> {
-        let guess = self.ahead(claim)?;
+        let claimed = self.ahead(claim)?;
         let flight = self.departure.flights(&self.parameters, &self.origin);
-        let summit = summit(&flight, claim.wall, &guess);
+        let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
-        clear(&flight, self.departure.start, &summit.before)?;
+        clear(&flight, self.departure.start, &summit.before, &claimed.from)?;
         let time = |h: &Real| self.clock.time(&(self.departure.phase.hull() + h));
         compare("time", &time(&summit.touch), &claim.time)?;
         // No further away than a parabola gets in the time claimed.

@@ -64,6 +64,8 @@ const ENOUGH_BITS: u32 = 4096;
 impl Certificate {
     /// Proves every claim again, or says which one is not true or not proved. `progress` is told the events confirmed so far.
     ///
+    /// Of the outcomes `impacts-reached`, `time-reached` and `undecided` say nothing of what comes after the events.
+    ///
     /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact.
     ///
     /// # Errors

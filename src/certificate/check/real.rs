@@ -110,6 +110,11 @@ impl Real {
         self.set.sign() == Some(Ordering::Less)
     }
 
+    /// Whether it may be 0 and may not be.
+    pub fn is_across(&self) -> bool {
+        self.set.sign().is_none()
+    }
+
     /// Whether it is 0, known exactly.
     pub fn is_zero(&self) -> bool {
         self.set.sign() == Some(Ordering::Equal)

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use super::affine::Affine;
 use super::chatter::{accumulation, bounce, is_held};
 use super::clock::{Beside, Clock, beside};
-use super::contact::Doubt;
+use super::contact::{Claimed, Doubt};
 use super::real::Real;
 use super::step::Departure;
 use super::walk::{Walk, compare};
@@ -53,8 +53,9 @@ impl Walk<'_> {
                 Beside::Inside => return Ok(since),
                 Beside::Outside => return compare("time", &self.clock.time(&since), &claim.time).map(|()| since),
                 Beside::Across => {
+                    // No claim says where.
                     let guess = bounce(&self.departure, &self.parameters, &self.origin)?;
-                    let landing = self.land(claim.wall, &guess)?;
+                    let landing = self.land(claim.wall, &Claimed { from: Real::zero(self.bits), guess })?;
                     self.departure = Departure::rebound(&self.parameters, &landing);
                 }
             }

@@ -1,7 +1,7 @@
 //! One impact for all states of a set: from a departure to the next landing (Lemma V2).
 
 use super::affine::Affine;
-use super::contact::{Doubt, Start, first_contact, newton};
+use super::contact::{Claimed, Doubt, Start, first_contact, newton};
 use super::flight::Flight;
 use super::real::Real;
 use crate::pair::Wall;
@@ -92,11 +92,17 @@ impl Departure {
         self.flight(parameters, origin, Affine::hull)
     }
 
-    /// The landings, if all flights are proved to touch `wall` first, near `guess` after the departure.
-    pub fn land(&self, parameters: &Parameters, origin: &Real, wall: Wall, guess: &Real) -> Result<Landing, Doubt> {
+    /// The landings, if all flights are proved to touch `wall` first, near where it is claimed.
+    pub fn land(
+        &self,
+        parameters: &Parameters,
+        origin: &Real,
+        wall: Wall,
+        claimed: &Claimed,
+    ) -> Result<Landing, Doubt> {
         let set = self.flights(parameters, origin);
         let centre = self.flight(parameters, origin, |x| x.centre.clone());
-        let contact = first_contact(&set, self.start, wall, guess)?;
+        let contact = first_contact(&set, self.start, wall, claimed)?;
         let bits = set.phase.bits();
         // The middle, where Newton's iteration ends; it need not be the root.
         let h = newton(&centre, wall, &contact).at(bits);

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::clock::{Beside, Clock, beside};
-use super::contact::{Doubt, Start};
+use super::contact::{Claimed, Doubt, Start};
 use super::data::{Data, Piece};
 use super::real::Real;
 use super::rest::Rest;
@@ -147,16 +147,20 @@ impl<'c> Walk<'c> {
         compare("velocity", &found, velocity)
     }
 
-    /// How far after the departure the claim says to look \[rad\].
-    pub(super) fn ahead(&self, claim: &Claim) -> Result<Real, Doubt> {
-        let ahead = Real::point(self.clock.phase(&claim.time), self.bits) - &self.departure.phase.centre;
-        let ahead = Real::point(ahead.middle(), self.bits);
-        let is_ahead = ahead.is_positive() && self.rest.is_none();
-        is_ahead.then_some(ahead).ok_or_else(|| Doubt::False("the time is not after the event before".into()))
+    /// Where after the departure the claim says to look: in the middle of what of its bounds comes later.
+    pub(super) fn ahead(&self, claim: &Claim) -> Result<Claimed, Doubt> {
+        let [from, to] = claim.time.each_ref().map(|time| self.clock.phase(time) - &self.departure.phase.hull());
+        if !to.is_positive() && !to.is_across() || self.rest.is_some() {
+            return Err(Doubt::False("the time is not after the event before".into()));
+        }
+        let zero = Real::zero(self.bits);
+        let later = if from.is_positive() { from.hull(&to) } else { zero.hull(&to) };
+        let guess = Real::point(later.middle(), self.bits);
+        if guess.is_positive() { Ok(Claimed { from, guess }) } else { Err(Doubt::Open("the time is too near".into())) }
     }
 
-    pub(super) fn land(&self, wall: Wall, guess: &Real) -> Result<Landing, Doubt> {
-        self.departure.land(&self.parameters, &self.origin, wall, guess)
+    pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
+        self.departure.land(&self.parameters, &self.origin, wall, claimed)
     }
 
     /// What is claimed of the future.

@@ -61,60 +61,51 @@ pub(super) fn start(origin: &Origin, scale: u32) -> Box {
     Box { scale, t: grid(&origin.phase, scale), rt: rt.ceil(), v: grid(&origin.velocity, scale), rv: rv.ceil() }
 }
 
-/// The next leg from a box: radii by the mean value theorem, as far as doubles tell; the proof does not trust them.
+/// The next leg from a box.
 pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
-    let &Flight { sin, u, h, rate, restitution, .. } = flight;
+    let [rt, rv] = radii(flight, from, from.scale);
+    let scale = coarser(from.scale, rt.max(rv));
+    let [rt, rv] = radii(flight, from, scale);
+    let arrival = Box { scale, t: grid(&flight.phases[1], scale), rt, v: grid(&flight.velocity, scale), rv };
+    let [bits, coarse] = precisions(flight, scale);
+    let [depart, approach] = cuts(flight).map(|part| {
+        let part = Dyadic::from_f64(part).unwrap_or_else(Dyadic::zero);
+        let length = flight.phases[1].clone() - &flight.phases[0];
+        grid(&(flight.phases[0].clone() + &(length * &Real::point(part, 64))), scale)
+    });
+    let depart = match flight.from {
+        Some(_) => depart,
+        // A start inside the gap is clear of the walls from its first phase on.
+        None => grid(&flight.phases[0], scale) - radius_at(from, scale),
+    };
+    Leg { bits, coarse, wall: flight.wall, arrival, depart, approach, tilt: grid(&flight.tilt, scale) }
+}
+
+/// Radii of the box of arrival in units of `2^-scale`, by (A.7) in units without A and W, as far as doubles tell: the proof
+/// does not trust them. A velocity is told less the tilt times the height, and so hardly depends on the phase of arrival.
+fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
+    let &Flight { sin, u, h, rate, restitution, before, spread, .. } = flight;
     let tilt = sin[1] / rate;
-    // d(th1, v1) by (A.7) in units without A and W; a tilted velocity hardly depends on the phase of arrival.
     let turned = sin[0] * h + u;
     let by_phase = [turned.abs() / rate.abs(), (tilt * turned - sin[0]).abs()];
     let by_speed = [(restitution * h / rate).abs(), (restitution * (1.0 - tilt * h)).abs()];
-    let radii = |scale: u32| {
-        let unit = f64::from(from.scale - scale);
-        let (rt, rv) = ((from.rt + 1.0) * (-unit).exp2(), (from.rv + 1.0) * (-unit).exp2());
-        let slack = 16.0 * f64::from(SPARE_BITS).exp2().recip();
-        let [e, gap] = flight.spread.map(|spread| spread * f64::from(scale).exp2());
-        let parameters = [
-            (e * flight.before.abs() * h + gap) / rate.abs(),
-            e * (flight.before * (1.0 - tilt * h)).abs() + gap * tilt.abs(),
-        ];
-        let spare = [4.0 + slack / rate.abs(), 4.0 + slack * tilt.abs()];
-        let radius =
-            |i: usize| (MARGIN * (by_phase[i] * rt + by_speed[i] * rv + non_negative(parameters[i])) + spare[i]).ceil();
-        [radius(0), radius(1)]
-    };
-    let [rt, rv] = radii(from.scale);
-    let scale = coarser(from.scale, rt.max(rv));
-    let [rt, rv] = radii(scale);
-    let arrival = Box { scale, t: grid(&flight.phases[1], scale), rt, v: grid(&flight.velocity, scale), rv };
+    let shrunk = (-f64::from(from.scale - scale)).exp2();
+    let (rt, rv) = ((from.rt + 1.0) * shrunk, (from.rv + 1.0) * shrunk);
+    // What intervals of e and d/A add; nothing for data that are points, however fine the grid.
+    let [e, gap] = spread.map(|spread| if spread > 0.0 { spread * f64::from(scale).exp2() } else { 0.0 });
+    let by_data = [(e * before.abs() * h + gap) / rate.abs(), e * (before * (1.0 - tilt * h)).abs() + gap * tilt.abs()];
+    let slack = 16.0 * (-f64::from(SPARE_BITS)).exp2();
+    let spare = [4.0 + slack / rate.abs(), 4.0 + slack * tilt.abs()];
+    [0, 1].map(|i| (MARGIN * (by_phase[i] * rt + by_speed[i] * rv + by_data[i]) + spare[i]).ceil())
+}
+
+/// The precision of the proof, and that of its parts which have room to spare.
+fn precisions(flight: &Flight, scale: u32) -> [u32; 2] {
+    let &Flight { u, h, rate, .. } = flight;
     let size = f64::from(magnitude(&flight.phases[1])).max((u * h).abs().log2()).max(1.0).ceil() as u32;
     let bits = scale + SPARE_BITS + size;
     let coarse = 40 + size + (6.0 * (-rate.abs().log2()).max(0.0)).ceil() as u32 + nearness(flight);
-    let [depart, approach] = cuts(flight);
-    let at = |part: f64| {
-        let part = Dyadic::from_f64(part).unwrap_or_else(Dyadic::zero);
-        let length = flight.phases[1].clone() - &flight.phases[0];
-        flight.phases[0].clone() + &(length * &Real::point(part, 64))
-    };
-    let depart = match flight.from {
-        Some(_) => grid(&at(depart), scale),
-        None => grid(&flight.phases[0], scale) - radius_at(from, scale),
-    };
-    let tilt = grid(&flight.tilt, scale);
-    Leg {
-        bits,
-        coarse: coarse.min(bits),
-        wall: flight.wall,
-        arrival,
-        depart,
-        approach: grid(&at(approach), scale),
-        tilt,
-    }
-}
-
-/// NaN (an infinite unit times nothing) is nothing.
-fn non_negative(x: f64) -> f64 {
-    if x > 0.0 { x } else { 0.0 }
+    [bits, coarse.min(bits)]
 }
 
 /// The radius of a box's phase and a little more, on a coarser grid.
