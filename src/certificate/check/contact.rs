@@ -58,8 +58,8 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     let bits = flight.phase.bits();
     let guessed = Real::point(claimed.guess.middle(), bits);
     let h = newton(flight, wall, &guessed);
-    let near = |x: &Real| !x.is_below(&guessed.half()) && !(guessed.clone() + &guessed).is_below(x);
-    let Some((before, after)) = Some(&h).filter(|h| near(h)).and_then(|h| bracket(flight, wall, h)) else {
+    let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
+    let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
         // Where no contact is found near the guess, one before it, or none at all, may be.
         clear(flight, from, &guessed, &claimed.from)?;
         return Err(Doubt::Open(format!("no contact with the {} wall is found there", wall.name())));
