@@ -78,6 +78,7 @@ pub mod pair;
 pub mod rest;
 pub mod scene;
 pub mod switch_plane;
+pub mod two_impact;
 
 pub use error::Error;
 pub use excitation::Harmonic;
