@@ -44,7 +44,7 @@ mod real;
 mod stability;
 mod unequispaced;
 
-pub use document::{MANIFOLD_SCHEMA, PERIODIC_SCHEMA, manifolds, periodic};
+pub use document::{MANIFOLD_SCHEMA, PERIODIC_SCHEMA, manifolds, periodic, word};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::{Impact, Orbit};
 pub use question::{Answer, CYCLES, Question, Unknown};
