@@ -10,7 +10,8 @@ use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::pair::ImpactPair;
 
 use super::data::{Data, Found};
-use super::motion::Motion;
+use super::equispaced::slope;
+use super::motion::{Motion, Parameters};
 use super::orbit::{Orbit, Units};
 use super::real::Real;
 use super::stability::Stability;
@@ -152,28 +153,67 @@ fn is_unique<'m>(
     doubts: &[Real],
     (is_searched, shown): (bool, u32),
 ) -> bool {
-    let [theta0, theta1, speed] = [&motion.theta0, &motion.theta1(), &motion.speed].map(|x| printed(x, shown));
-    let [left, right] = [&theta0, &theta1].map(|theta| (theta.sin(), theta.cos()));
-    let is_apart = |other: &Motion| {
-        let phase = |a: &(Real, Real), b: &(Real, Real)| a.0.is_apart_from(&b.0) || a.1.is_apart_from(&b.1);
-        phase(&left, &other.left) || phase(&right, &other.right) || speed.is_apart_from(&other.speed)
-    };
-    let spacing = &theta1 - &theta0;
+    let bounds = Bounds::printed(motion, shown);
     if is_searched {
         let mut others = all.filter(|other| !std::ptr::eq(*other, motion));
-        return others.all(is_apart) && doubts.iter().all(|doubt| doubt.is_apart_from(&spacing));
+        others.all(|other| !bounds.may_hold(other)) && doubts.iter().all(|doubt| !bounds.may_have(doubt))
+    } else {
+        bounds.is_alone(&motion.parameters) == Some(true)
     }
-    // The only symmetric one with this A, d and |v|; and no other is near it.
-    let reach = (spacing - motion.parameters.half_period()).half();
-    let reach = reach.hull(&-&reach).ends()[1].clone();
-    Spacing::new(&motion.parameters, None).is_alone(&reach)
 }
 
-/// A superset of what a number is printed as: decimals are at most a hundredth of the width, or the 39th digit, off.
-fn printed(x: &Real, shown: u32) -> Real {
-    let size = |scale: u32| Real::new(Enclosure::point(x.enclosure().mag().scaled(-i64::from(scale))), x.bits());
-    let margin = Real::new(Enclosure::point(x.width()), x.bits()) + size(shown - 3) + size(120);
-    x + (-&margin).hull(&margin)
+/// The bounds of a motion as they are printed, phases modulo `2 pi`.
+struct Bounds {
+    /// Sine and cosine of `th0` and `th1`.
+    left: (Real, Real),
+    right: (Real, Real),
+    speed: Real,
+    spacing: Real,
+}
+
+impl Bounds {
+    fn printed(motion: &Motion, shown: u32) -> Self {
+        // Decimals are at most a hundredth of the width, or the 39th digit, off; and before, bounds are rounded.
+        let point = |size: Dyadic| Real::new(Enclosure::point(size), motion.parameters.bits());
+        let widened = |x: &Real, size: Dyadic| {
+            let rounding = point(size.scaled(4 - i64::from(shown))) + point(size.scaled(-120));
+            let margin = point(x.width()) + rounding;
+            x + (-&margin).hull(&margin)
+        };
+        let eight = || Dyadic::power_of_two(3);
+        let [theta0, theta1] = [&motion.theta0, &motion.theta1()].map(|theta| widened(theta, eight()));
+        let [left, right] = [&theta0, &theta1].map(|theta| (theta.sin(), theta.cos()));
+        let speed = widened(&motion.speed, motion.speed.enclosure().mag());
+        Self { left, right, speed, spacing: theta1 - theta0 }
+    }
+
+    fn may_hold(&self, other: &Motion) -> bool {
+        let may = |a: &(Real, Real), b: &(Real, Real)| !a.0.is_apart_from(&b.0) && !a.1.is_apart_from(&b.1);
+        may(&self.left, &other.left) && may(&self.right, &other.right) && !self.speed.is_apart_from(&other.speed)
+    }
+
+    /// Whether a spacing may be one of these, modulo `2 pi`.
+    fn may_have(&self, spacing: &Real) -> bool {
+        !self.spacing.sin().is_apart_from(&spacing.sin()) && !self.spacing.cos().is_apart_from(&spacing.cos())
+    }
+
+    /// Whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
+    fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
+        let Parameters { cycles, ratio, restitution, .. } = parameters;
+        // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
+        let drift = restitution * &self.speed + &self.left.1;
+        let period = parameters.half_period();
+        let turn = Real::pi(parameters.bits()) * 2;
+        let off = (ratio - &self.left.0 + &self.right.0).over(&drift)? - &period;
+        let is_direct = (&turn + &off).is_positive() && (turn - off).is_positive();
+        // No other equispaced one: (67) is monotone in th0.
+        let is_monotone =
+            slope(*cycles, restitution).is_none_or(|slope| (&self.left.1 * 2 - slope * &self.left.0).sign().is_some());
+        // No other spacing nearby.
+        let eps = (&self.spacing - period).half();
+        let reach = eps.hull(&-&eps).ends()[1].clone();
+        Some(is_direct && is_monotone && Spacing::new(parameters, None).is_alone(&reach))
+    }
 }
 
 /// Bits that are worth so many digits.

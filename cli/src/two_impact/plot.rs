@@ -11,11 +11,14 @@ use plotters::prelude::*;
 use plotters::series::DashedLineSeries;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+/// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
+const SCALE: i32 = 4;
+/// The picture as it is shown.
 const SIZE: (u32, u32) = (900, 640);
-const FONT: i32 = 15;
+const FONT: i32 = 15 * SCALE;
 /// Heights of the lines above the plot.
-const CAPTION: u32 = 70;
-const LEGEND: u32 = 62;
+const CAPTION: i32 = 70 * SCALE;
+const LEGEND: i32 = 62 * SCALE;
 /// Amplitudes beyond so many gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
 
@@ -38,11 +41,11 @@ impl Kind {
 
     fn style(self) -> ShapeStyle {
         let (colour, width) = match self {
-            Self::Stable => (RGBColor(0x00, 0x72, 0xb2), 4),
-            Self::Unstable => (RGBColor(0xd5, 0x5e, 0x00), 2),
-            Self::Unphysical => (RGBColor(0x99, 0x99, 0x99), 1),
+            Self::Stable => (RGBColor(0x00, 0x72, 0xb2), 4 * SCALE),
+            Self::Unstable => (RGBColor(0xd5, 0x5e, 0x00), 2 * SCALE),
+            Self::Unphysical => (RGBColor(0x99, 0x99, 0x99), SCALE),
         };
-        colour.stroke_width(width)
+        colour.stroke_width(width as u32)
     }
 
     fn name(self) -> &'static str {
@@ -64,7 +67,10 @@ struct Stretch {
 pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold]) -> Result<String> {
     let mut text = String::new();
     draw(scene, axis, curves, &mut text).map_err(|error| anyhow!("{error}"))?;
-    Ok(text)
+    let (width, height) = SIZE;
+    let drawn = |size: u32| size * SCALE as u32;
+    let size = |width: u32, height: u32| format!("<svg width=\"{width}\" height=\"{height}\"");
+    Ok(text.replacen(&size(drawn(width), drawn(height)), &size(width, height), 1))
 }
 
 fn middle(x: &Enclosure) -> f64 {
@@ -72,7 +78,7 @@ fn middle(x: &Enclosure) -> f64 {
 }
 
 fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], text: &mut String) -> Result<(), Box<dyn StdError>> {
-    let root = SVGBackend::with_string(text, SIZE).into_drawing_area();
+    let root = SVGBackend::with_string(text, (SIZE.0 * SCALE as u32, SIZE.1 * SCALE as u32)).into_drawing_area();
     root.fill(&WHITE)?;
     caption(scene, axis, &root)?;
     legend(&root)?;
@@ -87,10 +93,10 @@ fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], text: &mut String) -> Re
         Axis::Velocity(_) => "relative velocity v before the impact [length/time]",
     };
     let mut chart = ChartBuilder::on(&below)
-        .margin(10)
-        .margin_right(48)
-        .x_label_area_size(48)
-        .y_label_area_size(62)
+        .margin(10 * SCALE)
+        .margin_right(48 * SCALE)
+        .x_label_area_size(48 * SCALE)
+        .y_label_area_size(62 * SCALE)
         .build_cartesian_2d(ends.0..ends.1, 0.0..1.05 * highest)?;
     chart
         .configure_mesh()
@@ -99,35 +105,61 @@ fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], text: &mut String) -> Re
         .x_label_formatter(&|x| signed(*x))
         .label_style(font)
         .axis_desc_style(font)
-        .bold_line_style(BLACK.mix(0.12))
-        .light_line_style(BLACK.mix(0.04))
+        .bold_line_style(BLACK.mix(0.12).stroke_width(SCALE as u32))
+        .light_line_style(BLACK.mix(0.04).stroke_width(SCALE as u32))
+        .set_all_tick_mark_size(5 * SCALE)
+        .axis_style(BLACK.stroke_width(SCALE as u32))
         .draw()?;
+    let y_range = chart.y_range();
     for curve in curves {
-        for Stretch { kind, is_solid, points } in stretches(curve, 1.05 * highest) {
+        for Stretch { kind, is_solid, points } in stretches(curve, y_range.end) {
             if is_solid {
                 chart.draw_series(LineSeries::new(points, kind.style()))?;
             } else {
-                chart.draw_series(DashedLineSeries::new(points, 9, 5, kind.style()))?;
+                chart.draw_series(DashedLineSeries::new(points, 9 * SCALE, 5 * SCALE, kind.style()))?;
             }
         }
     }
     let area = chart.plotting_area();
-    let visible = |y: f64| y <= 1.05 * highest;
-    for curve in curves {
-        for point in &curve.points {
-            let place = (middle(&point.at), middle(&point.amplitude));
-            if let Some(mark) = point.mark.filter(|_| visible(place.1)) {
-                symbol(&root, mark, area.map_coordinate(&place))?;
-            }
+    let visible = |curve: &Manifold| -> Vec<(Option<Mark>, (i32, i32))> {
+        let places = curve.points.iter().map(|point| (point.mark, (middle(&point.at), middle(&point.amplitude))));
+        let inside = places.filter(|(_, place)| place.1 <= y_range.end);
+        inside.map(|(mark, place)| (mark, area.map_coordinate(&place))).collect()
+    };
+    let shown: Vec<_> = curves.iter().map(|curve| (curve.cycles, visible(curve))).collect();
+    for (mark, place) in shown.iter().flat_map(|(_, points)| points) {
+        if let Some(mark) = mark {
+            symbol(&root, *mark, *place)?;
         }
-        let last = curve.points.last().map(|point| (middle(&point.at), middle(&point.amplitude)));
-        if let Some(place) = last.filter(|place| visible(place.1)) {
-            let (x, y) = area.map_coordinate(&place);
-            root.draw(&Text::new(format!("N = {}", curve.cycles), (x + 5, y), words(FONT, HPos::Left)))?;
-        }
+    }
+    // Names stand at the ends that have more room.
+    let ends = |is_last: bool| -> Vec<(u32, (i32, i32))> {
+        let end = |points: &[(Option<Mark>, (i32, i32))]| {
+            let place = if is_last { points.last() } else { points.first() };
+            place.map(|(_, place)| *place)
+        };
+        shown.iter().filter_map(|(cycles, points)| Some((*cycles, end(points)?))).collect()
+    };
+    let (first, last) = (ends(false), ends(true));
+    let is_last = room(&last) >= room(&first);
+    for (cycles, (x, y)) in if is_last { last } else { first } {
+        let (place, side) =
+            if is_last { ((x + 5 * SCALE, y), HPos::Left) } else { ((x + 8 * SCALE, y - 9 * SCALE), HPos::Left) };
+        root.draw(&Text::new(format!("N = {cycles}"), place, words(FONT, side)))?;
     }
     root.present()?;
     Ok(())
+}
+
+/// How far apart names at these places are, at least: from 1 on they do not cover each other.
+fn room(places: &[(u32, (i32, i32))]) -> f64 {
+    let distance = |a: (i32, i32), b: (i32, i32)| {
+        let part = |a: i32, b: i32, size: i32| f64::from((a - b).abs()) / f64::from(size);
+        part(a.0, b.0, 3 * FONT).max(part(a.1, b.1, FONT))
+    };
+    let pairs =
+        places.iter().enumerate().flat_map(|(i, (_, a))| places[..i].iter().map(move |(_, b)| distance(*a, *b)));
+    pairs.fold(f64::INFINITY, f64::min)
 }
 
 /// The stretches of a curve, up to an amplitude.
@@ -166,44 +198,43 @@ fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Result<(), Box<dyn S
     let title = scene.title().unwrap_or("Equispaced motions with two impacts in N cycles").to_owned();
     let parameters = format!("d = {}, e = {}, {given}", pair.gap(), pair.restitution()).replace('-', "−");
     let program = format!("A_N of equation (68), every part proved; {PROGRAM}");
-    for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (program, FONT)].into_iter().enumerate() {
-        root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, HPos::Left)))?;
+    for (line, (text, size)) in [(title, FONT + 3 * SCALE), (parameters, FONT), (program, FONT)].into_iter().enumerate()
+    {
+        root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, HPos::Left)))?;
     }
     Ok(())
 }
 
 /// What lines and symbols say.
 fn legend(root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
-    let upper = CAPTION as i32 + 16;
+    let upper = CAPTION + 16 * SCALE;
     for (kind, x) in [(Kind::Stable, 24), (Kind::Unstable, 240), (Kind::Unphysical, 446)] {
-        root.draw(&PathElement::new([(x, upper), (x + 34, upper)], kind.style()))?;
-        root.draw(&Text::new(kind.name(), (x + 42, upper), words(FONT, HPos::Left)))?;
+        root.draw(&PathElement::new([(x * SCALE, upper), ((x + 34) * SCALE, upper)], kind.style()))?;
+        root.draw(&Text::new(kind.name(), ((x + 42) * SCALE, upper), words(FONT, HPos::Left)))?;
     }
-    root.draw(&Text::new("solid: sin θ₀ > 0, dashed: < 0", (676, upper), words(FONT, HPos::Left)))?;
-    let lower = upper + 26;
+    root.draw(&Text::new("solid: sin θ₀ > 0, dashed: < 0", (676 * SCALE, upper), words(FONT, HPos::Left)))?;
+    let lower = upper + 26 * SCALE;
     for (mark, text, x) in
         [(Mark::Fold, "fold", 36), (Mark::Pitchfork, "pitchfork", 130), (Mark::Graze, "graze of the near wall", 262)]
     {
-        symbol(root, mark, (x, lower))?;
-        root.draw(&Text::new(text, (x + 14, lower), words(FONT, HPos::Left)))?;
+        symbol(root, mark, (x * SCALE, lower))?;
+        root.draw(&Text::new(text, ((x + 14) * SCALE, lower), words(FONT, HPos::Left)))?;
     }
     Ok(())
 }
 
 /// The symbol of a mark; where `sin th0 = 0` the line itself changes.
 fn symbol(root: &Canvas<'_>, mark: Mark, (x, y): (i32, i32)) -> Result<(), Box<dyn StdError>> {
-    let line = BLACK.stroke_width(2);
+    let (line, half) = (BLACK.stroke_width(SCALE as u32), 9 * SCALE / 2);
     match mark {
         Mark::Level => {}
-        Mark::Fold => {
-            root.draw(&Circle::new((x, y), 5, WHITE.filled()))?;
-            root.draw(&Circle::new((x, y), 5, line))?;
-        }
+        // Hollow, since what is between them may be short.
+        Mark::Fold => root.draw(&Circle::new((x, y), 5 * SCALE, line))?,
         Mark::Pitchfork => {
-            root.draw(&Rectangle::new([(x - 4, y - 4), (x + 5, y + 5)], WHITE.filled()))?;
-            root.draw(&Rectangle::new([(x - 4, y - 4), (x + 5, y + 5)], line))?;
+            let corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)];
+            root.draw(&PathElement::new(corners.map(|(a, b)| (x + a, y + b)), line))?;
         }
-        Mark::Graze => root.draw(&Cross::new((x, y), 5, line))?,
+        Mark::Graze => root.draw(&Cross::new((x, y), 5 * SCALE, line))?,
     }
     Ok(())
 }
