@@ -90,8 +90,8 @@ impl<'p> Question<'p> {
     /// Answers it, with each enclosure of a phase at most `10^-digits` of a turn wide and of a velocity `10^-digits` of
     /// `A W`, where the data are points and nothing is undecided for want of bits.
     ///
-    /// **Undecided when** the parameters are at, or within about `2^-(16 log2(10) digits)` of, a fold, a graze or an end of
-    /// stability; or intervals of them hold one.
+    /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
+    /// bits of the digits do not tell, or when intervals of them hold one.
     pub fn answer(&self, digits: u32) -> Answer {
         let first = digits_to_bits(digits) + GUARD;
         let mut answer = self.answer_in(first, digits);

@@ -1,6 +1,5 @@
 //! What `two-impact` is asked on the command line.
 
-use std::fmt;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -168,12 +167,5 @@ impl FromStr for ManifoldRange {
         let (over, from, to, count) = parts().ok_or_else(accepted)?;
         let number = |text: &str| Exact::parse(text).map_err(|error| format!("{text}: {error}"));
         Ok(Self { over, from: number(from)?, to: number(to)?, count })
-    }
-}
-
-impl fmt::Display for Cycles {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (low, high) = (self.0.start(), self.0.end());
-        if low == high { write!(f, "{low}") } else { write!(f, "{low}..{high}") }
     }
 }

@@ -23,6 +23,11 @@ pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     scene::keep(&arguments.scene, arguments.plot.as_deref())?;
+    if let (Some(output), Some(plot)) = (&arguments.output, &arguments.plot)
+        && (output == plot || scene::is_same_file(output, plot))
+    {
+        bail!("cannot write {}: --output and --plot name the same file", plot.display());
+    }
     let named = || scene::name(&arguments.scene);
     match &arguments.manifold {
         Some(range) => draw_manifold(arguments, &scene, range, digits).with_context(named),
