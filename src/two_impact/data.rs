@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::exact::{Exact, ExactError};
 use crate::pair::{ImpactPair, within};
 
+use super::closed_forms;
 use super::elastic;
 use super::equispaced::{self, Orders, Solutions};
 use super::motion::{Motion, Parameters};
@@ -128,11 +129,11 @@ impl<'p> Data<'p> {
         }
         let (length, gap) = (self.length(speed, bits), Real::of(self.pair.gap(), bits));
         let e = Real::of(self.pair.restitution(), bits);
-        let (mut sin, cos) = equispaced::vector(&gap, self.cycles, &e, &length);
+        let (mut sin, cos) = closed_forms::vector(&gap, self.cycles, &e, &length);
         if self.is_level(speed) {
             sin = Real::int(0, bits);
         }
-        let amplitude = equispaced::amplitude(&(sin.clone(), cos.clone()));
+        let amplitude = closed_forms::amplitude(&(sin.clone(), cos.clone()));
         let motion = || {
             let part = |x: &Real| x.over(&amplitude);
             let parameters = self.parameters(part(&gap)?);
@@ -177,7 +178,7 @@ impl<'p> Data<'p> {
         };
         let mut found = Found::none();
         for sin in sines {
-            let gap = equispaced::gap(&(&sin * &amplitude), self.cycles, &e, &length);
+            let gap = closed_forms::gap(&(&sin * &amplitude), self.cycles, &e, &length);
             if gap.is_negative() {
                 continue;
             }

@@ -121,7 +121,7 @@ pub(super) fn refine(x: Real, left: Ordering, f: impl Fn(&Real) -> Option<Jet>) 
             _ => low.hull(&middle),
         });
         let next = match (newton, halved) {
-            (Some(a), Some(b)) => a.intersection(&b).unwrap_or(a),
+            (Some(a), Some(b)) => a.intersection(&b).expect("both hold the zero"),
             (Some(next), None) | (None, Some(next)) => next,
             (None, None) => break,
         };

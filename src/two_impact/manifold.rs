@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::pair::{ImpactPair, Wall, within};
 
-use super::equispaced::{self, grazing_angle};
+use super::closed_forms::{self, grazing_angle};
 use super::question::{GUARD, SHOWN, digits_to_bits};
 use super::real::Real;
 use super::stability::Stability;
@@ -266,7 +266,7 @@ impl Range<'_> {
     fn amplitude(&self, cycles: u32, x: &Real) -> Real {
         let (gap, e) = (Real::of(self.pair.gap(), x.bits()), Real::of(self.pair.restitution(), x.bits()));
         let length = gap.over(x).expect("inside the range");
-        equispaced::amplitude(&equispaced::vector(&gap, cycles, &e, &length))
+        closed_forms::amplitude(&closed_forms::vector(&gap, cycles, &e, &length))
     }
 }
 

@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | (56)-(60) | two impacts in N cycles | [`Question`], [`Orbit`] |
 //! | (61) | `v_i = -v_{i+1}` | [`Orbit::impacts`] |
+//! | (61)-(63), (66)-(73) | as functions | [`closed_forms`] |
 //! | (62), (63) | not equispaced, N odd and even: all of them | `unequispaced`, [`Answer`] |
 //! | (64)-(69), (72), (73) | equispaced, N odd, e < 1 | `equispaced`, [`Unknown`] |
 //! | (70), (71) | e = 1 | `elastic` |
@@ -15,7 +16,7 @@
 //! | beyond the paper | first contacts | `motion`, [`Orbit::is_physical`] |
 //!
 //! In reading order: `real` and `jet` (numbers, and numbers with their derivatives), `isolate` (all zeros of a function),
-//! `motion`, `stability`, `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`, `document`.
+//! `motion`, `stability`, `closed_forms`, `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`, `document`.
 //!
 //! ```
 //! use impact_pair::two_impact::{Question, Stability, Unknown};
@@ -30,6 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod closed_forms;
 mod data;
 mod document;
 mod elastic;
@@ -48,6 +50,7 @@ pub use document::{MANIFOLD_SCHEMA, PERIODIC_SCHEMA, manifolds, periodic, word};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::{Impact, Orbit};
 pub use question::{Answer, CYCLES, Question, Unknown};
+pub use real::Real;
 pub use stability::Stability;
 
 #[cfg(test)]

@@ -9,8 +9,8 @@ use crate::error::Error;
 use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::pair::ImpactPair;
 
+use super::closed_forms::slope;
 use super::data::{Data, Found};
-use super::equispaced::slope;
 use super::motion::{Motion, Parameters};
 use super::orbit::{Orbit, Units};
 use super::real::Real;

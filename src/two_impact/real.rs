@@ -7,9 +7,17 @@ use crate::exact::{Dyadic, Enclosure, Exact, Round};
 
 /// An enclosure and the bits that further operations round it to.
 ///
-/// **Enclosure**: the result of an operation holds the result for every choice of members.
+/// **Enclosure**: the result of an operation holds the result for every choice of members. Integers may stand on the right of
+/// an operator.
+///
+/// ```
+/// use impact_pair::exact::Exact;
+/// use impact_pair::two_impact::Real;
+/// let x = Real::of(&Exact::parse("1/3").unwrap(), 80);
+/// assert!((x.sin().square() + x.cos().square() - 1).to_f64().abs() < 1e-23);
+/// ```
 #[derive(Clone, Debug)]
-pub(crate) struct Real {
+pub struct Real {
     value: Enclosure,
     bits: u32,
 }
@@ -20,6 +28,7 @@ const GUARD: u32 = 8;
 const ANGLE_STEPS: usize = 16;
 
 impl Real {
+    /// All numbers of an enclosure.
     pub fn new(value: Enclosure, bits: u32) -> Self {
         Self { value, bits }
     }
@@ -34,14 +43,17 @@ impl Real {
         Self::new(Enclosure::point(Dyadic::new(n.into(), 0)), bits)
     }
 
+    /// Encloses pi.
     pub fn pi(bits: u32) -> Self {
         Self::new(Enclosure::pi(bits), bits)
     }
 
+    /// Its bounds.
     pub fn enclosure(&self) -> &Enclosure {
         &self.value
     }
 
+    /// The bits that operations round to.
     pub fn bits(&self) -> u32 {
         self.bits
     }
@@ -55,10 +67,12 @@ impl Real {
         self.value.sign()
     }
 
+    /// Whether all members are greater than 0.
     pub fn is_positive(&self) -> bool {
         self.sign() == Some(Ordering::Greater)
     }
 
+    /// Whether all members are less than 0.
     pub fn is_negative(&self) -> bool {
         self.sign() == Some(Ordering::Less)
     }
@@ -68,10 +82,12 @@ impl Real {
         self.value.intersection(&other.value).is_none()
     }
 
+    /// The members of both; `None` if there are none.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         self.value.intersection(&other.value).map(|value| self.with(value))
     }
 
+    /// The least interval that holds both.
     pub fn hull(&self, other: &Self) -> Self {
         self.with(self.value.hull(&other.value))
     }
@@ -122,10 +138,12 @@ impl Real {
         self.with(Enclosure::new(half(self.value.lo()), half(self.value.hi())).expect("in order"))
     }
 
+    /// The sine.
     pub fn sin(&self) -> Self {
         self.with(self.value.sin(self.bits))
     }
 
+    /// The cosine.
     pub fn cos(&self) -> Self {
         self.with(self.value.cos(self.bits))
     }

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
+use super::closed_forms::{closure, grazing_angle, speed_between};
 use super::isolate::{Interval, Part, refine, zeros};
 use super::jet::Jet;
 use super::motion::Parameters;
@@ -44,6 +45,20 @@ fn an_unknown_sign_at_an_end_is_a_doubt() {
     let at_end = |signs| zeros(&Interval { x: interval(0.0, 1.0), signs }, |x| wave(x, "0"));
     assert!(matches!(at_end([None, Some(Ordering::Greater)]).as_slice(), [Part::Doubt(_)]));
     assert!(at_end([Some(Ordering::Equal), Some(Ordering::Greater)]).is_empty());
+}
+
+/// For N = 1 the graze and the pitchfork meet at `e* = 0.08670091501...` (`docs/paper.md`): `tan th_g = 2 kappa/pi`.
+#[test]
+fn the_graze_meets_the_pitchfork_at_the_known_restitution() {
+    let excess = |e: &str| {
+        let e = real(e, 120);
+        let angle = grazing_angle(&e).unwrap();
+        assert!(angle.width() < Dyadic::power_of_two(-100));
+        let kappa = (&e + 1).over(&(Real::int(1, 120) - &e)).unwrap();
+        (angle.sin().over(&angle.cos()).unwrap() - (kappa * 2).over(&Real::pi(120)).unwrap()).sign()
+    };
+    assert_eq!(excess("0.08670091501"), Some(Ordering::Less));
+    assert_eq!(excess("0.08670091502"), Some(Ordering::Greater));
 }
 
 /// The gap that (57) asks for when (62), (63) hold with `th1 - th0 = N pi + 2 eps`, in plain floats, by W1: `th0` from the
@@ -91,6 +106,13 @@ fn a_plain_scan_finds_no_motion_that_was_missed() {
         let is_zero = |index: &u32| at(*index) * at(index + 1) < 0.0 && (at(*index) - at(index + 1)).abs() < 0.5;
         let seen: Vec<u32> = (0..STEPS - 1).filter(is_zero).collect();
         assert_eq!(motions.len(), 2 * seen.len(), "e = {e}, N = {cycles}, d/A = {ratio}: {seen:?}");
+        for motion in &motions {
+            let (theta0, theta1) = (&motion.theta0, motion.theta1());
+            let speed = speed_between(theta0, &theta1, &parameters.restitution).unwrap();
+            assert!(!speed.is_apart_from(&motion.speed) && speed.width() < Dyadic::power_of_two(-50));
+            let rest = closure(theta0, &theta1, cycles, &parameters.restitution, &speed);
+            assert!(rest.sign().is_none() && rest.width() < Dyadic::power_of_two(-50));
+        }
         for index in seen {
             let eps = f64::from(index + 1) * step;
             let near = |spacing: f64| ((spacing - f64::from(cycles) * PI) / 2.0 - eps).abs() <= step;

@@ -92,11 +92,15 @@ impl<'p> Spacing<'p> {
         (motions, doubts)
     }
 
-    /// Whether there is none with `th1 - th0` within `reach` of `N pi`, N odd, but for that one.
+    /// Whether there is none with `th1 - th0` within `2 reach` of `N pi`, N odd, but for that one.
     pub fn is_alone(&self, reach: &Real) -> bool {
         let eps = Real::int(0, reach.bits()).hull(reach);
         let piece = Piece { cycles: self.parameters.cycles, quarter: 0 };
-        self.equation(&eps, piece).is_some_and(|f| matches!(f.value.sign(), Some(Ordering::Less | Ordering::Greater)))
+        let is_inside = (Real::pi(reach.bits()).half() - reach).is_positive();
+        is_inside
+            && self
+                .equation(&eps, piece)
+                .is_some_and(|f| matches!(f.value.sign(), Some(Ordering::Less | Ordering::Greater)))
     }
 
     /// The spacings of a part, and those of its mirror image.
