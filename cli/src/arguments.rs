@@ -9,6 +9,8 @@ use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, BITS, MAX_BITS, Settings};
 use impact_pair::scene::{DIGITS, Run};
 
+use crate::two_impact::arguments as two_impact;
+
 /// Verified numerics for the horizontal impact pair: every impact proved
 #[derive(Debug, Parser)]
 #[command(name = "impact-pair", version = VERSION, max_term_width = 100, after_help = EXIT_CODES)]
@@ -55,6 +57,9 @@ pub enum Verb {
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),
+    /// Find the motions with two impacts in N cycles: closed forms (61)-(73), all others, first contacts, stability
+    #[command(after_help = two_impact::EXIT_CODES, after_long_help = two_impact::HELP)]
+    TwoImpact(two_impact::TwoImpactArguments),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -258,7 +263,7 @@ fn point(text: &str) -> Result<Exact, String> {
 }
 
 /// Reads the name of a picture.
-fn svg(path: &str) -> Result<PathBuf, String> {
+pub fn svg(path: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(path);
     if path.extension().is_some_and(|ending| ending == "svg") {
         Ok(path)

@@ -13,6 +13,7 @@ mod run;
 mod scene;
 mod table;
 mod trade;
+mod two_impact;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
+        Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

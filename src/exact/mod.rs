@@ -40,7 +40,7 @@ use num_traits::One;
 pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
 pub use digits::decimal_digits;
 pub use dyadic::Dyadic;
-pub(crate) use dyadic::compare_rational;
+pub(crate) use dyadic::{Round, compare_rational};
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};
 pub use fold::Operation;

@@ -7,6 +7,7 @@ import equispaced
 import manifold
 import misprints
 import stability
+import verb
 from elastic import elastic_orbits
 from jacobian import product, radius
 from judge import check_earlier, check_half_map, check_impacts, check_mirrored_runs, must_refuse, IMPACTS
@@ -127,6 +128,7 @@ def jobs(thin):
         "equispaced, e < 1, N even: impossible (65)": (check_even_impossible, [
             (e, angle, cycles) for e in ("0", "0.3", "0.8") for angle in ("0.1", "pi/4", "1.3") for cycles in (2, 4)
         ]),
+        **verb.families(thin),
     }
     return [Job(part, check, orbit, n) for part, (check, orbits) in families.items() for n, orbit in enumerate(orbits)]
 

@@ -8,6 +8,7 @@ import equispaced
 import manifold
 import misprints
 import stability
+import verb
 from jacobian import eigenvalues, product
 from judge import check_earlier, check_half_map, check_impacts, must_refuse
 from program import Disagreement, Event, Run, negated, scene
@@ -105,6 +106,21 @@ class Judgement(unittest.TestCase):
         stability.check_derivative(orbit)
         orbit.theta0 += mpf("1e-20")
         must_refuse("another th0", stability.check_identities, orbit)
+
+    def test_entries_of_two_impact_are_held_or_refused(self):
+        orbit, around = figure_12(), lambda value: [str(value - mpf("1e-9")), str(value + mpf("1e-9"))]
+        right = {"wall": "right", "phase": around(pi), "velocity": around(4 * pi)}
+        left = {"wall": "left", "phase": ["-1e-9", "1e-9"], "velocity": around(-4 * pi)}
+        root = {"re": ["0.25", "0.25"], "im": ["0", "0"]}
+        entry = {"impacts": [left, right], "unique": True, "physical": True, "symmetric": True, "trace": ["0.5", "0.5"],
+                 "determinant": ["0.0625", "0.0625"], "eigenvalues": [root, root], "stability": "stable"}
+        self.assertTrue(verb.is_listed(entry, orbit, "left"))
+        self.assertEqual(verb.check_entry(entry, orbit)["stable"], 1)
+        spoiled = [("physical", False), ("symmetric", False), ("stability", "unstable"), ("trace", ["0.6", "0.7"]),
+                   ("eigenvalues", [root, {"re": ["0.3", "0.3"], "im": ["0", "0"]}]), ("unique", False)]
+        for key, value in spoiled:
+            must_refuse(key, verb.check_entry, {**entry, key: value}, orbit)
+        self.assertFalse(verb.is_listed({**entry, "impacts": [left, {**right, "phase": around(3)}]}, orbit, "left"))
 
     def test_scenes(self):
         self.assertEqual(negated("[1, 2]"), "[-2, -1]")

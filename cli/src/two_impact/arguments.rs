@@ -1,0 +1,171 @@
+//! What `two-impact` is asked on the command line.
+
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::{Args, ValueEnum};
+use impact_pair::exact::Exact;
+use impact_pair::pair::Wall;
+use impact_pair::scene::DIGITS;
+use impact_pair::two_impact::{COUNTS, CYCLES};
+
+pub const EXIT_CODES: &str = "\
+Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved); 2 usage, bad \
+input, I/O";
+
+pub const HELP: &str = "\
+Examples: impact-pair two-impact scenes/figure-13.toml --cycles 1..4
+          impact-pair two-impact scenes/figure-10.toml --manifold frequency=5..60:400 --cycles 1..7 --plot figure-10.svg
+
+Two of A, d and |v| are given, by --solve-for. velocity: A and d are the scene's, and all motions with two impacts in N \
+cycles are found, equispaced by (66), (67) or (70), (71), and the others, N odd or even, through (62), (63), isolated \
+with proof. amplitude: d and the start's v are the scene's, and A_N is that of (68); gap: A and the start's v are, and d is that of (67); \
+these two are equispaced, so for N odd.
+
+Of each motion: whether no wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable or \
+called undecided: neutral ones are beyond linear theory.
+
+Manifold: A_N (68) over W for the scene's d, e and start velocity, or over v for the scene's d, e and W; points of the grid and those where \
+first contact, stability or the sign of sin th0 change, and what is proved between each point and the next.
+
+Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved); 2 usage, bad \
+input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct TwoImpactArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// N, or a range of them such as 1..5, both ends among them
+    #[arg(long, value_name = "N|LO..HI", default_value = "1")]
+    pub cycles: Cycles,
+    /// The wall whose impact is listed first
+    #[arg(long, value_enum, default_value_t)]
+    pub wall: Side,
+    /// Which of |v|, A and d the other two give
+    #[arg(long, value_enum, default_value_t, value_name = "velocity|amplitude|gap", conflicts_with = "manifold")]
+    pub solve_for: SolveFor,
+    /// A_N over a range: frequency=LO..HI:COUNT (figure 10) or velocity=LO..HI:COUNT (figure 11)
+    #[arg(long, value_name = "KEY=LO..HI:COUNT")]
+    pub manifold: Option<ManifoldRange>,
+    /// Enclosures are at most 10^-D wide: of phases relative to 2 pi, of velocities relative to A W [default: that of the
+    /// scene, or 9]
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
+    pub digits: Option<u32>,
+    /// How the answer is written
+    #[arg(long, value_enum, default_value_t)]
+    pub format: TwoImpactFormat,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Draw the manifold
+    #[arg(long, value_name = "FILE.svg", value_parser = crate::arguments::svg, requires = "manifold")]
+    pub plot: Option<PathBuf>,
+}
+
+/// How the answer of `two-impact` is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TwoImpactFormat {
+    /// For people; of a manifold the points where something changes
+    #[default]
+    Table,
+    /// Schema impact-pair/periodic/1, a list of documents for a range of N; of a manifold impact-pair/manifold/1
+    Json,
+    /// Of a manifold: a line a point, bounds in columns
+    Csv,
+}
+
+/// A wall on the command line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Side {
+    /// S-
+    #[default]
+    Left,
+    /// S+
+    Right,
+}
+
+impl Side {
+    pub fn wall(self) -> Wall {
+        match self {
+            Self::Left => Wall::Left,
+            Self::Right => Wall::Right,
+        }
+    }
+}
+
+/// What is not given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum SolveFor {
+    /// The motion, |v| among it, from A and d
+    #[default]
+    Velocity,
+    /// A_N (68), from d and the start's velocity
+    Amplitude,
+    /// d (67), from A and the start's velocity
+    Gap,
+}
+
+/// N, one or several.
+#[derive(Clone, Debug)]
+pub struct Cycles(pub RangeInclusive<u32>);
+
+impl FromStr for Cycles {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (low, high) = text.split_once("..").unwrap_or((text, text));
+        let number = |text: &str| text.parse().ok().filter(|n| CYCLES.contains(n));
+        match (number(low), number(high)) {
+            (Some(low), Some(high)) if low <= high => Ok(Self(low..=high)),
+            _ => {
+                let (least, most) = (CYCLES.start(), CYCLES.end());
+                Err(format!("accepted is an integer from {least} to {most}, or a range of them such as 1..5"))
+            }
+        }
+    }
+}
+
+/// What a manifold runs over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    Frequency,
+    Velocity,
+}
+
+/// A range of a manifold.
+#[derive(Clone, Debug)]
+pub struct ManifoldRange {
+    pub over: Over,
+    pub from: Exact,
+    pub to: Exact,
+    pub count: usize,
+}
+
+impl FromStr for ManifoldRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let accepted = || {
+            let (least, most) = (COUNTS.start(), COUNTS.end());
+            format!(
+                "accepted is frequency=LO..HI:COUNT or velocity=LO..HI:COUNT with numbers LO < HI and COUNT from {least} to {most}"
+            )
+        };
+        let parts = || {
+            let (key, rest) = text.split_once('=')?;
+            let over = match key {
+                "frequency" => Over::Frequency,
+                "velocity" => Over::Velocity,
+                _ => return None,
+            };
+            let (ends, count) = rest.rsplit_once(':')?;
+            let (from, to) = ends.split_once("..")?;
+            let count = count.parse().ok().filter(|count| COUNTS.contains(count))?;
+            Some((over, from, to, count))
+        };
+        let (over, from, to, count) = parts().ok_or_else(accepted)?;
+        let number = |text: &str| Exact::parse(text).map_err(|error| format!("{text}: {error}"));
+        Ok(Self { over, from: number(from)?, to: number(to)?, count })
+    }
+}

@@ -1,0 +1,116 @@
+//! `impact-pair two-impact SCENE`: motions with two impacts in N cycles, and the manifolds of figures 10 and 11.
+
+pub mod arguments;
+mod csv;
+mod plot;
+mod table;
+
+use std::io::Write;
+
+use anyhow::{Context, Error, Result, anyhow, bail};
+use impact_pair::Scene;
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Place, Settings};
+use impact_pair::pair::Wall;
+use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown, manifolds, periodic};
+
+use crate::output::Output;
+use crate::{Answer as Exit, scene};
+use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
+
+pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
+    let scene = scene::read(&arguments.scene)?;
+    let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
+    scene::keep(&arguments.scene, arguments.output.as_deref())?;
+    scene::keep(&arguments.scene, arguments.plot.as_deref())?;
+    if let (Some(output), Some(plot)) = (&arguments.output, &arguments.plot)
+        && (output == plot || scene::is_same_file(output, plot))
+    {
+        bail!("cannot write {}: --output and --plot name the same file", plot.display());
+    }
+    let named = || scene::name(&arguments.scene);
+    match &arguments.manifold {
+        Some(range) => draw_manifold(arguments, &scene, range, digits).with_context(named),
+        None => list_motions(arguments, &scene, digits).with_context(named),
+    }
+}
+
+/// The speed that the scene starts with.
+fn speed(scene: &Scene) -> Result<Exact> {
+    let start = scene.start();
+    match start.place() {
+        Place::Wall(Wall::Left) => Ok(start.velocity().checked_neg()?),
+        Place::Wall(Wall::Right) => Ok(start.velocity().clone()),
+        Place::Inside(_) => Err(anyhow!("start.wall is missing, but the velocity asked for is that before an impact")),
+    }
+}
+
+fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> Result<Exit> {
+    let unknown = match arguments.solve_for {
+        SolveFor::Velocity => Unknown::Velocity,
+        SolveFor::Amplitude => Unknown::Amplitude(speed(scene)?),
+        SolveFor::Gap => Unknown::Gap(speed(scene)?),
+    };
+    if arguments.format == TwoImpactFormat::Csv {
+        bail!("--format is csv, but accepted without --manifold are table and json");
+    }
+    let answers: Vec<(u32, Answer)> = arguments
+        .cycles
+        .0
+        .clone()
+        .map(|cycles| Ok((cycles, Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits))))
+        .collect::<Result<_, Error>>()?;
+    let wall = arguments.wall.wall();
+    let text = match arguments.format {
+        TwoImpactFormat::Json => {
+            let document = |(cycles, answer): &(u32, Answer)| {
+                periodic((scene.pair(), scene.start()), &unknown, (*cycles, answer), wall)
+            };
+            let documents: Vec<String> = answers.iter().map(document).collect();
+            match documents.as_slice() {
+                [one] => format!("{one}\n"),
+                all => format!("[{}]\n", all.join(",\n")),
+            }
+        }
+        TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
+    };
+    write(arguments, &text)?;
+    let is_complete = answers.iter().all(|(_, answer)| answer.is_complete);
+    Ok(if is_complete { Exit::Complete } else { Exit::Incomplete })
+}
+
+fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &ManifoldRange, digits: u32) -> Result<Exit> {
+    let wall = arguments.wall.wall();
+    let ManifoldRange { from, to, count, .. } = range.clone();
+    let (axis, speed) = match range.over {
+        Over::Frequency => (Axis::Frequency, speed(scene)?),
+        // Not used.
+        Over::Velocity => (Axis::Velocity(wall), Exact::from(0)),
+    };
+    let range = Range { pair: scene.pair(), speed, axis, from, to, count };
+    // Even N have no equispaced motion (65): of a range the odd ones are drawn.
+    let cycles = arguments.cycles.0.clone();
+    let is_one = cycles.start() == cycles.end();
+    let curves: Vec<Manifold> =
+        cycles.filter(|n| is_one || n % 2 == 1).map(|n| range.manifold(n, digits)).collect::<Result<_, _>>()?;
+    let text = match arguments.format {
+        TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
+        TwoImpactFormat::Json => manifolds((scene.pair(), scene.start()), axis, &curves),
+        TwoImpactFormat::Csv => csv::csv(axis, &curves),
+    };
+    write(arguments, &text)?;
+    if let Some(path) = &arguments.plot {
+        let mut picture = Output::open(Some(path))?;
+        let failed = || format!("cannot draw {}", path.display());
+        let svg = plot::svg(scene, axis, &curves).with_context(failed)?;
+        picture.write_all(svg.as_bytes()).with_context(failed)?;
+        picture.commit()?;
+    }
+    Ok(Exit::Complete)
+}
+
+fn write(arguments: &TwoImpactArguments, text: &str) -> Result<()> {
+    let mut out = Output::open(arguments.output.as_deref())?;
+    out.write_all(text.as_bytes()).context("cannot write the output")?;
+    out.commit()
+}

@@ -1,0 +1,115 @@
+//! Two-impact motions and manifolds for people.
+
+use impact_pair::Scene;
+use impact_pair::exact::{Enclosure, decimal_digits};
+use impact_pair::pair::Wall;
+use impact_pair::two_impact::{Answer, Axis, Manifold, Orbit, Part, Stability, Unknown, word};
+
+use crate::heading;
+
+/// The bits that eigenvalues are shown to.
+const FEW: u32 = 24;
+
+/// The motions of each N.
+pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[(u32, Answer)], wall: Wall) -> String {
+    let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
+    lines.push(heading::parameters(scene));
+    match unknown {
+        Unknown::Velocity => lines.push("given A and d: all motions with two impacts in N cycles".into()),
+        Unknown::Amplitude(speed) => lines.push(format!("given d and |v| = {speed}: A_N (68), equispaced")),
+        Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
+    }
+    for (cycles, answer) in answers {
+        lines.push(format!("\nN = {cycles}, {}: {}", word(wall), said(answer)));
+        for (index, found) in answer.orbits.iter().enumerate() {
+            lines.extend(orbit(index + 1, found, unknown, wall));
+        }
+        for spacing in &answer.undecided {
+            lines.push(format!("  undecided: there may be others with th1 - th0 = {}", decimal_digits(spacing)));
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// How many there are, and whether these are all.
+fn said(answer: &Answer) -> String {
+    let count = match answer.orbits.len() {
+        0 => "no orbit".to_owned(),
+        1 => "1 orbit".to_owned(),
+        n => format!("{n} orbits"),
+    };
+    if answer.is_exhaustive { format!("{count}, proved to be all") } else { count }
+}
+
+fn orbit(index: usize, orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Vec<String> {
+    let mut lines = vec![format!("{index:>3}  {}", kind(orbit))];
+    match unknown {
+        Unknown::Velocity => {}
+        Unknown::Amplitude(_) => lines.push(format!("     A = {}", decimal_digits(&orbit.amplitude))),
+        Unknown::Gap(_) => lines.push(format!("     d = {}", decimal_digits(&orbit.gap))),
+    }
+    for impact in orbit.impacts_from(wall) {
+        let (phase, velocity) = (decimal_digits(&impact.phase), decimal_digits(&impact.velocity));
+        lines.push(format!("     {:5}  W t + tau = {phase:24} v = {velocity}", impact.wall.name()));
+    }
+    lines.push(format!("     eigenvalues {}", eigenvalues(orbit)));
+    lines
+}
+
+fn kind(orbit: &Orbit) -> String {
+    let symmetry = if orbit.is_symmetric { "equispaced, its own mirror image" } else { "not its own mirror image" };
+    let contacts = match orbit.is_physical {
+        Some(true) => "no earlier contact",
+        Some(false) => "NOT PHYSICAL: a wall is touched earlier",
+        None => "earlier contact undecided",
+    };
+    let stability = match orbit.stability {
+        Stability::Stable | Stability::Unstable => orbit.stability.name().to_owned(),
+        Stability::Undecided => "stability undecided".to_owned(),
+    };
+    let unique = if orbit.is_unique { "" } else { "; others may be within these bounds" };
+    format!("{symmetry}; {contacts}; {stability}{unique}")
+}
+
+fn eigenvalues(orbit: &Orbit) -> String {
+    let few = |x: &Enclosure| decimal_digits(&x.rounded(FEW));
+    let is_zero = |x: &Enclosure| x.lo().is_zero() && x.hi().is_zero();
+    let [[re0, im0], [re1, im1]] = &orbit.eigenvalues;
+    if is_zero(im0) && is_zero(im1) {
+        format!("{} and {}", few(re0), few(re1))
+    } else {
+        format!("{} +- {} i", few(re0), few(im0))
+    }
+}
+
+/// Where something changes along the manifolds.
+pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
+    let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
+    let name = match axis {
+        Axis::Frequency => "W",
+        Axis::Velocity(_) => "v",
+    };
+    lines.push(format!("{}\nA_N (68) over {name}: where something changes\n", heading::parameters(scene)));
+    lines.push(format!("{:>4}  {:9}  {name:26}{:26}from there on", "N", "mark", "A_N"));
+    for curve in curves {
+        let last = curve.points.len() - 1;
+        for (index, point) in curve.points.iter().enumerate() {
+            let mark = match point.mark {
+                Some(mark) => mark.name(),
+                None if index == 0 => "first",
+                None if index == last => "last",
+                None => continue,
+            };
+            let (at, amplitude) = (decimal_digits(&point.at), decimal_digits(&point.amplitude));
+            let after = point.after.map_or(String::new(), part);
+            lines.push(format!("{:>4}  {mark:9}  {at:26}{amplitude:26}{after}", curve.cycles).trim_end().to_owned());
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+fn part(Part { is_solid, is_physical, stability }: Part) -> String {
+    let sine = if is_solid { "sin th0 > 0" } else { "sin th0 < 0" };
+    let contacts = if is_physical { "no earlier contact" } else { "not physical" };
+    format!("{sine}, {contacts}, {}", stability.name())
+}

@@ -1,0 +1,97 @@
+//! `two-impact` on the command line: stdout, stderr and exit code together.
+
+mod common;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use common::program;
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+
+fn two_impact(arguments: &[&str]) -> Command {
+    let mut command = program(&["two-impact"]);
+    command.args(arguments);
+    command
+}
+
+#[test]
+fn motions_as_tables() {
+    assert_cmd_snapshot!("exact_orbit", two_impact(&["scenes/figure-12-exact.toml"]));
+    assert_cmd_snapshot!("figure_13_of_three_cycles", two_impact(&["scenes/figure-13.toml", "--cycles", "1..3"]));
+    let right = ["scenes/figure-12-exact.toml", "--solve-for", "amplitude", "--wall", "right", "--digits", "15"];
+    assert_cmd_snapshot!("amplitude_on_the_right", two_impact(&right));
+    assert_cmd_snapshot!("gap", two_impact(&["scenes/figure-12-exact.toml", "--solve-for", "gap"]));
+}
+
+#[test]
+fn motions_as_json() {
+    assert_cmd_snapshot!("exact_orbit_as_json", two_impact(&["scenes/figure-12-exact.toml", "--format", "json"]));
+    let answer = two_impact(&["scenes/figure-13.toml", "--cycles", "1..2", "--format", "json"]).output().unwrap();
+    let documents: Value = serde_json::from_slice(&answer.stdout).unwrap();
+    let counts: Vec<usize> = [0, 1].map(|i| documents[i]["orbits"].as_array().unwrap().len()).to_vec();
+    assert_eq!(counts, [2, 4]);
+    for document in documents.as_array().unwrap() {
+        assert_eq!(document["schema"], "impact-pair/periodic/1");
+        assert!(document["exhaustive"].as_bool().unwrap() && document["word"] == "P2 P1");
+    }
+}
+
+#[test]
+fn what_is_left_open_is_said() {
+    let fold = common::scene("figure-12.toml").replace("9.42497", "\"sqrt(4 + 9*pi^2)\"");
+    let path = folder("fold").join("fold.toml");
+    fs::write(&path, fold).unwrap();
+    let answer = two_impact(&[path.to_str().unwrap()]).output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    let text = String::from_utf8(answer.stdout).unwrap();
+    assert!(text.contains("undecided: there may be others with th1 - th0 = 3.14159"), "{text}");
+}
+
+#[test]
+fn manifolds() {
+    let figure_10 = ["scenes/figure-10.toml", "--manifold", "frequency=1..20:5", "--cycles", "1..4"];
+    assert_cmd_snapshot!("figure_10_as_a_table", two_impact(&figure_10));
+    assert_cmd_snapshot!("figure_10_as_csv", two_impact(&[&figure_10[..], &["--format", "csv"]].concat()));
+    let figure_11 = ["scenes/figure-11.toml", "--manifold", "velocity=-300..-1:3", "--format", "json"];
+    assert_cmd_snapshot!("figure_11_as_json", two_impact(&figure_11));
+}
+
+#[test]
+fn a_picture_has_all_curves_and_kinds() {
+    let picture = folder("picture").join("figure-10.svg");
+    let arguments = ["scenes/figure-10.toml", "--manifold", "frequency=1..60:200", "--cycles", "1..7"];
+    let answer = two_impact(&arguments).arg("--plot").arg(&picture).output().unwrap();
+    assert!(answer.status.success(), "{answer:?}");
+    let svg = fs::read_to_string(picture).unwrap();
+    let texts =
+        ["N = 1", "N = 3", "N = 5", "N = 7", "physical and stable", "a wall is touched earlier", "width=\"900\""];
+    assert!(texts.iter().all(|text| svg.contains(text)));
+    // Stable parts, unstable and unphysical ones.
+    assert!(["#0072B2", "#D55E00", "#999999"].iter().all(|colour| svg.contains(colour)));
+}
+
+#[test]
+fn the_command_line() {
+    assert_cmd_snapshot!("arguments_of_two_impact", two_impact(&["--help"]));
+    let scene = "scenes/figure-10.toml";
+    assert_cmd_snapshot!("cycles_out_of_order", two_impact(&[scene, "--cycles", "5..1"]));
+    assert_cmd_snapshot!("manifold_without_a_count", two_impact(&[scene, "--manifold", "frequency=1..2"]));
+    assert_cmd_snapshot!("manifold_over_rest", two_impact(&[scene, "--manifold", "velocity=-1..1:3"]));
+    assert_cmd_snapshot!(
+        "manifold_of_even_cycles",
+        two_impact(&[scene, "--manifold", "frequency=1..2:3", "--cycles", "2"])
+    );
+    assert_cmd_snapshot!("motions_as_csv", two_impact(&[scene, "--format", "csv"]));
+    assert_cmd_snapshot!("plot_without_manifold", two_impact(&[scene, "--plot", "a.svg"]));
+    assert_cmd_snapshot!("speed_of_a_start_inside", two_impact(&["scenes/graze.toml", "--solve-for", "gap"]));
+}
+
+/// An empty folder of this test.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("two-impact").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}

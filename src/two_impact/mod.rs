@@ -1,0 +1,57 @@
+//! Periodic motions with two impacts in N cycles: the closed forms (61)-(73), and what has none, with proofs.
+//!
+//! The paper's section 4 gives the equispaced motions; whether a wall is touched earlier, whether they are stable, which
+//! others there are, it leaves open. Here each is enclosed, and all that is said of it is proved (`docs/proofs.md`, W).
+//!
+//! | equation | what | item |
+//! |---|---|---|
+//! | (56)-(60) | two impacts in N cycles | [`Question`], [`Orbit`] |
+//! | (61) | `v_i = -v_{i+1}` | [`Orbit::impacts`] |
+//! | (61)-(63), (66)-(73) | as functions | [`closed_forms`] |
+//! | (62), (63) | not equispaced, N odd and even: all of them | `unequispaced`, [`Answer`] |
+//! | (64)-(69), (72), (73) | equispaced, N odd, e < 1 | `equispaced`, [`Unknown`] |
+//! | (70), (71) | e = 1 | `elastic` |
+//! | (38)-(40) | eigenvalues, stability | `stability`, [`Orbit::eigenvalues`] |
+//! | figs 10, 11 | `A_N` over W and v | [`Manifold`] |
+//! | beyond the paper | first contacts | `motion`, [`Orbit::is_physical`] |
+//!
+//! In reading order: `real` and `jet` (numbers, and numbers with their derivatives), `isolate` (all zeros of a function),
+//! `motion`, `stability`, `closed_forms`, `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`, `document`.
+//!
+//! ```
+//! use impact_pair::two_impact::{Question, Stability, Unknown};
+//! use impact_pair::{Harmonic, ImpactPair};
+//! let harmonic = Harmonic::new("2".parse()?, "pi".parse()?, "0".parse()?)?;
+//! let pair = ImpactPair::new(harmonic, "3*pi".parse()?, "0.5".parse()?)?;
+//! // Figure 13: the paper calls it quasi-periodic.
+//! let answer = Question::new(&pair, 1, Unknown::Velocity)?.answer(20);
+//! assert!(answer.is_complete && answer.is_exhaustive);
+//! let stable: Vec<_> = answer.orbits.iter().filter(|orbit| orbit.stability == Stability::Stable).collect();
+//! assert!(stable.len() == 1 && stable[0].is_symmetric && stable[0].is_physical == Some(true));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod closed_forms;
+mod data;
+mod document;
+mod elastic;
+mod equispaced;
+mod isolate;
+mod jet;
+mod manifold;
+mod motion;
+mod orbit;
+mod question;
+mod real;
+mod stability;
+mod unequispaced;
+
+pub use document::{MANIFOLD_SCHEMA, PERIODIC_SCHEMA, manifolds, periodic, word};
+pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
+pub use orbit::{Impact, Orbit};
+pub use question::{Answer, CYCLES, Question, Unknown};
+pub use real::Real;
+pub use stability::Stability;
+
+#[cfg(test)]
+mod tests;

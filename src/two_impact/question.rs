@@ -1,0 +1,231 @@
+//! Which two-impact motions there are: the question, and its answer with as many digits as asked.
+
+use std::ops::RangeInclusive;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::error::Error;
+use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::pair::ImpactPair;
+
+use super::closed_forms::slope;
+use super::data::{Data, Found};
+use super::motion::{Motion, Parameters};
+use super::orbit::{Orbit, Units};
+use super::real::Real;
+use super::stability::Stability;
+use super::unequispaced::Spacing;
+
+/// The cycles that can be asked for: each has an equation of its own to solve.
+pub const CYCLES: RangeInclusive<u32> = 1..=999;
+/// Bits beyond the digits asked for: of the first computation, and of the bounds that are handed on.
+pub(super) const GUARD: u32 = 64;
+pub(super) const SHOWN: u32 = 10;
+/// The precision is doubled so often at most.
+const ROUNDS: u32 = 4;
+
+/// What of (66)-(68) is not given.
+#[derive(Clone, Debug)]
+pub enum Unknown {
+    /// The motion itself: all motions for the pair's `A` and `d`, equispaced or not.
+    Velocity,
+    /// `A_N` (68), for the pair's `d` and this `|v|`; the pair's amplitude is not used. Equispaced motions only.
+    Amplitude(Exact),
+    /// `d` (67), for the pair's `A` and this `|v|`; the pair's gap is not used. Equispaced motions only.
+    Gap(Exact),
+}
+
+impl Unknown {
+    /// `velocity`, `amplitude` or `gap`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Velocity => "velocity",
+            Self::Amplitude(_) => "amplitude",
+            Self::Gap(_) => "gap",
+        }
+    }
+}
+
+/// A question about the motions with two impacts in N cycles.
+#[derive(Clone, Debug)]
+pub struct Question<'p> {
+    data: Data<'p>,
+    unknown: Unknown,
+}
+
+/// The motions, and what is not decided.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The equispaced ones first.
+    pub orbits: Vec<Orbit>,
+    /// Parts of `th1 - th0` \[rad\] in which there may be others.
+    pub undecided: Vec<Enclosure>,
+    /// Whether there are proved to be no others with two impacts in N cycles.
+    pub is_exhaustive: bool,
+    /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits asked for.
+    pub is_complete: bool,
+}
+
+impl<'p> Question<'p> {
+    /// A question about `pair`.
+    ///
+    /// # Errors
+    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, or N is not among [`CYCLES`].
+    pub fn new(pair: &'p ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
+        if !CYCLES.contains(&cycles) {
+            let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
+            return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), &accepted));
+        }
+        match &unknown {
+            Unknown::Velocity => {}
+            Unknown::Amplitude(speed) | Unknown::Gap(speed) => Error::require_positive("|start.velocity|", speed)?,
+        }
+        if !matches!(unknown, Unknown::Amplitude(_)) {
+            Error::require_positive("excitation.amplitude", pair.excitation().amplitude())?;
+        }
+        Ok(Self { data: Data::new(pair, cycles)?, unknown })
+    }
+
+    /// Answers it, with each enclosure of a phase at most `10^-digits` of a turn wide and of a velocity `10^-digits` of
+    /// `A W`, where the data are points and nothing is undecided for want of bits.
+    ///
+    /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
+    /// bits of the digits do not tell, or when intervals of them hold one.
+    pub fn answer(&self, digits: u32) -> Answer {
+        let first = digits_to_bits(digits) + GUARD;
+        let mut answer = self.answer_in(first, digits);
+        for round in 1..ROUNDS {
+            if answer.is_complete || (round > 1 && !self.is_point()) {
+                break;
+            }
+            answer = self.answer_in(first << round, digits);
+        }
+        answer
+    }
+
+    fn is_point(&self) -> bool {
+        let speed_is_point = match &self.unknown {
+            Unknown::Velocity => true,
+            Unknown::Amplitude(speed) | Unknown::Gap(speed) => speed.is_point(),
+        };
+        self.data.pair().is_point() && speed_is_point
+    }
+
+    fn answer_in(&self, bits: u32, digits: u32) -> Answer {
+        let shown = digits_to_bits(digits) + SHOWN;
+        let Found { motions, mut doubts } = match &self.unknown {
+            Unknown::Velocity => self.data.motions(bits),
+            Unknown::Amplitude(speed) => self.data.with_amplitude(speed, bits),
+            Unknown::Gap(speed) => self.data.with_gaps(speed, bits),
+        };
+        let is_searched = matches!(self.unknown, Unknown::Velocity);
+        let frequency = Real::of(self.data.frequency(), bits);
+        let mut orbits = Vec::new();
+        for (motion, amplitude) in &motions {
+            let is_unique = is_unique(motion, motions.iter().map(|(motion, _)| motion), &doubts, (is_searched, shown));
+            let units = Units { amplitude: amplitude.clone(), frequency: frequency.clone(), shown };
+            match Orbit::of(motion, &units, is_unique) {
+                Some(orbit) => orbits.push(orbit),
+                None => doubts.push(motion.spacing.clone()),
+            }
+        }
+        let is_decided = |orbit: &Orbit| {
+            let is_stability_known = orbit.stability != Stability::Undecided || self.data.is_elastic();
+            orbit.is_unique && orbit.is_physical.is_some() && is_stability_known
+        };
+        let is_narrow = motions.iter().all(|(motion, _)| is_narrow(motion, digits));
+        Answer {
+            is_exhaustive: doubts.is_empty() && is_searched,
+            is_complete: doubts.is_empty() && orbits.iter().all(is_decided) && is_narrow,
+            orbits,
+            undecided: doubts.iter().map(|doubt| doubt.enclosure().clone()).collect(),
+        }
+    }
+}
+
+/// Whether no other motion lies within the bounds of this one as they are printed.
+///
+/// `is_searched` says that the others and the doubts are all there are; bounds are rounded to `shown` bits.
+fn is_unique<'m>(
+    motion: &'m Motion,
+    all: impl Iterator<Item = &'m Motion>,
+    doubts: &[Real],
+    (is_searched, shown): (bool, u32),
+) -> bool {
+    let bounds = Bounds::printed(motion, shown);
+    if is_searched {
+        let mut others = all.filter(|other| !std::ptr::eq(*other, motion));
+        others.all(|other| !bounds.may_hold(other)) && doubts.iter().all(|doubt| !bounds.may_have(doubt))
+    } else {
+        bounds.is_alone(&motion.parameters) == Some(true)
+    }
+}
+
+/// The bounds of a motion as they are printed, phases modulo `2 pi`.
+struct Bounds {
+    /// Sine and cosine of `th0` and `th1`.
+    left: (Real, Real),
+    right: (Real, Real),
+    speed: Real,
+    spacing: Real,
+}
+
+impl Bounds {
+    fn printed(motion: &Motion, shown: u32) -> Self {
+        // Decimals are at most a hundredth of the width, or the 39th digit, off; and before, bounds are rounded.
+        let point = |size: Dyadic| Real::new(Enclosure::point(size), motion.parameters.bits());
+        let widened = |x: &Real, size: Dyadic| {
+            let rounding = point(size.scaled(4 - i64::from(shown))) + point(size.scaled(-120));
+            let margin = point(x.width()) + rounding;
+            x + (-&margin).hull(&margin)
+        };
+        let eight = || Dyadic::power_of_two(3);
+        let [theta0, theta1] = [&motion.theta0, &motion.theta1()].map(|theta| widened(theta, eight()));
+        let [left, right] = [&theta0, &theta1].map(|theta| (theta.sin(), theta.cos()));
+        let speed = widened(&motion.speed, motion.speed.enclosure().mag());
+        Self { left, right, speed, spacing: theta1 - theta0 }
+    }
+
+    fn may_hold(&self, other: &Motion) -> bool {
+        let may = |a: &(Real, Real), b: &(Real, Real)| !a.0.is_apart_from(&b.0) && !a.1.is_apart_from(&b.1);
+        may(&self.left, &other.left) && may(&self.right, &other.right) && !self.speed.is_apart_from(&other.speed)
+    }
+
+    /// Whether a spacing may be one of these, modulo `2 pi`.
+    fn may_have(&self, spacing: &Real) -> bool {
+        !self.spacing.sin().is_apart_from(&spacing.sin()) && !self.spacing.cos().is_apart_from(&spacing.cos())
+    }
+
+    /// Whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
+    fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
+        let Parameters { cycles, ratio, restitution, .. } = parameters;
+        // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
+        let drift = restitution * &self.speed + &self.left.1;
+        let period = parameters.half_period();
+        let turn = Real::pi(parameters.bits()) * 2;
+        let off = (ratio - &self.left.0 + &self.right.0).over(&drift)? - &period;
+        let is_direct = (&turn + &off).is_positive() && (turn - off).is_positive();
+        // No other equispaced one: (67) is monotone in th0.
+        let is_monotone =
+            slope(*cycles, restitution).is_none_or(|slope| (&self.left.1 * 2 - slope * &self.left.0).sign().is_some());
+        // No other spacing nearby.
+        let eps = (&self.spacing - period).half();
+        let reach = eps.hull(&-&eps).ends()[1].clone();
+        Some(is_direct && is_monotone && Spacing::new(parameters, None).is_alone(&reach))
+    }
+}
+
+/// Bits that are worth so many digits.
+pub(super) fn digits_to_bits(digits: u32) -> u32 {
+    (f64::from(digits) * 10f64.log2()).ceil() as u32
+}
+
+/// Whether phases and speed have so many digits.
+fn is_narrow(motion: &Motion, digits: u32) -> bool {
+    let power = BigRational::new(1.into(), BigInt::from(10).pow(digits));
+    let unit = Enclosure::from_rational(&power, 64).lo().clone();
+    // 2 pi > 6.
+    let phase = unit.times(&Dyadic::new(6.into(), 0));
+    [&motion.theta0, &motion.theta1()].iter().all(|theta| theta.width() <= phase) && motion.speed.width() <= unit
+}

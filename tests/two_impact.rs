@@ -1,0 +1,360 @@
+//! Two impacts in N cycles, through the public interface: what is proved of each motion, and that the certified orbit agrees.
+
+use impact_pair::exact::{Dyadic, Enclosure, Exact, decimal_bounds};
+use impact_pair::mapping::{Passage, jacobian};
+use impact_pair::number::Ball;
+use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
+use impact_pair::pair::Wall;
+use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Question, Range, Stability, Unknown};
+use impact_pair::{Harmonic, ImpactPair};
+use proptest::prelude::*;
+
+const BITS: u32 = 160;
+
+fn exact(text: &str) -> Exact {
+    Exact::parse(text).unwrap()
+}
+
+/// A pair with `W = pi`.
+fn pair(amplitude: &str, gap: &str, restitution: &str) -> ImpactPair {
+    let harmonic = Harmonic::new(exact(amplitude), exact("pi"), exact("0")).unwrap();
+    ImpactPair::new(harmonic, exact(gap), exact(restitution)).unwrap()
+}
+
+fn all(pair: &ImpactPair, cycles: u32) -> Answer {
+    Question::new(pair, cycles, Unknown::Velocity).unwrap().answer(20)
+}
+
+/// Whether there is a number in both.
+fn meets(x: &Enclosure, y: &Enclosure) -> bool {
+    x.intersection(y).is_some()
+}
+
+fn holds(x: &Enclosure, text: &str) -> bool {
+    meets(x, &exact(text).enclose(BITS))
+}
+
+/// (57)-(60) in the units of the scene, `W = pi`, for both flights: each side less the other must hold 0.
+fn residuals(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> [Enclosure; 4] {
+    let bits = BITS;
+    let [e, gap, amplitude] = [pair.restitution(), pair.gap(), pair.excitation().amplitude()].map(|x| x.enclose(bits));
+    let frequency = Enclosure::pi(bits);
+    let swing = amplitude.mul(&frequency, bits);
+    let there = orbit.spacing.div(&frequency, bits).unwrap();
+    let period = Enclosure::point(Dyadic::new((2 * cycles).into(), 0));
+    let times = [there.clone(), period.sub(&there, bits)];
+    let mut found = Vec::new();
+    for (i, time) in times.iter().enumerate() {
+        let (from, to) = (&orbit.impacts[i], &orbit.impacts[1 - i]);
+        let shaken = |phase: &Enclosure| swing.mul(&phase.cos(bits), bits);
+        let drift = shaken(&from.phase).sub(&e.mul(&from.velocity, bits), bits);
+        found.push(drift.sub(&shaken(&to.phase), bits).sub(&to.velocity, bits));
+        let height = |phase: &Enclosure| amplitude.mul(&phase.sin(bits), bits);
+        let way = drift.mul(time, bits).sub(&height(&to.phase), bits).add(&height(&from.phase), bits);
+        found.push(if i == 0 { way.sub(&gap, bits) } else { way.add(&gap, bits) });
+    }
+    found.try_into().unwrap()
+}
+
+/// All that must hold of any answer.
+fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
+    for orbit in &answer.orbits {
+        for rest in residuals(pair, orbit, cycles) {
+            assert!(holds(&rest, "0") && rest.width() < Dyadic::power_of_two(-40), "{orbit:?} {rest:?}");
+        }
+        let e = pair.restitution().enclose(BITS);
+        assert!(meets(&orbit.determinant, &e.powi(4, BITS).unwrap()));
+        let [[re0, im0], [re1, im1]] = &orbit.eigenvalues;
+        let product = re0.mul(re1, BITS).sub(&im0.mul(im1, BITS), BITS);
+        assert!(meets(&product, &orbit.determinant) && meets(&re0.add(re1, BITS), &orbit.trace), "{orbit:?}");
+        assert!(holds(&im0.add(im1, BITS), "0"));
+        let size = |re: &Enclosure, im: &Enclosure| re.powi(2, BITS).unwrap().add(&im.powi(2, BITS).unwrap(), BITS);
+        let sizes = [size(re0, im0), size(re1, im1)];
+        match orbit.stability {
+            Stability::Stable => assert!(sizes.iter().all(|size| size.lo() < &Dyadic::power_of_two(0))),
+            Stability::Unstable => assert!(sizes.iter().any(|size| size.hi() > &Dyadic::power_of_two(0))),
+            Stability::Undecided => {}
+        }
+        if let (Some(is_physical), Some(is_followed)) = (orbit.is_physical, is_followed(pair, orbit, cycles)) {
+            assert_eq!(is_physical, is_followed, "{orbit:?}");
+        }
+        assert!(meets(&orbit.trace, &product_of_jacobians(pair, orbit, cycles)), "{orbit:?}");
+        // Its mirror image is in the list as well.
+        let mirrored = |other: &&Orbit| {
+            let turned = |a: &Enclosure, b: &Enclosure| {
+                holds(&a.sin(BITS).add(&b.sin(BITS), BITS), "0") && holds(&a.cos(BITS).add(&b.cos(BITS), BITS), "0")
+            };
+            turned(&orbit.impacts[0].phase, &other.impacts[1].phase)
+                && turned(&orbit.impacts[1].phase, &other.impacts[0].phase)
+                && meets(&orbit.impacts[1].velocity, &other.impacts[1].velocity)
+        };
+        let mirror: Vec<&Orbit> = answer.orbits.iter().filter(mirrored).collect();
+        assert!(mirror.len() == 1 || !orbit.is_unique, "{orbit:?}");
+        assert!(!orbit.is_unique || std::ptr::eq(mirror[0], orbit) == orbit.is_symmetric);
+        assert_eq!(mirror[0].is_physical, orbit.is_physical);
+    }
+}
+
+/// The trace of the product of (A.7) by the Jacobian of `mapping`, in turns and gaps, on balls.
+fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclosure {
+    let ball = |x: &Enclosure| {
+        let (mid, rad) = x.mid_rad();
+        Ball::new(mid, rad)
+    };
+    let reduced = pair.reduced().unwrap();
+    let turn = Enclosure::pi(BITS).mul(&exact("2").enclose(BITS), BITS);
+    // v in gaps a turn: 2 pi v/(W d), W = pi.
+    let speed =
+        |v: &Enclosure| ball(&v.mul(&exact("2").enclose(BITS), BITS).div(&pair.gap().enclose(BITS), BITS).unwrap());
+    let there = orbit.spacing.div(&turn, BITS).unwrap();
+    let back = exact(&cycles.to_string()).enclose(BITS).sub(&there, BITS);
+    let [left, right] = &orbit.impacts;
+    let step = |from: &impact_pair::two_impact::Impact, to: &impact_pair::two_impact::Impact, time: &Enclosure| {
+        let passage = Passage {
+            time: ball(time),
+            sin0: ball(&from.phase.sin(BITS)),
+            sin1: ball(&to.phase.sin(BITS)),
+            velocity0: speed(&from.velocity),
+            velocity1: speed(&to.velocity),
+        };
+        jacobian(reduced.beta, reduced.restitution, &passage).unwrap()
+    };
+    let ([[a, b], [c, d]], [[p, q], [r, s]]) = (step(left, right, &there), step(right, left, &back));
+    (p * a + q * c + r * b + s * d).enclosure().unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, rng_seed: proptest::test_runner::RngSeed::Fixed(1995), ..ProptestConfig::default() })]
+
+    #[test]
+    fn motions_satisfy_their_equations_and_come_with_their_mirror_images(
+        amplitude in 1..3000u32, e in 0..=100u32, cycles in 1..6u32,
+    ) {
+        let pair = pair(&format!("{amplitude}/1000"), "1", &format!("{e}/100"));
+        judge(&pair, &all(&pair, cycles), cycles);
+    }
+
+    #[test]
+    fn intervals_of_parameters_hold_the_motions_of_their_members(amplitude in 100..600u32, e in 10..90u32, part in 0..=10u32) {
+        let wide = pair(&format!("[{amplitude}/1000, {amplitude}/1000 + 1/100000]"), "1", &format!("{e}/100"));
+        let member = pair(&format!("{amplitude}/1000 + {part}/1000000"), "1", &format!("{e}/100"));
+        let (of_set, of_member) = (all(&wide, 1), all(&member, 1));
+        prop_assert!(!of_set.is_exhaustive || of_set.orbits.len() == of_member.orbits.len());
+        for (orbit, inside) in of_set.orbits.iter().zip(&of_member.orbits).filter(|_| of_set.is_exhaustive) {
+            prop_assert!(orbit.is_physical.is_none() || orbit.is_physical == inside.is_physical);
+            prop_assert!(orbit.stability == Stability::Undecided || orbit.stability == inside.stability);
+            prop_assert!(meets(&orbit.trace, &inside.trace));
+            for (a, b) in orbit.impacts.iter().zip(&inside.impacts) {
+                prop_assert!(meets(&a.phase, &b.phase) && meets(&a.velocity, &b.velocity));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_orbit_of_figure_12_is_exact() {
+    let pair = pair("1", "3*pi", "0.5");
+    let answer = all(&pair, 1);
+    assert!(answer.is_complete && answer.is_exhaustive && answer.orbits.len() == 2);
+    let orbit = &answer.orbits[0];
+    assert!(orbit.impacts[0].phase.is_point() && holds(&orbit.impacts[0].phase, "0"));
+    assert!(holds(&orbit.impacts[0].velocity, "-4*pi") && holds(&orbit.eigenvalues[0][0], "1/4"));
+    assert_eq!((orbit.is_physical, orbit.stability), (Some(true), Stability::Stable));
+    // (68) and (67) give the same back.
+    let speed = exact("4*pi");
+    let found = Question::new(&pair, 1, Unknown::Amplitude(speed.clone())).unwrap().answer(20);
+    assert!(found.orbits.len() == 1 && found.is_complete && holds(&found.orbits[0].amplitude, "1"));
+    let found = Question::new(&pair, 1, Unknown::Gap(speed)).unwrap().answer(20);
+    assert!(found.orbits.len() == 1 && found.is_complete && holds(&found.orbits[0].gap, "3*pi"));
+}
+
+#[test]
+fn figure_13_has_the_known_eigenvalues() {
+    let answer = all(&pair("2", "9.42497", "0.5"), 1);
+    let [re, im] = &answer.orbits[0].eigenvalues[0];
+    assert!(re.to_f64_bounds().0 > -0.191271 && re.to_f64_bounds().1 < -0.191269);
+    assert!(im.to_f64_bounds().0 > 0.160983 && im.to_f64_bounds().1 < 0.160985);
+}
+
+#[test]
+fn even_cycles_are_possible_unequispaced() {
+    for (gap, cycles) in [("10.82", 2), ("14.21", 4)] {
+        let answer = all(&pair("1", gap, "0.5"), cycles);
+        let stable = |orbit: &&Orbit| orbit.stability == Stability::Stable && orbit.is_physical == Some(true);
+        assert_eq!(answer.orbits.iter().filter(stable).count(), 2);
+        assert!(answer.is_exhaustive && answer.orbits.iter().all(|orbit| !orbit.is_symmetric));
+    }
+}
+
+#[test]
+fn elastic_motions_are_those_of_70_and_71() {
+    let odd = all(&pair("1", "20", "1"), 1);
+    assert!(holds(&odd.orbits[0].impacts[1].velocity, "18") && holds(&odd.orbits[1].impacts[1].velocity, "22"));
+    let even = all(&pair("1", "20", "1"), 2);
+    // |v| = d W/(N pi), W = pi
+    assert!(even.orbits[..2].iter().all(|orbit| holds(&orbit.impacts[1].velocity, "10")));
+    assert!(even.is_exhaustive && even.orbits.len() == 4);
+}
+
+#[test]
+fn the_pitchfork_and_the_fold_are_where_item_2_says() {
+    let counts = |amplitude: &str| all(&pair(amplitude, "1", "0.8"), 1).orbits.len();
+    // A_sn = 0.0352796142...; between it and A_pf = 0.3458892783... two orbits, beyond four.
+    assert_eq!(counts("0.03527"), 0);
+    assert_eq!(counts("0.03528"), 2);
+    assert_eq!(counts("0.345889278"), 2);
+    assert_eq!(counts("0.345889279"), 4);
+    // From A = d/2 on the solid branch is gone.
+    assert_eq!([counts("0.4999999"), counts("0.5")], [4, 3]);
+}
+
+#[test]
+fn a_graze_and_a_fold_that_no_precision_decides_are_undecided() {
+    let answer = all(&pair("1", "sqrt(4 + 9*pi^2)", "0.5"), 1);
+    assert!(!answer.is_complete && !answer.is_exhaustive && !answer.undecided.is_empty());
+}
+
+#[test]
+fn questions_without_an_answer_are_refused() {
+    let still = pair("0", "1", "0.5");
+    assert_eq!(Question::new(&still, 1, Unknown::Velocity).unwrap_err().key(), Some("excitation.amplitude"));
+    let wide = pair("1", "1", "[0.9, 1]");
+    assert_eq!(Question::new(&wide, 1, Unknown::Velocity).unwrap_err().key(), Some("pair.restitution"));
+    let good = pair("1", "1", "0.5");
+    assert!(
+        Question::new(&good, 0, Unknown::Velocity).is_err() && Question::new(&good, 1000, Unknown::Velocity).is_err()
+    );
+    assert!(Question::new(&good, 1, Unknown::Gap(exact("0"))).is_err());
+}
+
+/// Every stable physical orbit, started from its bounds, is run for 100 periods.
+#[test]
+fn stable_orbits_stay_inside_their_bounds() {
+    let mut count = 0;
+    for (amplitude, gap, e, cycles) in [
+        ("1", "3*pi", "0.5", 1),
+        ("2", "9.42497", "0.5", 1),
+        ("0.36", "1", "0.8", 1),
+        ("0.51", "1", "0.15", 1),
+        ("1", "10.82", "0.5", 2),
+        ("1", "14.21", "0.5", 4),
+        ("0.0118", "1", "0.8", 3),
+        ("0.4", "1", "0", 1),
+    ] {
+        let pair = pair(amplitude, gap, e);
+        for orbit in &all(&pair, cycles).orbits {
+            if orbit.is_physical == Some(true) && orbit.stability == Stability::Stable {
+                follow(&pair, orbit, cycles);
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 10, "{count}");
+}
+
+fn follow(pair: &ImpactPair, orbit: &Orbit, cycles: u32) {
+    let (mut run, periods) = (start(pair, orbit, 200), 100);
+    for period in 0..periods {
+        for wall in [Wall::Right, Wall::Left] {
+            let Progress::Impact(impact) = run.advance() else { panic!("{orbit:?}") };
+            assert!(is_expected(&run, &impact, orbit, (cycles, period, wall)), "{period} {orbit:?}");
+            assert!(run.bounds(&impact).0.width() < Dyadic::power_of_two(-30));
+        }
+    }
+    assert!(matches!(run.advance(), Progress::Ended));
+}
+
+/// Whether the certified orbit has the two impacts of a motion and none before; `None` if that is not decided.
+fn is_followed(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Option<bool> {
+    let mut run = start(pair, orbit, 2);
+    for wall in [Wall::Right, Wall::Left] {
+        match run.advance() {
+            Progress::Impact(impact) if !is_expected(&run, &impact, orbit, (cycles, 0, wall)) => return Some(false),
+            Progress::Impact(_) => {}
+            Progress::Rest(_) => return Some(false),
+            _ => return None,
+        }
+    }
+    Some(true)
+}
+
+/// The certified orbit from the bounds of the impact on the left wall.
+fn start(pair: &ImpactPair, orbit: &Orbit, impacts: u64) -> Run {
+    let interval = |x: &Enclosure| {
+        let [low, high] = decimal_bounds(x);
+        exact(&format!("[{low}, {high}]"))
+    };
+    let left = &orbit.impacts[0];
+    let harmonic = Harmonic::new(pair.excitation().amplitude().clone(), exact("pi"), interval(&left.phase)).unwrap();
+    let shifted = ImpactPair::new(harmonic, pair.gap().clone(), pair.restitution().clone()).unwrap();
+    let start = Start::on_wall(exact("0"), Wall::Left, interval(&left.velocity)).unwrap();
+    Run::new(&shifted, &start, Settings { impacts: Some(impacts), ..Settings::default() }).unwrap()
+}
+
+/// Whether an impact may be that of a motion on this wall in this period.
+fn is_expected(run: &Run, impact: &Impact, orbit: &Orbit, (cycles, period, wall): (u32, u32, Wall)) -> bool {
+    let number = |n: u32| exact(&n.to_string()).enclose(BITS);
+    let (time, velocity) = run.bounds(impact);
+    let (expected, index) = match wall {
+        Wall::Right => {
+            let there = orbit.spacing.div(&Enclosure::pi(BITS), BITS).unwrap();
+            (number(2 * cycles * period).add(&there, BITS), 1)
+        }
+        Wall::Left => (number(2 * cycles * (period + 1)), 0),
+    };
+    impact.wall == wall && meets(&time, &expected) && meets(&velocity, &orbit.impacts[index].velocity)
+}
+
+fn curve(pair: &ImpactPair, axis: Axis, from: &str, to: &str, cycles: u32) -> Manifold {
+    let range = Range { pair, speed: exact("20"), axis, from: exact(from), to: exact(to), count: 60 };
+    range.manifold(cycles, 20).unwrap()
+}
+
+/// Each part of a manifold is what the motion at a point inside is found to be.
+#[test]
+fn parts_of_the_manifolds_agree_with_the_motions_in_them() {
+    let pair = pair("1", "20", "0.8");
+    for cycles in [1, 3] {
+        let curve = curve(&pair, Axis::Frequency, "0.9", "12", cycles);
+        let marks: Vec<_> = curve.points.iter().filter_map(|point| point.mark).collect();
+        let expected = [Mark::Graze, Mark::Pitchfork, Mark::Level, Mark::Fold];
+        assert!(marks == if cycles == 1 { &expected[1..] } else { &expected[..] }, "{marks:?}");
+        for ends in curve.points.windows(2) {
+            let between = ends[0].at.hi().to_f64_up() / 2.0 + ends[1].at.lo().to_f64_down() / 2.0;
+            let frequency = Exact::from_f64(between).unwrap();
+            let harmonic = Harmonic::new(exact("1"), frequency, exact("0")).unwrap();
+            let there = ImpactPair::new(harmonic, exact("20"), exact("0.8")).unwrap();
+            let found = Question::new(&there, cycles, Unknown::Amplitude(exact("20"))).unwrap().answer(15);
+            let (orbit, part) = (&found.orbits[0], ends[0].after.unwrap());
+            assert_eq!(orbit.is_physical, Some(part.is_physical), "{between}");
+            assert_eq!(orbit.stability, part.stability, "{between}");
+            assert_eq!(orbit.sine.unwrap().is_gt(), part.is_solid, "{between}");
+            let hull = ends[0].amplitude.hull(&ends[1].amplitude);
+            assert!(hull.contains_enclosure(&orbit.amplitude), "{between}");
+        }
+    }
+}
+
+#[test]
+fn manifolds_over_v_are_mirror_images_on_both_walls() {
+    let pair = pair("1", "20", "0.8");
+    let left = curve(&pair, Axis::Velocity(Wall::Left), "-30", "-1", 1);
+    let right = curve(&pair, Axis::Velocity(Wall::Right), "1", "30", 1);
+    assert_eq!(left.points.len(), right.points.len());
+    for (a, b) in left.points.iter().zip(right.points.iter().rev()) {
+        assert!(a.mark == b.mark && meets(&a.amplitude, &b.amplitude));
+        assert!(holds(&a.at.add(&b.at, BITS), "0"));
+    }
+    let refused = |cycles, from: &str| {
+        let range = Range {
+            pair: &pair,
+            speed: exact("1"),
+            axis: Axis::Frequency,
+            from: exact(from),
+            to: exact("2"),
+            count: 5,
+        };
+        range.manifold(cycles, 9).is_err()
+    };
+    assert!(refused(2, "1") && refused(1, "0") && refused(1, "2") && !refused(1, "1"));
+}
