@@ -39,8 +39,8 @@ use num_traits::One;
 
 pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
 pub use digits::decimal_digits;
-pub(crate) use dyadic::compare_rational;
 pub use dyadic::Dyadic;
+pub(crate) use dyadic::compare_rational;
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};
 pub use fold::Operation;

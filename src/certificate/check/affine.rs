@@ -76,7 +76,8 @@ impl Affine {
 
     /// The leading bits of its centre that are known; `None` for a number known exactly.
     pub fn accuracy(&self) -> Option<u32> {
-        let unknown = (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).set().mag();
+        let unknown =
+            (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).set().mag();
         let size = self.centre.set().mag().top().unwrap_or(0);
         unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0))
     }

@@ -84,9 +84,10 @@ pub(super) fn flights(
         let [(sin0, cos0), (sin1, _)] = phases.each_ref().map(Real::sin_cos);
         let turn = float(&sin0).atan2(float(&cos0)).rem_euclid(std::f64::consts::TAU);
         let aw = amplitude.clone() * &Real::of(&data.frequency, bits);
-        let time = claim.time.each_ref().map(|time| {
-            Real::rational(time, bits) * &Real::of(&data.frequency, bits) + &Real::of(&data.delay, bits)
-        });
+        let time = claim
+            .time
+            .each_ref()
+            .map(|time| Real::rational(time, bits) * &Real::of(&data.frequency, bits) + &Real::of(&data.delay, bits));
         let speeds = printed.each_ref().map(|v| Real::rational(v, bits).over(&aw).expect("the box is shaken"));
         let height = match from {
             Some(wall) => -wall.sign() * float(&half_gap),

@@ -77,16 +77,14 @@ pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
             e * (flight.before * (1.0 - tilt * h)).abs() + gap * tilt.abs(),
         ];
         let spare = [4.0 + slack / rate.abs(), 4.0 + slack * tilt.abs()];
-        let radius = |i: usize| {
-            (MARGIN * (by_phase[i] * rt + by_speed[i] * rv + non_negative(parameters[i])) + spare[i]).ceil()
-        };
+        let radius =
+            |i: usize| (MARGIN * (by_phase[i] * rt + by_speed[i] * rv + non_negative(parameters[i])) + spare[i]).ceil();
         [radius(0), radius(1)]
     };
     let [rt, rv] = radii(from.scale);
     let scale = coarser(from.scale, rt.max(rv));
     let [rt, rv] = radii(scale);
-    let arrival =
-        Box { scale, t: grid(&flight.phases[1], scale), rt, v: grid(&flight.velocity, scale), rv };
+    let arrival = Box { scale, t: grid(&flight.phases[1], scale), rt, v: grid(&flight.velocity, scale), rv };
     let size = f64::from(magnitude(&flight.phases[1])).max((u * h).abs().log2()).max(1.0).ceil() as u32;
     let bits = scale + SPARE_BITS + size;
     let coarse = 40 + size + (6.0 * (-rate.abs().log2()).max(0.0)).ceil() as u32 + nearness(flight);
@@ -101,7 +99,15 @@ pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
         None => grid(&flight.phases[0], scale) - radius_at(from, scale),
     };
     let tilt = grid(&flight.tilt, scale);
-    Leg { bits, coarse: coarse.min(bits), wall: flight.wall, arrival, depart, approach: grid(&at(approach), scale), tilt }
+    Leg {
+        bits,
+        coarse: coarse.min(bits),
+        wall: flight.wall,
+        arrival,
+        depart,
+        approach: grid(&at(approach), scale),
+        tilt,
+    }
 }
 
 /// NaN (an infinite unit times nothing) is nothing.
@@ -179,7 +185,9 @@ fn zeros(flight: &Flight) -> Vec<f64> {
     for branch in [a, -a] {
         let first = branch + TAU * ((begin - branch) / TAU + ENDS).ceil();
         let last = branch + TAU * ((begin + h - branch) / TAU - ENDS).floor();
-        zeros.extend([first, last].into_iter().map(|zero| (zero - begin) / h).filter(|z| (ENDS..1.0 - ENDS).contains(z)));
+        zeros.extend(
+            [first, last].into_iter().map(|zero| (zero - begin) / h).filter(|z| (ENDS..1.0 - ENDS).contains(z)),
+        );
     }
     zeros.sort_by(f64::total_cmp);
     zeros

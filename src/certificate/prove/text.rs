@@ -156,7 +156,11 @@ fn rational(x: &BigRational) -> String {
 
 /// A fraction as Coq's Q reads it.
 fn fraction(x: &BigRational) -> String {
-    let plain = if x.denom().is_one() { x.numer().to_string() } else { decimal(x).unwrap_or(format!("{} # {}", x.numer(), x.denom())) };
+    let plain = if x.denom().is_one() {
+        x.numer().to_string()
+    } else {
+        decimal(x).unwrap_or(format!("{} # {}", x.numer(), x.denom()))
+    };
     if x.is_negative() || plain.contains('#') { format!("({plain})") } else { plain }
 }
 
@@ -192,6 +196,9 @@ mod tests {
         assert_eq!(written("pi"), "Pi");
         assert_eq!(written("2*pi^2"), "Times (Rational 2) (Times Pi (Pi))");
         assert_eq!(written("sqrt(2)+sin(1)"), "Plus (Root (Rational 2)) (Sine (Rational 1))");
-        assert_eq!(range(&Exact::parse("[9.42, 3*pi]").unwrap()).unwrap(), "(Between (Rational 9.42) (Times (Rational 3) (Pi)))");
+        assert_eq!(
+            range(&Exact::parse("[9.42, 3*pi]").unwrap()).unwrap(),
+            "(Between (Rational 9.42) (Times (Rational 3) (Pi)))"
+        );
     }
 }

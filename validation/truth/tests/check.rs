@@ -157,7 +157,8 @@ fn false_claims_are_refused() {
         for end in 0..2 {
             let bound = copy["events"][9]["time"][end].as_str().unwrap().to_owned();
             let (_, power) = units(&bound);
-            copy["events"][9]["time"][end] = json!(moved(&bound, &(Integer::from(10).pow((-6 - power).unsigned_abs()) * 2)));
+            copy["events"][9]["time"][end] =
+                json!(moved(&bound, &(Integer::from(10).pow((-6 - power).unsigned_abs()) * 2)));
         }
     });
     assert_refuted(&shifted, 9);
