@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use impact_pair::Scene;
 use impact_pair::certificate::PeriodicDocument;
 use impact_pair::exact::{Enclosure, decimal_digits};
-use impact_pair::periodic::{Census, Eigenvalue, PeriodicOrbit, Problem};
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
 
 use crate::Answer;
 use crate::arguments::{PeriodicArguments, PeriodicFormat};
@@ -22,7 +22,11 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         PeriodicDocument::new(scene.pair(), scene.start(), problem.word(), arguments.cycles).with_context(named)?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
-    let census = problem.find(scene.pair(), scene.start(), arguments.precision(&scene));
+    let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
+    let census = match arguments.all {
+        true => problem.find_all(pair, start, precision, Budget::default()),
+        false => problem.find(pair, start, precision),
+    };
     let write = "cannot write the output";
     match arguments.format {
         PeriodicFormat::Table => table(&mut out, &scene, &problem, &document, &census).context(write)?,

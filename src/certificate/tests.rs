@@ -1,9 +1,11 @@
 use super::*;
 use crate::Scene;
+use crate::exact::Exact;
 use crate::number::Ball;
-use crate::orbit::Settings;
+use crate::orbit::{Arithmetic, Impact, Settings};
 use num_rational::BigRational;
 use proptest::prelude::*;
+use serde_json::{Value, json};
 
 fn scene(amplitude: &str, start: &str) -> Scene {
     let text = format!(

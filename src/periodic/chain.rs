@@ -214,7 +214,7 @@ fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] {
     [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
 }
 
-impl<N: Number> Slopes<N> {
+impl<N> Slopes<N> {
     /// The matrix of the derivatives, entry by entry: row, column, value. Two may fall on one place.
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
         let count = self.0.len();

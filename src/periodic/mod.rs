@@ -15,6 +15,7 @@ pub mod newton;
 mod orbit;
 mod physical;
 pub mod precondition;
+mod search;
 mod stability;
 
 use crate::contact::Margins;
@@ -33,6 +34,7 @@ pub use krawczyk::Proved;
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 use physical::Court;
 use precondition::Preconditioner;
+pub use search::Budget;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
 /// How narrow the enclosures of an orbit are asked to be.
