@@ -90,6 +90,15 @@ impl Error {
         Self::new(Kind::Word, format!("the word is \"{text}\", but accepted are {accepted}"))
     }
 
+    pub(crate) fn open_word(text: &str) -> Self {
+        let accepted = "words that end on the wall they start from, such as \"P2 P1\"";
+        Self::new(Kind::Word, format!("the word is \"{text}\", but accepted are {accepted}"))
+    }
+
+    pub(crate) fn cycles(cycles: u32, most: u32) -> Self {
+        Self::new(Kind::Range, format!("the number of cycles is {cycles}, but must lie in [1, {most}]"))
+    }
+
     pub(crate) fn arithmetic(text: &str) -> Self {
         let (least, most) = BITS.into_inner();
         let bits = if cfg!(feature = "multiprecision") {

@@ -77,6 +77,7 @@ pub mod mapping;
 pub mod number;
 pub mod orbit;
 pub mod pair;
+pub mod periodic;
 pub mod rest;
 pub mod scene;
 pub mod switch_plane;

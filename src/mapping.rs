@@ -166,17 +166,17 @@ pub struct Passage<N> {
 /// assert_eq!(a * d - b * c, 0.5 * 0.5 * -4.0 / 2.0);
 /// ```
 #[inline(always)]
-pub fn jacobian<N: Number + Copy>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
-    let Passage { time, sin0, sin1, velocity0, velocity1 } = *passage;
+pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
+    let Passage { time, sin0, sin1, velocity0, velocity1 } = passage.clone();
     let swing = beta.turn() * beta;
-    let (swing0, swing1) = (swing * sin0, swing * sin1);
+    let (swing0, swing1) = (swing.clone() * sin0, swing * sin1);
     let inverse = N::from_f64(1.0).checked_div(velocity1)?;
-    let time_by_time = swing0.mul_add(time, -(restitution * velocity0)) * inverse;
-    let time_by_velocity = restitution * time * inverse;
-    Some([
-        [time_by_time, time_by_velocity],
-        [swing1.mul_add(time_by_time, -swing0), swing1.mul_add(time_by_velocity, -restitution)],
-    ])
+    let rebound = -(restitution.clone() * velocity0);
+    let time_by_time = swing0.clone().mul_add(time.clone(), rebound) * inverse.clone();
+    let time_by_velocity = restitution.clone() * time * inverse;
+    let velocity_by_time = swing1.clone().mul_add(time_by_time.clone(), -swing0);
+    let velocity_by_velocity = swing1.mul_add(time_by_velocity.clone(), -restitution);
+    Some([[time_by_time, time_by_velocity], [velocity_by_time, velocity_by_velocity]])
 }
 
 #[cfg(test)]

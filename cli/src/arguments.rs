@@ -6,7 +6,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
+use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, MAX_BITS, Settings};
+use impact_pair::periodic::Precision;
+use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
 
 use crate::two_impact::arguments as two_impact;
@@ -48,6 +51,9 @@ pub enum Verb {
     /// List the certified impacts of a scene
     #[command(after_help = EXIT_CODES, after_long_help = RUN_HELP)]
     Run(RunArguments),
+    /// Prove the periodic orbits of a word of mappings, and their stability
+    #[command(after_help = EXIT_CODES, after_long_help = PERIODIC_HELP)]
+    Periodic(PeriodicArguments),
     /// Prove every claim of an orbit JSON again, by another route, from its own numbers
     #[command(after_help = CHECK_EXIT_CODES, after_long_help = CHECK_HELP)]
     Check(CheckArguments),
@@ -124,6 +130,66 @@ impl RunArguments {
         };
         Settings { max_bits: self.max_bits, ..run.settings(self.arithmetic) }
     }
+}
+
+const PERIODIC_HELP: &str = "\
+Example: impact-pair periodic scenes/figure-15.toml --word RRLLL --cycles 1
+
+Each orbit listed is proved to be the only one in its bounds. Physical: no flight touches a wall before it ends. Stable: \
+both eigenvalues of the period's Jacobian lie inside the unit circle; unstable: one lies outside. Without --all the \
+orbits are those that the scene's motion and evenly spread starts lead to; there may be others.
+
+Exit code: 0 all that was asked is certified; 1 some of it is not: no orbit was found, something of one is undecided or \
+wider than --digits (the output still holds all that is certified); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct PeriodicArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// The word: mappings, the first one right-most (\"P2 P4 P1 P3\"), or walls in time order (RRLL)
+    #[arg(long, value_name = "WORD")]
+    pub word: Word,
+    /// The cycles 2 pi/W that the word takes
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
+    pub cycles: u32,
+    /// Search the whole state space, so that these are all
+    #[arg(long)]
+    pub all: bool,
+    /// Enclosures are asked to be at most 10^-D wide: of phases in cycles, of velocities relative to A W
+    /// [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
+    digits: Option<u32>,
+    /// Bits to take at most
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
+        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    max_bits: u32,
+    /// How the orbits are written
+    #[arg(long, value_enum, default_value_t)]
+    pub format: PeriodicFormat,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+impl PeriodicArguments {
+    /// How narrow the enclosures are asked to be.
+    pub fn precision(&self, scene: &Scene) -> Precision {
+        let digits = self.digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
+        Precision { digits, max_bits: self.max_bits }
+    }
+}
+
+/// How periodic orbits are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum PeriodicFormat {
+    /// For people: the certain digits, then the ends of the rest
+    #[default]
+    Table,
+    /// One document, schema impact-pair/periodic/1
+    Json,
 }
 
 const CHECK_EXIT_CODES: &str = "\

@@ -7,6 +7,7 @@ mod follow;
 mod heading;
 mod listing;
 mod output;
+mod periodic;
 mod progress;
 mod prove;
 mod run;
@@ -36,6 +37,7 @@ enum Answer {
 fn main() -> ExitCode {
     let answer = match Cli::parse().verb {
         Verb::Run(arguments) => run::run(&arguments),
+        Verb::Periodic(arguments) => periodic::periodic(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),

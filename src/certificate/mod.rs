@@ -1,4 +1,5 @@
-//! What an orbit is handed on as: the orbit JSON, schema `impact-pair/orbit/1`, and its lines.
+//! What an orbit is handed on as: the orbit JSON, schema `impact-pair/orbit/1`, and its lines; periodic orbits as the
+//! periodic JSON, schema `impact-pair/periodic/1` ([`PeriodicDocument`]).
 //!
 //! Bounds are decimal strings rounded outward: the truth lies in `[lower, upper]`. A document is one object: the [`head`], the
 //! `outcome` and the `events`. As JSON Lines it is the head alone, one event a line, and at last `{"outcome": ..., "arithmetic":
@@ -8,6 +9,7 @@ mod check;
 mod conclusion;
 mod document;
 mod event;
+mod periodic;
 mod prove;
 mod read;
 
@@ -15,6 +17,7 @@ pub use check::{Finding, Verdict};
 pub use conclusion::Conclusion;
 pub use document::{ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json};
 pub use event::{Bounds, Event, Kind};
+pub use periodic::{PERIODIC_SCHEMA, PeriodicDocument};
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 

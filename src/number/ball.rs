@@ -10,9 +10,11 @@
 //! radius. An overflow makes the radius infinite or NaN, and a NaN radius certifies nothing: all decisions
 //! are comparisons that fail on NaN.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::{Number, kernel};
+use super::kernel::Departure;
+use super::{Enclosing, Number, SHORT, Wave, kernel};
 use crate::exact::Enclosure;
 
 /// The unit roundoff, `2^-53`.
@@ -173,6 +175,60 @@ impl Number for Ball {
     #[inline(always)]
     fn signed(self, sign: f64) -> Self {
         Self { mid: self.mid * sign, rad: self.rad }
+    }
+}
+
+impl Wave for Ball {
+    #[inline(always)]
+    fn wave(&self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    /// Lemma K2, and slopes of `2 pi sin`, `2 pi (1 - cos)` and `2 pi cos` over the ball.
+    fn short(&self) -> Option<Departure<Self>> {
+        let longest = self.mag();
+        if !(SHORT.contains(&self.mid) && longest <= 0.125) {
+            return None;
+        }
+        let Departure { versine, excess, sine } = kernel::departure(self.mid);
+        // 2 pi < 6.3, sin x <= x, 1 - cos x <= x^2/2; the spread is 0 for a point.
+        let angle = 6.3 * longest;
+        let ball = |x: f64, slope: f64| Self::new(x, up(x * kernel::DEPARTURE_ERROR * 2.0 + 6.3 * slope * self.rad));
+        Some(Departure { versine: ball(versine, angle), excess: ball(excess, angle * angle), sine: ball(sine, 1.0) })
+    }
+}
+
+impl Enclosing for Ball {
+    #[inline(always)]
+    fn centre(&self) -> Self {
+        Self::exact(self.mid)
+    }
+    #[inline(always)]
+    fn spread(&self) -> Self {
+        Self::new(0.0, self.rad)
+    }
+    #[inline(always)]
+    fn with_radius(&self, radius: f64) -> Self {
+        Self::new(self.mid, radius)
+    }
+    #[inline(always)]
+    fn is_interior_to(&self, outer: &Self) -> bool {
+        up((self.mid - outer.mid).abs() + self.rad) < outer.rad
+    }
+    #[inline(always)]
+    fn log2_radius(&self) -> f64 {
+        self.rad.log2()
+    }
+    #[inline(always)]
+    fn certain_sign(&self) -> Option<Ordering> {
+        // Two doubles compare exactly; a NaN does not at all.
+        if self.mid.abs() > self.rad || self.rad == 0.0 { self.mid.partial_cmp(&0.0) } else { None }
+    }
+    #[inline(always)]
+    fn as_ball(&self) -> Ball {
+        *self
+    }
+    fn as_enclosure(&self) -> Option<Enclosure> {
+        self.enclosure()
     }
 }
 

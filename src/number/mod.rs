@@ -11,7 +11,10 @@ mod magnitude;
 #[cfg(feature = "multiprecision")]
 mod multiprecision;
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::exact::Enclosure;
 
 pub use ball::Ball;
 pub(crate) use ball::{UNIT, binade, up};
@@ -58,6 +61,50 @@ impl Number for f64 {
     fn signed(self, sign: f64) -> Self {
         self * sign
     }
+}
+
+/// A number that phases can be: sine and cosine of an angle in turns.
+pub trait Wave: Number {
+    /// `(sin 2 pi u, cos 2 pi u)`; for balls, of every member.
+    fn wave(&self) -> (Self, Self);
+    /// Versine, excess and sine of a short time, where they are known without cancellation; of no other.
+    fn short(&self) -> Option<Departure<Self>> {
+        None
+    }
+}
+
+/// The times that [`kernel::departure`] takes (Lemma K2), less the rounding of its ends.
+const SHORT: std::ops::RangeInclusive<f64> = 4.909093465297727e-91..=0.1249;
+
+impl Wave for f64 {
+    #[inline(always)]
+    fn wave(&self) -> (Self, Self) {
+        kernel::sin_cos(*self)
+    }
+    #[inline(always)]
+    fn short(&self) -> Option<Departure> {
+        SHORT.contains(self).then(|| kernel::departure(*self))
+    }
+}
+
+/// A ball as proofs see it, in any arithmetic.
+pub trait Enclosing: Wave {
+    /// The centre alone.
+    fn centre(&self) -> Self;
+    /// How members differ from the centre: a ball around 0.
+    fn spread(&self) -> Self;
+    /// The same centre with this radius.
+    fn with_radius(&self, radius: f64) -> Self;
+    /// Whether the ball is proved to lie in the interior of `outer`.
+    fn is_interior_to(&self, outer: &Self) -> bool;
+    /// `log2` of the radius, to nearest: it decides nothing.
+    fn log2_radius(&self) -> f64;
+    /// Its sign, if that is certain.
+    fn certain_sign(&self) -> Option<Ordering>;
+    /// Encloses it in a double-precision ball.
+    fn as_ball(&self) -> Ball;
+    /// The ball as an interval; `None` when it is not finite.
+    fn as_enclosure(&self) -> Option<Enclosure>;
 }
 
 /// The trigonometry of a floating-point solver, in turns.

@@ -16,7 +16,7 @@ use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
 use super::kernel::Departure;
-use super::{Ball, Magnitude, Number, up};
+use super::{Ball, Enclosing, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
 /// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
@@ -92,6 +92,11 @@ impl MpBall {
         let (below, above) = (distance(&low), distance(&high));
         let rad = if below < above { above } else { below };
         Self { mid, rad }
+    }
+
+    /// The number that the double `x` is, exactly, with so many bits.
+    pub fn from_f64_bits(x: f64, bits: u32) -> Self {
+        Self::exact(Float::with_val(bits.max(f64::MANTISSA_DIGITS), x))
     }
 
     /// The centre.
@@ -324,6 +329,44 @@ impl Number for MpBall {
 
     fn signed(self, sign: f64) -> Self {
         if sign < 0.0 { -self } else { self }
+    }
+}
+
+impl Wave for MpBall {
+    fn wave(&self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    fn short(&self) -> Option<Departure<Self>> {
+        self.short_departure()
+    }
+}
+
+impl Enclosing for MpBall {
+    fn centre(&self) -> Self {
+        Self::exact(self.mid.clone())
+    }
+    fn spread(&self) -> Self {
+        Self::new(Float::new(self.bits()), self.rad)
+    }
+    fn with_radius(&self, radius: f64) -> Self {
+        Self::new(self.mid.clone(), Magnitude::new(radius, 0))
+    }
+    fn is_interior_to(&self, outer: &Self) -> bool {
+        let bits = self.bits().max(outer.bits());
+        let (distance, _) = Float::with_val_round(bits, &self.mid - &outer.mid, Round::AwayZero);
+        magnitude(&distance) + self.rad < outer.rad
+    }
+    fn log2_radius(&self) -> f64 {
+        self.rad.log2()
+    }
+    fn certain_sign(&self) -> Option<Ordering> {
+        self.sign()
+    }
+    fn as_ball(&self) -> Ball {
+        self.to_ball()
+    }
+    fn as_enclosure(&self) -> Option<Enclosure> {
+        self.enclosure()
     }
 }
 

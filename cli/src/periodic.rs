@@ -1,0 +1,124 @@
+//! `impact-pair periodic SCENE --word WORD --cycles N`: the periodic orbits of a word, proved.
+
+use std::io::{self, Write};
+
+use anyhow::{Context, Result};
+use impact_pair::Scene;
+use impact_pair::certificate::PeriodicDocument;
+use impact_pair::exact::{Enclosure, decimal_digits};
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
+
+use crate::Answer;
+use crate::arguments::{PeriodicArguments, PeriodicFormat};
+use crate::heading;
+use crate::output::Output;
+use crate::scene;
+
+pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
+    let scene = scene::read(&arguments.scene)?;
+    let named = || scene::name(&arguments.scene);
+    let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
+    let document =
+        PeriodicDocument::new(scene.pair(), scene.start(), problem.word(), arguments.cycles).with_context(named)?;
+    scene::keep(&arguments.scene, arguments.output.as_deref())?;
+    let mut out = Output::open(arguments.output.as_deref())?;
+    let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
+    let census = match arguments.all {
+        true => problem.find_all(pair, start, precision, Budget::default()),
+        false => problem.find(pair, start, precision),
+    };
+    let write = "cannot write the output";
+    match arguments.format {
+        PeriodicFormat::Table => table(&mut out, &scene, &problem, &document, &census).context(write)?,
+        PeriodicFormat::Json => writeln!(out, "{}", document.json(&census)).context(write)?,
+    }
+    let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
+    out.commit()?;
+    if !census.is_certified() && !arguments.quiet && !said_already {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "{}", conclusion(&census));
+    }
+    Ok(if census.is_certified() { Answer::Complete } else { Answer::Incomplete })
+}
+
+fn table(
+    out: &mut impl Write,
+    scene: &Scene,
+    problem: &Problem,
+    document: &PeriodicDocument<'_>,
+    census: &Census,
+) -> io::Result<()> {
+    heading::write(out, scene)?;
+    let cycles = problem.chain().cycles();
+    writeln!(out, "word {} in {cycles} cycle{}", problem.word(), if cycles == 1 { "" } else { "s" })?;
+    for (i, found) in census.orbits.iter().enumerate() {
+        writeln!(out, "\norbit {}: {}", i + 1, described(found))?;
+        let [large, small] = found.eigenvalues.each_ref().map(shown);
+        writeln!(out, "  eigenvalues {large} and {small}")?;
+        writeln!(out, "  trace {}, determinant {}", decimal_digits(&found.trace), decimal_digits(&found.determinant))?;
+        writeln!(out, "  {:5}  {:31}  velocity before", "wall", "phase W t + tau")?;
+        for impact in &found.impacts {
+            let phase = decimal_digits(&document.phase(&impact.phase, found.bits));
+            let velocity = decimal_digits(&document.velocity(&impact.velocity, found.bits));
+            writeln!(out, "  {:5}  {phase:31}  {velocity}", impact.wall.name())?;
+        }
+    }
+    writeln!(out, "\n{}", conclusion(census))
+}
+
+/// What is proved of an orbit, in words.
+fn described(orbit: &PeriodicOrbit) -> String {
+    let physical = match orbit.physical {
+        Some(true) => "physical",
+        Some(false) => "not physical: a wall is touched earlier",
+        None => "undecided whether physical",
+    };
+    let symmetric = match orbit.symmetric {
+        Some(true) => "symmetric",
+        Some(false) => "not symmetric",
+        None => "undecided whether symmetric",
+    };
+    let repeats = match orbit.repeats {
+        Some(1) => String::new(),
+        Some(times) => format!(", a shorter orbit run through {times} times"),
+        None => ", or a shorter one run through more than once".into(),
+    };
+    let stability = match orbit.stability.name() {
+        "undecided" => "undecided whether stable",
+        name => name,
+    };
+    format!("{stability}, {physical}, {symmetric}{repeats}")
+}
+
+/// A real or complex number with the digits that are certain.
+fn shown(value: &Eigenvalue) -> String {
+    let is_zero = |x: &Enclosure| x.is_point() && x.lo().is_zero();
+    let re = decimal_digits(&value.re);
+    if is_zero(&value.im) { re } else { format!("{re} + {} i", decimal_digits(&value.im)) }
+}
+
+/// The last line: how much of what was asked is proved.
+fn conclusion(census: &Census) -> String {
+    let orbits = match census.orbits.len() {
+        0 => "no orbit".to_owned(),
+        1 => "1 orbit".to_owned(),
+        count => format!("{count} orbits"),
+    };
+    let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
+        (true, ..) if census.orbits.is_empty() => "there is none".to_owned(),
+        (true, ..) => "there is no other physical one".to_owned(),
+        (false, true, 1) => "1 part of the state space may hold others".to_owned(),
+        (false, true, open) => format!("{open} parts of the state space may hold others"),
+        (false, false, _) => "others are not excluded (try --all)".to_owned(),
+    };
+    let open = census.orbits.iter().filter(|orbit| !orbit.is_decided()).count();
+    let wide = census.orbits.iter().filter(|orbit| !orbit.is_narrow).count();
+    let mut said = format!("{orbits} proved; {rest}");
+    if open > 0 {
+        said += &format!("; {open} with something undecided");
+    }
+    if wide > 0 {
+        said += &format!("; {wide} wider than asked");
+    }
+    format!("{}: {said}", if census.is_certified() { "certified" } else { "not all certified" })
+}

@@ -1,0 +1,94 @@
+//! The periodic JSON: proved periodic orbits in the units of the scene.
+
+use serde_json::{Map, Value, json};
+
+use super::document::scene;
+use crate::error::Error;
+use crate::exact::{Enclosure, Exact, decimal_bounds};
+use crate::mapping::Word;
+use crate::orbit::Start;
+use crate::pair::{ImpactPair, within};
+use crate::periodic::{Census, PeriodicImpact, PeriodicOrbit};
+
+/// The schema of the periodic JSON.
+pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
+
+/// Periodic orbits of a word as they are handed on.
+#[derive(Clone, Debug)]
+pub struct PeriodicDocument<'d> {
+    pair: &'d ImpactPair,
+    start: &'d Start,
+    word: &'d Word,
+    cycles: u32,
+    /// `W d / (2 pi)`
+    speed: Exact,
+}
+
+impl<'d> PeriodicDocument<'d> {
+    /// A document about a word of `pair`; `start` only names the scene.
+    ///
+    /// # Errors
+    /// When `W d` is beyond what exact expressions hold.
+    pub fn new(pair: &'d ImpactPair, start: &'d Start, word: &'d Word, cycles: u32) -> Result<Self, Error> {
+        let turn = Exact::pi() * Exact::from(2);
+        let speed = pair.excitation().frequency().checked_mul(pair.gap()).and_then(|speed| speed.checked_div(&turn));
+        Ok(Self { pair, start, word, cycles, speed: within("pair.gap", pair.gap(), speed)? })
+    }
+
+    /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
+    pub fn phase(&self, turns: &Enclosure, bits: u32) -> Enclosure {
+        let bits = bits + 64;
+        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), bits);
+        let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
+        turns.sub(&whole, bits).mul(&two_pi, bits)
+    }
+
+    /// A velocity \[length/time\] given in gaps a turn.
+    pub fn velocity(&self, velocity: &Enclosure, bits: u32) -> Enclosure {
+        velocity.mul(&self.speed.enclose(bits + 64), bits + 64)
+    }
+
+    /// The document of what is found.
+    pub fn json(&self, census: &Census) -> Value {
+        let mut entries = vec![
+            ("schema", json!(PERIODIC_SCHEMA)),
+            ("scene", scene(self.pair, self.start)),
+            ("word", json!(self.word.to_string())),
+            ("cycles", json!(self.cycles)),
+            ("exhaustive", json!(census.exhaustive)),
+            ("certified", json!(census.is_certified())),
+            ("orbits", census.orbits.iter().map(|orbit| self.orbit(orbit)).collect()),
+        ];
+        if !census.undecided.is_empty() {
+            let region = |region: &crate::periodic::Region| {
+                let impacts = region.impacts.iter().map(|impact| self.impact(impact, f64::MANTISSA_DIGITS));
+                json!({"impacts": impacts.collect::<Value>(), "reason": region.reason.name()})
+            };
+            entries.push(("undecided", census.undecided.iter().map(region).collect()));
+        }
+        Value::Object(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect::<Map<_, _>>())
+    }
+
+    fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
+        json!({
+            "wall": impact.wall.name(),
+            "phase": decimal_bounds(&self.phase(&impact.phase, bits)),
+            "velocity": decimal_bounds(&self.velocity(&impact.velocity, bits)),
+        })
+    }
+
+    fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
+        let eigenvalue = |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
+        json!({
+            "impacts": orbit.impacts.iter().map(|impact| self.impact(impact, orbit.bits)).collect::<Value>(),
+            // A box that is not proved to hold exactly one orbit is not listed.
+            "unique": true,
+            "physical": orbit.physical,
+            "symmetric": orbit.symmetric,
+            "trace": decimal_bounds(&orbit.trace),
+            "determinant": decimal_bounds(&orbit.determinant),
+            "eigenvalues": orbit.eigenvalues.iter().map(eigenvalue).collect::<Value>(),
+            "stability": orbit.stability.name(),
+        })
+    }
+}

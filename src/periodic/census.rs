@@ -1,0 +1,34 @@
+//! What is known of all the orbits of a word.
+
+use super::orbit::{PeriodicImpact, PeriodicOrbit};
+use crate::contact::Reason;
+
+/// A part of the state space that was neither excluded nor proved.
+#[derive(Clone, Debug)]
+pub struct Region {
+    /// The impacts that an orbit there would have; velocities that are unknown are bounded.
+    pub impacts: Vec<PeriodicImpact>,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// The orbits of a word that are proved, and whether they are all.
+#[derive(Clone, Debug, Default)]
+pub struct Census {
+    /// Each once, in the order of their first phases.
+    pub orbits: Vec<PeriodicOrbit>,
+    /// Proved: the word has no other orbit that is physical, in the whole state space (Lemma T9).
+    pub exhaustive: bool,
+    /// Where else orbits may be, if all of them were asked for.
+    pub undecided: Vec<Region>,
+    /// Whether all of them were asked for.
+    pub is_search: bool,
+}
+
+impl Census {
+    /// Whether all that was asked is proved: something, or that there is nothing, and each orbit in all it is asked.
+    pub fn is_certified(&self) -> bool {
+        let answers = if self.is_search { self.exhaustive } else { !self.orbits.is_empty() };
+        answers && self.orbits.iter().all(|orbit| orbit.is_decided() && orbit.is_narrow)
+    }
+}

@@ -1,0 +1,226 @@
+//! The equations of a closed chain of impacts, one unknown for each: its phase.
+//!
+//! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities; the
+//! impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic, so that floats find,
+//! balls prove, and whatever else is a [`Wave`] (a jet in a parameter, say) goes through the same lines.
+
+use crate::error::Error;
+use crate::flight::velocity_after;
+use crate::mapping::{Passage, Word, jacobian};
+use crate::number::kernel::Departure;
+use crate::number::{Number, Wave};
+use crate::pair::{Reduced, Wall};
+
+/// A closed word of `k` impacts that repeats after so many cycles. **Equations** (29), (33), (36), (52)-(56)
+///
+/// Unknowns are the phases `u_0 < u_1 < ... < u_{k-1} < u_0 + cycles` in turns, in time order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chain {
+    walls: Vec<Wall>,
+    cycles: u32,
+}
+
+/// A flight of a chain; velocities in gaps a turn, to the right.
+#[derive(Clone, Copy, Debug)]
+pub struct Leg<N> {
+    /// `h`: how long it takes, in turns.
+    pub time: N,
+    /// `c`: the drift, that is the absolute velocity.
+    pub drift: N,
+    /// `y'` right after the impact that it starts with.
+    pub after: N,
+    /// `y'` just before the impact that it ends with.
+    pub before: N,
+}
+
+/// The flights through given phases, and the sine and cosine at each.
+#[derive(Clone, Debug)]
+pub struct Legs<N> {
+    /// Flight `i` goes from impact `i` to the next one.
+    pub legs: Vec<Leg<N>>,
+    /// `(sin th_i, cos th_i)`
+    pub waves: Vec<(N, N)>,
+}
+
+/// The derivatives of equation `i` by the phases of the impact before, its own, and the one after.
+#[derive(Clone, Debug)]
+pub struct Slopes<N>(pub Vec<[N; 3]>);
+
+/// The greatest number of cycles of a chain.
+pub const MOST_CYCLES: u32 = 1_000_000;
+
+impl Chain {
+    /// The chain of a word that closes after `cycles` cycles.
+    ///
+    /// # Errors
+    /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
+    pub fn new(word: &Word, cycles: u32) -> Result<Self, Error> {
+        if !word.is_closed() {
+            return Err(Error::open_word(&word.to_string()));
+        }
+        if !(1..=MOST_CYCLES).contains(&cycles) {
+            return Err(Error::cycles(cycles, MOST_CYCLES));
+        }
+        Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles })
+    }
+
+    /// The wall of each impact, in time order.
+    pub fn walls(&self) -> &[Wall] {
+        &self.walls
+    }
+
+    /// How many turns the chain takes.
+    pub fn cycles(&self) -> u32 {
+        self.cycles
+    }
+
+    /// How many impacts it has.
+    pub fn impacts(&self) -> usize {
+        self.walls.len()
+    }
+
+    /// Whether both walls are hit.
+    pub fn crosses(&self) -> bool {
+        self.walls.iter().any(|&wall| wall != self.walls[0])
+    }
+
+    /// The impact after impact `i`.
+    #[inline(always)]
+    pub fn next(&self, i: usize) -> usize {
+        if i + 1 == self.walls.len() { 0 } else { i + 1 }
+    }
+
+    /// The impact before impact `i`.
+    #[inline(always)]
+    pub fn previous(&self, i: usize) -> usize {
+        if i == 0 { self.walls.len() - 1 } else { i - 1 }
+    }
+
+    /// `D` of flight `i` in gaps: 1 to the right (P2), -1 to the left (P1), 0 back to its wall (P3, P4).
+    #[inline(always)]
+    pub fn displacement(&self, i: usize) -> f64 {
+        (self.walls[i].sign() - self.walls[self.next(i)].sign()) / 2.0
+    }
+
+    /// The flights through these phases, each where it has to arrive; `None` where a flight may take no time.
+    pub fn legs<N: Wave>(&self, pair: &Reduced<N>, phases: &[N]) -> Option<Legs<N>> {
+        let waves: Vec<(N, N)> = phases.iter().map(Wave::wave).collect();
+        let leg = |i: usize| {
+            let j = self.next(i);
+            let since = phases[j].clone() - phases[i].clone();
+            let time = if j == 0 { since + N::from_f64(f64::from(self.cycles)) } else { since };
+            let displacement = self.displacement(i);
+            match if displacement == 0.0 { time.short() } else { None } {
+                Some(departure) => hop(pair, time, waves[i].clone(), departure),
+                None => flight(pair, time, [&waves[i], &waves[j]], displacement),
+            }
+        };
+        let legs = (0..phases.len()).map(leg).collect::<Option<_>>()?;
+        Some(Legs { legs, waves })
+    }
+
+    /// `y'` just before impact `i`.
+    #[inline(always)]
+    pub fn before<'l, N>(&self, legs: &'l Legs<N>, i: usize) -> &'l N {
+        &legs.legs[self.previous(i)].before
+    }
+
+    /// What the impact law misses at each impact: `v+ + e v-`, zero at an orbit. **Equation** (15), Lemma T1
+    pub fn residual<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Vec<N> {
+        let miss =
+            |i: usize| pair.restitution.clone().mul_add(self.before(legs, i).clone(), legs.legs[i].after.clone());
+        (0..self.impacts()).map(miss).collect()
+    }
+
+    /// The derivatives of [`Chain::residual`] by the phases. Lemma T2
+    pub fn slopes<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<Slopes<N>> {
+        let e = &pair.restitution;
+        let swing = pair.beta.turn() * pair.beta.clone();
+        let swing = (e.clone() + N::from_f64(1.0)) * swing;
+        let row = |i: usize| {
+            let (to, from) = (&legs.legs[self.previous(i)], &legs.legs[i]);
+            let over_from = |x: &N| x.clone().checked_div(from.time.clone());
+            let over_to = |x: &N| (e.clone() * x.clone()).checked_div(to.time.clone());
+            let own = over_from(&from.after)? - over_to(&to.before)?;
+            Some([over_to(&to.after)?, swing.clone().mul_add(legs.waves[i].0.clone(), own), -over_from(&from.before)?])
+        };
+        (0..self.impacts()).map(row).collect::<Option<_>>().map(Slopes)
+    }
+
+    /// The derivatives of [`Chain::residual`] by `alpha = A/d`. Lemma T2
+    pub fn by_alpha<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<Vec<N>> {
+        let wave = |i: usize| {
+            let sines = legs.waves[self.next(i)].0.clone() - legs.waves[i].0.clone();
+            sines.checked_div(legs.legs[i].time.clone())
+        };
+        let e = &pair.restitution;
+        let turn = (e.clone() + N::from_f64(1.0)) * pair.alpha.turn();
+        let row = |i: usize| {
+            let drifts = e.clone().mul_add(wave(self.previous(i))?, wave(i)?);
+            Some((-turn.clone()).mul_add(legs.waves[i].1.clone(), drifts))
+        };
+        (0..self.impacts()).map(row).collect()
+    }
+
+    /// The derivatives of [`Chain::residual`] by `e`: the velocities before the impacts. Lemma T2
+    pub fn by_restitution<N: Number>(&self, legs: &Legs<N>) -> Vec<N> {
+        (0..self.impacts()).map(|i| self.before(legs, i).clone()).collect()
+    }
+
+    /// The product of the Jacobians (A.7) over the period, from impact 0 on. **Equations** (31), (37), (53)
+    ///
+    /// `None` when an arrival may be a graze.
+    pub fn monodromy<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<[[N; 2]; 2]> {
+        let of = |i: usize| {
+            let passage = Passage {
+                time: legs.legs[i].time.clone(),
+                sin0: legs.waves[i].0.clone(),
+                sin1: legs.waves[self.next(i)].0.clone(),
+                velocity0: self.before(legs, i).clone(),
+                velocity1: legs.legs[i].before.clone(),
+            };
+            jacobian(pair.beta.clone(), pair.restitution.clone(), &passage)
+        };
+        let mut product = of(0)?;
+        for i in 1..self.impacts() {
+            product = times(&of(i)?, &product);
+        }
+        Some(product)
+    }
+}
+
+/// A flight of displacement `D` between two phases: (A.2), (A.4), (A.6) solved for the drift.
+fn flight<N: Number>(pair: &Reduced<N>, time: N, waves: [&(N, N); 2], displacement: f64) -> Option<Leg<N>> {
+    let [(sin0, cos0), (sin1, cos1)] = waves;
+    let way = pair.alpha.clone().mul_add(sin1.clone() - sin0.clone(), N::from_f64(displacement));
+    let drift = way.checked_div(time.clone())?;
+    let velocity = |cos: &N| (-pair.beta.clone()).mul_add(cos.clone(), drift.clone());
+    Some(Leg { after: velocity(cos0), before: velocity(cos1), drift, time })
+}
+
+/// A short flight back to its wall: the same with the departure root divided out, so that nothing cancels.
+fn hop<N: Number>(pair: &Reduced<N>, time: N, (sin, cos): (N, N), departure: Departure<N>) -> Option<Leg<N>> {
+    let Departure { versine, excess, sine } = departure;
+    let wave = cos.clone().mul_add(excess, sin.clone() * versine.clone());
+    let after = -(pair.alpha.clone() * wave).checked_div(time.clone())?;
+    let drift = pair.beta.clone().mul_add(cos.clone(), after.clone());
+    let before = velocity_after(pair.beta.clone(), after.clone(), (sin, cos), versine, sine);
+    Some(Leg { time, drift, after, before })
+}
+
+/// The product of two matrices.
+fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] {
+    let entry = |i: usize, j: usize| a[i][0].clone().mul_add(b[0][j].clone(), a[i][1].clone() * b[1][j].clone());
+    [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
+}
+
+impl<N> Slopes<N> {
+    /// The matrix of the derivatives, entry by entry: row, column, value. Two may fall on one place.
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
+        let count = self.0.len();
+        self.0.iter().enumerate().flat_map(move |(i, row)| {
+            let columns = [(i + count - 1) % count, i, (i + 1) % count];
+            columns.into_iter().zip(row).map(move |(j, value)| (i, j, value))
+        })
+    }
+}

@@ -1,0 +1,115 @@
+//! Where orbits may be: from floating motions that nearly close, and from phases spread evenly. Nothing is proved.
+
+use super::chain::Chain;
+use super::newton::{is_plausible, polish};
+use crate::contact::first_contact_f64;
+use crate::flight::Flight;
+use crate::number::{Kernel, kernel};
+use crate::orbit::{Arithmetic, Orbit, Settings, Start};
+use crate::pair::{ImpactPair, Reduced, Wall};
+
+/// Impacts of the scene's own motion, and of each motion from elsewhere.
+const OWN_IMPACTS: u64 = 20_000;
+const OTHER_IMPACTS: usize = 1_500;
+/// Motions from elsewhere, and spread phases.
+const MOTIONS: usize = 48;
+const SPREAD: usize = 600;
+/// The best window of so many impacts is a guess.
+const BLOCK: usize = 100;
+
+/// An impact of a floating motion: wall, phase in turns, velocity before.
+type Passing = (Wall, f64, f64);
+
+/// Phases near those of orbits of the chain; the first ones come from the motion of `start`.
+pub(super) fn guesses(
+    chain: &Chain,
+    reduced: &Reduced<f64>,
+    pair: &ImpactPair,
+    start: &Start,
+) -> impl Iterator<Item = Vec<f64>> {
+    let own = windows(chain, &motion_of(pair, start));
+    let others = (0..MOTIONS).flat_map(move |n| windows(chain, &motion_from(reduced, spread_state(chain, reduced, n))));
+    let spread = (0..SPREAD).map(move |n| spread_phases(chain, n));
+    let settled = move |guess| polish(chain, reduced, guess);
+    own.into_iter()
+        .chain(others)
+        .chain(spread)
+        .filter_map(settled)
+        .filter(move |guess| is_plausible(chain, reduced, guess))
+        .map(into_first_turn)
+}
+
+/// The floating motion of a start.
+fn motion_of(pair: &ImpactPair, start: &Start) -> Vec<Passing> {
+    let settings = Settings { impacts: Some(OWN_IMPACTS), arithmetic: Arithmetic::Float, ..Settings::default() };
+    let passing =
+        |impact: crate::orbit::Impact| (impact.wall, impact.turns as f64 + impact.phase.mid(), impact.velocity.mid());
+    Orbit::new(pair, start, settings).map(|orbit| orbit.map(passing).collect()).unwrap_or_default()
+}
+
+/// The floating motion from a state on a wall.
+fn motion_from(pair: &Reduced<f64>, start: Passing) -> Vec<Passing> {
+    let next = |&(wall, phase, velocity): &Passing| {
+        let after = wall.inward(pair.rebound(velocity));
+        // The whole turns are kept apart: they are not shaken.
+        let rest = phase - phase.floor();
+        let flight = Flight::from_wall(pair, wall, rest, after, kernel::sin_cos(rest));
+        let contact = first_contact_f64::<Kernel>(&flight)?;
+        Some((contact.wall, phase.floor() + contact.turns + contact.phase, contact.velocity))
+    };
+    std::iter::successors(Some(start), next).take(OTHER_IMPACTS).collect()
+}
+
+/// The windows of a motion that have the chain's walls and nearly close, the best of each block.
+fn windows(chain: &Chain, motion: &[Passing]) -> Vec<Vec<f64>> {
+    let (count, cycles) = (chain.impacts(), f64::from(chain.cycles()));
+    let misses = |window: &[Passing]| {
+        let (first, last) = (window[0], window[count]);
+        let fits = window.iter().zip(chain.walls()).all(|(&(wall, ..), &its)| wall == its) && last.0 == first.0;
+        let apart = (last.1 - first.1 - cycles).abs();
+        let size = first.2.abs() + last.2.abs() + f64::MIN_POSITIVE;
+        (fits && apart < 0.5).then(|| apart + (last.2 - first.2).abs() / size)
+    };
+    let windows: Vec<&[Passing]> = motion.windows(count + 1).collect();
+    let best = |block: &[&[Passing]]| {
+        let missing = block.iter().filter_map(|window| Some((misses(window)?, *window)));
+        missing.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, window)| window.to_vec())
+    };
+    let phases = |window: Vec<Passing>| {
+        let base = window[0].1.floor();
+        window[..count].iter().map(|(_, phase, _)| phase - base).collect()
+    };
+    windows.chunks(BLOCK).filter_map(best).map(phases).collect()
+}
+
+/// Point `n` of a sequence that fills the unit cube evenly, coordinate `i` of `count`.
+///
+/// Multiples of powers of the root of `x^(count + 1) = x + 1`, modulo 1.
+fn even(n: usize, i: usize, count: usize) -> f64 {
+    let power = 1.0 / (count as f64 + 1.0);
+    let root = (0..40).fold(1.5f64, |x, _| (1.0 + x).powf(power));
+    (0.5 + (n as f64 + 1.0) * root.powi(-(i as i32 + 1))).fract()
+}
+
+/// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a turn.
+fn spread_state(chain: &Chain, pair: &Reduced<f64>, n: usize) -> Passing {
+    let wall = chain.walls()[0];
+    let speed = 2.0 * (pair.beta + 1.0) * even(n, 1, 2);
+    (wall, even(n, 0, 2), -wall.sign() * speed)
+}
+
+/// Phases in order, spread over the period.
+fn spread_phases(chain: &Chain, n: usize) -> Vec<f64> {
+    let count = chain.impacts();
+    let first = even(n, 0, count);
+    let mut rest: Vec<f64> = (1..count).map(|i| first + f64::from(chain.cycles()) * even(n, i, count)).collect();
+    rest.sort_by(f64::total_cmp);
+    std::iter::once(first).chain(rest).collect()
+}
+
+/// The same phases with the first one in `[0, 1)`.
+fn into_first_turn(mut phases: Vec<f64>) -> Vec<f64> {
+    let whole = phases[0].floor();
+    phases.iter_mut().for_each(|phase| *phase -= whole);
+    phases
+}

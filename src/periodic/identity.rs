@@ -1,0 +1,86 @@
+//! Which chains are one orbit: shifted by impacts, by whole turns, or mirrored. Lemma T6
+
+use std::cmp::Ordering;
+
+use super::chain::Chain;
+use super::krawczyk::{Proved, is_inside};
+use crate::number::{Ball, Enclosing};
+use crate::pair::Wall;
+
+/// The same motion told from another impact on, or of the mirrored ball.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct View {
+    /// Impacts later.
+    pub shift: usize,
+    pub mirrored: bool,
+}
+
+impl View {
+    /// All views of a chain that have its own word.
+    pub fn of(chain: &Chain, mirrored: bool) -> impl Iterator<Item = Self> {
+        let walls = chain.walls();
+        let seen = move |wall: Wall| if mirrored { wall.other() } else { wall };
+        let fits = move |shift: &usize| (0..walls.len()).all(|i| seen(walls[(i + shift) % walls.len()]) == walls[i]);
+        (0..walls.len()).filter(fits).map(move |shift| Self { shift, mirrored })
+    }
+
+    /// The phases that the motion has in this view, up to whole turns nearest to those of `other`.
+    fn phases<N: Enclosing>(self, chain: &Chain, phases: &[N], other: &[N]) -> Vec<N> {
+        let count = phases.len();
+        let half = if self.mirrored { 0.5 } else { 0.0 };
+        let moved = |i: usize| {
+            let at = i + self.shift;
+            let rounds = if at >= count { f64::from(chain.cycles()) } else { 0.0 };
+            phases[at % count].clone() + N::from_f64(rounds - half)
+        };
+        let middle = |x: &N| -> f64 { Ball::mid(x.as_ball()) };
+        let turns = N::from_f64((middle(&moved(0)) - middle(&other[0])).round());
+        (0..count).map(|i| moved(i) - turns.clone()).collect()
+    }
+
+    /// Whether `one`, seen so, is the orbit `other`. Lemma T6
+    pub fn is_same<N: Enclosing>(self, chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
+        let seen = self.phases(chain, &one.phases, &other.phases);
+        if is_inside(&seen, &other.domain) {
+            return Some(true);
+        }
+        let is_apart =
+            |(x, y): (&N, &N)| (x.clone() - y.clone()).certain_sign().is_some_and(|sign| sign != Ordering::Equal);
+        seen.iter().zip(&other.phases).any(is_apart).then_some(false)
+    }
+}
+
+/// Whether `one` is the orbit `other`, told from whichever impact.
+pub(super) fn is_one_orbit<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
+    any(View::of(chain, false).map(|view| view.is_same(chain, one, other)))
+}
+
+/// Whether the orbit is its own mirror image.
+pub(super) fn is_symmetric<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<bool> {
+    any(View::of(chain, true).map(|view| view.is_same(chain, orbit, orbit)))
+}
+
+/// How often the chain runs through a shorter orbit: 1 when it does not.
+pub(super) fn repeats<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
+    for view in View::of(chain, false).skip(1) {
+        if view.is_same(chain, orbit, orbit)? {
+            return Some(chain.impacts() / view.shift);
+        }
+    }
+    Some(1)
+}
+
+/// Whether one of them is true: three-valued.
+fn any(mut verdicts: impl Iterator<Item = Option<bool>>) -> Option<bool> {
+    let mut all = Some(false);
+    verdicts
+        .find_map(|verdict| match verdict {
+            Some(true) => Some(true),
+            Some(false) => None,
+            None => {
+                all = None;
+                None
+            }
+        })
+        .or(all)
+}

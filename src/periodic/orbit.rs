@@ -1,0 +1,146 @@
+//! A proved periodic orbit as it is handed on: intervals, and what is proved of them.
+
+use super::chain::{Chain, Legs};
+use super::identity::{is_symmetric, repeats};
+use super::krawczyk::{Proved, widest};
+use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
+use crate::exact::{Enclosure, Exact};
+use crate::number::{Ball, Enclosing};
+use crate::pair::{Reduced, Wall};
+
+/// An impact of a periodic orbit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicImpact {
+    /// The wall.
+    pub wall: Wall,
+    /// The phase in turns since the first impact's turn began, which is turn 0.
+    pub phase: Enclosure,
+    /// The relative velocity `y'` just before the impact, in gaps a turn.
+    pub velocity: Enclosure,
+}
+
+/// A periodic orbit of a word, proved.
+///
+/// **Enclosure**: for all parameters of the pair there is exactly one orbit of the word with its impacts in these
+/// bounds (Lemma T3), and what is enclosed here is enclosed for it.
+#[derive(Clone, Debug)]
+pub struct PeriodicOrbit {
+    /// In time order, starting on the wall that the word starts on.
+    pub impacts: Vec<PeriodicImpact>,
+    /// `Some(true)`: no flight touches a wall before it ends; `Some(false)`: one does (Lemma T5).
+    pub physical: Option<bool>,
+    /// Whether it is its own mirror image, half a turn later (Lemma T6).
+    pub symmetric: Option<bool>,
+    /// How often it runs through a shorter orbit: 1 when it does not (Lemma T6).
+    pub repeats: Option<usize>,
+    /// Trace of the product of the Jacobians (A.7) over the period.
+    pub trace: Enclosure,
+    /// Its determinant, `e^(2k)` (Lemma T4).
+    pub determinant: Enclosure,
+    /// **Equation** (38), the one of larger modulus first.
+    pub eigenvalues: [Eigenvalue; 2],
+    /// Stable or unstable, proved (Lemma T4).
+    pub stability: Stability,
+    /// The bits it was proved with: 53 in double precision.
+    pub bits: u32,
+    /// Whether the enclosures are as narrow as asked.
+    pub is_narrow: bool,
+    /// The phases and the box in which there is no other orbit.
+    pub(super) proved: Proved<Ball>,
+}
+
+impl PeriodicOrbit {
+    /// The phases in turns, impact by impact, in doubles.
+    pub fn phases(&self) -> &[Ball] {
+        &self.proved.phases
+    }
+
+    /// The box of phases in which there is no other orbit of the word, in doubles.
+    pub fn domain(&self) -> &[Ball] {
+        &self.proved.domain
+    }
+
+    /// Whether all that is said of it is proved one way or the other.
+    pub fn is_decided(&self) -> bool {
+        self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
+    }
+}
+
+/// All that one arithmetic proves of an orbit.
+#[derive(Clone, Debug)]
+pub struct Finding<N> {
+    /// Where the orbit is.
+    pub proved: Proved<N>,
+    /// Its flights.
+    pub legs: Legs<N>,
+    /// Trace and determinant of the period's Jacobian.
+    pub trace: N,
+    /// See [`determinant`].
+    pub determinant: N,
+    /// Lemma T4.
+    pub stability: Stability,
+    /// Lemma T5.
+    pub physical: Option<bool>,
+}
+
+impl<N: Enclosing> Finding<N> {
+    /// What follows for a proved box; `None` where an impact may be a graze.
+    pub(super) fn new(
+        chain: &Chain,
+        pair: &Reduced<N>,
+        proved: Proved<N>,
+        is_physical: impl FnOnce(&[N], &Legs<N>) -> Option<bool>,
+    ) -> Option<Self> {
+        let legs = chain.legs(pair, &proved.phases)?;
+        let trace = trace(&chain.monodromy(pair, &legs)?);
+        let determinant = determinant(&pair.restitution, chain.impacts());
+        let stability = Stability::of(&trace, &determinant);
+        let physical = is_physical(&proved.phases, &legs);
+        Some(Self { proved, legs, trace, determinant, stability, physical })
+    }
+
+    /// `log2` of the widths of the widest phase, and of the widest velocity.
+    pub(super) fn widths(&self) -> [f64; 2] {
+        let velocities = self.legs.legs.iter().map(|leg| leg.before.log2_radius());
+        [1.0 + widest(&self.proved.phases), 1.0 + velocities.fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// The orbit in intervals; `None` when one is not finite.
+    pub(super) fn finish(
+        &self,
+        chain: &Chain,
+        restitution: &Exact,
+        bits: u32,
+        is_narrow: bool,
+    ) -> Option<PeriodicOrbit> {
+        let turns = self.proved.phases[0].as_enclosure()?.lo().to_rational().floor();
+        // More than the ends of these balls have.
+        let room = bits + 160;
+        let turns = Enclosure::from_rational(&turns, room);
+        let impact = |i: usize| {
+            Some(PeriodicImpact {
+                wall: chain.walls()[i],
+                phase: self.proved.phases[i].as_enclosure()?.sub(&turns, room),
+                velocity: chain.before(&self.legs, i).as_enclosure()?,
+            })
+        };
+        let trace = self.trace.as_enclosure()?;
+        // Lemma T4, from the exact parameter.
+        let power = i32::try_from(2 * chain.impacts()).ok()?;
+        let determinant = restitution.enclose(room).powi(power, room)?;
+        let in_doubles = |balls: &[N]| balls.iter().map(Enclosing::as_ball).collect();
+        Some(PeriodicOrbit {
+            impacts: (0..chain.impacts()).map(impact).collect::<Option<_>>()?,
+            physical: self.physical,
+            symmetric: is_symmetric(chain, &self.proved),
+            repeats: repeats(chain, &self.proved),
+            eigenvalues: eigenvalues(&trace, &determinant, room),
+            trace,
+            determinant,
+            stability: self.stability,
+            bits,
+            is_narrow,
+            proved: Proved { phases: in_doubles(&self.proved.phases), domain: in_doubles(&self.proved.domain) },
+        })
+    }
+}

@@ -1,0 +1,162 @@
+//! Whether each flight of a proved chain ends at its first contact, equation (14): Lemma T5.
+
+use std::cmp::Ordering;
+
+use super::chain::{Chain, Leg, Legs};
+#[cfg(feature = "multiprecision")]
+use crate::contact::multiprecision::{Doubles, Start, isolate_first};
+use crate::contact::{Margins, Radii, Verdict, first_contact};
+use crate::flight::Flight;
+#[cfg(feature = "multiprecision")]
+use crate::number::MpBall;
+use crate::number::{Ball, Enclosing, kernel};
+use crate::pair::{Reduced, Wall};
+
+/// The pair as the certificates of first contacts want it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Court {
+    pub pair: Reduced<Ball>,
+    pub centre: Reduced<f64>,
+    pub margins: Margins,
+}
+
+/// A flight of a proved chain over its box, with its start moved into the first turn.
+#[derive(Clone, Debug)]
+struct Claim<N> {
+    from: Wall,
+    to: Wall,
+    /// Phase and velocity before the impact it starts with.
+    start: N,
+    before: N,
+    /// The phase that it ends at.
+    end: N,
+    leg: Leg<N>,
+}
+
+/// A first contact: its wall, its whole turns and the rest of its phase.
+struct Found<N> {
+    wall: Wall,
+    turns: f64,
+    phase: N,
+}
+
+/// `Some(true)` when every flight is proved to touch no wall before it ends, `Some(false)` when one is proved to.
+pub(super) fn is_physical(court: &Court, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
+    all_first(chain, phases, legs, |claim| first_in_doubles(court, claim))
+}
+
+/// The same in balls, where doubles leave it open.
+#[cfg(feature = "multiprecision")]
+pub(super) fn is_physical_precisely(
+    court: &Court,
+    pair: &Reduced<MpBall>,
+    chain: &Chain,
+    phases: &[MpBall],
+    legs: &Legs<MpBall>,
+) -> Option<bool> {
+    all_first(chain, phases, legs, |claim| first_in_balls(court, pair, claim))
+}
+
+/// The conjunction over all flights.
+fn all_first<N: Enclosing>(
+    chain: &Chain,
+    phases: &[N],
+    legs: &Legs<N>,
+    is_first: impl Fn(&Claim<N>) -> Option<bool>,
+) -> Option<bool> {
+    let walls = chain.walls();
+    let mut all = Some(true);
+    for (i, leg) in legs.legs.iter().enumerate() {
+        let whole = N::from_f64(phases[i].as_ball().mid().floor());
+        let start = phases[i].clone() - whole;
+        let end = start.clone() + leg.time.clone();
+        let before = chain.before(legs, i).clone();
+        let claim = Claim { from: walls[i], to: walls[chain.next(i)], start, before, end, leg: leg.clone() };
+        match is_first(&claim) {
+            Some(true) => {}
+            Some(false) => return Some(false),
+            None => all = None,
+        }
+    }
+    all
+}
+
+impl<N: Enclosing> Claim<N> {
+    /// Whether the ball comes to the first impact from inside the gap.
+    fn arrives(&self) -> Option<bool> {
+        match self.from.inward(self.before.clone()).certain_sign()? {
+            Ordering::Less => Some(true),
+            Ordering::Greater => Some(false),
+            Ordering::Equal => None,
+        }
+    }
+
+    /// Whether the ball, dead after its impact, is pressed against the wall and stays: Lemma Z2.
+    fn sticks(&self, after: &N) -> bool {
+        let sin = self.from.inward(self.start.wave().0);
+        after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
+    }
+
+    /// Whether a first contact that is proved is the end of the flight. Lemma T5
+    fn is_at(&self, beta: &N, found: Found<N>) -> Option<bool> {
+        if found.wall != self.to {
+            return Some(false);
+        }
+        let end = self.end.clone() - N::from_f64(found.turns);
+        let later = end - found.phase.clone();
+        // All phases between the contact and the end.
+        let between = N::from_f64(0.5).with_radius(0.5).mul_add(later.clone(), found.phase);
+        let velocity = (-beta.clone()).mul_add(between.wave().1, self.leg.drift.clone());
+        if velocity.certain_sign().is_some_and(|sign| sign != Ordering::Equal) {
+            return Some(true);
+        }
+        (later.certain_sign() == Some(Ordering::Greater)).then_some(false)
+    }
+}
+
+fn first_in_doubles(court: &Court, claim: &Claim<Ball>) -> Option<bool> {
+    if !claim.arrives()? {
+        return Some(false);
+    }
+    let after = claim.from.inward(court.pair.rebound_of(claim.before));
+    if claim.sticks(&after) {
+        return Some(false);
+    }
+    let phase = claim.start.mid();
+    let flight = Flight::from_wall(&court.centre, claim.from, phase, after.mid(), kernel::sin_cos(phase));
+    let radii = Radii { phase: claim.start.rad(), velocity: after.rad(), height: 0.0 };
+    match first_contact(&flight, &court.margins, radii) {
+        Verdict::Certified(contact) => {
+            claim.is_at(&court.pair.beta, Found { wall: contact.wall, turns: contact.turns, phase: contact.phase })
+        }
+        Verdict::Undecided(_) => None,
+    }
+}
+
+#[cfg(feature = "multiprecision")]
+fn first_in_balls(court: &Court, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
+    if !claim.arrives()? {
+        return Some(false);
+    }
+    let after = claim.from.inward(pair.rebound(claim.before.clone()));
+    if claim.sticks(&after) {
+        return Some(false);
+    }
+    let flight = |phase: MpBall, after: MpBall| {
+        let sin_cos = phase.sin_cos();
+        Flight::from_wall(pair, claim.from, phase, after, sin_cos)
+    };
+    let all = flight(claim.start.clone(), after.clone());
+    let centre = flight(claim.start.centre(), after.centre());
+    let start = Start {
+        wall: Some(claim.from),
+        height: Ball::exact(0.0),
+        phase: claim.start.to_ball(),
+        velocity: after.to_ball(),
+    };
+    let doubles = Doubles { pair: court.pair, centre: court.centre, margins: court.margins };
+    let isolated = isolate_first(&doubles, &start, || all, &centre).ok()?;
+    let wall = isolated.target.wall(claim.from);
+    let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
+    claim.is_at(&pair.beta, Found { wall, turns: isolated.turns, phase })
+}

@@ -1,0 +1,239 @@
+//! Intervals between two doubles, for boxes that are wide: cutting them asks for ends, not for centres.
+//!
+//! The rounding mode is never touched: each end is moved out by one unit in the last place, which is at least what
+//! rounding to nearest may have taken.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::number::kernel::{self, ACOS_ERROR, SIN_COS_ERROR};
+use crate::number::{Ball, UNIT, up};
+
+/// All real numbers between two finite doubles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Interval {
+    pub lo: f64,
+    pub hi: f64,
+}
+
+/// Bounds of pi.
+const PI: Interval = Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };
+
+/// The interval between two rounded ends, moved out.
+#[inline(always)]
+fn outward(lo: f64, hi: f64) -> Interval {
+    Interval { lo: lo.next_down(), hi: hi.next_up() }
+}
+
+impl Interval {
+    /// The interval between two doubles, exactly.
+    #[inline(always)]
+    pub const fn new(lo: f64, hi: f64) -> Self {
+        Self { lo, hi }
+    }
+
+    /// A single double.
+    #[inline(always)]
+    pub const fn point(x: f64) -> Self {
+        Self { lo: x, hi: x }
+    }
+
+    /// The members of a ball.
+    pub fn of(ball: Ball) -> Self {
+        outward(ball.mid() - ball.rad(), ball.mid() + ball.rad())
+    }
+
+    /// A ball that holds the interval.
+    pub fn ball(self) -> Ball {
+        let mid = self.middle();
+        Ball::new(mid, up((mid - self.lo).max(self.hi - mid)))
+    }
+
+    /// A double inside, about the middle.
+    #[inline(always)]
+    pub fn middle(self) -> f64 {
+        (0.5 * (self.lo + self.hi)).clamp(self.lo, self.hi)
+    }
+
+    /// `hi - lo`, to nearest: it decides nothing.
+    #[inline(always)]
+    pub fn width(self) -> f64 {
+        self.hi - self.lo
+    }
+
+    /// The members in both; `None` when there is none.
+    #[inline(always)]
+    pub fn cut(self, other: Self) -> Option<Self> {
+        let both = Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) };
+        (both.lo <= both.hi).then_some(both)
+    }
+
+    /// The members of at least `low`.
+    #[inline(always)]
+    pub fn from(self, low: f64) -> Option<Self> {
+        self.cut(Self::new(low, f64::INFINITY))
+    }
+
+    /// The members of at most `high`.
+    #[inline(always)]
+    pub fn up_to(self, high: f64) -> Option<Self> {
+        self.cut(Self::new(f64::NEG_INFINITY, high))
+    }
+
+    /// Whether both ends are finite: all operations but [`Interval::over`] may overflow.
+    #[inline(always)]
+    pub fn is_finite(self) -> bool {
+        self.lo.is_finite() && self.hi.is_finite()
+    }
+
+    /// Whether 0 is a member.
+    #[inline(always)]
+    pub fn holds_zero(self) -> bool {
+        self.lo <= 0.0 && self.hi >= 0.0
+    }
+
+    /// The quotients; `None` when 0 may be a divisor.
+    #[inline(always)]
+    pub fn over(self, divisor: Self) -> Option<Self> {
+        if divisor.holds_zero() {
+            return None;
+        }
+        let ends = [self.lo / divisor.lo, self.lo / divisor.hi, self.hi / divisor.lo, self.hi / divisor.hi];
+        let quotient = outward(least(ends), greatest(ends));
+        quotient.is_finite().then_some(quotient)
+    }
+
+    /// `sign * self` for a sign of 1 or -1.
+    #[inline(always)]
+    pub fn signed(self, sign: f64) -> Self {
+        if sign < 0.0 { -self } else { self }
+    }
+
+    /// A double times it.
+    #[inline(always)]
+    pub fn times(self, x: f64) -> Self {
+        let (a, b) = (self.lo * x, self.hi * x);
+        outward(a.min(b), a.max(b))
+    }
+
+    /// `cos 2 pi u` over the interval.
+    pub fn cos(self) -> Self {
+        if self.width() >= 1.0 {
+            return Self::new(-1.0, 1.0);
+        }
+        let ends = [kernel::sin_cos(self.lo).1, kernel::sin_cos(self.hi).1];
+        let error = 2.0 * SIN_COS_ERROR;
+        let (mut lo, mut hi) = ((ends[0].min(ends[1]) - error).max(-1.0), (ends[0].max(ends[1]) + error).min(1.0));
+        if self.holds_whole(0.0) {
+            hi = 1.0;
+        }
+        if self.holds_whole(0.5) {
+            lo = -1.0;
+        }
+        Self { lo, hi }
+    }
+
+    /// `sin 2 pi u` over the interval.
+    pub fn sin(self) -> Self {
+        (self - Self::point(0.25)).cos()
+    }
+
+    /// Whether a whole number plus `shift` may be a member.
+    #[inline(always)]
+    fn holds_whole(self, shift: f64) -> bool {
+        (self.hi - shift).next_up().floor() >= (self.lo - shift).next_down().ceil()
+    }
+
+    /// The part where `cos 2 pi u` is in `range`, if the interval lies in one half turn; all of it otherwise.
+    pub fn where_cos(self, range: Self) -> Option<Self> {
+        let half = (2.0 * self.middle()).floor();
+        if self.lo < 0.5 * half || self.hi > 0.5 * (half + 1.0) {
+            return Some(self);
+        }
+        // Lemma K3; from an even half turn on the cosine falls.
+        let angle = |x: f64, error: f64| kernel::acos_coarse(x.clamp(-1.0, 1.0)) + error * 2.0 * ACOS_ERROR;
+        let (near, far) = (angle(range.hi, -1.0), angle(range.lo, 1.0));
+        let is_even = half.rem_euclid(2.0) == 0.0;
+        let part = if is_even {
+            outward(0.5 * half + near, 0.5 * half + far)
+        } else {
+            outward(0.5 * (half + 1.0) - far, 0.5 * (half + 1.0) - near)
+        };
+        self.cut(part)
+    }
+
+    /// `S(h) = sin(pi h)/(pi h)` over times of at least 0. Lemma T9
+    pub fn sinc(self) -> Self {
+        let ends = if self.hi <= 1.0 {
+            Self::new(falling_sinc(self.hi).lo, falling_sinc(self.lo).hi)
+        } else {
+            let wave = self.times(0.5).sin();
+            let bound = if self.lo > 0.0 { wave.over(self * PI) } else { None };
+            bound.unwrap_or(Self::new(-0.25, 1.0))
+        };
+        Self { lo: ends.lo.max(-0.25), hi: ends.hi.min(1.0) }
+    }
+
+    /// `g(h) = (1 - S(h))/h` over times of at least 0. Lemma T9
+    pub fn bend(self) -> Self {
+        let square = PI * PI;
+        let high = (square * self).times(1.0 / 6.0).hi.next_up();
+        let cube = Self::point(self.hi) * Self::point(self.hi) * Self::point(self.hi);
+        // Three roundings of terms that are at most `high` where it matters.
+        let low = (square * Self::point(self.lo)).lo / 6.0 - (square * square * cube).hi / 120.0;
+        let series = Self::new((low - 8.0 * UNIT * high).max(0.0), high);
+        let direct = (Self::point(1.0) - self.sinc()).over(self);
+        direct.and_then(|direct| direct.cut(series)).unwrap_or(series)
+    }
+}
+
+/// `S(h)` at one time in `[0, 1]`.
+fn falling_sinc(h: f64) -> Interval {
+    let x = PI * Interval::point(h);
+    let square = x * x;
+    let series = Interval::new(1.0 - (square.hi / 6.0).next_up().next_up(), 1.0);
+    let direct = Interval::point(0.5 * h).sin().over(x);
+    direct.and_then(|direct| direct.cut(series)).unwrap_or(series)
+}
+
+#[inline(always)]
+fn least(x: [f64; 4]) -> f64 {
+    x[0].min(x[1]).min(x[2].min(x[3]))
+}
+
+#[inline(always)]
+fn greatest(x: [f64; 4]) -> f64 {
+    x[0].max(x[1]).max(x[2].max(x[3]))
+}
+
+impl Add for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        outward(self.lo + b.lo, self.hi + b.hi)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        outward(self.lo - b.hi, self.hi - b.lo)
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        let ends = [self.lo * b.lo, self.lo * b.hi, self.hi * b.lo, self.hi * b.hi];
+        outward(least(ends), greatest(ends))
+    }
+}

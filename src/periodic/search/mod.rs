@@ -1,0 +1,171 @@
+//! All the orbits of a word: the compact state space (Lemma T8) cut and halved until nothing is left open (Lemma T9).
+
+mod cut;
+mod interval;
+mod newton;
+
+use super::census::{Census, Region};
+use super::chain::Slopes;
+use super::identity::is_one_orbit;
+use super::krawczyk::Proved;
+use super::newton::is_plausible;
+use super::orbit::{PeriodicImpact, PeriodicOrbit};
+use super::{Precision, Problem, newton::polish};
+use crate::contact::Reason;
+use crate::exact::Enclosure;
+use crate::number::Ball;
+use crate::orbit::Start;
+use crate::pair::ImpactPair;
+use cut::{Part, Terms};
+use interval::Interval;
+
+/// How far a search goes before it gives up on what is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Boxes to look at.
+    pub boxes: u64,
+    /// `-log2` of the width below which a box is not halved, in turns.
+    pub halvings: u32,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { boxes: 5_000_000, halvings: 36 }
+    }
+}
+
+/// Parts left undecided at which a search is given up: there is a continuum of orbits, or nearly one.
+const MOST_UNDECIDED: usize = 1000;
+
+/// A search under way.
+struct Search<'p> {
+    problem: &'p Problem,
+    terms: Terms<'p>,
+    precision: Precision,
+    /// All orbits found, those that belong to no motion included: their domains are done with.
+    known: Vec<PeriodicOrbit>,
+    undecided: Vec<Region>,
+}
+
+/// Boxes as narrow as that, in turns, are asked whether an orbit is near.
+const NEAR: f64 = 1.0 / 16.0;
+
+impl Problem {
+    /// Proves all the orbits of the word, and that there are no other physical ones. Lemmas T3, T8, T9
+    ///
+    /// Starts from what [`Problem::find`] finds. Where the budget ends, what is left is listed as undecided.
+    pub fn find_all(&self, pair: &ImpactPair, start: &Start, precision: Precision, budget: Budget) -> Census {
+        let found = self.find(pair, start, precision);
+        if found.exhaustive {
+            return found;
+        }
+        let terms = Terms::new(&self.chain, self.reduced());
+        let mut search = Search { problem: self, terms, precision, known: found.orbits, undecided: Vec::new() };
+        search.run(budget);
+        let mut orbits = search.known;
+        // Only motions are looked for; a chain that is proved to be none is listed where a guess led to it.
+        orbits.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
+        Census { orbits, exhaustive: search.undecided.is_empty(), undecided: search.undecided, is_search: true }
+    }
+}
+
+impl Search<'_> {
+    /// Depth first, so that little is kept.
+    fn run(&mut self, budget: Budget) {
+        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(self.terms.spread() / 16.0);
+        let mut open = vec![self.terms.all()];
+        let mut looked = 0;
+        while let Some(part) = open.pop() {
+            looked += 1;
+            if looked > budget.boxes || self.undecided.len() >= MOST_UNDECIDED {
+                open.push(part);
+                break;
+            }
+            let Some((part, slopes)) = self.narrow(part) else { continue };
+            if part.width() <= NEAR && self.is_done(&part) {
+                continue;
+            }
+            if part.width() <= narrowest {
+                self.undecided.push(self.region(&part, Reason::Precision));
+                continue;
+            }
+            open.extend(halves(part, &slopes));
+        }
+        for part in open {
+            self.undecided.push(self.region(&part, Reason::Budget));
+        }
+    }
+
+    /// Cuts a part by all that is known; `None` when nothing is left.
+    fn narrow(&self, part: Part) -> Option<(Part, Slopes<Interval>)> {
+        let mut part = self.terms.cut(part)?;
+        loop {
+            let slopes = self.terms.slopes(&part);
+            let before = part.size();
+            part = self.terms.newton(&self.problem.court.pair, part, &slopes)?;
+            if part.size() > 0.7 * before {
+                return Some((part, slopes));
+            }
+            part = self.terms.cut(part)?;
+        }
+    }
+
+    /// Whether the part lies where a known orbit is the only one; looks for the orbit if it is not known yet.
+    fn is_done(&mut self, part: &Part) -> bool {
+        let balls: Vec<Ball> = part.phases.iter().map(|x| x.ball()).collect();
+        let whole = Proved { domain: balls.clone(), phases: balls };
+        let chain = &self.problem.chain;
+        let is_inside = |known: &PeriodicOrbit| is_one_orbit(chain, &whole, &known.proved) == Some(true);
+        if self.known.iter().any(is_inside) {
+            return true;
+        }
+        let Some(orbit) = self.orbit_near(part) else { return false };
+        let is_done = is_inside(&orbit);
+        let is_new = |known: &PeriodicOrbit| is_one_orbit(chain, &orbit.proved, &known.proved) != Some(true);
+        if self.known.iter().all(is_new) {
+            self.known.push(orbit);
+        }
+        is_done
+    }
+
+    /// An orbit in or beside the part that Newton's iteration leads to, proved.
+    fn orbit_near(&self, part: &Part) -> Option<PeriodicOrbit> {
+        let centre = part.phases.iter().map(|x| x.middle()).collect();
+        let (chain, pair) = (&self.problem.chain, &self.problem.court.centre);
+        let phases = polish(chain, pair, centre)?;
+        let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
+        if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
+            return None;
+        }
+        self.problem.prove(&phases, self.precision)
+    }
+
+    /// What is said of a part that stays open.
+    fn region(&self, part: &Part, reason: Reason) -> Region {
+        let chain = &self.problem.chain;
+        let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.lo, x.hi).expect("finite intervals");
+        let impact = |i: usize| PeriodicImpact {
+            wall: chain.walls()[i],
+            phase: enclosure(part.phases[i]),
+            velocity: enclosure(part.drifts[chain.previous(i)] - self.terms.speed(part.phases[i])),
+        };
+        Region { impacts: (0..part.phases.len()).map(impact).collect(), reason }
+    }
+}
+
+/// Both halves across the phase that the equations depend on most.
+fn halves(part: Part, slopes: &Slopes<Interval>) -> [Part; 2] {
+    let mut weights = vec![0.0; part.phases.len()];
+    for (_, j, slope) in slopes.entries() {
+        weights[j] += slope.lo.abs().max(slope.hi.abs()).min(1e6);
+    }
+    let weight = |j: &usize| weights[*j] * part.phases[*j].width();
+    let widest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0);
+    let Interval { lo, hi } = part.phases[widest];
+    let middle = part.phases[widest].middle();
+    let mut other = part.clone();
+    other.phases[widest] = Interval::new(middle, hi);
+    let mut part = part;
+    part.phases[widest] = Interval::new(lo, middle);
+    [part, other]
+}

@@ -1,0 +1,66 @@
+//! Newton's equation over a box: Lemma T9, the mean value theorem with a preconditioner.
+
+use super::cut::{Part, Terms};
+use super::interval::Interval;
+use crate::number::Ball;
+use crate::pair::Reduced;
+use crate::periodic::chain::Slopes;
+use crate::periodic::precondition::Preconditioner;
+
+impl Terms<'_> {
+    /// The derivatives of Lemma T2 over a part; `None` where they are not bounded.
+    pub fn slopes(&self, part: &Part) -> Slopes<Interval> {
+        let row = |i: usize| {
+            let p = self.chain.previous(i);
+            let ([after, before], [after_p, before_p]) = (part.ratios[i], part.ratios[p]);
+            let e = self.restitution;
+            [e * after_p, after - e * before_p + self.swing * part.phases[i].sin(), -before]
+        };
+        Slopes((0..part.phases.len()).map(row).collect())
+    }
+
+    /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
+    pub fn newton(&self, pair: &Reduced<Ball>, part: Part, slopes: &Slopes<Interval>) -> Option<Part> {
+        let middles = slopes.0.iter().map(|row| row.map(Interval::middle)).collect();
+        let Some(inverse) = Preconditioner::new(&Slopes(middles)) else { return Some(part) };
+        let centre: Vec<f64> = part.phases.iter().map(|x| x.middle()).collect();
+        let balls: Vec<Ball> = centre.iter().map(|&x| Ball::exact(x)).collect();
+        let Some(legs) = self.chain.legs(pair, &balls) else { return Some(part) };
+        let misses: Vec<Interval> = self.chain.residual(pair, &legs).into_iter().map(Interval::of).collect();
+        self.solve(part, &inverse, &centre, &misses, slopes)
+    }
+
+    /// `(Y J)(x - m) = -Y F(m)`, solved for each phase in turn.
+    fn solve(
+        &self,
+        mut part: Part,
+        inverse: &Preconditioner,
+        centre: &[f64],
+        misses: &[Interval],
+        slopes: &Slopes<Interval>,
+    ) -> Option<Part> {
+        let zero = Interval::point(0.0);
+        for i in 0..centre.len() {
+            let row = inverse.row(i);
+            let mut along = vec![zero; row.len()];
+            for (l, j, slope) in slopes.entries() {
+                along[j] = along[j] + slope.times(row[l]);
+            }
+            let offset = |j: usize, part: &Part| part.phases[j] - Interval::point(centre[j]);
+            let mut rest = row.iter().zip(misses).fold(zero, |sum, (&y, miss)| sum - miss.times(y));
+            for j in (0..row.len()).filter(|&j| j != i) {
+                rest = rest - along[j] * offset(j, &part);
+            }
+            // Derivatives without a bound, or sums that overflow, say nothing.
+            if !(rest.is_finite() && along[i].is_finite()) {
+                continue;
+            }
+            match rest.over(along[i]) {
+                Some(step) => part.phases[i] = part.phases[i].cut(Interval::point(centre[i]) + step)?,
+                // Not even the equation may hold.
+                None => _ = (along[i] * offset(i, &part)).cut(rest)?,
+            }
+        }
+        Some(part)
+    }
+}
