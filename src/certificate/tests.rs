@@ -153,7 +153,7 @@ fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
         // Wide sets need not all land on one wall.
         let Some(landing) = walk.landing.take() else { break };
         let phase = walk.absolute(&landing.phase.hull());
-        found.push((phase.set().clone(), landing.velocity.hull().set().clone()));
+        found.push((phase.enclosure().clone(), landing.velocity.hull().enclosure().clone()));
     }
     found
 }

@@ -30,6 +30,7 @@ mod monomial;
 mod operators;
 mod parse;
 mod print;
+mod real;
 
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -40,11 +41,13 @@ use num_traits::One;
 pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
 pub use digits::decimal_digits;
 pub use dyadic::Dyadic;
-pub(crate) use dyadic::{Round, compare_rational};
+use dyadic::Round;
+pub(crate) use dyadic::compare_rational;
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};
 pub use fold::Operation;
 use monomial::Monomial;
+pub use real::Real;
 
 /// Expressions of more nested operations are refused, so recursion over a tree cannot exhaust the stack.
 const DEEPEST: u32 = 256;

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use impact_pair::exact::Exact;
-//! use impact_pair::two_impact::Real;
+//! use impact_pair::exact::Real;
 //! use impact_pair::two_impact::closed_forms::{amplitude, vector};
 //! let number = |text: &str| Real::of(&Exact::parse(text).unwrap(), 100);
 //! // Figure 12: d = 3 pi, e = 1/2, |v|/W = 4 give A sin th0 = 0, A cos th0 = 1.
@@ -15,10 +15,11 @@
 
 use std::cmp::Ordering;
 
+use super::angle::acos;
 use super::isolate::refine;
 use super::jet::Jet;
 use super::motion::critical;
-use super::real::Real;
+use crate::exact::Real;
 
 /// `|v|/(A W) = (cos th0 - cos th1)/(1 - e)`, from a left impact to a right one; `None` if e may be 1. **Equation** (62)
 ///
@@ -83,7 +84,7 @@ pub fn grazing_angle(e: &Real) -> Option<Real> {
         Some(Jet { value, slope })
     };
     // Where kappa cos b <= 1 and G is smooth.
-    let [_, first] = Real::int(1, e.bits()).over(&kappa)?.acos()?.ends();
+    let [_, first] = acos(&Real::int(1, e.bits()).over(&kappa)?)?.ends();
     height(&first)?.value.is_positive().then_some(())?;
     let last = Real::pi(e.bits()).half();
     Some(refine(first.hull(&last), Ordering::Greater, height))

@@ -10,8 +10,8 @@ use super::closed_forms;
 use super::elastic;
 use super::equispaced::{self, Orders, Solutions};
 use super::motion::{Motion, Parameters};
-use super::real::Real;
 use super::unequispaced::Spacing;
+use crate::exact::Real;
 
 /// A pair and a number of cycles.
 #[derive(Clone, Debug)]

@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 
+use super::angle::acos;
 use super::motion::{Motion, Parameters};
-use super::real::Real;
+use crate::exact::Real;
 
 /// The motions with `cos th0 = 0` for N odd (71), or with `th1 = th0 + 2 j pi`, and the spacings `2 j pi` that are not
 /// decided.
@@ -49,7 +50,7 @@ fn whole_turns(parameters: &Parameters, turns: i64) -> Option<Vec<Motion>> {
     if room.is_negative() {
         return Some(Vec::new());
     }
-    let theta0 = Some(cos.acos()?).filter(|_| room.is_positive())?;
+    let theta0 = Some(acos(&cos)?).filter(|_| room.is_positive())?;
     let motion = |theta0| Motion::unsymmetric(parameters.clone(), theta0, &turn * turns, speed.clone());
     Some(vec![motion(-&theta0), motion(theta0)])
 }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::closed_forms::{slope, speed};
 use super::motion::{Motion, Parameters};
-use super::real::Real;
+use crate::exact::Real;
 
 /// What is known exactly about `g = d/A`: how it compares with 2, and with `K`.
 #[derive(Clone, Copy, Debug)]

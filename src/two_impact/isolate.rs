@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::exact::Dyadic;
 
 use super::jet::Jet;
-use super::real::Real;
+use crate::exact::Real;
 
 /// Boxes that one interval is cut into at most.
 const BOXES: usize = 4000;

@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Sub};
 
 use crate::exact::Dyadic;
 
-use super::real::Real;
+use crate::exact::Real;
 
 /// Values and slopes of a function over a set of arguments.
 ///

@@ -11,8 +11,8 @@ use crate::pair::{ImpactPair, Wall, within};
 
 use super::closed_forms::{self, grazing_angle};
 use super::question::{GUARD, SHOWN, digits_to_bits};
-use super::real::Real;
 use super::stability::Stability;
+use crate::exact::Real;
 
 /// What a curve runs over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -31,6 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod angle;
 pub mod closed_forms;
 mod data;
 mod document;
@@ -42,7 +43,6 @@ mod manifold;
 mod motion;
 mod orbit;
 mod question;
-mod real;
 mod stability;
 mod unequispaced;
 
@@ -50,7 +50,6 @@ pub use document::{MANIFOLD_SCHEMA, PERIODIC_SCHEMA, manifolds, periodic, word};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::{Impact, Orbit};
 pub use question::{Answer, CYCLES, Question, Unknown};
-pub use real::Real;
 pub use stability::Stability;
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::real::Real;
+use super::angle::{acos, angle};
+use crate::exact::Real;
 
 /// The parameters of a motion without units.
 #[derive(Clone, Debug)]
@@ -50,7 +51,7 @@ pub(super) struct Motion {
 impl Motion {
     /// The motion that is equispaced (64) for N odd, with this sine and cosine of `th0`.
     pub fn symmetric(parameters: Parameters, (sin, cos): (Real, Real), speed: Real) -> Option<Self> {
-        let (theta0, spacing) = (Real::angle(&sin, &cos)?, parameters.half_period());
+        let (theta0, spacing) = (angle(&sin, &cos)?, parameters.half_period());
         let right = (-&sin, -&cos);
         Some(Self { parameters, left: (sin, cos), right, theta0, spacing, speed, is_symmetric: true })
     }
@@ -139,7 +140,7 @@ fn near_height(theta0: &Real, sin0: &Real, drift: &Real) -> Option<Real> {
 pub(super) fn critical(drift: &Real) -> Option<(Real, Real, Real)> {
     let cosine = drift.at_most(1);
     let sine = (Real::int(1, drift.bits()) - cosine.square()).sqrt()?;
-    Some((cosine.acos()?, sine, cosine))
+    Some((acos(&cosine)?, sine, cosine))
 }
 
 /// A flight from the left wall to the right one, in the units of [`Motion`].

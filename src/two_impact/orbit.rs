@@ -6,8 +6,8 @@ use crate::exact::Enclosure;
 use crate::pair::Wall;
 
 use super::motion::Motion;
-use super::real::Real;
 use super::stability::{Spectrum, Stability};
+use crate::exact::Real;
 
 /// One of the two impacts.
 #[derive(Clone, Debug)]

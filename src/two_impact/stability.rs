@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::motion::Motion;
-use super::real::Real;
+use crate::exact::Real;
 
 /// Whether small changes of the start die out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,8 +7,8 @@ use super::closed_forms::{closure, grazing_angle, speed_between};
 use super::isolate::{Interval, Part, refine, zeros};
 use super::jet::Jet;
 use super::motion::Parameters;
-use super::real::Real;
 use super::unequispaced::Spacing;
+use crate::exact::Real;
 use crate::exact::{Dyadic, Enclosure, Exact};
 
 fn real(text: &str, bits: u32) -> Real {

@@ -2,10 +2,11 @@
 
 use std::cmp::Ordering;
 
+use super::angle::angle;
 use super::isolate::{Interval, Part, refine, zeros};
 use super::jet::Jet;
 use super::motion::{Motion, Parameters};
-use super::real::Real;
+use crate::exact::Real;
 
 /// The equation of Lemma W5, whose zeros `eps` in `(0, N pi/2)` are the motions with `th1 - th0 = N pi + 2 eps`.
 pub(super) struct Spacing<'p> {
@@ -191,7 +192,7 @@ impl<'p> Spacing<'p> {
                 let cos = signed((width * sine * 2).over(&root)?, is_positive != piece.sigma());
                 let sin = signed((lambda * &period * cosine).over(&root)?, is_positive);
                 let divisor = (&parameters.restitution + 1) * root;
-                (Real::angle(&sin, &cos)?, (&period * sine * cosine * 2).over(&divisor)?)
+                (angle(&sin, &cos)?, (&period * sine * cosine * 2).over(&divisor)?)
             }
             // cos m = -sigma sign(s), sin m = 0.
             _ => {

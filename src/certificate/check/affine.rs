@@ -1,7 +1,6 @@
 //! Quantities that depend on the data nearly linearly: sets without the wrapping of boxes.
 
-use super::real::Real;
-use crate::exact::Dyadic;
+use crate::exact::{Dyadic, Real};
 
 /// Bits of columns and errors, which measure widths.
 pub(super) const COLUMN_BITS: u32 = 96;
@@ -45,17 +44,17 @@ impl Affine {
             for (sum, column) in columns.iter_mut().zip(&x.columns) {
                 *sum = sum.clone() + &(column.clone() * &slope);
             }
-            spread = spread + &Real::point(slope.set().mag().times(&x.error), COLUMN_BITS);
+            spread = spread + &Real::point(slope.enclosure().mag().times(&x.error), COLUMN_BITS);
         }
-        Self { centre, columns, error: spread.set().hi().clone() }
+        Self { centre, columns, error: spread.enclosure().hi().clone() }
     }
 
     /// The same set with a point as its centre.
     pub fn recentred(self) -> Self {
-        let middle = Real::point(self.centre.middle(), self.centre.bits());
-        let off = Real::point((self.centre - &middle).set().mag(), COLUMN_BITS);
+        let middle = Real::point(self.centre.mid(), self.centre.bits());
+        let off = Real::point((self.centre - &middle).enclosure().mag(), COLUMN_BITS);
         let error = off + &Real::point(self.error, COLUMN_BITS);
-        Self { centre: middle, columns: self.columns, error: error.set().hi().clone() }
+        Self { centre: middle, columns: self.columns, error: error.enclosure().hi().clone() }
     }
 
     /// The same deviations from 0.
@@ -70,22 +69,22 @@ impl Affine {
 
     /// The datum that it depends on most.
     pub fn widest(&self) -> Option<usize> {
-        let sizes = self.columns.iter().map(|column| column.set().mag()).enumerate();
+        let sizes = self.columns.iter().map(|column| column.enclosure().mag()).enumerate();
         sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
     }
 
     /// The leading bits of its centre that are known; `None` for a number known exactly.
     pub fn accuracy(&self) -> Option<u32> {
         let unknown =
-            (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).set().mag();
-        let size = self.centre.set().mag().top().unwrap_or(0);
+            (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).enclosure().mag();
+        let size = self.centre.enclosure().mag().top().unwrap_or(0);
         unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0))
     }
 
     /// How far the deviations reach.
     pub fn reach(&self) -> Dyadic {
-        let reach = |sum: Real, column: &Real| sum + &Real::point(column.set().mag(), COLUMN_BITS);
-        self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).set().hi().clone()
+        let reach = |sum: Real, column: &Real| sum + &Real::point(column.enclosure().mag(), COLUMN_BITS);
+        self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).enclosure().hi().clone()
     }
 
     /// The set of all its values.

@@ -1,8 +1,8 @@
 //! Chatter, rest and release (Lemma V3).
 
 use super::contact::Doubt;
-use super::real::Real;
 use super::step::{Departure, Parameters};
+use crate::exact::Real;
 use crate::pair::Wall;
 
 /// Windows are tried from so many times what a constant pressure would take, doubled at most so often.
@@ -17,18 +17,18 @@ pub(super) fn accumulation(departure: &Departure, parameters: &Parameters, origi
     let wall = departure.start.wall?;
     let flight = departure.flights(parameters, origin);
     let bits = flight.phase.bits();
-    let (one, e) = (Real::integer(1, bits), parameters.restitution.hull());
+    let (one, e) = (Real::int(1, bits), parameters.restitution.hull());
     let inward = |x: Real| if wall == Wall::Left { x } else { -x };
     let u = inward(flight.velocity.clone());
     let twice = u.clone() + &u;
     let pressure = |h: &Real| -inward(flight.curvature(&flight.sin_cos(h).0));
     let lasting = |pressure: &Real, loss: &Real| twice.over(&((one.clone() - loss) * pressure));
-    let upper = |x: &Real| Real::point(x.set().hi().clone(), bits);
+    let upper = |x: &Real| Real::point(x.enclosure().hi().clone(), bits);
     let mut window = upper(&lasting(&pressure(&Real::zero(bits)), &e)?);
     for _ in 0..WINDOWS {
         window = window.clone() + &window;
         let pressure = pressure(&Real::zero(bits).hull(&window));
-        let (lo, hi) = (Real::point(pressure.set().lo().clone(), bits), upper(&pressure));
+        let (lo, hi) = (Real::point(pressure.enclosure().lo().clone(), bits), upper(&pressure));
         if !lo.is_positive() || u.is_negative() {
             return None;
         }
@@ -63,7 +63,7 @@ pub(super) fn is_held(departure: &Departure, parameters: &Parameters, origin: &R
 /// About how long the next short bounce lasts \[rad\]: twice the velocity over the pressure.
 pub(super) fn bounce(departure: &Departure, parameters: &Parameters, origin: &Real) -> Result<Real, Doubt> {
     let flight = departure.flights(parameters, origin);
-    let point = |x: &Real| Real::point(x.middle(), x.bits());
+    let point = |x: &Real| Real::point(x.mid(), x.bits());
     let velocity = point(&flight.velocity);
     let doubled = velocity.clone() + &velocity;
     let pressure = -point(&flight.curvature(&flight.departure.0));

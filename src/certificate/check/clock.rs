@@ -7,8 +7,7 @@ use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::data::Data;
-use super::real::Real;
-use crate::exact::{Exact, compare_rational};
+use crate::exact::{Exact, Real, compare_rational};
 
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
@@ -85,7 +84,7 @@ fn with_turns(data: &Data, bits: u32) -> u32 {
 
 /// Where `found` lies.
 pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> Beside {
-    let (lo, hi) = (found.set().lo(), found.set().hi());
+    let (lo, hi) = (found.enclosure().lo(), found.enclosure().hi());
     if compare_rational(lo, lower).is_ge() && compare_rational(hi, upper).is_le() {
         Beside::Inside
     } else if compare_rational(hi, lower) == Ordering::Less || compare_rational(lo, upper) == Ordering::Greater {

@@ -1,8 +1,7 @@
 //! The first contact of all flights of a set, proved by halving (Lemma V1).
 
 use super::flight::{Flight, Part};
-use super::real::Real;
-use crate::exact::Dyadic;
+use crate::exact::{Dyadic, Real};
 use crate::pair::Wall;
 
 /// What cannot be confirmed, and why.
@@ -56,7 +55,7 @@ pub(in crate::certificate) struct Start {
 
 fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
     let bits = flight.phase.bits();
-    let guessed = Real::point(claimed.guess.middle(), bits);
+    let guessed = Real::point(claimed.guess.mid(), bits);
     let h = newton(flight, wall, &guessed);
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
@@ -106,7 +105,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
         if !at.is_below(end) {
             return Ok(());
         }
-        let next = Real::point((at.clone() + &width).middle(), bits);
+        let next = Real::point((at.clone() + &width).mid(), bits);
         let next = if next.is_below(end) { next } else { end.clone() };
         match flight.judge(&at, &next) {
             Part::Clear => (at, width) = (next, width.clone() + &width),
@@ -123,7 +122,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
 
 /// Whether a part is too short for the arithmetic.
 fn is_short(width: &Real, whole: &Real) -> bool {
-    let top = |x: &Real| x.set().mag().top();
+    let top = |x: &Real| x.enclosure().mag().top();
     top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
 }
 
@@ -132,17 +131,17 @@ fn is_short(width: &Real, whole: &Real) -> bool {
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     let most = flight.phase.bits();
     let mut bits = guess.bits().min(most);
-    let mut h = Real::point(guess.middle(), bits);
+    let mut h = Real::point(guess.mid(), bits);
     let mut before = None;
     for _ in 0..STEPS {
         let coarse = flight.rounded(bits);
-        let point = |x: Real| Real::point(x.middle(), bits);
+        let point = |x: Real| Real::point(x.mid(), bits);
         let (sin, cos) = coarse.sin_cos(&h);
         let (height, slope) = (point(coarse.height(&h, &sin)), point(coarse.slope(&cos)));
         let Some(step) = (height - &point(coarse.level(wall))).over(&slope) else { return h };
         let step = point(step);
         // As many digits as the precision holds, or as rounding leaves of them.
-        let size = step.set().mag();
+        let size = step.enclosure().mag();
         let is_last = is_last(&step, &h) || before.is_some_and(|before| size.scaled(1) > before);
         h = point(h - &step);
         before = Some(size);
@@ -157,7 +156,7 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
 
 /// Whether a step of Newton's iteration, which doubles the digits, is the last one needed.
 fn is_last(step: &Real, h: &Real) -> bool {
-    let top = |x: &Real| x.set().mag().top();
+    let top = |x: &Real| x.enclosure().mag().top();
     top(step).is_none_or(|small| top(h).is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))
 }
 
@@ -165,7 +164,7 @@ fn is_last(step: &Real, h: &Real) -> bool {
 fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
     let mut bracket = bracket;
     loop {
-        let middle = Real::point(bracket.middle(), bracket.bits());
+        let middle = Real::point(bracket.mid(), bracket.bits());
         let (sin, slope) = (flight.sin_cos(&middle).0, flight.slope(&flight.sin_cos(&bracket).1));
         let Some(step) = (flight.height(&middle, &sin) - &flight.level(wall)).over(&slope) else { return bracket };
         let cut = bracket.cut(&(middle - &step));
@@ -178,5 +177,5 @@ fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
 }
 
 fn width(x: &Real) -> Dyadic {
-    x.set().width()
+    x.enclosure().width()
 }

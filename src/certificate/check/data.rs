@@ -3,10 +3,9 @@
 use num_bigint::BigInt;
 
 use super::affine::Affine;
-use super::real::Real;
 use super::step::Parameters;
 use crate::error::Error;
-use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::exact::{Dyadic, Enclosure, Exact, Real};
 use crate::orbit::{Place, Start};
 use crate::pair::{ImpactPair, Wall, within};
 
@@ -121,12 +120,12 @@ impl Piece {
             return Affine::fixed(whole);
         }
         let (k, n) = self.parts[j];
-        let [lo, hi] = [whole.set().lo(), whole.set().hi()].map(|end| Real::point(end.clone(), bits));
+        let [lo, hi] = [whole.enclosure().lo(), whole.enclosure().hi()].map(|end| Real::point(end.clone(), bits));
         let size = hi - &lo;
         let cut = |k: u32| lo.clone() + &(size.clone() * &Real::point(Dyadic::new(k.into(), -i64::from(n)), bits));
         let part = cut(k).hull(&cut(k + 1));
-        let centre = Real::point(part.middle(), bits);
-        let radius = (part - &centre).set().mag();
+        let centre = Real::point(part.mid(), bits);
+        let radius = (part - &centre).enclosure().mag();
         Affine::varied(centre, radius, j)
     }
 }

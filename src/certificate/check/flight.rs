@@ -5,7 +5,7 @@
 //! `p` the velocity after the impact; velocities are lengths a radian. Nothing is known here of where `y'` vanishes: parts of
 //! the flight are judged by their mean value and Taylor forms, and halved.
 
-use super::real::Real;
+use crate::exact::Real;
 use crate::pair::Wall;
 
 /// All flights from a set of departures.
@@ -100,7 +100,7 @@ impl Flight {
         if let Part::Contact = self.place(&end) {
             return Part::Contact;
         }
-        let middle = Real::point(part.middle(), part.bits());
+        let middle = Real::point(part.mid(), part.bits());
         let (middle_sin, middle_cos) = self.sin_cos(&middle);
         let (y, x) = (self.height(&middle, &middle_sin), part.clone() - &middle);
         let mean = y.clone() + &(slope * &x);

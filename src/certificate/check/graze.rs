@@ -3,11 +3,10 @@
 use super::affine::Affine;
 use super::contact::{Doubt, Start, clear};
 use super::flight::{Flight, Part};
-use super::real::Real;
 use super::step::Departure;
 use super::walk::{Walk, compare};
 use crate::certificate::Claim;
-use crate::exact::Dyadic;
+use crate::exact::{Dyadic, Real};
 use crate::pair::Wall;
 
 /// What is found around an extremum of all flights of a set, told from the wall it is near.
@@ -51,7 +50,7 @@ impl Walk<'_> {
     /// bends away from the wall up to the end of the summit.
     fn pass(&self, flight: &Flight, wall: Wall, summit: &Summit) -> Result<Departure, Doubt> {
         let Summit { before, after, speed, .. } = summit;
-        let lost = (Real::integer(1, self.bits) + &self.parameters.restitution.hull()) * speed;
+        let lost = (Real::int(1, self.bits) + &self.parameters.restitution.hull()) * speed;
         let lost = if wall == Wall::Right { -lost } else { lost };
         let lost = lost.hull(&Real::zero(self.bits));
         let (sin, cos) = flight.sin_cos(after);
@@ -90,17 +89,17 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
             let mut top = whole;
             for _ in 0..bits.ilog2() {
                 // h + y'/|y''|, by interval Newton.
-                let middle = Real::point(top.middle(), bits);
+                let middle = Real::point(top.mid(), bits);
                 let bend = -outward(flight.curvature(&over(&top).0));
                 top = top.cut(&(middle.clone() + &slope(&middle).over(&bend)?));
             }
-            let middle = Real::point(top.middle(), bits);
+            let middle = Real::point(top.mid(), bits);
             let off = top.clone() - &middle;
             let rise = slope(&middle) * &off - &(bend.clone() * &(off.clone() * &off)).half();
             let excess = outward(flight.height(&middle, &over(&middle).0) - &flight.level(wall)) + &rise;
             let end = |x: &Dyadic| Real::point(x.clone(), bits);
-            let (least, most) = (end(bend.set().lo()), end(bend.set().hi()));
-            let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.set().hi()) };
+            let (least, most) = (end(bend.enclosure().lo()), end(bend.enclosure().hi()));
+            let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.enclosure().hi()) };
             let twice = high.clone() + &high;
             let spread = twice.over(&least)?.sqrt()?;
             let speed = (twice * &most).sqrt()?;

@@ -14,7 +14,6 @@ mod contact;
 mod data;
 mod flight;
 mod graze;
-mod real;
 mod rest;
 mod step;
 mod still;
@@ -24,7 +23,6 @@ use super::Certificate;
 use crate::error::Error;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
-pub(super) use real::Real;
 pub(super) use walk::Walk;
 
 /// What a check finds.

@@ -1,5 +1,6 @@
 //! Rests and releases along an orbit (Lemma V3).
 
+use crate::exact::Real;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
@@ -7,7 +8,6 @@ use super::affine::Affine;
 use super::chatter::{accumulation, bounce, is_held};
 use super::clock::{Beside, Clock, beside};
 use super::contact::{Claimed, Doubt};
-use super::real::Real;
 use super::step::Departure;
 use super::walk::{Walk, compare};
 use crate::certificate::Claim;
@@ -87,8 +87,8 @@ impl Walk<'_> {
         }
         let odd = i64::from(wall == Wall::Right);
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
-        let half = Real::integer(odd, self.bits) * &Real::pi(self.bits);
-        let turns = (self.origin.clone() + &since - &half).over(&turn).and_then(|turns| turns.set().floor());
+        let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
+        let turns = (self.origin.clone() + &since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
         let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
         // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;

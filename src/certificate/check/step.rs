@@ -3,7 +3,7 @@
 use super::affine::Affine;
 use super::contact::{Claimed, Doubt, Start, first_contact, newton};
 use super::flight::Flight;
-use super::real::Real;
+use crate::exact::Real;
 use crate::pair::Wall;
 
 /// What the motion depends on, over the data of the scene.
@@ -43,7 +43,7 @@ const SPARE_BITS: u32 = 64;
 
 /// `1` for the right wall, `-1` for the left one: the side of `y`.
 fn side(wall: Wall, bits: u32) -> Real {
-    Real::integer(if wall == Wall::Right { 1 } else { -1 }, bits)
+    Real::int(if wall == Wall::Right { 1 } else { -1 }, bits)
 }
 
 impl Departure {
@@ -107,7 +107,7 @@ impl Departure {
         // The middle, where Newton's iteration ends; it need not be the root.
         let h = newton(&centre, wall, &contact).at(bits);
         let departed = self.phase.centre.rounded(bits);
-        let landed = Real::point((departed.clone() + &h).middle(), bits);
+        let landed = Real::point((departed.clone() + &h).mid(), bits);
         let h = landed.clone() - &departed;
         let (sin, cos) = centre.sin_cos(&h);
         let contact = contact.at(bits).hull(&h);
@@ -119,7 +119,7 @@ impl Departure {
 
         // d(th1, v1) by implicit differentiation of (A.2/4/6) and of (A.1/3/5).
         let (acceleration0, acceleration1) = (set.curvature(&set.departure.0), set.curvature(&sin1));
-        let one = Real::integer(1, bits);
+        let one = Real::int(1, bits);
         let by_amplitude = (sin1 - &set.departure.0) - &(set.departure.1.clone() * &contact);
         let dt = [
             (over(acceleration0.clone() * &contact + &set.velocity)?, &self.phase),

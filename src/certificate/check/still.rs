@@ -7,10 +7,9 @@ use num_bigint::BigInt;
 use super::clock::Clock;
 use super::contact::Doubt;
 use super::data::Data;
-use super::real::Real;
 use super::walk::{Walk, compare};
 use crate::certificate::Claim;
-use crate::exact::Exact;
+use crate::exact::{Exact, Real};
 use crate::pair::Wall;
 
 /// `y = m - A sin th` for ever, between the walls.

@@ -7,12 +7,11 @@ use super::affine::Affine;
 use super::clock::{Beside, Clock, beside};
 use super::contact::{Claimed, Doubt, Start};
 use super::data::{Data, Piece};
-use super::real::Real;
 use super::rest::Rest;
 use super::step::{Departure, Landing, Parameters};
 use super::still::Still;
 use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::decimal_digits;
+use crate::exact::{Real, decimal_digits};
 use crate::mapping::Mapping;
 use crate::orbit::Period;
 use crate::pair::Wall;
@@ -155,7 +154,7 @@ impl<'c> Walk<'c> {
         }
         let zero = Real::zero(self.bits);
         let later = if from.is_positive() { from.hull(&to) } else { zero.hull(&to) };
-        let guess = Real::point(later.middle(), self.bits);
+        let guess = Real::point(later.mid(), self.bits);
         if guess.is_positive() { Ok(Claimed { from, guess }) } else { Err(Doubt::Open("the time is too near".into())) }
     }
 
@@ -183,7 +182,7 @@ impl<'c> Walk<'c> {
 
 /// What is found lies inside the claimed bounds.
 pub(super) fn compare(what: &str, found: &Real, claimed: &[BigRational; 2]) -> Result<(), Doubt> {
-    let shown = || decimal_digits(&found.set().rounded(160));
+    let shown = || decimal_digits(&found.enclosure().rounded(160));
     match beside(found, claimed) {
         Beside::Inside => Ok(()),
         Beside::Outside => Err(Doubt::False(format!("the true {what} is {}", shown()))),

@@ -1,7 +1,8 @@
 //! The flights of a certificate as numbers without units: phases `W t + tau`, velocities in `A W`, lengths in `A`.
 
-use crate::certificate::check::{Data, Doubt, Piece, Real, Walk};
+use crate::certificate::check::{Data, Doubt, Piece, Walk};
 use crate::certificate::{Certificate, Claim, ClaimKind};
+use crate::exact::Real;
 use crate::pair::Wall;
 
 /// The start of an orbit.
@@ -44,11 +45,11 @@ pub(super) struct Flight {
 }
 
 fn float(x: &Real) -> f64 {
-    x.set().mid_rad().0
+    x.enclosure().mid_rad().0
 }
 
 fn half_width(x: &Real) -> f64 {
-    x.set().width().scaled(-1).to_f64_up()
+    x.enclosure().width().scaled(-1).to_f64_up()
 }
 
 /// The start and the flights up to `claims`, which are impacts, at `bits`; or why one cannot be confirmed, after how many.
@@ -63,7 +64,7 @@ pub(super) fn flights(
     let parameters = walk.parameters.clone();
     let amplitude = parameters.amplitude.hull();
     let unit = |x: &Real| x.over(&amplitude).expect("the box is shaken");
-    let middle = |x: &Real| Real::point(x.middle(), bits);
+    let middle = |x: &Real| Real::point(x.mid(), bits);
     let (phase, velocity, height) = data.state(&Piece::default(), bits);
     let origin = Origin { phase: walk.absolute(&phase.less_centre().hull()), velocity: unit(&velocity.hull()) };
     let half_gap = unit(&parameters.half_gap.hull());

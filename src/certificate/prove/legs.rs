@@ -7,8 +7,7 @@ use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
 use super::flights::{Flight, Origin};
-use crate::certificate::check::Real;
-use crate::exact::{Dyadic, Enclosure};
+use crate::exact::{Dyadic, Enclosure, Real};
 use crate::pair::Wall;
 
 /// A box `|th - t| <= rt`, `|v/(A W) - v| <= rv`, all in units of `2^-scale`.
@@ -51,9 +50,10 @@ const ENDS: f64 = 1e-9;
 /// The box of the start, with the finest grid, `2^-scale` or coarser.
 pub(super) fn start(origin: &Origin, scale: u32) -> Box {
     let known = |scale| {
-        let is_exact = |x: &Real| x.set().is_point() && x.middle().exponent() >= -i64::from(scale);
-        let radius =
-            |x: &Real| if is_exact(x) { 0.0 } else { x.set().width().scaled(i64::from(scale) - 1).to_f64_up() + 2.0 };
+        let is_exact = |x: &Real| x.enclosure().is_point() && x.mid().exponent() >= -i64::from(scale);
+        let radius = |x: &Real| {
+            if is_exact(x) { 0.0 } else { x.enclosure().width().scaled(i64::from(scale) - 1).to_f64_up() + 2.0 }
+        };
         (radius(&origin.phase), radius(&origin.velocity))
     };
     let scale = coarser(scale, known(scale).0.max(known(scale).1));
@@ -123,7 +123,7 @@ fn coarser(scale: u32, radius: f64) -> u32 {
 pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
     let room = |middle: &BigInt, [low, high]: &[Real; 2]| {
         let scaled = |end: &Dyadic| Enclosure::point(end.scaled(arrival.scale.into())).floor().unwrap_or_default();
-        let (low, high) = (scaled(low.set().hi()) + 1, scaled(high.set().lo()));
+        let (low, high) = (scaled(low.enclosure().hi()) + 1, scaled(high.enclosure().lo()));
         let below: BigInt = middle - low;
         below.min(high - middle)
     };
@@ -139,14 +139,14 @@ pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
 
 /// The nearest point of a grid.
 fn grid(x: &Real, scale: u32) -> BigInt {
-    let doubled = x.middle().scaled(i64::from(scale) + 1);
+    let doubled = x.mid().scaled(i64::from(scale) + 1);
     let floor = Enclosure::point(doubled).floor().unwrap_or_default();
     (floor + 1) >> 1
 }
 
 /// `log2 |x|`, rounded up.
 fn magnitude(x: &Real) -> u32 {
-    u32::try_from(x.set().mag().top().unwrap_or(0) + 1).unwrap_or(0)
+    u32::try_from(x.enclosure().mag().top().unwrap_or(0) + 1).unwrap_or(0)
 }
 
 /// Where the flight is cut, as parts of its length: 3/4 of the way to the first zero of `y'`, and as much before the last one;

@@ -3,7 +3,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::exact::{Dyadic, Enclosure, Exact, Round};
+use num_rational::BigRational;
+
+use super::{Dyadic, Enclosure, Exact, Round};
 
 /// An enclosure and the bits that further operations round it to.
 ///
@@ -11,8 +13,7 @@ use crate::exact::{Dyadic, Enclosure, Exact, Round};
 /// an operator.
 ///
 /// ```
-/// use impact_pair::exact::Exact;
-/// use impact_pair::two_impact::Real;
+/// use impact_pair::exact::{Exact, Real};
 /// let x = Real::of(&Exact::parse("1/3").unwrap(), 80);
 /// assert!((x.sin().square() + x.cos().square() - 1).to_f64().abs() < 1e-23);
 /// ```
@@ -24,8 +25,6 @@ pub struct Real {
 
 /// What the exact value is computed with beyond the bits asked for.
 const GUARD: u32 = 8;
-/// The steps of [`Real::angle`] at most: each one triples the digits.
-const ANGLE_STEPS: usize = 16;
 
 impl Real {
     /// All numbers of an enclosure.
@@ -36,6 +35,27 @@ impl Real {
     /// Encloses an exact number.
     pub fn of(x: &Exact, bits: u32) -> Self {
         Self::new(x.enclose(bits + GUARD), bits)
+    }
+
+    /// Exactly the dyadic.
+    pub fn point(x: Dyadic, bits: u32) -> Self {
+        Self::new(Enclosure::point(x), bits)
+    }
+
+    /// Exactly 0.
+    pub fn zero(bits: u32) -> Self {
+        Self::point(Dyadic::zero(), bits)
+    }
+
+    /// Encloses a fraction.
+    pub fn rational(x: &BigRational, bits: u32) -> Self {
+        Self::new(Enclosure::from_rational(x, bits), bits)
+    }
+
+    /// `[-x, x]`
+    pub fn within(x: &Dyadic, bits: u32) -> Self {
+        let x = Self::point(x.clone(), bits);
+        x.hull(&-&x)
     }
 
     /// Exactly the integer.
@@ -62,6 +82,16 @@ impl Real {
         Self::new(value, self.bits)
     }
 
+    /// The same set, further operations rounded to other bits.
+    pub fn at(&self, bits: u32) -> Self {
+        Self { value: self.value.clone(), bits }
+    }
+
+    /// The set rounded outward to other bits.
+    pub fn rounded(&self, bits: u32) -> Self {
+        Self { value: self.value.rounded(bits), bits }
+    }
+
     /// The sign that all members share.
     pub fn sign(&self) -> Option<Ordering> {
         self.value.sign()
@@ -77,6 +107,21 @@ impl Real {
         self.sign() == Some(Ordering::Less)
     }
 
+    /// Whether it is 0, known exactly.
+    pub fn is_zero(&self) -> bool {
+        self.sign() == Some(Ordering::Equal)
+    }
+
+    /// Whether it may be 0 and may not be.
+    pub fn is_across(&self) -> bool {
+        self.sign().is_none()
+    }
+
+    /// Whether all members are less than all of the other.
+    pub fn is_below(&self, other: &Self) -> bool {
+        self.value.hi() < other.value.lo()
+    }
+
     /// Whether no member of one is one of the other.
     pub fn is_apart_from(&self, other: &Self) -> bool {
         self.value.intersection(&other.value).is_none()
@@ -85,6 +130,11 @@ impl Real {
     /// The members of both; `None` if there are none.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         self.value.intersection(&other.value).map(|value| self.with(value))
+    }
+
+    /// The common part of two sets that hold the same number; the first where they have none.
+    pub fn cut(&self, other: &Self) -> Self {
+        self.intersection(other).unwrap_or_else(|| self.clone())
     }
 
     /// The least interval that holds both.
@@ -97,6 +147,11 @@ impl Real {
         let (lo, hi) = (self.value.lo(), self.value.hi());
         let sum = lo.plus(hi, self.bits.saturating_add(4), Round::Down);
         self.with(Enclosure::point(sum.scaled(-1).clamp(lo.clone(), hi.clone())))
+    }
+
+    /// That point.
+    pub fn mid(&self) -> Dyadic {
+        self.middle().value.lo().clone()
     }
 
     /// The lower and the upper bound, as points.
@@ -148,6 +203,11 @@ impl Real {
         self.with(self.value.cos(self.bits))
     }
 
+    /// Both.
+    pub fn sin_cos(&self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+
     /// The members that are at most `most`; a point of `most` if there is none.
     pub fn at_most(&self, most: i64) -> Self {
         let most = Dyadic::new(most.into(), 0);
@@ -158,43 +218,6 @@ impl Real {
     /// The integer part that all members share.
     pub fn floor(&self) -> Option<i64> {
         self.value.floor().and_then(|n| i64::try_from(n).ok())
-    }
-
-    /// The phase of `(cos, sin)`, between -pi and pi or a little beyond; `None` if the sets are too wide for one.
-    ///
-    /// For members that are the sine and cosine of one angle. (Lemma W9)
-    pub fn angle(sin: &Self, cos: &Self) -> Option<Self> {
-        let guess = Dyadic::from_f64(sin.to_f64().atan2(cos.to_f64()))?;
-        let mut at = sin.with(Enclosure::point(guess));
-        let mut best: Option<Self> = None;
-        for _ in 0..ANGLE_STEPS {
-            let (s, c) = (at.sin(), at.cos());
-            let y = sin * &c - cos * &s;
-            let is_near = y.value.mag() <= Dyadic::power_of_two(-1) && (cos * &c + sin * &s).is_positive();
-            if !is_near {
-                return best;
-            }
-            let size = y.with(Enclosure::point(y.value.mag()));
-            let error = &size.square() * &size;
-            let here = &at + &y + (-&error).hull(&error);
-            let next = best.as_ref().map_or(Some(here.clone()), |best| best.intersection(&here)).expect("both hold it");
-            let is_better = best.is_none_or(|best| next.width().scaled(1) < best.width());
-            at = next.middle();
-            best = Some(next);
-            if !is_better {
-                break;
-            }
-        }
-        best
-    }
-
-    /// The angle between 0 and pi with this cosine, for the members in `[-1, 1]`; `None` if there is none.
-    pub fn acos(&self) -> Option<Self> {
-        let one = Self::int(1, self.bits);
-        let value = self.intersection(&(-&one).hull(&one))?;
-        // acos falls.
-        let [low, high] = value.ends().map(|cos| Self::angle(&(&one - &cos.square()).sqrt()?, &cos));
-        Some(high?.hull(&low?))
     }
 }
 
@@ -258,34 +281,3 @@ macro_rules! operator {
 operator!(Add, add, add);
 operator!(Sub, sub, sub);
 operator!(Mul, mul, mul);
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    fn point(x: f64, bits: u32) -> Real {
-        Real::new(Enclosure::from_f64_bounds(x, x).unwrap(), bits)
-    }
-
-    proptest! {
-        #[test]
-        fn angles_are_found_again(t in -3.1..3.1f64, bits in 60u32..400) {
-            let t = point(t, bits);
-            let angle = Real::angle(&t.sin(), &t.cos()).unwrap();
-            prop_assert!(!angle.is_apart_from(&t));
-            prop_assert!(angle.width() < Dyadic::power_of_two(8 - i64::from(bits)));
-            let arc = t.cos().acos().unwrap();
-            prop_assert!(!arc.is_apart_from(&t) || !arc.is_apart_from(&-&t));
-        }
-
-        #[test]
-        fn wide_sets_keep_their_members(t in 0.0..3.1f64, width in 0.0..0.04f64) {
-            let set = point(t, 64).hull(&point(t + width, 64));
-            let arc = set.cos().acos().unwrap();
-            prop_assert!([t, t + width].iter().all(|&t| !arc.is_apart_from(&point(t, 64)) || t > 3.1));
-            let angle = Real::angle(&set.sin(), &set.cos()).unwrap();
-            prop_assert!(!angle.is_apart_from(&point(t, 64)) && !angle.is_apart_from(&point(t + width, 64)));
-        }
-    }
-}
