@@ -20,7 +20,8 @@
 //! | (28), (29), (33), (52), (55) | models: words of mappings | [`mapping::Word`] |
 //! | (A.7) | Jacobian of a mapping | [`mapping::jacobian`] |
 //! | (56)-(73), figs 10, 11 | two impacts in N cycles: closed forms, all others, first contacts, stability, manifolds | [`two_impact`] |
-//! | (38)-(40) | eigenvalues, stability, fold and pitchfork of those | [`two_impact::Orbit`], [`two_impact::Mark`] |
+//! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
+//! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
