@@ -44,6 +44,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
         return Err(error).context(write);
     }
     progress.clear();
+    orbit.seek_attractor();
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
     let ending = Ending { conclusion, computed: arithmetic(&orbit), wide: orbit.first_wide(), settings: &settings };
     listing.end(&ending).context(write)?.commit()?;

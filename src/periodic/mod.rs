@@ -6,6 +6,8 @@
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! Lemmas T1-T9 are in `docs/proofs.md`.
 
+mod attractor;
+mod basin;
 mod census;
 pub mod chain;
 mod guess;
@@ -27,6 +29,9 @@ use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::orbit::{MAX_BITS, Start};
 use crate::pair::{ImpactPair, Reduced};
+pub use attractor::{Attractor, Passing};
+pub(crate) use attractor::{LONGEST, find as find_attractor};
+pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
 use identity::is_one_orbit;
@@ -88,10 +93,20 @@ impl Problem {
     /// # Errors
     /// When the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let reduced = pair.reduced()?;
+        Self::of(pair.exact()?, pair.reduced()?, pair.is_point(), word, cycles)
+    }
+
+    /// The same of a pair that is known reduced.
+    pub(crate) fn of(
+        exact: Reduced<Exact>,
+        reduced: Reduced<Ball>,
+        is_point: bool,
+        word: &Word,
+        cycles: u32,
+    ) -> Result<Self, Error> {
         let court = Court { pair: reduced, centre: reduced.centre(), margins: Margins::new(&reduced) };
         let chain = Chain::new(word, cycles)?;
-        Ok(Self { word: word.clone(), chain, exact: pair.exact()?, court, is_point: pair.is_point() })
+        Ok(Self { word: word.clone(), chain, exact, court, is_point })
     }
 
     /// The word.

@@ -1,0 +1,124 @@
+//! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
+
+use super::krawczyk::is_inside;
+use super::{PeriodicOrbit, Precision, Problem, Stability, newton};
+use crate::mapping::{Mapping, Word};
+use crate::number::Ball;
+use crate::pair::Wall;
+
+/// A state at an impact of a motion, certified.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passing {
+    /// The impact's number.
+    pub index: u64,
+    /// The wall.
+    pub wall: Wall,
+    /// Whole turns.
+    pub turns: i64,
+    /// The rest of the phase in turns.
+    pub phase: Ball,
+    /// The velocity before the impact, in gaps a turn.
+    pub velocity: Ball,
+}
+
+/// A stable periodic orbit that a motion is proved to converge to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attractor {
+    /// The word of the period.
+    pub word: Word,
+    /// How many cycles of the excitation it takes.
+    pub cycles: u32,
+    /// The orbit.
+    pub orbit: PeriodicOrbit,
+    /// The first impact of those looked at whose states are proved to lie in a neighbourhood that the period contracts.
+    pub from: u64,
+    /// What a period multiplies the distance from the orbit by at most, from there on, in that neighbourhood's norm.
+    pub factor: f64,
+}
+
+/// The longest period that is looked for, in impacts.
+pub(crate) const LONGEST: usize = 128;
+/// Two states this near, relative to their size, make a guess, and so many guesses are tried: neither decides anything.
+const NEAR: f64 = 0.02;
+const TRIED: usize = 8;
+/// An attractor's orbit is enclosed to as many digits at most, in as many bits.
+const DIGITS: u32 = 100;
+const BITS: u32 = 1024;
+
+/// A guess of the period of a motion: the last impacts that may make it, and the cycles.
+struct Guess<'s> {
+    states: &'s [Passing],
+    cycles: u32,
+}
+
+/// The periods that the end of a motion nearly repeats after, the shortest first.
+fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
+    let (last, before) = states.split_last().map_or((None, states), |(last, before)| (Some(last), before));
+    let periods = before.iter().rev().take(LONGEST).enumerate();
+    periods.filter_map(move |(i, state)| {
+        let last = last?;
+        let ahead = last.turns.saturating_sub(state.turns) as f64 + (last.phase.mid() - state.phase.mid());
+        let size = last.velocity.mid().abs() + state.velocity.mid().abs() + f64::MIN_POSITIVE;
+        let apart = (ahead - ahead.round()).abs() + (last.velocity.mid() - state.velocity.mid()).abs() / size;
+        let is_near = state.wall == last.wall && apart < NEAR && (1.0..=1e6).contains(&ahead.round());
+        let states = &before[before.len() - 1 - i..];
+        is_near.then_some(Guess { states, cycles: ahead.round() as u32 })
+    })
+}
+
+impl Guess<'_> {
+    /// The mappings from each of the impacts to the next.
+    fn word(&self) -> Option<Word> {
+        let next = self.states.iter().cycle().skip(1);
+        let mappings = self.states.iter().zip(next).map(|(from, to)| Mapping::between(from.wall, to.wall));
+        Word::new(mappings.collect()).ok()
+    }
+
+    /// Phases in turns, from the first impact's turn on.
+    fn phases(&self) -> Vec<f64> {
+        let base = self.states[0].turns;
+        self.states.iter().map(|state| state.turns.saturating_sub(base) as f64 + state.phase.mid()).collect()
+    }
+}
+
+/// Recognises the attractor of a motion at its end and proves that the motion converges to it. Lemma Q3
+///
+/// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
+/// `problem` makes the problem of a word, for the same pair.
+pub(crate) fn find(
+    states: &[Passing],
+    digits: u32,
+    mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
+) -> Option<Attractor> {
+    guesses(states).take(TRIED).find_map(|guess| {
+        let word = guess.word()?;
+        let problem = problem(&word, guess.cycles)?;
+        problem.attracts(&guess.phases(), states, digits)
+    })
+}
+
+impl Problem {
+    /// Proves that the orbit near these phases is stable and attracts a motion from one of `states` on, the last at the
+    /// latest; `None` where that is not proved.
+    pub(crate) fn attracts(&self, guess: &[f64], states: &[Passing], digits: u32) -> Option<Attractor> {
+        let last = states.last()?;
+        if !self.chain().crosses() {
+            return None;
+        }
+        let guess = newton::polish(self.chain(), &self.reduced().centre(), guess.to_vec())?;
+        let finding = self.prove_in_doubles(&guess)?;
+        if finding.stability != Stability::Stable || finding.physical != Some(true) {
+            return None;
+        }
+        let basin = self.basins(&finding).find(|basin| basin.holds(last.wall, last.phase, last.velocity))?;
+        let precision = Precision { digits: digits.min(DIGITS), max_bits: BITS };
+        let orbit = self.prove(&guess, precision)?;
+        let is_it = is_inside(orbit.phases(), &finding.proved.domain);
+        if !is_it || orbit.repeats != Some(1) || orbit.stability != Stability::Stable || orbit.physical != Some(true) {
+            return None;
+        }
+        let from = states.iter().find(|state| basin.holds(state.wall, state.phase, state.velocity))?.index;
+        let (word, cycles) = (self.word().clone(), self.chain().cycles());
+        Some(Attractor { word, cycles, orbit, from, factor: basin.factor() })
+    }
+}
