@@ -9,7 +9,7 @@ use super::document::ORBIT_SCHEMA;
 use crate::error::Error;
 use crate::exact::Exact;
 use crate::excitation::Harmonic;
-use crate::mapping::Mapping;
+use crate::mapping::{Mapping, Word};
 use crate::orbit::{Period, Start};
 use crate::pair::{ImpactPair, Wall};
 
@@ -41,6 +41,7 @@ pub struct Certificate {
     events: Vec<Claim>,
     outcome: String,
     period: Option<Period>,
+    attraction: Option<Attraction>,
 }
 
 /// An event that an orbit JSON claims.
@@ -53,6 +54,25 @@ pub struct Claim {
     /// What is claimed to happen.
     pub kind: ClaimKind,
 }
+
+/// A stable periodic orbit that the motion is claimed to converge to.
+#[derive(Clone, Debug)]
+pub(super) struct Attraction {
+    pub word: Word,
+    pub cycles: u64,
+    /// From this impact on it is in a neighbourhood that the period contracts.
+    pub from: u64,
+    /// Wall, phase, velocity of each impact.
+    pub impacts: Vec<(Wall, [Bounds; 2])>,
+    /// Trace, determinant, and both eigenvalues, real and imaginary parts.
+    pub numbers: [Bounds; 6],
+    pub symmetric: Option<bool>,
+    /// Whether it is claimed to be the only one in its box, physical and stable.
+    pub is_attractor: bool,
+}
+
+/// A lower and an upper bound.
+type Bounds = [BigRational; 2];
 
 /// What is claimed to happen at an event.
 #[derive(Clone, Debug)]
@@ -111,6 +131,7 @@ impl Certificate {
             events: events.iter().map(read_event).collect::<Result<_, _>>()?,
             outcome: outcome.get("kind")?.text()?.to_owned(),
             period: outcome.find("period")?.map(|period| read_period(&period)).transpose()?,
+            attraction: outcome.find("orbit")?.map(|orbit| read_attraction(&outcome, &orbit)).transpose()?,
         })
     }
 
@@ -132,6 +153,11 @@ impl Certificate {
     /// The word for how the orbit ended, such as `impacts-reached`.
     pub fn outcome(&self) -> &str {
         &self.outcome
+    }
+
+    /// The orbit that the motion is claimed to converge to.
+    pub(super) fn attraction(&self) -> Option<&Attraction> {
+        self.attraction.as_ref()
     }
 
     /// The period of a motion that is claimed to be `periodic`.
@@ -176,6 +202,31 @@ fn read_event(event: &Entry<'_>) -> Result<Claim, Error> {
 
 fn read_period(period: &Entry<'_>) -> Result<Period, Error> {
     Ok(Period { cycles: period.get("cycles")?.integer()?, impacts: period.get("impacts")?.integer()? })
+}
+
+fn read_attraction(outcome: &Entry<'_>, orbit: &Entry<'_>) -> Result<Attraction, Error> {
+    let impact = |impact: &Entry<'_>| {
+        Ok((impact.get("wall")?.wall()?, [impact.get("phase")?.bounds()?, impact.get("velocity")?.bounds()?]))
+    };
+    let eigenvalues = orbit.get("eigenvalues")?;
+    let [one, other] = eigenvalues.list()?.try_into().map_err(|_| eigenvalues.refused("must be two"))?;
+    let is_true = |key| Ok::<_, Error>(orbit.get(key)?.value == &Value::Bool(true));
+    Ok(Attraction {
+        word: outcome.get("word")?.text()?.parse()?,
+        cycles: outcome.get("cycles")?.integer()?,
+        from: outcome.get("from")?.integer()?,
+        impacts: orbit.get("impacts")?.list()?.iter().map(impact).collect::<Result<_, Error>>()?,
+        numbers: [
+            orbit.get("trace")?.bounds()?,
+            orbit.get("determinant")?.bounds()?,
+            one.get("re")?.bounds()?,
+            one.get("im")?.bounds()?,
+            other.get("re")?.bounds()?,
+            other.get("im")?.bounds()?,
+        ],
+        symmetric: orbit.get("symmetric")?.value.as_bool(),
+        is_attractor: is_true("unique")? && is_true("physical")? && orbit.get("stability")?.text()? == "stable",
+    })
 }
 
 /// A value of the document that knows where it stands: `events[3].time`.

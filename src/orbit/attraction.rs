@@ -1,11 +1,12 @@
 //! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q3
 
-use super::event::Outcome;
 use super::{Arithmetic, Orbit};
 use crate::periodic::{Attractor, LONGEST, Passing, Problem, find_attractor};
 
 /// How many of the last impacts are kept.
-const KEPT: usize = 1024;
+const KEPT: usize = 4096;
+/// An attractor's orbit is enclosed to so many digits at most.
+const DIGITS: u32 = 100;
 const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
 
 /// The last impacts of an orbit.
@@ -35,41 +36,18 @@ impl Recent {
 }
 
 impl Orbit {
-    /// Proves, if it can, that an orbit all of whose asked impacts are listed converges to a stable periodic orbit; then
-    /// its [`outcome`](Orbit::outcome) is [`Outcome::Attracted`]. Lemma Q3
+    /// The stable periodic orbit that the motion is proved to converge to, once all that was asked for is listed. Lemma Q3
     ///
-    /// Nothing else changes, and nothing is proved where it fails. **Cost**: none for an orbit that has not come near
-    /// one of its last 128 states, as chaotic ones mostly have not; milliseconds otherwise.
-    ///
-    /// ```
-    /// use impact_pair::orbit::{Outcome, Settings};
-    /// use impact_pair::scene::Scene;
-    /// // Figure 12 does not start on a periodic orbit, but it comes to one.
-    /// let scene = Scene::parse(r#"
-    ///     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
-    ///     pair = { gap = 9.42497, restitution = 0.5 }
-    ///     start = { time = 0, wall = "left", velocity = -12.56636 }"#)?;
-    /// let mut orbit = scene.orbit(Settings::default())?;
-    /// while orbit.next().is_some() {}
-    /// orbit.seek_attractor();
-    /// let Some(Outcome::Attracted(attractor)) = orbit.outcome() else { unreachable!() };
-    /// assert_eq!((attractor.word.to_string().as_str(), attractor.cycles), ("P1 P2", 1));
-    /// assert_eq!(attractor.orbit.symmetric, Some(true));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn seek_attractor(&mut self) {
-        let is_whole = matches!(self.outcome, Some(Outcome::ImpactsReached | Outcome::TimeReached));
-        if !is_whole || self.settings.arithmetic == Arithmetic::Float {
-            return;
+    /// **Cost**: none to speak of for an orbit that has not come near one of its last 128 states, as most chaotic ones
+    /// have not; milliseconds otherwise.
+    #[cold]
+    pub(super) fn attractor(&self) -> Option<Attractor> {
+        // The grazes of a motion without impacts end here as well; floats prove nothing.
+        if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
+            return None;
         }
-        if let Some(attractor) = self.attractor() {
-            self.outcome = Some(Outcome::Attracted(Box::new(attractor)));
-        }
-    }
-
-    fn attractor(&self) -> Option<Attractor> {
         let problem = |word: &_, cycles| Problem::of(self.exact.clone(), self.pair, self.is_point, word, cycles).ok();
-        find_attractor(&self.recent.in_order(), self.settings.digits, problem)
+        find_attractor(&self.recent.in_order(), self.settings.digits.min(DIGITS), problem)
     }
 }
 

@@ -127,8 +127,8 @@ pub enum Outcome {
     TimeReached,
     /// All that was asked for, and from a release on the motion is proved to repeat exactly, for ever.
     Periodic(Period),
-    /// All that was asked for, and the motion is proved to converge to a stable periodic orbit: by
-    /// [`Orbit::seek_attractor`](super::Orbit::seek_attractor) alone.
+    /// All that was asked for, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only where
+    /// [`Settings::attractor`](super::Settings::attractor) asks for it.
     Attracted(Box<Attractor>),
     /// The ball rests on its wall for ever: nothing shakes the box.
     RestsForever(Wall),

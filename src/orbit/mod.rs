@@ -297,7 +297,9 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
-        self.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
+        if self.settings.attractor {
+            self.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
+        }
         let precise = self.precise(&contact).map(Box::new);
         let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
         if self.is_aside {
@@ -326,8 +328,12 @@ impl Orbit {
     }
 
     /// All that was asked for is listed.
+    #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
-        self.outcome = Some(self.recurrence.period().map_or(reached, Outcome::Periodic));
+        self.outcome = Some(match self.recurrence.period() {
+            Some(period) => Outcome::Periodic(period),
+            None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
+        });
         Progress::Ended
     }
 

@@ -41,8 +41,7 @@ pub(crate) const LONGEST: usize = 128;
 /// Two states this near, relative to their size, make a guess, and so many guesses are tried: neither decides anything.
 const NEAR: f64 = 0.02;
 const TRIED: usize = 8;
-/// An attractor's orbit is enclosed to as many digits at most, in as many bits.
-const DIGITS: u32 = 100;
+/// Bits that its orbit is enclosed in at most.
 const BITS: u32 = 1024;
 
 /// A guess of the period of a motion: the last impacts that may make it, and the cycles.
@@ -111,7 +110,7 @@ impl Problem {
             return None;
         }
         let basin = self.basins(&finding).find(|basin| basin.holds(last.wall, last.phase, last.velocity))?;
-        let precision = Precision { digits: digits.min(DIGITS), max_bits: BITS };
+        let precision = Precision { digits, max_bits: BITS };
         let orbit = self.prove(&guess, precision)?;
         let is_it = is_inside(orbit.phases(), &finding.proved.domain);
         if !is_it || orbit.repeats != Some(1) || orbit.stability != Stability::Stable || orbit.physical != Some(true) {
