@@ -33,6 +33,8 @@ pub struct Basin {
 
 type Matrix = [[Ball; 2]; 2];
 type Axes = [[f64; 2]; 2];
+/// Two vectors of phase and velocity.
+type Basis = [[f64; 2]; 2];
 
 /// The radii tried, each half of the one before, in turns; the second axis so many times shorter.
 const LARGEST: f64 = 0.125;
@@ -42,13 +44,14 @@ const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];
 impl Problem {
     /// Neighbourhoods that a proved orbit attracts, the largest first. Lemma Q1
     ///
-    /// **Cost**: a certified flight and a Jacobian for each impact, 132 times at most.
+    /// **Cost**: a certified flight and a Jacobian for each impact, 264 times at most.
     pub fn basins<'p>(&'p self, orbit: &'p Finding<Ball>) -> impl Iterator<Item = Basin> + 'p {
         // Only of an orbit that is one the lemma speaks.
-        let axes = (orbit.physical == Some(true)).then(|| self.axes(orbit)).flatten();
+        let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit)).flatten();
         let sizes = (0..HALVINGS).flat_map(|n| SHORTER.map(|shorter| (LARGEST * 0.5f64.powi(n as i32), shorter)));
-        axes.into_iter().flat_map(move |[first, second]| {
-            sizes.clone().filter_map(move |(radius, shorter)| {
+        bases.into_iter().flat_map(move |bases| {
+            let ellipses = sizes.clone().flat_map(move |size| bases.map(|basis| (basis, size)));
+            ellipses.filter_map(move |([first, second], (radius, shorter))| {
                 let axes = [[first[0], second[0] * shorter], [first[1], second[1] * shorter]];
                 self.basin(orbit, axes, radius)
             })
@@ -97,9 +100,9 @@ impl Problem {
         Some(product)
     }
 
-    /// The orbit's eigenvectors as columns, that of the larger eigenvalue first, or the two parts of a complex one;
-    /// in floats, since any invertible matrix will do.
-    fn axes(&self, orbit: &Finding<Ball>) -> Option<[[f64; 2]; 2]> {
+    /// The orbit's eigenvectors, that of the larger eigenvalue first, or the two parts of a complex one; and the first
+    /// with what is perpendicular to it, where they are nearly parallel. In floats: any invertible matrix will do.
+    fn bases(&self, orbit: &Finding<Ball>) -> Option<[Basis; 2]> {
         let monodromy = self.chain().monodromy(self.reduced(), &orbit.legs)?;
         let speed = (0..self.chain().impacts()).map(|i| self.chain().before(&orbit.legs, i).mag()).fold(0.0, f64::max);
         // Velocities in units of the orbit's greatest, so that both coordinates are of one order.
@@ -110,7 +113,7 @@ impl Problem {
         let root = under.abs().sqrt();
         let unit = |v: [f64; 2]| {
             let size = length(v);
-            if size > 0.0 { [v[0] / size, v[1] / size * speed] } else { [1.0, 0.0] }
+            if size > 1e-150 { v.map(|x| x / size) } else { [1.0, 0.0] }
         };
         // Of (M - lambda) x = 0 the row that says more.
         let vector = |lambda: f64| {
@@ -124,10 +127,10 @@ impl Problem {
         } else {
             // x + i y with M (x + i y) = (half + i root)(x + i y), one factor for both.
             let size = length([b, length([half - a, root])]);
-            ([b / size, (half - a) / size * speed], [0.0, root / size * speed])
+            ([b, half - a].map(|x| x / size), [0.0, root / size])
         };
-        let is_basis = (first[0] * second[1] - first[1] * second[0]).abs() > 1e-6 * speed;
-        Some(if is_basis { [first, second] } else { [[1.0, 0.0], [0.0, speed]] })
+        let perpendicular = [-first[1], first[0]];
+        Some([[first, second], [first, perpendicular]].map(|basis| basis.map(|[x, y]| [x, y * speed])))
     }
 }
 
