@@ -5,11 +5,12 @@
 use num_rational::BigRational;
 use serde_json::{Deserializer, Map, Value};
 
+use super::attraction::Attraction;
 use super::document::ORBIT_SCHEMA;
 use crate::error::Error;
 use crate::exact::Exact;
 use crate::excitation::Harmonic;
-use crate::mapping::{Mapping, Word};
+use crate::mapping::Mapping;
 use crate::orbit::{Period, Start};
 use crate::pair::{ImpactPair, Wall};
 
@@ -54,25 +55,6 @@ pub struct Claim {
     /// What is claimed to happen.
     pub kind: ClaimKind,
 }
-
-/// A stable periodic orbit that the motion is claimed to converge to.
-#[derive(Clone, Debug)]
-pub(super) struct Attraction {
-    pub word: Word,
-    pub cycles: u64,
-    /// From this impact on it is in a neighbourhood that the period contracts.
-    pub from: u64,
-    /// Wall, phase, velocity of each impact.
-    pub impacts: Vec<(Wall, [Bounds; 2])>,
-    /// Trace, determinant, and both eigenvalues, real and imaginary parts.
-    pub numbers: [Bounds; 6],
-    pub symmetric: Option<bool>,
-    /// Whether it is claimed to be the only one in its box, physical and stable.
-    pub is_attractor: bool,
-}
-
-/// A lower and an upper bound.
-type Bounds = [BigRational; 2];
 
 /// What is claimed to happen at an event.
 #[derive(Clone, Debug)]
@@ -131,7 +113,7 @@ impl Certificate {
             events: events.iter().map(read_event).collect::<Result<_, _>>()?,
             outcome: outcome.get("kind")?.text()?.to_owned(),
             period: outcome.find("period")?.map(|period| read_period(&period)).transpose()?,
-            attraction: outcome.find("orbit")?.map(|orbit| read_attraction(&outcome, &orbit)).transpose()?,
+            attraction: outcome.find("orbit")?.map(|orbit| Attraction::read(&outcome, &orbit)).transpose()?,
         })
     }
 
@@ -204,35 +186,10 @@ fn read_period(period: &Entry<'_>) -> Result<Period, Error> {
     Ok(Period { cycles: period.get("cycles")?.integer()?, impacts: period.get("impacts")?.integer()? })
 }
 
-fn read_attraction(outcome: &Entry<'_>, orbit: &Entry<'_>) -> Result<Attraction, Error> {
-    let impact = |impact: &Entry<'_>| {
-        Ok((impact.get("wall")?.wall()?, [impact.get("phase")?.bounds()?, impact.get("velocity")?.bounds()?]))
-    };
-    let eigenvalues = orbit.get("eigenvalues")?;
-    let [one, other] = eigenvalues.list()?.try_into().map_err(|_| eigenvalues.refused("must be two"))?;
-    let is_true = |key| Ok::<_, Error>(orbit.get(key)?.value == &Value::Bool(true));
-    Ok(Attraction {
-        word: outcome.get("word")?.text()?.parse()?,
-        cycles: outcome.get("cycles")?.integer()?,
-        from: outcome.get("from")?.integer()?,
-        impacts: orbit.get("impacts")?.list()?.iter().map(impact).collect::<Result<_, Error>>()?,
-        numbers: [
-            orbit.get("trace")?.bounds()?,
-            orbit.get("determinant")?.bounds()?,
-            one.get("re")?.bounds()?,
-            one.get("im")?.bounds()?,
-            other.get("re")?.bounds()?,
-            other.get("im")?.bounds()?,
-        ],
-        symmetric: orbit.get("symmetric")?.value.as_bool(),
-        is_attractor: is_true("unique")? && is_true("physical")? && orbit.get("stability")?.text()? == "stable",
-    })
-}
-
 /// A value of the document that knows where it stands: `events[3].time`.
-struct Entry<'j> {
+pub(super) struct Entry<'j> {
     key: String,
-    value: &'j Value,
+    pub value: &'j Value,
 }
 
 impl<'j> Entry<'j> {
@@ -240,7 +197,7 @@ impl<'j> Entry<'j> {
         Self { key: String::new(), value }
     }
 
-    fn refused(&self, but: &str) -> Error {
+    pub fn refused(&self, but: &str) -> Error {
         let mut written = self.value.to_string();
         if written.len() > 60 {
             written = written.chars().take(57).chain("...".chars()).collect();
@@ -258,20 +215,20 @@ impl<'j> Entry<'j> {
         Ok(map.get(key).map(|value| Self { key: self.full(key), value }))
     }
 
-    fn get(&self, key: &str) -> Result<Self, Error> {
+    pub fn get(&self, key: &str) -> Result<Self, Error> {
         self.find(key)?.ok_or_else(|| Error::certificate(format!("{} is missing", self.full(key))))
     }
 
-    fn list(&self) -> Result<Vec<Self>, Error> {
+    pub fn list(&self) -> Result<Vec<Self>, Error> {
         let list = self.value.as_array().ok_or_else(|| self.refused("must be a list"))?;
         Ok(list.iter().enumerate().map(|(i, value)| Self { key: format!("{}[{i}]", self.key), value }).collect())
     }
 
-    fn text(&self) -> Result<&'j str, Error> {
+    pub fn text(&self) -> Result<&'j str, Error> {
         self.value.as_str().ok_or_else(|| self.refused("must be a string"))
     }
 
-    fn integer(&self) -> Result<u64, Error> {
+    pub fn integer(&self) -> Result<u64, Error> {
         self.value.as_u64().ok_or_else(|| self.refused("must be an integer of at least 0"))
     }
 
@@ -288,7 +245,7 @@ impl<'j> Entry<'j> {
         Exact::parse(text).map_err(|error| self.refused(&format!("does not read as a number: {error}")))
     }
 
-    fn wall(&self) -> Result<Wall, Error> {
+    pub fn wall(&self) -> Result<Wall, Error> {
         let name = self.text()?;
         let wall = [Wall::Left, Wall::Right].into_iter().find(|wall| wall.name() == name);
         wall.ok_or_else(|| self.refused("accepted are \"left\" and \"right\""))
@@ -303,7 +260,7 @@ impl<'j> Entry<'j> {
         mapping.map(Some).ok_or_else(|| self.refused("accepted are \"P1\" to \"P4\" and null"))
     }
 
-    fn bounds(&self) -> Result<[BigRational; 2], Error> {
+    pub fn bounds(&self) -> Result<[BigRational; 2], Error> {
         let bounds: Result<Vec<_>, _> = self.list()?.iter().map(Self::decimal).collect();
         bounds?.try_into().map_err(|_| self.refused("must be two bounds, the lower and the upper"))
     }

@@ -191,11 +191,7 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
     ] {
         assert!(matches!(spoiled(path, value), Verdict::Refuted(_)), "{path}");
     }
-    for (path, value) in [
-        ("from", json!(1)),
-        ("word", json!("P2 P1")),
-        ("cycles", json!(2)),
-    ] {
+    for (path, value) in [("from", json!(1)), ("word", json!("P2 P1")), ("cycles", json!(2))] {
         assert!(!matches!(spoiled(path, value), Verdict::Confirmed { .. }), "{path}");
     }
     // Wider bounds are true as well.

@@ -8,8 +8,8 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::contact::Doubt;
+use crate::certificate::attraction::Attraction;
 use crate::certificate::periodic::{PeriodicDocument, phase};
-use crate::certificate::read::Attraction;
 use crate::certificate::{Certificate, Claim, ClaimKind};
 use crate::exact::{Enclosure, Exact, decimal_digits};
 use crate::number::Ball;
