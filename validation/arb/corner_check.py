@@ -5,7 +5,7 @@ from fractions import Fraction
 from flint import arb, ctx, fmpq
 
 from compare import Disagreement, bounds
-from corners import GRAZES, NEVER, ORBIT, STILL
+from corners import GOES_ON, GRAZES, NEVER, ORBIT, STILL
 from flight import Flight
 from judging import check_never, judge_scene
 from listing import judge
