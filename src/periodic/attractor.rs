@@ -38,8 +38,9 @@ pub struct Attractor {
 
 /// The longest period that is looked for, in impacts.
 pub(crate) const LONGEST: usize = 128;
-/// Two states this near, relative to their size, make a guess, and so many guesses are tried: neither decides anything.
+/// States this near, relative to their size, make a guess, and so many guesses are tried: nothing rests on either.
 const NEAR: f64 = 0.02;
+const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
 /// Bits that its orbit is enclosed in at most.
 const BITS: u32 = 1024;
@@ -52,17 +53,32 @@ struct Guess<'s> {
 
 /// The periods that the end of a motion nearly repeats after, the shortest first.
 fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
-    let (last, before) = states.split_last().map_or((None, states), |(last, before)| (Some(last), before));
-    let periods = before.iter().rev().take(LONGEST).enumerate();
-    periods.filter_map(move |(i, state)| {
-        let last = last?;
-        let ahead = last.turns.saturating_sub(state.turns) as f64 + (last.phase.mid() - state.phase.mid());
-        let size = last.velocity.mid().abs() + state.velocity.mid().abs() + f64::MIN_POSITIVE;
-        let apart = (ahead - ahead.round()).abs() + (last.velocity.mid() - state.velocity.mid()).abs() / size;
-        let is_near = state.wall == last.wall && apart < NEAR && (1.0..=1e6).contains(&ahead.round());
-        let states = &before[before.len() - 1 - i..];
-        is_near.then_some(Guess { states, cycles: ahead.round() as u32 })
+    let count = states.len();
+    (1..count.min(LONGEST + 1)).filter_map(move |period| {
+        let (last, before) = (&states[count - 1], &states[count - 1 - period]);
+        let is_near = last.apart(before).is_some_and(|apart| apart < NEAR);
+        // So does the period before it, as far as there is one: chaos that has only come near a state once does not.
+        let earlier = states[..count - 1].iter().rev().zip(states[..count - 1 - period].iter().rev()).take(period);
+        let repeats = |(now, then): (&Passing, &Passing)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
+        let cycles = last.since(before).round();
+        (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
+            .then(|| Guess { states: &states[count - 1 - period..count - 1], cycles: cycles as u32 })
     })
+}
+
+impl Passing {
+    /// Turns since another one.
+    fn since(&self, before: &Self) -> f64 {
+        self.turns.saturating_sub(before.turns) as f64 + (self.phase.mid() - before.phase.mid())
+    }
+
+    /// How far two states on one wall differ, in turns less whole ones and in parts of the velocities.
+    fn apart(&self, before: &Self) -> Option<f64> {
+        let since = self.since(before);
+        let (now, then) = (self.velocity.mid(), before.velocity.mid());
+        let apart = (now - then).abs() / (now.abs() + then.abs() + f64::MIN_POSITIVE);
+        (self.wall == before.wall).then(|| (since - since.round()).abs() + apart)
+    }
 }
 
 impl Guess<'_> {
