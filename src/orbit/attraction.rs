@@ -46,7 +46,7 @@ impl Orbit {
         if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
             return None;
         }
-        let problem = |word: &_, cycles| Problem::of(self.exact.clone(), self.pair, self.is_point, word, cycles).ok();
+        let problem = |word: &_, cycles| Problem::of(self.exact.clone(), self.pair, word, cycles).ok();
         find_attractor(&self.recent.in_order(), self.settings.digits.min(DIGITS), problem)
     }
 }

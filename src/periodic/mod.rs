@@ -4,7 +4,8 @@
 //! equations the impact law at each ([`chain`]); Newton's iteration in floats proposes ([`newton`]), Krawczyk's operator
 //! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
-//! Lemmas T1-T9 are in `docs/proofs.md`.
+//! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Lemmas T1-T9 are in
+//! `docs/proofs.md`.
 
 mod attractor;
 mod basin;
@@ -84,6 +85,8 @@ pub struct Problem {
     chain: Chain,
     exact: Reduced<Exact>,
     court: Court,
+    /// No interval among the parameters: more precision narrows.
+    #[cfg(feature = "multiprecision")]
     is_point: bool,
 }
 
@@ -93,20 +96,21 @@ impl Problem {
     /// # Errors
     /// When the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        Self::of(pair.exact()?, pair.reduced()?, pair.is_point(), word, cycles)
+        Self::of(pair.exact()?, pair.reduced()?, word, cycles)
     }
 
     /// The same of a pair that is known reduced.
-    pub(crate) fn of(
-        exact: Reduced<Exact>,
-        reduced: Reduced<Ball>,
-        is_point: bool,
-        word: &Word,
-        cycles: u32,
-    ) -> Result<Self, Error> {
+    pub(crate) fn of(exact: Reduced<Exact>, reduced: Reduced<Ball>, word: &Word, cycles: u32) -> Result<Self, Error> {
         let court = Court { pair: reduced, centre: reduced.centre(), margins: Margins::new(&reduced) };
         let chain = Chain::new(word, cycles)?;
-        Ok(Self { word: word.clone(), chain, exact, court, is_point })
+        Ok(Self {
+            word: word.clone(),
+            chain,
+            #[cfg(feature = "multiprecision")]
+            is_point: [&exact.alpha, &exact.restitution].iter().all(|x| x.is_point()),
+            exact,
+            court,
+        })
     }
 
     /// The word.
