@@ -5,10 +5,12 @@ use std::fmt;
 use serde_json::{Value, json};
 
 use super::event::{Bounds, Event};
+use super::periodic::orbit_json;
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_digits};
 use crate::orbit::{Orbit, Outcome, Period, Start};
 use crate::pair::Wall;
+use crate::periodic::Attractor;
 
 /// How an orbit ended, in words: the `outcome` of the orbit JSON.
 #[derive(Clone, Debug)]
@@ -17,6 +19,7 @@ pub struct Conclusion {
     message: String,
     doubt: Option<Doubt>,
     period: Option<Period>,
+    attractor: Option<Value>,
 }
 
 /// What is known of the event that was not decided.
@@ -33,15 +36,24 @@ impl Conclusion {
         let index = last.map_or(0, |event| event.index);
         let after = if index == 0 { "before the first impact".into() } else { format!("after impact {index}") };
         let kind = orbit.outcome().map_or("undecided", Outcome::kind);
-        let said = |message: String| Self { kind, message, doubt: None, period: None };
+        let said = |message: String| Self { kind, message, doubt: None, period: None, attractor: None };
         match orbit.outcome() {
             Some(Outcome::ImpactsReached) => said(counted(index)),
             Some(Outcome::TimeReached) => said(format!("{} up to the time asked for", counted(index))),
             Some(Outcome::Periodic(period)) => {
                 let Period { cycles, impacts } = *period;
-                let every = format!("{} every {cycles} cycle{}", counted(impacts), if cycles == 1 { "" } else { "s" });
+                let every = every(impacts, cycles);
                 let message = format!("{}; proved to repeat exactly for ever, {every}", counted(index));
                 Self { period: Some(*period), ..said(message) }
+            }
+            Some(Outcome::Attracted(attractor)) => {
+                let Attractor { word, cycles, from, .. } = &**attractor;
+                let every = every(word.mappings().len() as u64, u64::from(*cycles));
+                let message = format!(
+                    "{}; proved to converge to a stable orbit of {every} ({word}), from impact {from} on",
+                    counted(index)
+                );
+                Self { attractor: Some(attractor_json(orbit, attractor)), ..said(message) }
             }
             Some(Outcome::RestsForever(wall)) => said(format!("{after} at rest on the {} wall for ever", wall.name())),
             Some(Outcome::NeverImpacts) => said(format!("{after} no wall is ever touched again")),
@@ -82,6 +94,9 @@ impl Conclusion {
             let mut outcome = json!({"kind": self.kind, "message": self.message});
             if let Some(Period { cycles, impacts }) = self.period {
                 outcome["period"] = json!({"cycles": cycles, "impacts": impacts});
+            }
+            if let (Value::Object(outcome), Some(Value::Object(attractor))) = (&mut outcome, &self.attractor) {
+                outcome.extend(attractor.clone());
             }
             return outcome;
         };
@@ -128,6 +143,21 @@ fn enclosed(x: &Exact) -> Enclosure {
 
 fn counted(impacts: u64) -> String {
     if impacts == 1 { "1 impact".into() } else { format!("{impacts} impacts") }
+}
+
+fn every(impacts: u64, cycles: u64) -> String {
+    let cycles = if cycles == 1 { "cycle".into() } else { format!("{cycles} cycles") };
+    format!("{} every {cycles}", counted(impacts))
+}
+
+/// What the outcome says of the orbit that the motion converges to.
+fn attractor_json(orbit: &Orbit, attractor: &Attractor) -> Value {
+    json!({
+        "word": attractor.word.to_string(),
+        "cycles": attractor.cycles,
+        "from": attractor.from,
+        "orbit": orbit_json(&attractor.orbit, |velocity| orbit.clock().velocity(velocity)),
+    })
 }
 
 fn explanation(reason: Reason) -> &'static str {

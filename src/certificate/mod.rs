@@ -5,6 +5,7 @@
 //! `outcome` and the `events`. As JSON Lines it is the head alone, one event a line, and at last `{"outcome": ..., "arithmetic":
 //! ...}`, which are not known before. Runs in `float` have `"certified": false`, and both bounds are the double itself.
 
+mod attraction;
 mod check;
 mod conclusion;
 mod document;

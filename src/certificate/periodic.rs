@@ -37,10 +37,7 @@ impl<'d> PeriodicDocument<'d> {
 
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, turns: &Enclosure, bits: u32) -> Enclosure {
-        let bits = bits + 64;
-        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), bits);
-        let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
-        turns.sub(&whole, bits).mul(&two_pi, bits)
+        phase(turns, bits)
     }
 
     /// A velocity \[length/time\] given in gaps a turn.
@@ -70,25 +67,43 @@ impl<'d> PeriodicDocument<'d> {
     }
 
     fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
-        json!({
-            "wall": impact.wall.name(),
-            "phase": decimal_bounds(&self.phase(&impact.phase, bits)),
-            "velocity": decimal_bounds(&self.velocity(&impact.velocity, bits)),
-        })
+        impact_json(impact, bits, |velocity| self.velocity(velocity, bits))
     }
 
     fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
-        let eigenvalue = |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
-        json!({
-            "impacts": orbit.impacts.iter().map(|impact| self.impact(impact, orbit.bits)).collect::<Value>(),
-            // A box that is not proved to hold exactly one orbit is not listed.
-            "unique": true,
-            "physical": orbit.physical,
-            "symmetric": orbit.symmetric,
-            "trace": decimal_bounds(&orbit.trace),
-            "determinant": decimal_bounds(&orbit.determinant),
-            "eigenvalues": orbit.eigenvalues.iter().map(eigenvalue).collect::<Value>(),
-            "stability": orbit.stability.name(),
-        })
+        orbit_json(orbit, |velocity| self.velocity(velocity, orbit.bits))
     }
+}
+
+/// The phase `W t + tau` \[rad\] of one in turns, its lower bound in `[0, 2 pi)`.
+pub(super) fn phase(turns: &Enclosure, bits: u32) -> Enclosure {
+    let bits = bits + 64;
+    let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), bits);
+    let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
+    turns.sub(&whole, bits).mul(&two_pi, bits)
+}
+
+fn impact_json(impact: &PeriodicImpact, bits: u32, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
+    json!({
+        "wall": impact.wall.name(),
+        "phase": decimal_bounds(&phase(&impact.phase, bits)),
+        "velocity": decimal_bounds(&velocity(&impact.velocity)),
+    })
+}
+
+/// An entry of `orbits`, its velocities in the units that `velocity` turns gaps a turn into.
+pub(super) fn orbit_json(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
+    let eigenvalue =
+        |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
+    json!({
+        "impacts": orbit.impacts.iter().map(|impact| impact_json(impact, orbit.bits, &velocity)).collect::<Value>(),
+        // A box that is not proved to hold exactly one orbit is not listed.
+        "unique": true,
+        "physical": orbit.physical,
+        "symmetric": orbit.symmetric,
+        "trace": decimal_bounds(&orbit.trace),
+        "determinant": decimal_bounds(&orbit.determinant),
+        "eigenvalues": orbit.eigenvalues.iter().map(eigenvalue).collect::<Value>(),
+        "stability": orbit.stability.name(),
+    })
 }

@@ -5,6 +5,7 @@
 use num_rational::BigRational;
 use serde_json::{Deserializer, Map, Value};
 
+use super::attraction::Attraction;
 use super::document::ORBIT_SCHEMA;
 use crate::error::Error;
 use crate::exact::Exact;
@@ -41,6 +42,7 @@ pub struct Certificate {
     events: Vec<Claim>,
     outcome: String,
     period: Option<Period>,
+    attraction: Option<Attraction>,
 }
 
 /// An event that an orbit JSON claims.
@@ -111,6 +113,7 @@ impl Certificate {
             events: events.iter().map(read_event).collect::<Result<_, _>>()?,
             outcome: outcome.get("kind")?.text()?.to_owned(),
             period: outcome.find("period")?.map(|period| read_period(&period)).transpose()?,
+            attraction: outcome.find("orbit")?.map(|orbit| Attraction::read(&outcome, &orbit)).transpose()?,
         })
     }
 
@@ -132,6 +135,11 @@ impl Certificate {
     /// The word for how the orbit ended, such as `impacts-reached`.
     pub fn outcome(&self) -> &str {
         &self.outcome
+    }
+
+    /// The orbit that the motion is claimed to converge to.
+    pub(super) fn attraction(&self) -> Option<&Attraction> {
+        self.attraction.as_ref()
     }
 
     /// The period of a motion that is claimed to be `periodic`.
@@ -179,9 +187,9 @@ fn read_period(period: &Entry<'_>) -> Result<Period, Error> {
 }
 
 /// A value of the document that knows where it stands: `events[3].time`.
-struct Entry<'j> {
+pub(super) struct Entry<'j> {
     key: String,
-    value: &'j Value,
+    pub value: &'j Value,
 }
 
 impl<'j> Entry<'j> {
@@ -189,7 +197,7 @@ impl<'j> Entry<'j> {
         Self { key: String::new(), value }
     }
 
-    fn refused(&self, but: &str) -> Error {
+    pub fn refused(&self, but: &str) -> Error {
         let mut written = self.value.to_string();
         if written.len() > 60 {
             written = written.chars().take(57).chain("...".chars()).collect();
@@ -207,20 +215,20 @@ impl<'j> Entry<'j> {
         Ok(map.get(key).map(|value| Self { key: self.full(key), value }))
     }
 
-    fn get(&self, key: &str) -> Result<Self, Error> {
+    pub fn get(&self, key: &str) -> Result<Self, Error> {
         self.find(key)?.ok_or_else(|| Error::certificate(format!("{} is missing", self.full(key))))
     }
 
-    fn list(&self) -> Result<Vec<Self>, Error> {
+    pub fn list(&self) -> Result<Vec<Self>, Error> {
         let list = self.value.as_array().ok_or_else(|| self.refused("must be a list"))?;
         Ok(list.iter().enumerate().map(|(i, value)| Self { key: format!("{}[{i}]", self.key), value }).collect())
     }
 
-    fn text(&self) -> Result<&'j str, Error> {
+    pub fn text(&self) -> Result<&'j str, Error> {
         self.value.as_str().ok_or_else(|| self.refused("must be a string"))
     }
 
-    fn integer(&self) -> Result<u64, Error> {
+    pub fn integer(&self) -> Result<u64, Error> {
         self.value.as_u64().ok_or_else(|| self.refused("must be an integer of at least 0"))
     }
 
@@ -237,7 +245,7 @@ impl<'j> Entry<'j> {
         Exact::parse(text).map_err(|error| self.refused(&format!("does not read as a number: {error}")))
     }
 
-    fn wall(&self) -> Result<Wall, Error> {
+    pub fn wall(&self) -> Result<Wall, Error> {
         let name = self.text()?;
         let wall = [Wall::Left, Wall::Right].into_iter().find(|wall| wall.name() == name);
         wall.ok_or_else(|| self.refused("accepted are \"left\" and \"right\""))
@@ -252,7 +260,7 @@ impl<'j> Entry<'j> {
         mapping.map(Some).ok_or_else(|| self.refused("accepted are \"P1\" to \"P4\" and null"))
     }
 
-    fn bounds(&self) -> Result<[BigRational; 2], Error> {
+    pub fn bounds(&self) -> Result<[BigRational; 2], Error> {
         let bounds: Result<Vec<_>, _> = self.list()?.iter().map(Self::decimal).collect();
         bounds?.try_into().map_err(|_| self.refused("must be two bounds, the lower and the upper"))
     }

@@ -193,3 +193,60 @@ proptest! {
         }
     }
 }
+
+/// The orbit JSON of a motion like figure 13's, with its attractor.
+#[cfg(feature = "multiprecision")]
+fn attracted() -> Value {
+    let scene = scene("2", "wall = \"left\", velocity = -12.56636");
+    let settings = Settings { attractor: true, impacts: Some(20), ..scene.settings() };
+    let mut orbit = scene.orbit(settings).unwrap();
+    let events: Vec<Event> = orbit.by_ref().collect::<Vec<_>>().iter().map(|x| Event::new(&orbit, x)).collect();
+    let head = head(scene.pair(), scene.start(), Arithmetic::Auto, super::arithmetic(&orbit));
+    let mut text = Vec::new();
+    write_json(&mut text, &head, &Conclusion::of(&orbit, scene.start(), events.last()), &events).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+#[cfg(feature = "multiprecision")]
+fn verdict(document: &Value) -> Verdict {
+    Certificate::parse(&document.to_string()).unwrap().check(|_| {}).unwrap()
+}
+
+#[test]
+#[cfg(feature = "multiprecision")]
+fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
+    let document = attracted();
+    let outcome = &document["outcome"];
+    assert_eq!(
+        (&outcome["kind"], &outcome["word"], &outcome["cycles"]),
+        (&json!("attracted"), &json!("P1 P2"), &json!(1))
+    );
+    assert!(outcome["message"].as_str().unwrap().starts_with(
+        "20 impacts; proved to converge to a stable orbit of 2 impacts every cycle (P1 P2), from impact "
+    ));
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    let spoiled = |path: &str, value: Value| {
+        let mut copy = document.clone();
+        *copy.pointer_mut(&format!("/outcome/{path}")).expect(path) = value;
+        verdict(&copy)
+    };
+    for (path, value) in [
+        ("orbit/impacts/0/velocity", json!(["-16.58", "-16.57562"])),
+        ("orbit/impacts/1/phase", json!(["2.28", "2.29"])),
+        ("orbit/impacts/1/wall", json!("left")),
+        ("orbit/impacts", json!([])),
+        ("orbit/symmetric", json!(false)),
+        ("orbit/stability", json!("unstable")),
+        ("orbit/physical", json!(null)),
+        ("orbit/trace", json!(["-0.5", "-0.4"])),
+        ("orbit/determinant", json!(["0.0626", "0.0627"])),
+        ("orbit/eigenvalues/1/im", json!(["0.1", "0.2"])),
+    ] {
+        assert!(matches!(spoiled(path, value), Verdict::Refuted(_)), "{path}");
+    }
+    for (path, value) in [("from", json!(1)), ("word", json!("P2 P1")), ("cycles", json!(2))] {
+        assert!(!matches!(spoiled(path, value), Verdict::Confirmed { .. }), "{path}");
+    }
+    // Wider bounds are true as well.
+    assert!(matches!(spoiled("orbit/trace", json!(["-0.4", "-0.3"])), Verdict::Confirmed { .. }));
+}

@@ -5,6 +5,7 @@ use crate::exact::Enclosure;
 use crate::mapping::Mapping;
 use crate::number::Ball;
 use crate::pair::Wall;
+use crate::periodic::Attractor;
 
 /// One impact of an orbit.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +127,9 @@ pub enum Outcome {
     TimeReached,
     /// All that was asked for, and from a release on the motion is proved to repeat exactly, for ever.
     Periodic(Period),
+    /// All that was asked for, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only where
+    /// [`Settings::attractor`](super::Settings::attractor) asks for it.
+    Attracted(Box<Attractor>),
     /// The ball rests on its wall for ever: nothing shakes the box.
     RestsForever(Wall),
     /// No wall is ever touched again.
@@ -148,6 +152,7 @@ impl Outcome {
             Self::ImpactsReached => "impacts-reached",
             Self::TimeReached => "time-reached",
             Self::Periodic(_) => "periodic",
+            Self::Attracted(_) => "attracted",
             Self::RestsForever(_) => "rests-forever",
             Self::NeverImpacts => "never-impacts",
             Self::Undecided { .. } => "undecided",

@@ -1,6 +1,7 @@
 //! Orbits: chains of certified impacts from a point or a box of initial data.
 
 mod aside;
+mod attraction;
 mod clock;
 mod event;
 mod motion;
@@ -31,8 +32,10 @@ use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall, ball};
+use crate::periodic::Passing;
 use crate::rest;
 use crate::switch_plane::{SwitchPoint, absolute};
+use attraction::Recent;
 use clock::Phase;
 use event::finite;
 use motion::{FloatMotion, IntervalMotion, Motion};
@@ -103,6 +106,8 @@ pub struct Orbit {
     still: Option<Still>,
     grazes: u64,
     recurrence: Recurrence,
+    /// The last impacts handed out.
+    recent: Recent,
     outcome: Option<Outcome>,
 }
 
@@ -170,6 +175,7 @@ impl Orbit {
             still: None,
             grazes: 0,
             recurrence: Recurrence::default(),
+            recent: Recent::default(),
             outcome: None,
             settings,
         };
@@ -291,6 +297,9 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
+        if self.settings.attractor {
+            self.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
+        }
         let precise = self.precise(&contact).map(Box::new);
         let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
         if self.is_aside {
@@ -319,8 +328,12 @@ impl Orbit {
     }
 
     /// All that was asked for is listed.
+    #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
-        self.outcome = Some(self.recurrence.period().map_or(reached, Outcome::Periodic));
+        self.outcome = Some(match self.recurrence.period() {
+            Some(period) => Outcome::Periodic(period),
+            None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
+        });
         Progress::Ended
     }
 

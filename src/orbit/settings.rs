@@ -35,6 +35,9 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// Bits that [`Arithmetic::Auto`] takes at most.
     pub max_bits: u32,
+    /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit:
+    /// [`Outcome::Attracted`](super::Outcome::Attracted).
+    pub attractor: bool,
 }
 
 /// What is taken for [`Settings::max_bits`] when nothing is said.
@@ -43,9 +46,16 @@ pub const MAX_BITS: u32 = 1_000_000;
 pub const BITS: RangeInclusive<u32> = 64..=1_000_000_000;
 
 impl Default for Settings {
-    /// A hundred impacts at nine digits, `auto`.
+    /// A hundred impacts at nine digits, `auto`; no attractor is sought.
     fn default() -> Self {
-        Self { impacts: Some(100), until: None, digits: 9, arithmetic: Arithmetic::Auto, max_bits: MAX_BITS }
+        Self {
+            impacts: Some(100),
+            until: None,
+            digits: 9,
+            arithmetic: Arithmetic::Auto,
+            max_bits: MAX_BITS,
+            attractor: false,
+        }
     }
 }
 

@@ -209,7 +209,7 @@ fn hop<N: Number>(pair: &Reduced<N>, time: N, (sin, cos): (N, N), departure: Dep
 }
 
 /// The product of two matrices.
-fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] {
+pub(super) fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] {
     let entry = |i: usize, j: usize| a[i][0].clone().mul_add(b[0][j].clone(), a[i][1].clone() * b[1][j].clone());
     [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
 }

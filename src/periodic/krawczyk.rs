@@ -8,7 +8,7 @@ use crate::number::Enclosing;
 use crate::pair::Reduced;
 
 /// An orbit proved: exactly one has its phases in `domain`, and it has them in `phases`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Proved<N> {
     /// Encloses the orbit's phases.
     pub phases: Vec<N>,

@@ -7,6 +7,8 @@
 //! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Lemmas T1-T9 are in
 //! `docs/proofs.md`.
 
+mod attractor;
+mod basin;
 mod census;
 pub mod chain;
 mod guess;
@@ -28,6 +30,9 @@ use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::orbit::{MAX_BITS, Start};
 use crate::pair::{ImpactPair, Reduced};
+pub use attractor::{Attractor, Passing};
+pub(crate) use attractor::{LONGEST, find as find_attractor};
+pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
 use identity::is_one_orbit;
@@ -91,16 +96,20 @@ impl Problem {
     /// # Errors
     /// When the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let reduced = pair.reduced()?;
+        Self::of(pair.exact()?, pair.reduced()?, word, cycles)
+    }
+
+    /// The same of a pair that is known reduced.
+    pub(crate) fn of(exact: Reduced<Exact>, reduced: Reduced<Ball>, word: &Word, cycles: u32) -> Result<Self, Error> {
         let court = Court { pair: reduced, centre: reduced.centre(), margins: Margins::new(&reduced) };
         let chain = Chain::new(word, cycles)?;
         Ok(Self {
             word: word.clone(),
             chain,
-            exact: pair.exact()?,
-            court,
             #[cfg(feature = "multiprecision")]
-            is_point: pair.is_point(),
+            is_point: [&exact.alpha, &exact.restitution].iter().all(|x| x.is_point()),
+            exact,
+            court,
         })
     }
 

@@ -6,6 +6,8 @@ use crate::pair::Reduced;
 
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;
+/// Phases beyond so many turns have lost the orbit.
+const FARTHEST: f64 = 1e9;
 /// The least part of a flight's time that one step leaves.
 const KEPT: f64 = 0.2;
 
@@ -17,11 +19,12 @@ pub fn polish(chain: &Chain, pair: &Reduced<f64>, mut phases: Vec<f64>) -> Optio
         let inverse = Preconditioner::new(&chain.slopes(pair, &legs)?)?;
         let step = newton_step(chain, pair, &legs, &inverse);
         let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max);
-        if !size.is_finite() {
-            return None;
-        }
         let taken = keep_order(chain, &legs, &step);
         phases.iter_mut().zip(&step).for_each(|(x, s)| *x += taken * s);
+        // Lost, or a NaN, which `max` above passes over; the kernel takes 2^40 turns.
+        if !phases.iter().all(|x| x.abs() <= FARTHEST) {
+            return None;
+        }
         legs = chain.legs(pair, &phases)?;
         // As far as doubles go: a step that is tiny and no longer shrinks.
         if size < 1e-9 && size >= 0.5 * last {

@@ -23,7 +23,7 @@ pub struct PeriodicImpact {
 ///
 /// **Enclosure**: for all parameters of the pair there is exactly one orbit of the word with its impacts in these
 /// bounds (Lemma T3), and what is enclosed here is enclosed for it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicOrbit {
     /// In time order, starting on the wall that the word starts on.
     pub impacts: Vec<PeriodicImpact>,

@@ -28,9 +28,9 @@ def check_outcome(verdict, outcome, rows, impacts):
     """The outcome is what the rows show."""
     judge_period(verdict, outcome)
     listed = sum(row["event"] == "impact" for row in rows)
-    if outcome["kind"] in ("impacts-reached", "periodic") and listed != impacts:
+    if outcome["kind"] in ("impacts-reached", "periodic", "attracted") and listed != impacts:
         raise Disagreement(f"{outcome['kind']} with {listed} impacts of {impacts}")
-    if outcome["kind"] not in ("impacts-reached", "periodic", "undecided"):
+    if outcome["kind"] not in ("impacts-reached", "periodic", "attracted", "undecided"):
         raise Disagreement(f"unexpected outcome {outcome['kind']!r}")
 
 

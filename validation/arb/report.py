@@ -10,7 +10,7 @@ COLUMNS = [
     ("spoiled copies refused", ["spoiled"]),
 ]
 OUTCOMES = [
-    ("all asked for", ["impacts-reached"]), ("periodic", ["periodic"]), ("rests for ever", ["rests-forever"]),
+    ("all asked for", ["impacts-reached"]), ("periodic", ["periodic"]), ("attracted", ["attracted"]), ("rests for ever", ["rests-forever"]),
     ("never impacts", ["never-impacts"]), ("undecided by impact-pair", ["undecided"]),
     ("of these by auto from exact data", ["undecided by auto"]),
     ("beyond this simulator's proof", ["beyond"]),

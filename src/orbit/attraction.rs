@@ -1,0 +1,73 @@
+//! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q3
+
+use super::{Arithmetic, Orbit};
+use crate::periodic::{Attractor, LONGEST, Passing, Problem, find_attractor};
+
+/// How many of the last impacts are kept.
+const KEPT: usize = 4096;
+/// An attractor's orbit is enclosed to so many digits at most.
+const DIGITS: u32 = 100;
+const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
+
+/// The last impacts of an orbit.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Recent {
+    states: Vec<Passing>,
+    /// Where the next one goes, once there are so many.
+    next: usize,
+}
+
+impl Recent {
+    /// Keeps an impact, in the place of the one [`KEPT`] impacts before.
+    #[inline(always)]
+    pub fn keep(&mut self, state: Passing) {
+        match self.states.get_mut(self.next) {
+            Some(oldest) => *oldest = state,
+            None => self.states.push(state),
+        }
+        self.next = (self.next + 1) % KEPT;
+    }
+
+    /// Those kept, in order of time.
+    fn in_order(&self) -> Vec<Passing> {
+        let (late, early) = self.states.split_at(self.next.min(self.states.len()));
+        [early, late].concat()
+    }
+}
+
+impl Orbit {
+    /// The stable periodic orbit that the motion is proved to converge to, once all that was asked for is listed. Lemma Q3
+    ///
+    /// **Cost**: none to speak of for an orbit that has not come near one of its last 128 states, as most chaotic ones
+    /// have not; milliseconds otherwise.
+    #[cold]
+    pub(super) fn attractor(&self) -> Option<Attractor> {
+        // The grazes of a motion without impacts end here as well; floats prove nothing.
+        if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
+            return None;
+        }
+        let problem = |word: &_, cycles| Problem::of(self.exact.clone(), self.pair, word, cycles).ok();
+        find_attractor(&self.recent.in_order(), self.settings.digits.min(DIGITS), problem)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Ball;
+    use crate::pair::Wall;
+
+    #[test]
+    fn the_last_impacts_are_kept_in_order() {
+        for count in [0, 1, 5, KEPT - 1, KEPT, KEPT + 1, 3 * KEPT + 7] {
+            let mut recent = Recent::default();
+            for index in 1..=count as u64 {
+                let ball = Ball::exact(index as f64);
+                recent.keep(Passing { index, wall: Wall::Left, turns: 0, phase: ball, velocity: ball });
+            }
+            let kept: Vec<u64> = recent.in_order().iter().map(|state| state.index).collect();
+            let first = count.saturating_sub(KEPT) as u64 + 1;
+            assert!(kept.iter().copied().eq(first..=count as u64), "{count}: {kept:?}");
+        }
+    }
+}

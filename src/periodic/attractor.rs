@@ -1,0 +1,139 @@
+//! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
+
+use super::krawczyk::is_inside;
+use super::{PeriodicOrbit, Precision, Problem, Stability, newton};
+use crate::mapping::{Mapping, Word};
+use crate::number::Ball;
+use crate::pair::Wall;
+
+/// A state at an impact of a motion, certified.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passing {
+    /// The impact's number.
+    pub index: u64,
+    /// The wall.
+    pub wall: Wall,
+    /// Whole turns.
+    pub turns: i64,
+    /// The rest of the phase in turns.
+    pub phase: Ball,
+    /// The velocity before the impact, in gaps a turn.
+    pub velocity: Ball,
+}
+
+/// A stable periodic orbit that a motion is proved to converge to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attractor {
+    /// The word of the period.
+    pub word: Word,
+    /// How many cycles of the excitation it takes.
+    pub cycles: u32,
+    /// The orbit.
+    pub orbit: PeriodicOrbit,
+    /// The first impact of those looked at whose states are proved to lie in a neighbourhood that the period contracts.
+    pub from: u64,
+    /// What a period multiplies the distance from the orbit by at most, from there on, in that neighbourhood's norm.
+    pub factor: f64,
+}
+
+/// The longest period that is looked for, in impacts.
+pub(crate) const LONGEST: usize = 128;
+/// States this near, relative to their size, make a guess, and so many guesses are tried: nothing rests on either.
+const NEAR: f64 = 0.02;
+const NEAR_BEFORE: f64 = 0.2;
+const TRIED: usize = 8;
+/// Bits that its orbit is enclosed in at most.
+const BITS: u32 = 1024;
+
+/// A guess of the period of a motion: the last impacts that may make it, and the cycles.
+struct Guess<'s> {
+    states: &'s [Passing],
+    cycles: u32,
+}
+
+/// The periods that the end of a motion nearly repeats after, the shortest first.
+fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
+    let count = states.len();
+    (1..count.min(LONGEST + 1)).filter_map(move |period| {
+        let (last, before) = (&states[count - 1], &states[count - 1 - period]);
+        let is_near = last.apart(before).is_some_and(|apart| apart < NEAR);
+        // So does the period before it, as far as there is one: chaos that has only come near a state once does not.
+        let earlier = states[..count - 1].iter().rev().zip(states[..count - 1 - period].iter().rev()).take(period);
+        let repeats = |(now, then): (&Passing, &Passing)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
+        let cycles = last.since(before).round();
+        (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
+            .then(|| Guess { states: &states[count - 1 - period..count - 1], cycles: cycles as u32 })
+    })
+}
+
+impl Passing {
+    /// Turns since another one.
+    fn since(&self, before: &Self) -> f64 {
+        self.turns.saturating_sub(before.turns) as f64 + (self.phase.mid() - before.phase.mid())
+    }
+
+    /// How far two states on one wall differ, in turns less whole ones and in parts of the velocities.
+    fn apart(&self, before: &Self) -> Option<f64> {
+        let since = self.since(before);
+        let (now, then) = (self.velocity.mid(), before.velocity.mid());
+        let apart = (now - then).abs() / (now.abs() + then.abs() + f64::MIN_POSITIVE);
+        (self.wall == before.wall).then(|| (since - since.round()).abs() + apart)
+    }
+}
+
+impl Guess<'_> {
+    /// The mappings from each of the impacts to the next.
+    fn word(&self) -> Option<Word> {
+        let next = self.states.iter().cycle().skip(1);
+        let mappings = self.states.iter().zip(next).map(|(from, to)| Mapping::between(from.wall, to.wall));
+        Word::new(mappings.collect()).ok()
+    }
+
+    /// Phases in turns, from the first impact's turn on.
+    fn phases(&self) -> Vec<f64> {
+        let base = self.states[0].turns;
+        self.states.iter().map(|state| state.turns.saturating_sub(base) as f64 + state.phase.mid()).collect()
+    }
+}
+
+/// Recognises the attractor of a motion at its end and proves that the motion converges to it. Lemma Q3
+///
+/// `states` are certified states of the motion, in order of time, all of its impacts between the first and the last;
+/// `problem` makes the problem of a word, for the same pair.
+pub(crate) fn find(
+    states: &[Passing],
+    digits: u32,
+    mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
+) -> Option<Attractor> {
+    guesses(states).take(TRIED).find_map(|guess| {
+        let word = guess.word()?;
+        let problem = problem(&word, guess.cycles)?;
+        problem.attracts(&guess.phases(), states, digits)
+    })
+}
+
+impl Problem {
+    /// Proves that the orbit near these phases is stable and attracts a motion from one of `states` on, the last at the
+    /// latest; `None` where that is not proved.
+    pub(crate) fn attracts(&self, guess: &[f64], states: &[Passing], digits: u32) -> Option<Attractor> {
+        let last = states.last()?;
+        if !self.chain().crosses() {
+            return None;
+        }
+        let guess = newton::polish(self.chain(), &self.reduced().centre(), guess.to_vec())?;
+        let finding = self.prove_in_doubles(&guess)?;
+        if finding.stability != Stability::Stable || finding.physical != Some(true) {
+            return None;
+        }
+        let basin = self.basins(&finding).find(|basin| basin.holds(last.wall, last.phase, last.velocity))?;
+        let precision = Precision { digits, max_bits: BITS };
+        let orbit = self.prove(&guess, precision)?;
+        let is_it = is_inside(orbit.phases(), &finding.proved.domain);
+        if !is_it || orbit.repeats != Some(1) || orbit.stability != Stability::Stable || orbit.physical != Some(true) {
+            return None;
+        }
+        let from = states.iter().find(|state| basin.holds(state.wall, state.phase, state.velocity))?.index;
+        let (word, cycles) = (self.word().clone(), self.chain().cycles());
+        Some(Attractor { word, cycles, orbit, from, factor: basin.factor() })
+    }
+}

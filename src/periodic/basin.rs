@@ -1,0 +1,223 @@
+//! A neighbourhood of a periodic orbit that its period maps into itself, contracting: Lemmas Q1-Q3.
+//!
+//! In coordinates `x = x* + T s` around the orbit's first state the derivative of the period is `G = T^-1 DP T`. Over
+//! the ellipse `|s| <= r` it is enclosed by the product of the Jacobians (A.7) along the tube of states that the
+//! ellipse runs through, each flight's first contact proved for all of them. Where `|G| < 1` all over it, every state
+//! in the ellipse tends to the orbit.
+
+use std::cmp::Ordering;
+
+use super::Problem;
+use super::chain::times;
+use super::orbit::Finding;
+use crate::contact::{Radii, Verdict, first_contact};
+use crate::flight::Flight;
+use crate::mapping::{Passage, jacobian};
+use crate::number::{Ball, Enclosing, Number, kernel, up};
+use crate::pair::Wall;
+
+/// States that all tend to a periodic orbit, proved.
+///
+/// **Enclosure**: for all parameters of the pair, the period maps the ellipse into itself, each two of its states
+/// closer by [`Basin::factor`] in the ellipse's norm, so all of them tend to the one state of the orbit inside.
+#[derive(Clone, Debug)]
+pub struct Basin {
+    wall: Wall,
+    /// The orbit's first state: phase in turns, less whole ones, and velocity before.
+    centre: [Ball; 2],
+    /// `T^-1`
+    inverse: Matrix,
+    radius: f64,
+    factor: f64,
+}
+
+type Matrix = [[Ball; 2]; 2];
+type Axes = [[f64; 2]; 2];
+/// Two vectors of phase and velocity.
+type Basis = [[f64; 2]; 2];
+
+/// The radii tried, each half of the one before, in turns; the second axis so many times shorter.
+const LARGEST: f64 = 0.125;
+const HALVINGS: usize = 44;
+const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];
+
+impl Problem {
+    /// Neighbourhoods that a proved orbit attracts, the largest first. Lemma Q1
+    ///
+    /// **Cost**: a certified flight and a Jacobian for each impact, 264 times at most.
+    pub fn basins<'p>(&'p self, orbit: &'p Finding<Ball>) -> impl Iterator<Item = Basin> + 'p {
+        // Only of an orbit that is one the lemma speaks.
+        let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit)).flatten();
+        let sizes = (0..HALVINGS).flat_map(|n| SHORTER.map(|shorter| (LARGEST * 0.5f64.powi(n as i32), shorter)));
+        bases.into_iter().flat_map(move |bases| {
+            let ellipses = sizes.clone().flat_map(move |size| bases.map(|basis| (basis, size)));
+            ellipses.filter_map(move |([first, second], (radius, shorter))| {
+                let axes = [[first[0], second[0] * shorter], [first[1], second[1] * shorter]];
+                self.basin(orbit, axes, radius)
+            })
+        })
+    }
+
+    /// The ellipse of this radius in the coordinates of these columns, if the period contracts it.
+    fn basin(&self, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Basin> {
+        let inverse = inverse(axes)?;
+        let product = self.product_over(orbit, axes, radius)?;
+        let factor = contraction(&times(&inverse, &product))?;
+        let centre = [in_turn(orbit.proved.phases[0]), *self.chain().before(&orbit.legs, 0)];
+        Some(Basin { wall: self.chain().walls()[0], centre, inverse, radius, factor })
+    }
+
+    /// Encloses `DP T` over the ellipse; `None` where a flight's first contact is not proved for all of it.
+    fn product_over(&self, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
+        let (chain, court) = (&self.chain, &self.court);
+        let mut product = axes.map(|row| row.map(Ball::exact));
+        for i in 0..chain.impacts() {
+            let wall = chain.walls()[i];
+            // The tube: what the mean value theorem makes of the ellipse so far, around the orbit.
+            let reach = |row: [Ball; 2]| up(length(row.map(Ball::mag)) * radius);
+            let phase = in_turn(orbit.proved.phases[i]).widened(reach(product[0]));
+            let before = chain.before(&orbit.legs, i).widened(reach(product[1]));
+            if wall.inward(before).certain_sign() != Some(Ordering::Less) {
+                return None;
+            }
+            let after = wall.inward(court.pair.rebound_of(before));
+            let sin_cos = kernel::sin_cos(phase.mid());
+            let flight = Flight::from_wall(&court.centre, wall, phase.mid(), after.mid(), sin_cos);
+            let radii = Radii { phase: phase.rad(), velocity: after.rad(), height: 0.0 };
+            let Verdict::Certified(contact) = first_contact(&flight, &court.margins, radii) else { return None };
+            if contact.wall != chain.walls()[chain.next(i)] {
+                return None;
+            }
+            let passage = Passage {
+                time: contact.time,
+                sin0: phase.sin_cos().0,
+                sin1: contact.phase.sin_cos().0,
+                velocity0: before,
+                velocity1: contact.velocity,
+            };
+            product = times(&jacobian(court.pair.beta, court.pair.restitution, &passage)?, &product);
+        }
+        Some(product)
+    }
+
+    /// The orbit's eigenvectors, that of the larger eigenvalue first, or the two parts of a complex one; and the first
+    /// with what is perpendicular to it, where they are nearly parallel. In floats: any invertible matrix will do.
+    fn bases(&self, orbit: &Finding<Ball>) -> Option<[Basis; 2]> {
+        let monodromy = self.chain().monodromy(self.reduced(), &orbit.legs)?;
+        let speed = (0..self.chain().impacts()).map(|i| self.chain().before(&orbit.legs, i).mag()).fold(0.0, f64::max);
+        // Velocities in units of the orbit's greatest, so that both coordinates are of one order.
+        let [[a, b], [c, d]] = monodromy.map(|row| row.map(Ball::mid));
+        let (b, c) = (b * speed, c / speed);
+        let half = (a + d) / 2.0;
+        let under = half * half - (a * d - b * c);
+        let root = under.abs().sqrt();
+        let unit = |v: [f64; 2]| {
+            let size = length(v);
+            if size > 1e-150 { v.map(|x| x / size) } else { [1.0, 0.0] }
+        };
+        // Of (M - lambda) x = 0 the row that says more.
+        let vector = |lambda: f64| {
+            let (first, second) = ([b, lambda - a], [lambda - d, c]);
+            unit(if length(first) >= length(second) { first } else { second })
+        };
+        let (first, second) = if under > 0.0 {
+            let (one, other) = (half + root, half - root);
+            let (large, small) = if one.abs() >= other.abs() { (one, other) } else { (other, one) };
+            (vector(large), vector(small))
+        } else {
+            // x + i y with M (x + i y) = (half + i root)(x + i y), one factor for both.
+            let size = length([b, length([half - a, root])]);
+            ([b, half - a].map(|x| x / size), [0.0, root / size])
+        };
+        let perpendicular = [-first[1], first[0]];
+        Some([[first, second], [first, perpendicular]].map(|basis| basis.map(|[x, y]| [x, y * speed])))
+    }
+}
+
+impl Basin {
+    /// Whether all states of this phase (in turns) and velocity before an impact on `wall` are proved to lie inside.
+    pub fn holds(&self, wall: Wall, phase: Ball, velocity: Ball) -> bool {
+        let [phase0, velocity0] = self.centre;
+        let ahead = phase - phase0;
+        let x = [ahead - Ball::exact(ahead.mid().round()), velocity - velocity0];
+        let s = self.inverse.map(|row| row[0] * x[0] + row[1] * x[1]);
+        wall == self.wall && length(s.map(Ball::mag)) < self.radius
+    }
+
+    /// What a period multiplies distances by at most, less than 1.
+    pub fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// The ellipse's radius in turns, along the eigenvector of the larger eigenvalue, in units of its own.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+}
+
+/// A phase less the whole turns of its middle.
+fn in_turn(phase: Ball) -> Ball {
+    phase - Ball::exact(phase.mid().floor())
+}
+
+/// An upper bound of the Euclidean length of a vector of non-negative numbers.
+fn length([x, y]: [f64; 2]) -> f64 {
+    // The smallest normal double covers underflow of both squares; the root is rounded correctly.
+    up((x * x + y * y + f64::MIN_POSITIVE).sqrt())
+}
+
+/// The inverse of a matrix of doubles.
+fn inverse([[a, b], [c, d]]: Axes) -> Option<Matrix> {
+    let [a, b, c, d] = [a, b, c, d].map(Ball::exact);
+    let determinant = a * d - b * c;
+    let over = |x: Ball| x.checked_div(determinant);
+    Some([[over(d)?, over(-b)?], [over(-c)?, over(a)?]])
+}
+
+/// An upper bound, less than 1, of the Euclidean norm of all matrices in the balls. Lemma Q2
+fn contraction(g: &Matrix) -> Option<f64> {
+    let [[a, b], [c, d]] = *g;
+    let sum = a * a + b * b + c * c + d * d;
+    let determinant = a * d - b * c;
+    let product = determinant * determinant;
+    // Both singular values are below q: (q^2 - s1^2)(q^2 - s2^2) > 0 and s1^2 s2^2 < q^4.
+    let is_below = |q: f64| {
+        let square = Ball::exact(q) * Ball::exact(q);
+        let ends = [square * square - sum * square + product, square * square - product];
+        ends.iter().all(|x| x.certain_sign() == Some(Ordering::Greater))
+    };
+    // Guesses a little above the largest one, where both may nearly be one double root; the signs decide.
+    let (sum, product) = (sum.mid() + sum.rad(), product.mid() - product.rad());
+    let guess = (0.5 * (sum + (sum * sum - 4.0 * product).max(0.0).sqrt())).sqrt();
+    [1e-9, 1e-6, 1e-3]
+        .map(|more| guess * (1.0 + more) + more)
+        .into_iter()
+        .chain([1.0])
+        .find(|&q| q <= 1.0 && is_below(q))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exact(g: [[f64; 2]; 2]) -> Matrix {
+        g.map(|row| row.map(Ball::exact))
+    }
+
+    #[test]
+    fn a_rotation_that_shrinks_is_a_contraction_and_a_shear_is_not() {
+        let factor = contraction(&exact([[0.3, -0.4], [0.4, 0.3]])).unwrap();
+        assert!(factor > 0.5 && factor < 0.502, "{factor}");
+        assert!(contraction(&exact([[0.5, 0.9], [0.0, 0.5]])).is_none(), "eigenvalues say nothing of one step");
+        assert!(contraction(&exact([[1.0, 0.0], [0.0, 0.5]])).is_none(), "a norm of 1 proves nothing");
+        assert!(contraction(&exact([[2.0, 0.0], [0.0, 2.0]])).is_none(), "both beyond 1");
+        assert!(contraction(&[[Ball::new(0.0, 0.8), Ball::new(0.0, 0.8)], [Ball::exact(0.0); 2]]).is_none());
+        assert!(contraction(&[[Ball::exact(f64::NAN); 2]; 2]).is_none());
+    }
+
+    #[test]
+    fn lengths_are_upper_bounds_even_where_squares_underflow() {
+        assert!(length([3e-200, 4e-200]) >= 5e-200);
+        assert!(length([3.0, 4.0]) >= 5.0 && length([3.0, 4.0]) < 5.000_001);
+    }
+}

@@ -1,0 +1,138 @@
+//! Motions proved to converge to a periodic orbit, through the public interface. Lemmas Q1-Q3
+
+use impact_pair::Scene;
+use impact_pair::number::Ball;
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings};
+use impact_pair::pair::Wall;
+use impact_pair::periodic::{Attractor, Problem, Stability};
+
+fn figure(number: u32) -> Scene {
+    let path = format!("{}/scenes/figure-{number}.toml", env!("CARGO_MANIFEST_DIR"));
+    Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn run(scene: &Scene, impacts: u64, arithmetic: Arithmetic) -> (Orbit, Vec<Impact>) {
+    let settings = Settings { impacts: Some(impacts), arithmetic, attractor: true, ..scene.settings() };
+    let mut orbit = scene.orbit(settings).unwrap();
+    let impacts = orbit.by_ref().collect();
+    (orbit, impacts)
+}
+
+fn attractor(orbit: &Orbit) -> &Attractor {
+    match orbit.outcome() {
+        Some(Outcome::Attracted(attractor)) => attractor,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn figures_12_and_13_are_drawn_into_the_equispaced_orbit() {
+    for (number, re, im) in [(12, 0.25764, 0.0), (13, -0.19127, 0.16098)] {
+        let (orbit, impacts) = run(&figure(number), 60, Arithmetic::Auto);
+        assert_eq!(impacts.len(), 60, "all that was asked for is listed");
+        let found = attractor(&orbit);
+        assert_eq!((found.word.to_string().as_str(), found.cycles), ("P1 P2", 1));
+        assert_eq!((found.orbit.symmetric, found.orbit.physical), (Some(true), Some(true)));
+        assert_eq!(found.orbit.stability, Stability::Stable);
+        assert!(found.from <= 10 && found.factor < 1.0, "{} {}", found.from, found.factor);
+        let first = &found.orbit.eigenvalues[0];
+        let near = |x: &impact_pair::exact::Enclosure, y: f64| (x.mid_rad().0 - y).abs() < 1e-5;
+        assert!(near(&first.re, re) && near(&first.im, im));
+    }
+}
+
+#[test]
+fn figure_15_is_drawn_into_the_doubled_orbit() {
+    let (orbit, impacts) = run(&figure(15), 8000, Arithmetic::Interval);
+    let found = attractor(&orbit);
+    assert_eq!((found.word.mappings().len(), found.cycles, found.orbit.repeats), (10, 2, Some(1)));
+    let (eigenvalue, _) = found.orbit.eigenvalues[0].re.mid_rad();
+    assert!((eigenvalue - 0.9915971).abs() < 1e-7, "{eigenvalue}");
+    // The orbit of one cycle beside it is unstable.
+    let word = found.word.to_string();
+    let half: Vec<&str> = word.split(' ').take(5).collect();
+    let problem = Problem::new(figure(15).pair(), &half.join(" ").parse().unwrap(), 1).unwrap();
+    let last = &impacts[impacts.len() - 6..];
+    let phases: Vec<f64> = last[..5].iter().map(|x| (x.turns - last[0].turns) as f64 + x.phase.mid()).collect();
+    let single = problem.prove(&phases, Default::default()).expect("proved");
+    assert_eq!(single.stability, Stability::Unstable);
+}
+
+#[test]
+fn chaotic_figures_and_short_runs_are_not_called_attracted() {
+    for number in [14, 16, 17] {
+        let (orbit, _) = run(&figure(number), 60, Arithmetic::Auto);
+        assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached), "figure {number}");
+    }
+    for impacts in [0, 1, 2] {
+        let (orbit, _) = run(&figure(13), impacts, Arithmetic::Auto);
+        assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached), "{impacts} impacts");
+    }
+}
+
+#[test]
+fn floats_and_those_who_do_not_ask_are_told_nothing() {
+    let (orbit, _) = run(&figure(12), 60, Arithmetic::Float);
+    assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached));
+    let mut orbit = figure(12).orbit(Settings { impacts: Some(60), ..figure(12).settings() }).unwrap();
+    assert_eq!((orbit.by_ref().count(), orbit.outcome()), (60, Some(&Outcome::ImpactsReached)));
+}
+
+#[test]
+fn a_whole_interval_of_starts_and_of_gaps_is_attracted() {
+    for (gap, velocity) in [("9.42497", "\"[-12.7, -12.4]\""), ("\"[9.42, 9.43]\"", "-12.56636")] {
+        let scene = format!(
+            "excitation = {{ amplitude = 1, frequency = \"pi\", phase = 0 }}\n\
+             pair = {{ gap = {gap}, restitution = 0.5 }}\n\
+             start = {{ time = 0, wall = \"left\", velocity = {velocity} }}"
+        );
+        let (orbit, _) = run(&Scene::parse(&scene).unwrap(), 60, Arithmetic::Auto);
+        assert_eq!(attractor(&orbit).cycles, 1, "{gap} {velocity}");
+    }
+}
+
+#[test]
+fn every_start_in_a_basin_comes_to_the_orbit() {
+    let scene = figure(13);
+    let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), 1).unwrap();
+    let orbit = problem.prove_in_doubles(&[0.8646, 1.3646]).expect("proved");
+    let basin = problem.basins(&orbit).next().expect("a neighbourhood");
+    let phase = orbit.proved.phases[0].mid();
+    let velocity = problem.chain().before(&orbit.legs, 0).mid();
+    let holds = |u: f64, v: f64| basin.holds(Wall::Left, Ball::exact(u), Ball::exact(v));
+    assert!(holds(phase, velocity) && holds(phase + 3.0, velocity), "phases are modulo whole turns");
+    assert!(!basin.holds(Wall::Right, Ball::exact(phase), Ball::exact(velocity)));
+    assert!(!holds(phase + 0.5, velocity) && !holds(phase, 2.0 * velocity) && !holds(f64::NAN, velocity));
+    assert!(!basin.holds(Wall::Left, Ball::new(phase, 0.5), Ball::exact(velocity)), "all of a set is meant");
+    // Floating motions from states on its edge shrink towards the orbit in its own norm.
+    let pair = problem.reduced().centre();
+    let size = |u: f64, v: f64| -> f64 {
+        let mut low = 0.0;
+        let mut high = 1.0;
+        // The fraction of the way to the state that is still inside tells its norm.
+        for _ in 0..60 {
+            let half = 0.5 * (low + high);
+            let is_inside = holds(phase + half * (u - phase), velocity + half * (v - velocity));
+            if is_inside { low = half } else { high = half }
+        }
+        1.0 / low
+    };
+    for n in 0..32 {
+        let (sin, cos) = (f64::from(n) * 0.2).sin_cos();
+        let (du, dv) = (0.3 * cos, 0.3 * velocity * sin);
+        let edge = size(phase + du, velocity + dv);
+        let (mut u, mut v) = (phase + 0.99 * du / edge, velocity + 0.99 * dv / edge);
+        assert!(holds(u, v));
+        let mut wall = Wall::Left;
+        for _ in 0..2 {
+            let after = wall.inward(pair.rebound(v));
+            let sin_cos = impact_pair::number::kernel::sin_cos(u);
+            let flight = impact_pair::flight::Flight::from_wall(&pair, wall, u, after, sin_cos);
+            let contact = impact_pair::contact::first_contact_f64::<impact_pair::number::Kernel>(&flight).unwrap();
+            (wall, u, v) = (contact.wall, contact.phase, contact.velocity);
+        }
+        u += (phase - u).round();
+        assert!(wall == Wall::Left && holds(u, v));
+        assert!(size(u, v) <= 1.0 || size(u, v) * 0.99 <= basin.factor() * 1.001, "edge {n}");
+    }
+}
