@@ -6,6 +6,7 @@
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! Lemmas T1-T9 are in `docs/proofs.md`.
 
+pub mod bifurcation;
 mod census;
 pub mod chain;
 mod guess;
