@@ -99,22 +99,26 @@ fn shown(value: &Eigenvalue) -> String {
 
 /// The last line: how much of what was asked is proved.
 fn conclusion(census: &Census) -> String {
-    let count = census.orbits.len();
-    let orbits = match count {
+    let orbits = match census.orbits.len() {
         0 => "no orbit".to_owned(),
         1 => "1 orbit".to_owned(),
-        _ => format!("{count} orbits"),
+        count => format!("{count} orbits"),
     };
-    if census.exhaustive {
-        return match count {
-            0 => "certified: the word has no orbit".into(),
-            _ => format!("certified: {orbits} proved, and these are all that are physical"),
-        };
+    let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
+        (true, ..) if census.orbits.is_empty() => "there is none".to_owned(),
+        (true, ..) => "there is no other physical one".to_owned(),
+        (false, true, 1) => "1 part of the state space may hold others".to_owned(),
+        (false, true, open) => format!("{open} parts of the state space may hold others"),
+        (false, false, _) => "others are not excluded (try --all)".to_owned(),
+    };
+    let open = census.orbits.iter().filter(|orbit| !orbit.is_decided()).count();
+    let wide = census.orbits.iter().filter(|orbit| !orbit.is_narrow).count();
+    let mut said = format!("{orbits} proved; {rest}");
+    if open > 0 {
+        said += &format!("; {open} with something undecided");
     }
-    let open = census.undecided.len();
-    let rest = match (census.is_search, open) {
-        (true, _) => format!("undecided: {open} parts of the state space may hold others"),
-        (false, _) => "others are not excluded (try --all)".to_owned(),
-    };
-    format!("{}{orbits} proved; {rest}", if census.is_certified() { "certified: " } else { "" })
+    if wide > 0 {
+        said += &format!("; {wide} wider than asked");
+    }
+    format!("{}: {said}", if census.is_certified() { "certified" } else { "not all certified" })
 }

@@ -91,6 +91,12 @@ impl<N: Enclosing> Claim<N> {
         }
     }
 
+    /// Whether the ball, dead after its impact, is pressed against the wall and stays: Lemma Z2.
+    fn sticks(&self, after: &N) -> bool {
+        let sin = self.from.inward(self.start.wave().0);
+        after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
+    }
+
     /// Whether a first contact that is proved is the end of the flight. Lemma T5
     fn is_at(&self, beta: &N, found: Found<N>) -> Option<bool> {
         if found.wall != self.to {
@@ -113,6 +119,9 @@ fn first_in_doubles(court: &Court, claim: &Claim<Ball>) -> Option<bool> {
         return Some(false);
     }
     let after = claim.from.inward(court.pair.rebound_of(claim.before));
+    if claim.sticks(&after) {
+        return Some(false);
+    }
     let phase = claim.start.mid();
     let flight = Flight::from_wall(&court.centre, claim.from, phase, after.mid(), kernel::sin_cos(phase));
     let radii = Radii { phase: claim.start.rad(), velocity: after.rad(), height: 0.0 };
@@ -130,6 +139,9 @@ fn first_in_balls(court: &Court, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) 
         return Some(false);
     }
     let after = claim.from.inward(pair.rebound(claim.before.clone()));
+    if claim.sticks(&after) {
+        return Some(false);
+    }
     let flight = |phase: MpBall, after: MpBall| {
         let sin_cos = phase.sin_cos();
         Flight::from_wall(pair, claim.from, phase, after, sin_cos)

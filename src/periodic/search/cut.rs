@@ -62,6 +62,12 @@ impl<'c> Terms<'c> {
         Self { chain, beta, restitution, lossy, swing, drift, crossing }
     }
 
+    /// How wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
+    pub fn spread(&self) -> f64 {
+        let relative = self.beta.width() / self.beta.hi.max(f64::MIN_POSITIVE);
+        relative.max(self.restitution.width())
+    }
+
     /// The velocity of the box over these phases.
     pub fn speed(&self, phase: Interval) -> Interval {
         self.beta * phase.cos()

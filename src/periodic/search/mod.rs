@@ -30,9 +30,12 @@ pub struct Budget {
 
 impl Default for Budget {
     fn default() -> Self {
-        Self { boxes: 20_000_000, halvings: 36 }
+        Self { boxes: 5_000_000, halvings: 36 }
     }
 }
+
+/// Parts left undecided at which a search is given up: there is a continuum of orbits, or nearly one.
+const MOST_UNDECIDED: usize = 1000;
 
 /// A search under way.
 struct Search<'p> {
@@ -69,12 +72,12 @@ impl Problem {
 impl Search<'_> {
     /// Depth first, so that little is kept.
     fn run(&mut self, budget: Budget) {
-        let narrowest = 2f64.powi(-(budget.halvings as i32));
+        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(self.terms.spread() / 16.0);
         let mut open = vec![self.terms.all()];
         let mut looked = 0;
         while let Some(part) = open.pop() {
             looked += 1;
-            if looked > budget.boxes {
+            if looked > budget.boxes || self.undecided.len() >= MOST_UNDECIDED {
                 open.push(part);
                 break;
             }
