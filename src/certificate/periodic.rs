@@ -69,7 +69,7 @@ impl<'d> PeriodicDocument<'d> {
         Value::Object(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect::<Map<_, _>>())
     }
 
-    fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
+    pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
         json!({
             "wall": impact.wall.name(),
             "phase": decimal_bounds(&self.phase(&impact.phase, bits)),
@@ -77,7 +77,7 @@ impl<'d> PeriodicDocument<'d> {
         })
     }
 
-    fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
+    pub(super) fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
         let eigenvalue = |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
         json!({
             "impacts": orbit.impacts.iter().map(|impact| self.impact(impact, orbit.bits)).collect::<Value>(),

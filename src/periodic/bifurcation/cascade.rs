@@ -4,90 +4,20 @@ use std::cmp::Ordering;
 use std::collections::VecDeque;
 
 use super::super::chain::Chain;
-use super::super::Precision;
+use super::claim::{Setting, prove};
+use super::diagram::{Branch, Diagram, End, Unproved, Wanted};
 use super::follow::{Change, Path, Stop, follow};
-use super::over::{Key, Over};
-use super::point::{Kind, Point, Setting, prove};
+use super::over::Key;
+use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::starts::{is_same, seeds};
 use super::system::Family;
 use super::trace::{Station, correct, null_vector, tangent};
 use crate::error::Error;
-use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::exact::Dyadic;
 use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
-
-/// What is asked of a word's branches.
-#[derive(Clone, Debug)]
-pub struct Wanted {
-    /// The parameter and its range.
-    pub over: Over,
-    /// Doublings up to which the branches that leave are followed.
-    pub doublings: u32,
-    /// How narrow the enclosures are asked to be.
-    pub precision: Precision,
-}
-
-/// A change of sign where no bifurcation could be proved.
-#[derive(Clone, Debug)]
-pub struct Unproved {
-    /// What it may be.
-    pub kind: Kind,
-    /// Near which value of `A/d` or `e`; nothing is certain about it.
-    pub near: f64,
-    /// The word that was followed.
-    pub word: Word,
-}
-
-/// Where a followed branch ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
-    /// The range of the parameter ends.
-    Range,
-    /// At a bifurcation of this kind.
-    At(Kind),
-    /// Nowhere: it closes.
-    Closed,
-    /// It could be followed no further.
-    Lost,
-}
-
-/// A branch as floats followed it.
-#[derive(Clone, Debug)]
-pub struct Branch {
-    /// The word of its orbits.
-    pub word: Word,
-    /// Their cycles.
-    pub cycles: u32,
-    /// Whether they are their own mirror images.
-    pub symmetric: bool,
-    /// Least and greatest `A/d` or `e`, about.
-    pub range: [f64; 2],
-    /// Its ends.
-    pub ends: [End; 2],
-}
-
-/// What is found along the branches of a word.
-#[derive(Clone, Debug, Default)]
-pub struct Diagram {
-    /// The bifurcations proved, in the order of the parameter.
-    pub points: Vec<Point>,
-    /// Where something changes sign but nothing could be proved.
-    pub unproved: Vec<Unproved>,
-    /// The branches followed.
-    pub branches: Vec<Branch>,
-}
-
-impl Diagram {
-    /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to its end.
-    pub fn is_certified(&self) -> bool {
-        let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);
-        self.unproved.is_empty()
-            && self.points.iter().all(|point| point.is_narrow && point.is_decided())
-            && self.branches.iter().all(ends)
-    }
-}
 
 /// A branch to be followed.
 struct Lead {
@@ -102,6 +32,9 @@ struct Lead {
 
 /// How far from a bifurcation the branch that leaves there is entered, in turns; smaller where that fails.
 const ENTER: f64 = 1e-3;
+
+/// Room and speed that an orbit has at least for a branch to begin with it, in gaps and turns: hops of no time are none.
+const REAL: f64 = 1e-6;
 
 /// The survey as it goes on.
 struct Survey<'w> {
@@ -159,7 +92,7 @@ impl Survey<'_> {
         let mut along = vec![0.0; x.len()];
         along[x.len() - 1] = 1.0;
         let Some(start) = Station::new(ring, &self.floats, x, &along) else { return };
-        let is_motion = start.tests.room.distance > 0.0 && start.tests.arrival.0 > 0.0;
+        let is_motion = start.tests.room.distance > REAL && start.tests.arrival.0 > REAL;
         if is_motion && !self.is_followed(ring, &start.x) {
             self.leads.push_back(Lead { ring: ring.clone(), start, step: 1e-3, doublings: 0, leaves: None });
         }
@@ -192,7 +125,7 @@ impl Survey<'_> {
             if lead.leaves.is_some() && self.is_followed(&lead.ring, &lead.start.x) {
                 continue;
             }
-            let back = Station { tangent: lead.start.tangent.iter().map(|t| -t).collect(), ..lead.start.clone() };
+            let back = lead.start.reversed();
             let mut ends = [End::Lost; 2];
             let mut range = [f64::INFINITY, f64::NEG_INFINITY];
             let mut ways = vec![lead.start.clone()];
@@ -329,21 +262,4 @@ fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
 fn is_same_orbit(one: &Point, other: &Point) -> bool {
     let phases = |point: &Point| -> Vec<f64> { point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect() };
     Chain::new(&one.word, one.cycles).is_ok_and(|chain| is_same(&chain, &phases(one), &phases(other)))
-}
-
-impl Point {
-    /// The parameter in the units of the scene, in so many bits, and the pair with it.
-    ///
-    /// # Errors
-    /// When it is beyond what exact expressions hold.
-    pub fn in_units(&self, over: &Over, pair: &ImpactPair) -> Result<(Enclosure, ImpactPair), Error> {
-        let ends = [self.parameter.lo(), self.parameter.hi()].map(|end| Exact::from_rational(end.to_rational()));
-        let [a, b] = ends.map(|end| over.in_units(pair, &end));
-        let (a, b) = (a?, b?);
-        let room = self.bits + 64;
-        let hull = a.enclose(room).hull(&b.enclose(room));
-        let [low, high] = [hull.lo(), hull.hi()].map(|end| Exact::from_rational(end.to_rational()));
-        let value = Exact::interval(&low, &high).map_err(|_| Error::over(&format!("{low}..{high}")))?;
-        Ok((hull, over.pair_at(pair, value)?))
-    }
 }

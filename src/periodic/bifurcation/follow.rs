@@ -70,6 +70,10 @@ pub(super) fn follow(ring: &Ring, family: &Family<f64>, start: Station, [low, hi
         }
         let ended = note(ring, family, last, &next, &mut path.changes);
         let left = !(low..=high).contains(&next.parameter());
+        let known = path.changes.len();
+        // Beyond the range nothing is asked.
+        path.changes.retain(|(_, x)| (low..=high).contains(&x[x.len() - 1]));
+        let ended = ended && !(left && path.changes.len() < known);
         let looped = path.stations.len() > 3 && is_back(&path.stations[0], last, &next);
         path.stations.push(next);
         if ended || left || looped {
@@ -95,13 +99,7 @@ fn advance(ring: &Ring, family: &Family<f64>, from: &Station, size: f64) -> Opti
 }
 
 /// Notes what changes sign between two stations; whether the branch ends there.
-fn note(
-    ring: &Ring,
-    family: &Family<f64>,
-    a: &Station,
-    b: &Station,
-    changes: &mut Vec<(Change, Vec<f64>)>,
-) -> bool {
+fn note(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, changes: &mut Vec<(Change, Vec<f64>)>) -> bool {
     let room = |tests: &Tests| tests.room.distance;
     let speed = |tests: &Tests| tests.arrival.0;
     if speed(&b.tests) <= 0.0 {

@@ -6,6 +6,8 @@
 //! symmetric orbit's pitchfork is the doubling of half its period. Lemmas Y1-Y5 are in `docs/proofs.md`.
 
 mod cascade;
+mod claim;
+mod diagram;
 mod follow;
 mod jet;
 mod over;
@@ -16,6 +18,7 @@ mod starts;
 mod system;
 mod trace;
 
-pub use cascade::{Branch, Diagram, End, Unproved, Wanted, survey};
+pub use cascade::survey;
+pub use diagram::{Branch, Diagram, End, Unproved, Wanted};
 pub use over::{Key, Over};
 pub use point::{Kind, Point};

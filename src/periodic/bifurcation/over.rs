@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::point::Setting;
+use super::claim::Setting;
 use super::system::Unknown;
 use crate::error::Error;
 use crate::exact::Exact;
@@ -129,5 +129,16 @@ impl Over {
         };
         let (a, b) = (end(&self.low)?, end(&self.high)?);
         Ok([a.min(b), a.max(b)])
+    }
+
+    /// About what these ends without units are in the units of the scene, the smaller one first.
+    pub fn range_f64(&self, pair: &ImpactPair, ends: [f64; 2]) -> [f64; 2] {
+        let of = |value: &Exact| value.enclose(80).mid_rad().0;
+        let [a, b] = ends.map(|x| match self.key {
+            Key::Amplitude => x * of(pair.gap()),
+            Key::Gap => of(pair.excitation().amplitude()) / x,
+            Key::Restitution | Key::Frequency => x,
+        });
+        [a.min(b), a.max(b)]
     }
 }

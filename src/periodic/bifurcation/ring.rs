@@ -24,14 +24,14 @@ impl Ring {
     pub fn mirrored(chain: &Chain) -> Option<Self> {
         let (walls, half) = (chain.walls(), chain.impacts() / 2);
         let folds = chain.impacts() == 2 * half && (0..half).all(|i| walls[i + half] == walls[i].other());
-        (folds && chain.cycles() % 2 == 1).then(|| Self { chain: chain.clone(), unknowns: half })
+        (folds && !chain.cycles().is_multiple_of(2)).then(|| Self { chain: chain.clone(), unknowns: half })
     }
 
     /// The chain that this one runs through twice.
     pub fn repeated(chain: &Chain) -> Option<Self> {
         let (walls, half) = (chain.walls(), chain.impacts() / 2);
         let folds = chain.impacts() == 2 * half && walls[..half] == walls[half..];
-        if !folds || chain.cycles() % 2 == 1 {
+        if !folds || !chain.cycles().is_multiple_of(2) {
             return None;
         }
         Chain::new(&word_of(&walls[..half])?, chain.cycles() / 2).ok().map(Self::whole)

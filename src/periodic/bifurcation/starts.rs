@@ -3,7 +3,7 @@
 use super::super::chain::Chain;
 use super::super::guess::guesses;
 use super::super::identity::View;
-use super::cascade::Wanted;
+use super::diagram::Wanted;
 use super::over::{Key, Over};
 use super::ring::Ring;
 use crate::error::Error;
@@ -77,7 +77,7 @@ fn fold(ring: Ring, x: Vec<f64>) -> Seed {
 /// Whether both are one orbit or mirror images, told from whichever impact. Its chain may be the half of the other's.
 pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
     let doubled: Vec<f64>;
-    let one = if one.len() < other.len() && other.len() % one.len() == 0 {
+    let one = if one.len() < other.len() && other.len().is_multiple_of(one.len()) {
         let times = other.len() / one.len();
         let turns = f64::from(chain.cycles()) / times as f64;
         doubled = (0..other.len()).map(|i| one[i % one.len()] + (i / one.len()) as f64 * turns).collect();

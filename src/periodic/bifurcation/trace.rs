@@ -110,6 +110,12 @@ impl Station {
         Some(Self { x, tangent, tests })
     }
 
+    /// The same with the other tangent.
+    pub fn reversed(&self) -> Self {
+        let tests = Tests { turn: -self.tests.turn, ..self.tests };
+        Self { x: self.x.clone(), tangent: self.tangent.iter().map(|t| -t).collect(), tests }
+    }
+
     /// The parameter.
     pub fn parameter(&self) -> f64 {
         self.x[self.x.len() - 1]
