@@ -45,6 +45,7 @@ fn fold_and_pitchfork_are_those_of_the_closed_forms_and_four_doublings_follow() 
         assert_eq!(orbit.physical, Some(true));
         assert_eq!(point.symmetric, Some(point.kind != Kind::PeriodDoubling));
     }
+    assert!(diagram.branches.iter().all(|branch| branch.is_proved));
     assert!(diagram.branches.iter().any(|branch| branch.ends.contains(&End::At(Kind::Pitchfork))));
 }
 

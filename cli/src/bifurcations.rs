@@ -69,9 +69,10 @@ fn table(out: &mut impl Write, scene: &Scene, over: &Over, diagram: &Diagram) ->
         let [low, high] = over.range_f64(scene.pair(), branch.range);
         let [a, b] = branch.ends.map(end);
         let impacts = branch.word.mappings().len();
+        let proved = if branch.is_proved { ", proved to be one curve" } else { "" };
         writeln!(
             out,
-            "followed: {impacts} impacts in {}{symmetric}, {low:.4} to {high:.4}; ends: {a}, {b}",
+            "followed: {impacts} impacts in {}{symmetric}, {low:.4} to {high:.4}{proved}; ends: {a}, {b}",
             branch.cycles
         )?;
     }

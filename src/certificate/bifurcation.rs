@@ -75,7 +75,7 @@ impl BifurcationDocument<'_> {
         }))
     }
 
-    /// A branch as floats followed it: nothing about it is certified.
+    /// A branch as it was followed: certified is no more of it than that it is one curve, if `proved`.
     fn branch(&self, branch: &Branch) -> Value {
         let end = |end: End| match end {
             End::Range => "range",
@@ -89,6 +89,7 @@ impl BifurcationDocument<'_> {
             "symmetric": branch.symmetric,
             "parameter": self.over.range_f64(self.pair, branch.range),
             "ends": branch.ends.map(end),
+            "proved": branch.is_proved,
         })
     }
 

@@ -13,6 +13,7 @@ use super::ring::Ring;
 use super::starts::{is_same, seeds};
 use super::system::Family;
 use super::trace::{Station, correct, null_vector, tangent};
+use super::tube::is_one_curve;
 use crate::error::Error;
 use crate::exact::Dyadic;
 use crate::mapping::Word;
@@ -133,11 +134,15 @@ impl Survey<'_> {
                 Some(kind) => ends[1] = End::At(kind),
                 None => ways.push(back),
             }
+            // All the way from one end to the other.
+            let mut way: Vec<Station> = Vec::new();
             for (end, from) in ends.iter_mut().zip(ways) {
                 let path = follow(&lead.ring, &self.floats, from, self.range, lead.step);
                 for station in &path.stations {
                     range = [range[0].min(station.parameter()), range[1].max(station.parameter())];
                 }
+                way.reverse();
+                way.extend(path.stations.iter().skip(usize::from(!way.is_empty())).cloned());
                 *end = self.harvest(&lead, &path);
                 self.followed.push((lead.ring.clone(), path));
                 if *end == End::Closed {
@@ -147,9 +152,10 @@ impl Survey<'_> {
             if ends[0] == End::Closed {
                 ends[1] = End::Closed;
             }
+            let is_proved = is_one_curve(&lead.ring, &self.floats, &self.setting.doubles(), &way);
             let range = [range[0].max(self.range[0]), range[1].min(self.range[1])];
             let (word, cycles, symmetric) = (lead.ring.word(), lead.ring.chain().cycles(), lead.ring.is_mirrored());
-            self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends });
+            self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends, is_proved });
         }
     }
 

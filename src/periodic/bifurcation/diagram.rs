@@ -40,7 +40,7 @@ pub enum End {
     Lost,
 }
 
-/// A branch as floats followed it.
+/// A branch as it was followed.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// The word of its orbits.
@@ -53,6 +53,8 @@ pub struct Branch {
     pub range: [f64; 2],
     /// Its ends.
     pub ends: [End; 2],
+    /// Whether it is proved to be one curve all the way, each orbit of it the only one near it (Lemma Y6).
+    pub is_proved: bool,
 }
 
 /// What is found along the branches of a word.

@@ -51,7 +51,7 @@ const OF_RANGE: f64 = 0.01;
 const STRAIGHT: f64 = 0.99;
 const STRAIGHTER: f64 = 0.998;
 /// How near to its half a ring is at a turn that is a meeting.
-const TOGETHER: f64 = 1e-5;
+const TOGETHER: f64 = 1e-3;
 
 /// Follows the branch from a station the way of its tangent.
 pub(super) fn follow(ring: &Ring, family: &Family<f64>, start: Station, [low, high]: [f64; 2], first: f64) -> Path {
@@ -103,44 +103,34 @@ fn note(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, changes: &m
     let room = |tests: &Tests| tests.room.distance;
     let speed = |tests: &Tests| tests.arrival.0;
     if speed(&b.tests) <= 0.0 {
-        if let Some(at) = locate(ring, family, a, b, speed) {
-            changes.push((Change::Vanish(at.tests.arrival.1), at.x));
-        }
+        let at = locate(ring, family, a, b, speed);
+        changes.push((Change::Vanish(at.tests.arrival.1), at.x));
         return true;
     }
     if room(&b.tests) <= 0.0 {
-        if let Some(at) = locate(ring, family, a, b, room) {
-            changes.push((Change::Graze(at.tests.room), at.x));
-        }
+        let at = locate(ring, family, a, b, room);
+        changes.push((Change::Graze(at.tests.room), at.x));
         return true;
     }
     let turn = |tests: &Tests| tests.turn;
     let flip = |tests: &Tests| tests.flip;
-    if turn(&a.tests) * turn(&b.tests) < 0.0
-        && let Some(at) = locate(ring, family, a, b, turn)
-    {
+    if turn(&a.tests) * turn(&b.tests) < 0.0 {
+        let at = locate(ring, family, a, b, turn);
         if at.tests.apart < TOGETHER {
             changes.push((Change::Join, at.x));
             return true;
         }
         changes.push((Change::Turn, at.x));
     }
-    if flip(&a.tests) * flip(&b.tests) < 0.0
-        && let Some(at) = locate(ring, family, a, b, flip)
-    {
+    if flip(&a.tests) * flip(&b.tests) < 0.0 {
+        let at = locate(ring, family, a, b, flip);
         changes.push((Change::Flip, at.x));
     }
     false
 }
 
 /// Where a test changes sign between two stations, by halving and secants.
-fn locate(
-    ring: &Ring,
-    family: &Family<f64>,
-    a: &Station,
-    b: &Station,
-    test: impl Fn(&Tests) -> f64,
-) -> Option<Station> {
+fn locate(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, test: impl Fn(&Tests) -> f64) -> Station {
     let (mut a, mut b) = (a.clone(), b.clone());
     for i in 0..24 {
         let (at_a, at_b) = (test(&a.tests), test(&b.tests));
@@ -148,12 +138,13 @@ fn locate(
         let part = if i % 3 == 2 { 0.5 } else { secant };
         let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
         let guess: Vec<f64> = a.x.iter().zip(&chord).map(|(a, c)| part.mul_add(*c, *a)).collect();
-        let x = correct(ring, family, &guess, &chord)?;
-        let middle = Station::new(ring, family, x, &a.tangent)?;
+        let corrected = correct(ring, family, &guess, &chord);
+        // Where branches meet, nothing can be corrected any more.
+        let Some(middle) = corrected.and_then(|x| Station::new(ring, family, x, &a.tangent)) else { break };
         let (from, to) = if test(&middle.tests) * at_a > 0.0 { (middle, b) } else { (a, middle) };
         (a, b) = (from, to);
     }
-    Some(if test(&a.tests).abs() < test(&b.tests).abs() { a } else { b })
+    if test(&a.tests).abs() < test(&b.tests).abs() { a } else { b }
 }
 
 /// Whether the way from one station to the next passes the first one.

@@ -17,6 +17,7 @@ mod solve;
 mod starts;
 mod system;
 mod trace;
+mod tube;
 
 pub use cascade::survey;
 pub use diagram::{Branch, Diagram, End, Unproved, Wanted};
