@@ -19,6 +19,8 @@
 //! | (24)-(27) | mappings P1-P4 | [`mapping::Mapping`] |
 //! | (28), (29), (33), (52), (55) | models: words of mappings | [`mapping::Word`] |
 //! | (A.7) | Jacobian of a mapping | [`mapping::jacobian`] |
+//! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
+//! | (38)-(40) | eigenvalues, stability | [`periodic::eigenvalues`], [`periodic::Stability`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |

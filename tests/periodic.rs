@@ -1,64 +1,320 @@
-//! Periodic orbits through the public API: known ones, and those that a search finds.
+//! Periodic orbits through the public API: known ones, all of a word, and each run again by the certified orbit.
 
 #![cfg(feature = "multiprecision")]
 
-use impact_pair::Scene;
-use impact_pair::periodic::{PeriodicOrbit, Precision, Problem};
+use impact_pair::exact::{Enclosure, Exact};
+use impact_pair::number::{Ball, LEAST_BITS, MpBall, Number};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
+use impact_pair::pair::Reduced;
+use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
+use impact_pair::{Harmonic, ImpactPair};
+use proptest::prelude::*;
 
-fn scene(amplitude: &str, frequency: &str, gap: &str, restitution: &str, velocity: &str) -> Scene {
-    let text = format!(
-        "excitation = {{ amplitude = \"{amplitude}\", frequency = \"{frequency}\", phase = 0 }}\n\
-         pair = {{ gap = \"{gap}\", restitution = \"{restitution}\" }}\n\
-         start = {{ time = 0, wall = \"left\", velocity = \"{velocity}\" }}"
-    );
-    Scene::parse(&text).unwrap()
+fn value(text: &str) -> Exact {
+    text.parse().unwrap()
 }
 
-fn orbits(scene: &Scene, word: &str, cycles: u32) -> Vec<PeriodicOrbit> {
-    let problem = Problem::new(scene.pair(), &word.parse().unwrap(), cycles).unwrap();
-    problem.find(scene.pair(), scene.start(), Precision::default()).orbits
+/// A pair of this `A/d` and `e`, in units in which a turn takes 1 and the gap is 1.
+fn pair(ratio: &str, restitution: &str) -> ImpactPair {
+    let harmonic = Harmonic::new(value(ratio), value("2*pi"), value("0")).unwrap();
+    ImpactPair::new(harmonic, value("1"), value(restitution)).unwrap()
+}
+
+/// A start to find guesses from.
+fn start() -> Start {
+    Start::on_wall(value("0"), impact_pair::pair::Wall::Left, value("-1")).unwrap()
+}
+
+fn problem(pair: &ImpactPair, word: &str, cycles: u32) -> Problem {
+    Problem::new(pair, &word.parse().unwrap(), cycles).unwrap()
+}
+
+fn all(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
+    let census = problem(pair, word, cycles).find_all(pair, &start(), Precision::default(), Budget::default());
+    assert!(census.exhaustive && census.is_certified(), "{word} in {cycles} cycles: {census:?}");
+    census
+}
+
+/// The orbits that are motions.
+fn physical(census: Census) -> Vec<PeriodicOrbit> {
+    census.orbits.into_iter().filter(|orbit| orbit.physical == Some(true)).collect()
+}
+
+fn holds(x: &Enclosure, number: f64, within: f64) -> bool {
+    let (low, high) = x.to_f64_bounds();
+    low <= number + within && number - within <= high && high - low < within
+}
+
+/// Figures 12, 13 and 15: eigenvalues of MODEL, items 6 and 2 (proved elsewhere by Arb).
+#[test]
+fn the_attractors_of_the_figures_are_found_with_their_eigenvalues() {
+    let figure_12 = physical(all(&pair("1/9.42497", "0.5"), "LR", 1));
+    assert_eq!(figure_12.len(), 2);
+    let stable: Vec<_> = figure_12.iter().filter(|orbit| orbit.stability == Stability::Stable).collect();
+    let [attractor] = stable[..] else { panic!("one attractor") };
+    assert!(holds(&attractor.eigenvalues[0].re, 0.25764, 1e-5) && holds(&attractor.eigenvalues[1].re, 0.24259, 1e-5));
+    assert_eq!(attractor.symmetric, Some(true));
+
+    let figure_13 = physical(all(&pair("2/9.42497", "0.5"), "RL", 1));
+    let attractor = figure_13.iter().find(|orbit| orbit.stability == Stability::Stable).unwrap();
+    assert!(holds(&attractor.eigenvalues[0].re, -0.19127, 1e-5) && holds(&attractor.eigenvalues[0].im, 0.16098, 1e-5));
+
+    let figure_15 = pair("2", "0.8");
+    let single = physical(all(&figure_15, "RRLLL", 1));
+    let orbit = single.iter().find(|orbit| holds(&orbit.eigenvalues[0].re, -1.0021046, 1e-7)).unwrap();
+    assert_eq!((orbit.stability, orbit.symmetric), (Stability::Unstable, Some(false)));
+    let double = problem(&figure_15, "RRLLLRRLLL", 2).find(&figure_15, &start(), Precision::default());
+    let orbit = double.orbits.iter().find(|orbit| orbit.stability == Stability::Stable).unwrap();
+    assert!(holds(&orbit.eigenvalues[0].re, 0.9915971, 1e-7));
+    assert_eq!((orbit.physical, orbit.repeats), (Some(true), Some(1)));
+    assert_eq!(double.orbits.iter().filter(|orbit| orbit.repeats == Some(2)).count(), 2);
+}
+
+/// The exact orbit of MODEL, item 6: d = 3 pi, v = -4 pi, eigenvalues 1/4 twice.
+#[test]
+fn the_exact_orbit_is_enclosed_to_many_digits() {
+    let pair = pair("1/(3*pi)", "0.5");
+    let orbit = problem(&pair, "LR", 1).prove(&[0.0, 0.5], Precision { digits: 60, max_bits: 4096 }).unwrap();
+    assert!(orbit.is_narrow && orbit.bits > 53 && orbit.physical == Some(true) && orbit.symmetric == Some(true));
+    let half = num_rational::BigRational::new(1.into(), 2.into());
+    assert!(
+        (orbit.impacts[1].phase.contains(&half))
+            || (orbit.impacts[1].phase.contains(&(half + num_rational::BigRational::from_integer(1.into()))))
+    );
+    assert!(orbit.impacts[0].phase.width().to_f64_up() < 1e-60);
+    let quarter = num_rational::BigRational::new(1.into(), 4.into());
+    assert!(orbit.eigenvalues.iter().all(|value| value.re.contains(&quarter)));
+}
+
+/// Stable orbits that MODEL and `validation/paper` name: the word, the cycles, `A/d`, `e`.
+#[test]
+fn stable_orbits_of_many_words_are_found() {
+    for (word, cycles, ratio, restitution) in [
+        ("RRRRRLLLLL", 1, "7.5", "0.8"),
+        ("RRLL", 1, "1/0.619", "0.8"),
+        ("LLR", 1, "0.498", "0.8"),
+        ("RRL", 1, "0.498", "0.8"),
+        ("LRLRLR", 3, "1/2.236", "0.8"),
+        ("LR", 2, "1/10.82", "0.5"),
+        ("LR", 4, "1/14.21", "0.5"),
+        ("LR", 1, "0.51", "0.15"),
+        ("LR", 1, "0.46", "0.8"),
+        ("LRLR", 2, "0.468", "0.8"),
+    ] {
+        let pair = pair(ratio, restitution);
+        let found = problem(&pair, word, cycles).find(&pair, &start(), Precision::default());
+        let is_stable = |orbit: &PeriodicOrbit| {
+            orbit.stability == Stability::Stable && orbit.physical == Some(true) && orbit.repeats == Some(1)
+        };
+        assert!(found.is_certified() && found.orbits.iter().any(is_stable), "{word}: {found:?}");
+    }
+}
+
+/// Lemma T6: the mirror image of a word's orbits are those of the mirrored word, with the same eigenvalues.
+#[test]
+fn mirrored_words_have_mirrored_orbits() {
+    for (ratio, restitution) in [("8/9.42497", "0.5"), ("2", "0.8")] {
+        let pair = pair(ratio, restitution);
+        for (word, mirrored) in [("LLR", "RRL"), ("LLLR", "RRRL")] {
+            for cycles in 1..=3 {
+                let traces = |word: &str| {
+                    let mut traces: Vec<f64> =
+                        physical(all(&pair, word, cycles)).iter().map(|orbit| orbit.trace.mid_rad().0).collect();
+                    traces.sort_by(f64::total_cmp);
+                    traces
+                };
+                let (one, other) = (traces(word), traces(mirrored));
+                assert_eq!(one.len(), other.len(), "{word} in {cycles}");
+                assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-6 * a.abs().max(1.0)));
+            }
+        }
+    }
+}
+
+/// Words of up to four impacts and three cycles at the parameters of figures 12-15: all orbits, none undecided; and
+/// an independent count, by floating shooting from a grid of states, finds no other.
+#[test]
+fn all_orbits_of_short_words_are_known_at_the_figures() {
+    for (ratio, restitution) in [("1/9.42497", "0.5"), ("2/9.42497", "0.5"), ("8/9.42497", "0.5"), ("2", "0.8")] {
+        let pair = pair(ratio, restitution);
+        for word in ["LR", "LLR", "LRR", "LLLR", "LLRR", "LRLR", "LRRR"] {
+            for cycles in 1..=3 {
+                all(&pair, word, cycles);
+            }
+        }
+        for word in ["R", "LL", "RRR", "LLLL"] {
+            assert!(all(&pair, word, 1).orbits.is_empty());
+        }
+    }
+}
+
+/// From a narrow box around a proved orbit the certified orbit goes round a hundred periods; each impact stays at it.
+fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32) {
+    let interval = |x: &Enclosure| {
+        let end = |x: &impact_pair::exact::Dyadic| Exact::from_rational(x.to_rational());
+        Exact::interval(&end(x.lo()), &end(x.hi())).unwrap()
+    };
+    let first = &orbit.impacts[0];
+    // A turn takes 1, the gap is 1: phases are times and velocities are as they are.
+    let start = Start::on_wall(interval(&first.phase), first.wall, interval(&first.velocity)).unwrap();
+    let count = orbit.impacts.len();
+    let settings =
+        Settings { impacts: Some(100 * count as u64), arithmetic: Arithmetic::Bits(2048), ..Settings::default() };
+    let mut run = Orbit::new(pair, &start, settings).unwrap();
+    let mut seen = 0;
+    while let Some(impact) = run.next() {
+        let at = &orbit.impacts[(seen + 1) % count];
+        let rounds = f64::from(cycles) * ((seen + 1) / count) as f64;
+        let (time, velocity) = run.bounds(&impact);
+        let shift = Enclosure::from_f64_bounds(rounds, rounds).unwrap();
+        assert_eq!(impact.wall, at.wall, "impact {seen}");
+        assert!(time.sub(&shift, 4096).intersection(&at.phase).is_some(), "impact {seen}");
+        assert!(velocity.intersection(&at.velocity).is_some(), "impact {seen}");
+        seen += 1;
+    }
+    assert_eq!(seen, 100 * count, "{:?}", run.outcome());
 }
 
 #[test]
-fn show() {
-    let figure_12 = scene("1", "pi", "9.42497", "0.5", "-12.56636");
-    let figure_13 = scene("2", "pi", "9.42497", "0.5", "-12.56636");
-    let figure_14 = scene("8", "pi", "9.42497", "0.5", "-12.56636");
-    let figure_15 = scene("2", "10*pi", "1", "0.8", "-14.48");
-    for (name, scene, word, cycles) in [
-        ("12", &figure_12, "LR", 1),
-        ("12", &figure_12, "LR", 3),
-        ("13", &figure_13, "LR", 1),
-        ("14", &figure_14, "LR", 1),
-        ("14", &figure_14, "RRLL", 1),
-        ("15", &figure_15, "RRLLL", 1),
-        ("15", &figure_15, "RRLLLRRLLL", 2),
-        ("r5", &scene("7.5", "1", "1", "0.8", "-1"), "RRRRRLLLLL", 1),
-        ("LLR", &scene("0.498", "1", "1", "0.8", "-1"), "LLR", 1),
-        ("RRL", &scene("0.498", "1", "1", "0.8", "-1"), "RRL", 1),
-        ("RRLL", &scene("1", "1", "0.619", "0.8", "-1"), "RRLL", 1),
-        ("n2", &scene("1", "1", "10.82", "0.5", "-1"), "LR", 2),
-        ("n4", &scene("1", "1", "14.21", "0.5", "-1"), "LR", 4),
+fn proved_orbits_run_a_hundred_periods_and_stay() {
+    for (word, cycles, ratio, restitution) in [
+        ("LR", 1, "1/9.42497", "0.5"),
+        ("LR", 3, "2/9.42497", "0.5"),
+        ("LLR", 1, "8/9.42497", "0.5"),
+        ("RRLL", 1, "2", "0.8"),
+        ("RRLLL", 1, "2", "0.8"),
+        ("LLR", 1, "0.498", "0.8"),
+        ("RRRRRLLLLL", 1, "7.5", "0.8"),
     ] {
-        let t = std::time::Instant::now();
-        let found = orbits(scene, word, cycles);
-        println!("{name} {word} {cycles}: {} orbits {:?}", found.len(), t.elapsed());
-        for orbit in found {
-            let e = |x: &impact_pair::exact::Enclosure| x.mid_rad();
-            println!(
-                "   {:?} sym {:?} rep {:?} {:?} {} tr {:?} ev {:?} {:?} u0 {:?} v0 {:?} dom {}",
-                orbit.physical,
-                orbit.symmetric,
-                orbit.repeats,
-                orbit.stability,
-                orbit.bits,
-                e(&orbit.trace),
-                [e(&orbit.eigenvalues[0].re).0, e(&orbit.eigenvalues[0].im).0],
-                [e(&orbit.eigenvalues[1].re).0, e(&orbit.eigenvalues[1].im).0],
-                e(&orbit.impacts[0].phase),
-                e(&orbit.impacts[0].velocity),
-                orbit.domain()[0].rad()
-            );
+        let pair = pair(ratio, restitution);
+        // Enough digits for what a hundred periods of the most unstable orbits eat.
+        let found = problem(&pair, word, cycles).find(&pair, &start(), Precision { digits: 300, max_bits: 1 << 14 });
+        let motions: Vec<_> = found.orbits.iter().filter(|orbit| orbit.physical == Some(true)).collect();
+        assert!(!motions.is_empty(), "{word}");
+        for orbit in motions {
+            assert!(orbit.is_narrow);
+            runs_a_hundred_periods(&pair, orbit, cycles);
+        }
+    }
+}
+
+/// The state after a period, from phases by bisection-free Newton in 512 bits: independent of the Jacobian (A.7).
+fn after_a_period(chain: &Chain, reduced: &Reduced<MpBall>, guess: &[MpBall], state: [MpBall; 2]) -> [MpBall; 2] {
+    let [mut phase, mut before] = state;
+    for i in 0..chain.impacts() {
+        let after = -(reduced.restitution.clone() * before.clone());
+        let (sin, cos) = phase.sin_cos();
+        let drift = after + reduced.beta.clone() * cos;
+        let j = chain.next(i);
+        let rounds = MpBall::from_f64(if j == 0 { f64::from(chain.cycles()) } else { 0.0 });
+        let mut next = guess[j].clone() + rounds;
+        for _ in 0..60 {
+            let (sin1, cos1) = next.sin_cos();
+            let way = drift.clone() * (next.clone() - phase.clone()) - reduced.alpha.clone() * (sin1 - sin.clone());
+            let miss = way - MpBall::from_f64(chain.displacement(i));
+            let velocity = drift.clone() - reduced.beta.clone() * cos1;
+            next = next - miss.checked_div(velocity).unwrap();
+            next = MpBall::exact(next.mid().clone());
+        }
+        before = drift - reduced.beta.clone() * next.sin_cos().1;
+        phase = next;
+    }
+    [phase, before]
+}
+
+/// Trace and determinant by central differences of the period map in 512 bits, with a step of `2^-128`.
+#[test]
+fn trace_and_determinant_agree_with_finite_differences() {
+    const BITS: u32 = 512;
+    for (word, cycles, ratio, restitution) in
+        [("LR", 1, "1/9.42497", "0.5"), ("RRLL", 1, "2", "0.8"), ("RRLLL", 1, "2", "0.8"), ("LLR", 1, "0.498", "0.8")]
+    {
+        let pair = pair(ratio, restitution);
+        let reduced = pair.exact().unwrap().map(|x| MpBall::enclosing(&x.enclose(BITS), BITS));
+        let reduced = reduced.map(|x| MpBall::exact(x.mid().clone()));
+        let problem = problem(&pair, word, cycles);
+        let found = problem.find(&pair, &start(), Precision { digits: 30, max_bits: 4096 });
+        for orbit in found.orbits {
+            let ball = |x: &Enclosure| MpBall::exact(MpBall::enclosing(x, BITS).mid().clone());
+            let phases: Vec<MpBall> = orbit.impacts.iter().map(|impact| ball(&impact.phase)).collect();
+            let state = [phases[0].clone(), ball(&orbit.impacts[0].velocity)];
+            let step = MpBall::from_f64(2f64.powi(-128));
+            let column = |which: usize| {
+                let moved = |sign: f64| {
+                    let mut state = state.clone();
+                    state[which] = state[which].clone() + step.clone().signed(sign);
+                    after_a_period(problem.chain(), &reduced, &phases, state)
+                };
+                let (up, down) = (moved(1.0), moved(-1.0));
+                [0, 1].map(|row: usize| {
+                    let apart = up[row].clone() - down[row].clone();
+                    apart.checked_div(step.clone() + step.clone()).unwrap().mid().to_f64()
+                })
+            };
+            let [[a, c], [b, d]] = [column(0), column(1)];
+            let scale = (a * d).abs() + (b * c).abs();
+            assert!(holds(&orbit.trace, a + d, 1e-12 * (a.abs() + d.abs())), "{word}: {} {orbit:?}", a + d);
+            let power = restitution.parse::<f64>().unwrap().powi(2 * phases.len() as i32);
+            assert!((a * d - b * c - power).abs() < 1e-12 * scale && holds(&orbit.determinant, power, 1e-12));
+            // Vieta: the eigenvalues' sum and product.
+            let [x, y] = orbit.eigenvalues.each_ref().map(|value| (value.re.mid_rad().0, value.im.mid_rad().0));
+            assert!((x.0 + y.0 - a - d).abs() < 1e-9 * scale.max(1.0) && (x.1 + y.1).abs() < 1e-12);
+            assert!((x.0 * y.0 - x.1 * y.1 - power).abs() < 1e-9 * scale.max(1.0));
+        }
+    }
+}
+
+/// (A.7) multiplied over a proved box encloses `e^(2k)`: Lemma T4.
+fn determinant_holds(problem: &Problem, finding: &Finding<Ball>) -> bool {
+    let [[a, b], [c, d]] = problem.chain().monodromy(problem.reduced(), &finding.legs).unwrap();
+    let apart = a * d - b * c - finding.determinant;
+    apart.mid().abs() <= apart.rad()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+
+    /// The equispaced orbit of (66)-(69), MODEL item 2: found, symmetric, with the closed form's trace and physical
+    /// while `sin th0 >= 0`.
+    #[test]
+    fn equispaced_orbits_have_the_closed_form(angle in -0.2..0.6f64, e in 0.1..0.9f64, odd in 0..3u32) {
+        let cycles = 2 * odd + 1;
+        let kappa = (1.0 + e) / (1.0 - e);
+        let n_pi = std::f64::consts::PI * f64::from(cycles);
+        let gap = 2.0 * angle.sin() + n_pi * kappa * angle.cos();
+        let pair = pair(&format!("1/{gap:.15}"), &format!("{e:.15}"));
+        let problem = problem(&pair, "LR", cycles);
+        let first = angle / std::f64::consts::TAU + 1.0;
+        let guess = [first, first + 0.5 * f64::from(cycles)];
+        let half = 2.0 * e + (1.0 - e * e) * (n_pi / 2.0) * angle.tan();
+        let trace = half * half - 2.0 * e * e;
+        // A double root at the fold has no proof.
+        prop_assume!((trace - 1.0 - e.powi(4)).abs() > 1e-3);
+        let orbit = problem.prove(&guess, Precision::default()).unwrap();
+        prop_assert_eq!(orbit.symmetric, Some(true));
+        prop_assert!(holds(&orbit.trace, trace, 1e-6 * trace.abs().max(1.0)), "{} {:?}", trace, orbit.trace.to_f64_bounds());
+        if angle >= 1e-6 {
+            prop_assert_eq!(orbit.physical, Some(true));
+        }
+        let finding = problem.prove_in_doubles(&guess);
+        prop_assert!(finding.is_none_or(|finding| determinant_holds(&problem, &finding)));
+    }
+
+    /// More digits give a part of the same box, and the same verdicts.
+    #[test]
+    fn more_digits_narrow(ratio in 0.2..3.0f64, cycles in 1..3u32, word in prop::sample::select(vec!["LR", "LLR", "LLRR"])) {
+        let pair = pair(&format!("{ratio:.6}"), "0.8");
+        let problem = problem(&pair, word, cycles);
+        let coarse = problem.find(&pair, &start(), Precision::default());
+        for orbit in coarse.orbits {
+            let guess: Vec<f64> = orbit.phases().iter().map(|phase| phase.mid()).collect();
+            let fine = problem.prove(&guess, Precision { digits: 25, max_bits: 1 << 12 }).unwrap();
+            prop_assert!(fine.is_narrow && fine.bits >= LEAST_BITS);
+            for (a, b) in fine.impacts.iter().zip(&orbit.impacts) {
+                prop_assert!(a.phase.intersection(&b.phase).is_some() && a.velocity.intersection(&b.velocity).is_some());
+            }
+            prop_assert!(orbit.physical.is_none() || fine.physical == orbit.physical);
+            prop_assert!(orbit.stability == Stability::Undecided || fine.stability == orbit.stability);
         }
     }
 }

@@ -105,7 +105,7 @@ fn conclusion(census: &Census) -> String {
         count => format!("{count} orbits"),
     };
     let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
-        (true, ..) if census.orbits.is_empty() => "there is none".to_owned(),
+        (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit".to_owned(),
         (true, ..) => "there is no other physical one".to_owned(),
         (false, true, 1) => "1 part of the state space may hold others".to_owned(),
         (false, true, open) => format!("{open} parts of the state space may hold others"),

@@ -224,3 +224,71 @@ impl<N> Slopes<N> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mapping::Mapping;
+    use proptest::prelude::*;
+
+    fn pair(alpha: f64, restitution: f64) -> Reduced<f64> {
+        Reduced { alpha, beta: std::f64::consts::TAU * alpha, restitution }
+    }
+
+    fn misses(chain: &Chain, pair: &Reduced<f64>, phases: &[f64]) -> Vec<f64> {
+        chain.residual(pair, &chain.legs(pair, phases).unwrap())
+    }
+
+    proptest! {
+        /// Lemma T2 against central differences, hops of every length included.
+        #[test]
+        fn derivatives_agree_with_differences(
+            alpha in 0.1..3.0f64, e in 0.0..=1.0f64, first in -0.5..0.5f64, steps in prop::array::uniform3(0.01..0.6f64),
+        ) {
+            let chain = Chain::new(&"RRLL".parse().unwrap(), 2).unwrap();
+            let phases = [first, first + steps[0], first + steps[0] + steps[1], first + steps.iter().sum::<f64>()];
+            let the_pair = pair(alpha, e);
+            let legs = chain.legs(&the_pair, &phases).unwrap();
+            let size = 1e-6;
+            let is_near = |exact: f64, up: f64, down: f64| {
+                let found = (up - down) / (2.0 * size);
+                (found - exact).abs() < 1e-4 * (exact.abs() + 1e2)
+            };
+            let mut matrix = [[0.0; 4]; 4];
+            for (i, j, slope) in chain.slopes(&the_pair, &legs).unwrap().entries() {
+                matrix[i][j] += slope;
+            }
+            for j in 0..4 {
+                let moved = |by: f64| { let mut moved = phases; moved[j] += by; misses(&chain, &the_pair, &moved) };
+                let (up, down) = (moved(size), moved(-size));
+                prop_assert!((0..4).all(|i| is_near(matrix[i][j], up[i], down[i])), "{matrix:?}");
+            }
+            let by_alpha = chain.by_alpha(&the_pair, &legs).unwrap();
+            let moved = |by: f64| misses(&chain, &pair(alpha + by, e), &phases);
+            let (up, down) = (moved(size), moved(-size));
+            prop_assert!((0..4).all(|i| is_near(by_alpha[i], up[i], down[i])));
+            let by_restitution = chain.by_restitution(&legs);
+            let moved = |by: f64| misses(&chain, &pair(alpha, e + by), &phases);
+            let (up, down) = (moved(size), moved(-size));
+            prop_assert!((0..4).all(|i| is_near(by_restitution[i], up[i], down[i])));
+        }
+
+        /// Lemma T1: short and long hops are one formula.
+        #[test]
+        fn hops_are_flights(alpha in 0.1..3.0f64, phase in 0.0..1.0f64, time in 1e-3..0.12f64) {
+            let pair = pair(alpha, 0.5);
+            let waves = [phase.wave(), (phase + time).wave()];
+            let long = flight(&pair, time, [&waves[0], &waves[1]], 0.0).unwrap();
+            let short = hop(&pair, time, waves[0], time.short().unwrap()).unwrap();
+            prop_assert!((long.after - short.after).abs() < 1e-11 && (long.before - short.before).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn words_that_do_not_close_and_cycles_out_of_range_are_refused() {
+        let open = Word::new(vec![Mapping::P2]).unwrap();
+        assert!(Chain::new(&open, 1).unwrap_err().is_word());
+        let closed: Word = "P2 P1".parse().unwrap();
+        assert!(Chain::new(&closed, 0).unwrap_err().is_range() && Chain::new(&closed, MOST_CYCLES + 1).is_err());
+    }
+}

@@ -4,7 +4,8 @@
 //! equations the impact law at each ([`chain`]); Newton's iteration in floats proposes ([`newton`]), Krawczyk's operator
 //! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
-//! Lemmas T1-T9 are in `docs/proofs.md`.
+//! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Lemmas T1-T9 are in
+//! `docs/proofs.md`.
 
 pub mod bifurcation;
 mod census;
@@ -80,6 +81,8 @@ pub struct Problem {
     chain: Chain,
     exact: Reduced<Exact>,
     court: Court,
+    /// No interval among the parameters: more precision narrows.
+    #[cfg(feature = "multiprecision")]
     is_point: bool,
 }
 
@@ -92,7 +95,14 @@ impl Problem {
         let reduced = pair.reduced()?;
         let court = Court { pair: reduced, centre: reduced.centre(), margins: Margins::new(&reduced) };
         let chain = Chain::new(word, cycles)?;
-        Ok(Self { word: word.clone(), chain, exact: pair.exact()?, court, is_point: pair.is_point() })
+        Ok(Self {
+            word: word.clone(),
+            chain,
+            exact: pair.exact()?,
+            court,
+            #[cfg(feature = "multiprecision")]
+            is_point: pair.is_point(),
+        })
     }
 
     /// The word.

@@ -237,3 +237,61 @@ impl Mul for Interval {
         outward(least(ends), greatest(ends))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Ends, some of them equal, and a member between them.
+    fn member() -> impl Strategy<Value = (Interval, f64)> {
+        let width = prop_oneof![Just(0.0), 1e-12..1e-3f64, 0.0..2.0f64];
+        (-3.0..3.0f64, width, 0.0..=1.0f64).prop_map(|(lo, width, at)| {
+            let hi = lo + width;
+            (Interval::new(lo, hi), (lo + at * width).clamp(lo, hi))
+        })
+    }
+
+    /// Whether a number computed with an error of some units is possible.
+    fn holds(x: Interval, y: f64) -> bool {
+        let error = 1e-14 * y.abs().max(1.0);
+        x.lo <= y + error && y - error <= x.hi
+    }
+
+    proptest! {
+        #[test]
+        fn operations_hold_those_of_members((x, a) in member(), (y, b) in member()) {
+            prop_assert!(holds(x + y, a + b) && holds(x - y, a - b) && holds(x * y, a * b) && holds(x.times(b), a * b));
+            prop_assert!(x.over(y).is_none_or(|quotient| b == 0.0 || holds(quotient, a / b)));
+            prop_assert!(y.over(y).is_some() != y.holds_zero());
+            let (sin, cos) = kernel::sin_cos(a);
+            prop_assert!(holds(x.sin(), sin) && holds(x.cos(), cos));
+            let ball = x.ball();
+            prop_assert!(ball.mid() - ball.rad() <= x.lo && x.hi <= ball.mid() + ball.rad());
+        }
+
+        #[test]
+        fn what_has_this_cosine_is_kept((x, a) in member(), width in 0.0..1.0f64) {
+            let cos = kernel::sin_cos(a).1;
+            let kept = x.where_cos(Interval::new(cos - width, cos + width)).unwrap();
+            prop_assert!(kept.lo <= a && a <= kept.hi);
+        }
+
+        #[test]
+        fn sinc_and_bend_hold_their_values((x, a) in member()) {
+            let (x, a) = (Interval::new(x.lo.abs().min(x.hi.abs()), x.lo.abs().max(x.hi.abs())), a.abs());
+            prop_assume!(x.lo <= a && a <= x.hi && a > 1e-4);
+            let sinc = (std::f64::consts::PI * a).sin() / (std::f64::consts::PI * a);
+            prop_assert!(holds(x.sinc(), sinc), "{x:?} {a}");
+            let bend = (1.0 - sinc) / a;
+            prop_assert!(x.bend().lo <= bend + 1e-11 && bend - 1e-11 <= x.bend().hi, "{x:?} {a} {:?}", x.bend());
+        }
+    }
+
+    #[test]
+    fn extrema_inside_are_seen() {
+        assert_eq!(Interval::new(0.4, 0.6).cos().lo, -1.0);
+        assert_eq!(Interval::new(-0.1, 0.1).cos().hi, 1.0);
+        assert!(Interval::new(0.1, 0.4).cos().hi < 1.0 && Interval::new(0.0, 0.0).sinc().hi == 1.0);
+    }
+}

@@ -1,0 +1,57 @@
+//! Snapshots of `impact-pair periodic`: stdout, stderr and exit code together.
+
+#![cfg(feature = "multiprecision")]
+
+mod common;
+
+use common::program;
+use insta_cmd::assert_cmd_snapshot;
+
+const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];
+
+/// `impact-pair periodic` with these arguments.
+fn periodic(arguments: &[&str]) -> std::process::Command {
+    let mut command = program(&["periodic"]);
+    command.args(arguments);
+    command
+}
+
+macro_rules! snapshots {
+    ($($name:ident: $arguments:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            insta::with_settings!({ filters => UNCERTAIN.to_vec() }, {
+                assert_cmd_snapshot!(stringify!($name), periodic(&$arguments));
+            });
+        })*
+    };
+}
+
+snapshots! {
+    figure_12_as_a_table: ["scenes/figure-12.toml", "--word", "P1 P2", "--cycles", "1"];
+    figure_13_all_as_json: ["scenes/figure-13.toml", "--word", "LR", "--cycles", "1", "--all", "--format", "json"];
+    figure_15_its_double: ["scenes/figure-15.toml", "--word", "RRLLLRRLLL", "--cycles", "2"];
+    figure_12_in_thirty_digits: ["scenes/figure-12.toml", "--word", "LR", "--cycles", "1", "--digits", "30"];
+    model_two_has_no_orbit: ["scenes/figure-12.toml", "--word", "P3", "--cycles", "1", "--all"];
+    a_word_that_none_is_found_of: ["scenes/figure-12.toml", "--word", "LLR", "--cycles", "1", "--format", "json"];
+    a_word_that_is_not_closed: ["scenes/figure-12.toml", "--word", "P2", "--cycles", "1"];
+    a_word_that_is_none: ["scenes/figure-12.toml", "--word", "P5", "--cycles", "1"];
+    no_cycles: ["scenes/figure-12.toml", "--word", "LR", "--cycles", "0"];
+    arguments_of_periodic: ["--help"];
+}
+
+/// `--output` writes the document whole, and the JSON says what the table says.
+#[test]
+fn the_document_goes_where_it_is_asked_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("orbits.json");
+    let target = path.to_str().unwrap();
+    let arguments = ["scenes/figure-15.toml", "--word", "RRLLL", "--cycles", "1", "--all", "--format", "json"];
+    let answer = periodic(&[&arguments[..], &["--output", target]].concat()).output().unwrap();
+    assert!(answer.status.success() && answer.stdout.is_empty());
+    let document: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    assert_eq!((document["certified"].as_bool(), document["exhaustive"].as_bool()), (Some(true), Some(true)));
+    assert_eq!(document["word"], "P2 P4 P4 P1 P3");
+    let eigenvalue = document["orbits"][0]["eigenvalues"][0]["re"][0].as_str().unwrap();
+    assert!(eigenvalue.starts_with("-1.0021045"), "{eigenvalue}");
+}
