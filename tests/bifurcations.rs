@@ -94,3 +94,14 @@ fn over_the_frequency_nothing_bifurcates() {
     let diagram = diagram("frequency=1..2", 4);
     assert!(diagram.points.is_empty() && diagram.is_certified());
 }
+
+/// `A_pf(e) = 0.36` at the pitchfork over `e`.
+#[test]
+fn over_the_restitution_the_pitchfork_solves_the_closed_form() {
+    let diagram = diagram("restitution=0.55..0.75", 0);
+    let pitchfork = diagram.points.iter().find(|point| point.kind == Kind::Pitchfork).expect("a pitchfork");
+    let (e, _) = pitchfork.parameter.mid_rad();
+    let (kappa, pi) = ((1.0 + e) / (1.0 - e), std::f64::consts::PI);
+    let amplitude = (1.0 + 4.0 * (kappa / pi).powi(2)).sqrt() / (pi * kappa * (1.0 - 4.0 / (pi * pi)));
+    assert!((amplitude - 0.36).abs() < 1e-12);
+}

@@ -83,8 +83,9 @@ pub(super) trait Condition: System {
 }
 
 impl Condition for Critical<'_> {
-    fn holds<N: Enclosing>(&self, _: &Reduced<N>, _: &[N], _: &[N]) -> bool {
-        true
+    /// `e > 0`, for Lemma Y2; velocities that are not 0 are asked for with the orbit.
+    fn holds<N: Enclosing>(&self, pair: &Reduced<N>, _: &[N], _: &[N]) -> bool {
+        pair.restitution.certain_sign() == Some(Ordering::Greater)
     }
 }
 
@@ -203,6 +204,10 @@ impl<S: Condition> Claim<'_, S> {
         let physical = |phases: &[N]| if self.kind == Kind::Graze { None } else { is_physical(ring, &pair, phases) };
         let orbit = Finding::new(chain, &pair, proved, |phases, _| physical(phases))
             .and_then(|finding| finding.finish(chain, &restitution, bits, is_narrow));
+        // Lemma Y2 wants velocities that are not 0, and so does the Jacobian.
+        if self.kind != Kind::Graze && orbit.is_none() {
+            return None;
+        }
         let symmetric = if ring.is_mirrored() { Some(true) } else { orbit.as_ref().and_then(|orbit| orbit.symmetric) };
         let orbit = orbit.map(|orbit| PeriodicOrbit { symmetric, ..orbit });
         let room = bits + 160;
