@@ -131,8 +131,7 @@ fn mirrored_words_have_mirrored_orbits() {
     }
 }
 
-/// Words of up to four impacts and three cycles at the parameters of figures 12-15: all orbits, none undecided; and
-/// an independent count, by floating shooting from a grid of states, finds no other.
+/// Words of up to four impacts and three cycles at the parameters of figures 12-15: all orbits, none undecided.
 #[test]
 fn all_orbits_of_short_words_are_known_at_the_figures() {
     for (ratio, restitution) in [("1/9.42497", "0.5"), ("2/9.42497", "0.5"), ("8/9.42497", "0.5"), ("2", "0.8")] {

@@ -127,7 +127,7 @@ impl<N: Enclosing> Finding<N> {
         let trace = self.trace.as_enclosure()?;
         // Lemma T4, from the exact parameter.
         let power = i32::try_from(2 * chain.impacts()).ok()?;
-        let determinant = restitution.enclose(room).powi(power, room)?;
+        let determinant = restitution.enclose(room).powi(power, bits + 16)?;
         let in_doubles = |balls: &[N]| balls.iter().map(Enclosing::as_ball).collect();
         Some(PeriodicOrbit {
             impacts: (0..chain.impacts()).map(impact).collect::<Option<_>>()?,

@@ -30,8 +30,6 @@ pub(super) struct Part {
     pub drifts: Vec<Interval>,
     /// The velocity of the box at each impact.
     pub speeds: Vec<Interval>,
-    /// `w_i/h_i` and `v_{i+1}/h_i` of each flight.
-    pub ratios: Vec<[Interval; 2]>,
 }
 
 /// Anything.
@@ -83,7 +81,6 @@ impl<'c> Terms<'c> {
             times: vec![Interval::new(0.0, reach); count],
             drifts: vec![Interval::new(-self.drift, self.drift); count],
             speeds: vec![ALL; count],
-            ratios: vec![[ALL; 2]; count],
         }
     }
 
@@ -117,8 +114,7 @@ impl<'c> Terms<'c> {
 
     /// `h_i = u_{i+1} - u_i`, and its least value.
     fn cut_time(&self, part: &mut Part, i: usize) -> Option<()> {
-        let j = self.chain.next(i);
-        let shift = Interval::point(if j == 0 { f64::from(self.chain.cycles()) } else { 0.0 });
+        let (j, shift) = (self.chain.next(i), self.shift(i));
         let least = if self.chain.displacement(i) == 0.0 { 0.0 } else { self.crossing };
         let (from, to) = (part.phases[i], part.phases[j] + shift);
         let time = part.times[i].cut(to - from)?.from(least)?;
@@ -131,30 +127,53 @@ impl<'c> Terms<'c> {
     /// `c_i = D_i/h_i + beta S(h_i) cos 2 pi m_i`
     fn cut_drift(&self, part: &mut Part, i: usize) -> Option<()> {
         let time = part.times[i];
-        let wave = self.beta * time.sinc() * self.middle(part, i).cos();
+        let wave = self.wave(&part.phases, i, time);
         let displacement = self.chain.displacement(i);
         if displacement == 0.0 {
             part.drifts[i] = part.drifts[i].cut(wave)?;
             return Some(());
         }
         let way = Interval::point(displacement);
-        if let Some(straight) = way.over(time) {
-            part.drifts[i] = part.drifts[i].cut(straight + wave)?;
-        }
-        if let Some(time) = way.over(part.drifts[i] - wave) {
-            part.times[i] = part.times[i].cut(time)?;
-        }
+        part.drifts[i] = cut_if(part.drifts[i], way.over(time).map(|straight| straight + wave))?;
+        part.times[i] = cut_if(time, way.over(part.drifts[i] - wave))?;
         Some(())
     }
 
+    /// `beta S(h_i) cos 2 pi m_i`: the mean velocity of the box during flight `i`, over phases with these times.
+    fn wave(&self, phases: &[Interval], i: usize, time: Interval) -> Interval {
+        self.beta * time.sinc() * self.middle(phases, i, time).cos()
+    }
+
     /// `m_i`: half way between both phases of a flight.
-    fn middle(&self, part: &Part, i: usize) -> Interval {
-        let j = self.chain.next(i);
-        let shift = Interval::point(if j == 0 { f64::from(self.chain.cycles()) } else { 0.0 });
-        let ends = (part.phases[i] + part.phases[j] + shift).times(0.5);
-        let half = part.times[i].times(0.5);
+    fn middle(&self, phases: &[Interval], i: usize, time: Interval) -> Interval {
+        let end = phases[self.chain.next(i)] + self.shift(i);
+        let half = time.times(0.5);
         let narrower = |x: Interval, y: Interval| x.cut(y).unwrap_or(x);
-        narrower(narrower(ends, part.phases[i] + half), part.phases[j] + shift - half)
+        narrower(narrower((phases[i] + end).times(0.5), phases[i] + half), end - half)
+    }
+
+    /// What is added to the phase that flight `i` ends at: the period, once around.
+    pub fn shift(&self, i: usize) -> Interval {
+        Interval::point(if self.chain.next(i) == 0 { f64::from(self.chain.cycles()) } else { 0.0 })
+    }
+
+    /// `w_i/h_i` and `v_{i+1}/h_i` at *all* phases of a box with these times, whether orbits or not.
+    pub fn ratios(&self, phases: &[Interval], i: usize, time: Interval) -> [Interval; 2] {
+        let displacement = self.chain.displacement(i);
+        let straight =
+            if displacement == 0.0 { Some(Interval::point(0.0)) } else { Interval::point(displacement).over(time) };
+        let drift = straight.map(|straight| straight + self.wave(phases, i, time));
+        let by_time = |phase: Interval| drift.and_then(|drift| (drift - self.speed(phase)).over(time)).unwrap_or(ALL);
+        let ratios = [by_time(phases[i]), by_time(phases[self.chain.next(i)])];
+        if displacement != 0.0 {
+            return ratios;
+        }
+        let middle = self.middle(phases, i, time);
+        let quarter = time.times(0.25);
+        let bend = time.bend() * middle.cos();
+        let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
+        let hop = [-(self.beta * (bend + swing(middle - quarter))), -(self.beta * (bend - swing(middle + quarter)))];
+        [0, 1].map(|end| ratios[end].cut(hop[end]).unwrap_or(hop[end]))
     }
 
     /// The impact law and the directions before and after it.
@@ -181,24 +200,12 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// `w_i/h_i` and `v_{i+1}/h_i`, with their signs.
-    fn cut_ratios(&self, part: &mut Part, i: usize) -> Option<()> {
-        let j = self.chain.next(i);
-        let (walls, time) = (self.chain.walls(), part.times[i]);
-        let by_time = |speed: Interval| (part.drifts[i] - speed).over(time).unwrap_or(ALL);
-        let mut ratios = [by_time(part.speeds[i]), by_time(part.speeds[j])];
-        if self.chain.displacement(i) == 0.0 {
-            let middle = self.middle(part, i);
-            let quarter = time.times(0.25);
-            let bend = time.bend() * middle.cos();
-            let wave = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
-            ratios[0] = ratios[0].cut(-(self.beta * (bend + wave(middle - quarter))))?;
-            ratios[1] = ratios[1].cut(-(self.beta * (bend - wave(middle + quarter))))?;
-        }
-        // The signs, told away from the walls.
-        ratios[0] = ratios[0].signed(walls[i].sign()).from(0.0)?.signed(walls[i].sign());
-        ratios[1] = ratios[1].signed(walls[j].sign()).up_to(0.0)?.signed(walls[j].sign());
-        part.ratios[i] = ratios;
+    /// The signs of `w_i/h_i` and `v_{i+1}/h_i`, told away from the walls: a hop of no time has them, too.
+    fn cut_ratios(&self, part: &Part, i: usize) -> Option<()> {
+        let [after, before] = self.ratios(&part.phases, i, part.times[i]);
+        let [from, to] = [i, self.chain.next(i)].map(|impact| self.chain.walls()[impact].sign());
+        after.signed(from).from(0.0)?;
+        before.signed(to).up_to(0.0)?;
         Some(())
     }
 
@@ -233,6 +240,11 @@ impl Part {
     /// How much there is: the sum of the widths of the phases and times.
     pub fn size(&self) -> f64 {
         self.phases.iter().chain(&self.times).map(|x| x.width()).sum()
+    }
+
+    /// A point inside, about the middle.
+    pub fn centre(&self) -> Vec<f64> {
+        self.phases.iter().map(|x| x.middle()).collect()
     }
 
     /// The width of the widest phase.

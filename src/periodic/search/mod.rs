@@ -130,9 +130,8 @@ impl Search<'_> {
 
     /// An orbit in or beside the part that Newton's iteration leads to, proved.
     fn orbit_near(&self, part: &Part) -> Option<PeriodicOrbit> {
-        let centre = part.phases.iter().map(|x| x.middle()).collect();
         let (chain, pair) = (&self.problem.chain, &self.problem.court.centre);
-        let phases = polish(chain, pair, centre)?;
+        let phases = polish(chain, pair, part.centre())?;
         let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
         if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
             return None;
@@ -168,4 +167,60 @@ fn halves(part: Part, slopes: &Slopes<Interval>) -> [Part; 2] {
     let mut part = part;
     part.phases[widest] = Interval::new(lo, middle);
     [part, other]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Harmonic;
+    use crate::pair::Wall;
+
+    fn is_physical(orbit: &PeriodicOrbit) -> bool {
+        orbit.physical == Some(true)
+    }
+
+    /// Without any orbit known at first the search comes upon the same motions as the guesses.
+    #[test]
+    fn the_search_alone_finds_what_the_guesses_find() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        for (word, cycles, ratio, restitution, count) in [
+            ("LR", 3, "1/9.42497", "0.5", 8),
+            ("LLR", 3, "1/9.42497", "0.5", 5),
+            ("LRLR", 3, "2/9.42497", "0.5", 4),
+            ("LLR", 1, "8/9.42497", "0.5", 1),
+            ("LLRR", 1, "2", "0.8", 4),
+            ("LRLR", 2, "2", "0.8", 1),
+            ("LRLRLR", 3, "0.498", "0.8", 8),
+            ("LR", 2, "1/20", "1", 4),
+        ] {
+            let harmonic = Harmonic::new(ratio.parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
+            let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
+            let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
+            let precision = Precision::default();
+            let guessed = problem.find(&pair, &start, precision).orbits;
+            let terms = Terms::new(&problem.chain, problem.reduced());
+            let mut search = Search { problem: &problem, terms, precision, known: Vec::new(), undecided: Vec::new() };
+            search.run(Budget::default());
+            assert!(search.undecided.is_empty(), "{word}");
+            let is_found = |orbit: &PeriodicOrbit| {
+                let is_it = |other: &PeriodicOrbit| is_one_orbit(&problem.chain, &orbit.proved, &other.proved);
+                search.known.iter().any(|other| is_it(other) == Some(true))
+            };
+            assert!(guessed.iter().filter(|orbit| is_physical(orbit)).all(is_found), "{word}");
+            let found = search.known.iter().filter(|orbit| is_physical(orbit)).count();
+            // Guesses may miss some.
+            assert_eq!(found, count, "{word}, of which {} were guessed", guessed.len());
+        }
+    }
+
+    /// A continuum of orbits is no finite list: `A = 0`, `e = 1`.
+    #[test]
+    fn a_continuum_stays_undecided() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let harmonic = Harmonic::new("0".parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
+        let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), "1".parse().unwrap()).unwrap();
+        let problem = Problem::new(&pair, &"LR".parse().unwrap(), 1).unwrap();
+        let census = problem.find_all(&pair, &start, Precision::default(), Budget::default());
+        assert!(!census.exhaustive && !census.undecided.is_empty() && !census.is_certified());
+    }
 }

@@ -8,22 +8,31 @@ use crate::periodic::chain::Slopes;
 use crate::periodic::precondition::Preconditioner;
 
 impl Terms<'_> {
-    /// The derivatives of Lemma T2 over a part; `None` where they are not bounded.
+    /// The derivatives of Lemma T2 over a convex set that holds the middle of the part and all its orbits.
+    ///
+    /// The mean value theorem looks at what lies between both, where nothing holds that only orbits obey: of all that was
+    /// cut, only phases and times are used, and times together with those at the middle.
     pub fn slopes(&self, part: &Part) -> Slopes<Interval> {
-        let row = |i: usize| {
-            let p = self.chain.previous(i);
-            let ([after, before], [after_p, before_p]) = (part.ratios[i], part.ratios[p]);
-            let e = self.restitution;
-            [e * after_p, after - e * before_p + self.swing * part.phases[i].sin(), -before]
+        let centre = part.centre();
+        let ratios = |i: usize| {
+            let [from, to] = [i, self.chain.next(i)].map(|impact| Interval::point(centre[impact]));
+            let time = part.times[i].hull(to + self.shift(i) - from);
+            self.ratios(&part.phases, i, time)
         };
-        Slopes((0..part.phases.len()).map(row).collect())
+        let ratios: Vec<_> = (0..centre.len()).map(ratios).collect();
+        let row = |i: usize| {
+            let ([after, before], [after_before, before_own]) = (ratios[i], ratios[self.chain.previous(i)]);
+            let e = self.restitution;
+            [e * after_before, after - e * before_own + self.swing * part.phases[i].sin(), -before]
+        };
+        Slopes((0..centre.len()).map(row).collect())
     }
 
     /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
     pub fn newton(&self, pair: &Reduced<Ball>, part: Part, slopes: &Slopes<Interval>) -> Option<Part> {
         let middles = slopes.0.iter().map(|row| row.map(Interval::middle)).collect();
         let Some(inverse) = Preconditioner::new(&Slopes(middles)) else { return Some(part) };
-        let centre: Vec<f64> = part.phases.iter().map(|x| x.middle()).collect();
+        let centre = part.centre();
         let balls: Vec<Ball> = centre.iter().map(|&x| Ball::exact(x)).collect();
         let Some(legs) = self.chain.legs(pair, &balls) else { return Some(part) };
         let misses: Vec<Interval> = self.chain.residual(pair, &legs).into_iter().map(Interval::of).collect();
