@@ -6,6 +6,8 @@ use crate::pair::Reduced;
 
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;
+/// `2^32` turns, well within the kernel's domain (Lemma K1).
+const LARGEST_PHASE: f64 = 4_294_967_296.0;
 /// The least part of a flight's time that one step leaves.
 const KEPT: f64 = 0.2;
 
@@ -22,6 +24,9 @@ pub fn polish(chain: &Chain, pair: &Reduced<f64>, mut phases: Vec<f64>) -> Optio
         }
         let taken = keep_order(chain, &legs, &step);
         phases.iter_mut().zip(&step).for_each(|(x, s)| *x += taken * s);
+        if !phases.iter().all(|x| x.abs() <= LARGEST_PHASE) {
+            return None;
+        }
         legs = chain.legs(pair, &phases)?;
         // As far as doubles go: a step that is tiny and no longer shrinks.
         if size < 1e-9 && size >= 0.5 * last {
