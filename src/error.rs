@@ -99,6 +99,11 @@ impl Error {
         Self::new(Kind::Range, format!("the number of cycles is {cycles}, but must lie in [1, {most}]"))
     }
 
+    pub(crate) fn over(text: &str) -> Self {
+        let accepted = "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency";
+        Self::new(Kind::Range, format!("the range is \"{text}\", but accepted are {accepted}"))
+    }
+
     pub(crate) fn arithmetic(text: &str) -> Self {
         let (least, most) = BITS.into_inner();
         let bits = if cfg!(feature = "multiprecision") {

@@ -1,6 +1,7 @@
 //! Command line of impact-pair: certified orbits of the horizontal impact pair.
 
 mod arguments;
+mod bifurcations;
 mod check;
 mod ending;
 mod follow;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
     let answer = match Cli::parse().verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Periodic(arguments) => periodic::periodic(&arguments),
+        Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),

@@ -48,6 +48,15 @@ snapshots! {
 
 #[cfg(feature = "multiprecision")]
 snapshots! {
+    cascade_as_a_table: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
+        "--over", "amplitude=0.3..0.499", "--digits", "20"]);
+    pitchfork_as_json: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
+        "--over", "pair.gap=1.02..1.1", "--doublings", "0", "--format", "json"]);
+    bifurcations_over_the_frequency: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
+        "--over", "frequency=1..2"]);
+    bifurcations_over_no_parameter: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
+        "--over", "phase=1..2"]);
+    arguments_of_bifurcations: program(&["bifurcations", "--help"]);
     figure_14_ends_where_the_digits_do: run(&["scenes/figure-14.toml", "--max-bits", "64", "--format", "csv"]);
     figure_14_ends_where_the_digits_do_quietly:
         run(&["scenes/figure-14.toml", "--max-bits", "64", "--format", "jsonl", "--quiet"]);

@@ -66,11 +66,11 @@ impl<'d> PeriodicDocument<'d> {
         Value::Object(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect::<Map<_, _>>())
     }
 
-    fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
+    pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
         impact_json(impact, bits, |velocity| self.velocity(velocity, bits))
     }
 
-    fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
+    pub(super) fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
         orbit_json(orbit, |velocity| self.velocity(velocity, orbit.bits))
     }
 }

@@ -9,6 +9,7 @@
 
 mod attractor;
 mod basin;
+pub mod bifurcation;
 mod census;
 pub mod chain;
 mod guess;

@@ -1,0 +1,111 @@
+//! `impact-pair bifurcations SCENE --word WORD --cycles N --over KEY=LO..HI`: folds, pitchforks, doublings, grazes, proved.
+
+use std::io::{self, Write};
+
+use anyhow::{Context, Result};
+use impact_pair::Scene;
+use impact_pair::certificate::BifurcationDocument;
+use impact_pair::exact::decimal_digits;
+use impact_pair::periodic::bifurcation::{Diagram, End, Key, Kind, Over, survey};
+
+use crate::Answer;
+use crate::arguments::{BifurcationArguments, PeriodicFormat};
+use crate::heading;
+use crate::output::Output;
+use crate::scene;
+
+pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
+    let scene = scene::read(&arguments.scene)?;
+    let named = || scene::name(&arguments.scene);
+    let wanted = arguments.wanted(&scene);
+    scene::keep(&arguments.scene, arguments.output.as_deref())?;
+    let mut out = Output::open(arguments.output.as_deref())?;
+    let (word, cycles) = (&arguments.word, arguments.cycles);
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted).with_context(named)?;
+    let (pair, start, over) = (scene.pair(), scene.start(), &wanted.over);
+    let write = "cannot write the output";
+    match arguments.format {
+        PeriodicFormat::Table => table(&mut out, &scene, over, &diagram).context(write)?,
+        PeriodicFormat::Json => {
+            let document = BifurcationDocument { pair, start, word, cycles, over };
+            writeln!(out, "{}", document.json(&diagram).with_context(named)?).context(write)?;
+        }
+    }
+    let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
+    out.commit()?;
+    if !diagram.is_certified() && !arguments.quiet && !said_already {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "{}", conclusion(over, &diagram));
+    }
+    Ok(if diagram.is_certified() { Answer::Complete } else { Answer::Incomplete })
+}
+
+fn table(out: &mut impl Write, scene: &Scene, over: &Over, diagram: &Diagram) -> Result<()> {
+    heading::write(out, scene)?;
+    let Over { key, low, high } = over;
+    writeln!(out, "over {} from {low} to {high}\n", key.name())?;
+    if !diagram.points.is_empty() {
+        writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.name())?;
+    }
+    for point in &diagram.points {
+        let (parameter, _) = point.in_units(over, scene.pair())?;
+        let symmetric = match point.symmetric {
+            Some(true) => "symmetric",
+            Some(false) => "not symmetric",
+            None => "undecided whether symmetric",
+        };
+        let physical = match point.orbit.as_ref().and_then(|orbit| orbit.physical) {
+            _ if point.kind == Kind::Graze => "",
+            Some(true) => ", physical",
+            Some(false) => ", not physical: a wall is touched earlier",
+            None => ", undecided whether physical",
+        };
+        let (kind, impacts) = (point.kind.name(), point.impacts.len());
+        let digits = decimal_digits(&parameter);
+        writeln!(out, "{kind:16} {impacts:7} {:6}  {digits:36} {symmetric}{physical}", point.cycles)?;
+    }
+    for branch in &diagram.branches {
+        let symmetric = if branch.symmetric { ", symmetric" } else { "" };
+        let [low, high] = over.range_f64(scene.pair(), branch.range);
+        let [a, b] = branch.ends.map(end);
+        let impacts = branch.word.mappings().len();
+        let proved = if branch.is_proved { ", proved to be one curve" } else { "" };
+        writeln!(
+            out,
+            "followed: {impacts} impacts in {}{symmetric}, {low:.4} to {high:.4}{proved}; ends: {a}, {b}",
+            branch.cycles
+        )?;
+    }
+    for unproved in &diagram.unproved {
+        let [near, _] = over.range_f64(scene.pair(), [unproved.near; 2]);
+        writeln!(
+            out,
+            "undecided: {} of {} impacts near {near:.9}",
+            unproved.kind.name(),
+            unproved.word.mappings().len()
+        )?;
+    }
+    writeln!(out, "\n{}", conclusion(over, diagram))?;
+    Ok(())
+}
+
+/// Why a branch ends, in words.
+fn end(end: End) -> &'static str {
+    match end {
+        End::Range => "the range",
+        End::At(kind) => kind.name(),
+        End::Closed => "none, it closes",
+        End::Lost => "lost",
+    }
+}
+
+/// The last line: how much of what was asked is proved.
+fn conclusion(over: &Over, diagram: &Diagram) -> String {
+    if over.key == Key::Frequency {
+        return "certified: nothing bifurcates over the frequency: only A/d and e matter, W is the unit of time".into();
+    }
+    let count = diagram.points.len();
+    let points = format!("{count} bifurcation{} proved", if count == 1 { "" } else { "s" });
+    let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
+    format!("{certified}{points}; others are not excluded (branches are found and followed in floats)")
+}

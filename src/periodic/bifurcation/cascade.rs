@@ -1,0 +1,271 @@
+//! All the branches that the orbits of a word lie on, and those that leave them: the bifurcation diagram.
+
+use std::cmp::Ordering;
+use std::collections::VecDeque;
+
+use super::super::chain::Chain;
+use super::claim::{Setting, prove};
+use super::diagram::{Branch, Diagram, End, Unproved, Wanted};
+use super::follow::{Change, Path, Stop, follow};
+use super::over::Key;
+use super::point::{Kind, Point};
+use super::ring::Ring;
+use super::starts::{is_same, seeds};
+use super::system::Family;
+use super::trace::{Station, correct, null_vector, tangent};
+use super::tube::is_one_curve;
+use crate::error::Error;
+use crate::exact::Dyadic;
+use crate::mapping::Word;
+use crate::orbit::Start;
+use crate::pair::ImpactPair;
+
+/// A branch to be followed.
+struct Lead {
+    ring: Ring,
+    start: Station,
+    /// The first step.
+    step: f64,
+    doublings: u32,
+    /// Whether it leaves another branch: then it goes one way only.
+    leaves: Option<Kind>,
+}
+
+/// How far from a bifurcation the branch that leaves there is entered, in turns; smaller where that fails.
+const ENTER: f64 = 1e-3;
+
+/// Room and speed that an orbit has at least for a branch to begin with it, in gaps and turns: hops of no time are none.
+const REAL: f64 = 1e-6;
+
+/// The survey as it goes on.
+struct Survey<'w> {
+    wanted: &'w Wanted,
+    setting: Setting,
+    floats: Family<f64>,
+    range: [f64; 2],
+    followed: Vec<(Ring, Path)>,
+    leads: VecDeque<Lead>,
+    diagram: Diagram,
+}
+
+/// Finds the bifurcations on the branches of the orbits of a word, and on those that leave them.
+///
+/// Each point is proved. That there are no others is not: branches are found and followed in floats.
+///
+/// # Errors
+/// When the word is not closed, the cycles are too many, or the range is not one of the parameter's.
+pub fn survey(
+    pair: &ImpactPair,
+    start: &Start,
+    (word, cycles): (&Word, u32),
+    wanted: &Wanted,
+) -> Result<Diagram, Error> {
+    let chain = Chain::new(word, cycles)?;
+    for end in [&wanted.over.low, &wanted.over.high] {
+        wanted.over.pair_at(pair, end.clone())?.reduced()?;
+    }
+    let Some(setting) = wanted.over.setting(pair)? else { return Ok(Diagram::default()) };
+    let floats = setting.floats();
+    let range = wanted.over.ends(pair)?;
+    let diagram = Diagram::default();
+    let mut survey = Survey { wanted, setting, floats, range, followed: Vec::new(), leads: VecDeque::new(), diagram };
+    if !chain.crosses() {
+        // Lemma T7: on one wall there is none.
+        return Ok(survey.diagram);
+    }
+    for seed in seeds(&chain, pair, start, wanted)? {
+        survey.sow(&seed.ring, seed.x);
+        survey.follow_leads();
+    }
+    survey.diagram.points.sort_by(|a, b| compare(a, b, wanted.over.key));
+    Ok(survey.diagram)
+}
+
+/// The order of the parameter: `d` falls as `A/d` rises.
+fn compare(a: &Point, b: &Point, key: Key) -> Ordering {
+    let order = a.parameter.lo().cmp(b.parameter.lo());
+    if key == Key::Gap { order.reverse() } else { order }
+}
+
+impl Survey<'_> {
+    /// Takes up the branch through an orbit, unless it is followed already or the orbit is none of a motion.
+    fn sow(&mut self, ring: &Ring, x: Vec<f64>) {
+        let mut along = vec![0.0; x.len()];
+        along[x.len() - 1] = 1.0;
+        let Some(start) = Station::new(ring, &self.floats, x, &along) else { return };
+        let is_motion = start.tests.room.distance > REAL && start.tests.arrival.0 > REAL;
+        if is_motion && !self.is_followed(ring, &start.x) {
+            self.leads.push_back(Lead { ring: ring.clone(), start, step: 1e-3, doublings: 0, leaves: None });
+        }
+    }
+
+    /// Whether an orbit lies on a path that was followed.
+    fn is_followed(&self, ring: &Ring, x: &[f64]) -> bool {
+        let p = x[x.len() - 1];
+        let mut across = vec![0.0; x.len()];
+        across[x.len() - 1] = 1.0;
+        let passes = |pair: &[Station]| {
+            let (a, b) = (&pair[0], &pair[1]);
+            let part = (p - a.parameter()) / (b.parameter() - a.parameter());
+            if !(-0.01..=1.01).contains(&part) {
+                return false;
+            }
+            let mut guess: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| part.mul_add(b - a, *a)).collect();
+            *guess.last_mut().expect("a parameter") = p;
+            correct(ring, &self.floats, &guess, &across).is_some_and(|there| {
+                let phases = |x: &[f64]| ring.lift(&x[..x.len() - 1]);
+                is_same(ring.chain(), &phases(&there), &phases(x))
+            })
+        };
+        self.followed.iter().filter(|(its, _)| its == ring).any(|(_, path)| path.stations.windows(2).any(passes))
+    }
+
+    /// Follows what there is to follow.
+    fn follow_leads(&mut self) {
+        while let Some(lead) = self.leads.pop_front() {
+            if lead.leaves.is_some() && self.is_followed(&lead.ring, &lead.start.x) {
+                continue;
+            }
+            let back = lead.start.reversed();
+            let mut ends = [End::Lost; 2];
+            let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+            let mut ways = vec![lead.start.clone()];
+            match lead.leaves {
+                Some(kind) => ends[1] = End::At(kind),
+                None => ways.push(back),
+            }
+            // All the way from one end to the other.
+            let mut way: Vec<Station> = Vec::new();
+            for (end, from) in ends.iter_mut().zip(ways) {
+                let path = follow(&lead.ring, &self.floats, from, self.range, lead.step);
+                for station in &path.stations {
+                    range = [range[0].min(station.parameter()), range[1].max(station.parameter())];
+                }
+                way.reverse();
+                way.extend(path.stations.iter().skip(usize::from(!way.is_empty())).cloned());
+                *end = self.harvest(&lead, &path);
+                self.followed.push((lead.ring.clone(), path));
+                if *end == End::Closed {
+                    break;
+                }
+            }
+            if ends[0] == End::Closed {
+                ends[1] = End::Closed;
+            }
+            let is_proved = is_one_curve(&lead.ring, &self.floats, &self.setting.doubles(), &way);
+            let range = [range[0].max(self.range[0]), range[1].min(self.range[1])];
+            let (word, cycles, symmetric) = (lead.ring.word(), lead.ring.chain().cycles(), lead.ring.is_mirrored());
+            self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends, is_proved });
+        }
+    }
+
+    /// Proves what a path met, takes up what leaves it; how it ends.
+    fn harvest(&mut self, lead: &Lead, path: &Path) -> End {
+        let mut last = None;
+        for (change, x) in &path.changes {
+            let joined = match change {
+                Change::Join => half_of(&lead.ring, x),
+                _ => None,
+            };
+            let (ring, x, change) = match joined {
+                Some((half, x)) => (half, x, Change::Flip),
+                None => (lead.ring.clone(), x.clone(), *change),
+            };
+            let kind = kind_of(&ring, &change);
+            last = Some(kind);
+            // The branch that is doubled there has one doubling less, but for a pitchfork.
+            let joins = ring != lead.ring;
+            let doublings = match (kind, joins) {
+                (Kind::PeriodDoubling, false) => lead.doublings + 1,
+                _ => lead.doublings,
+            };
+            match prove(&self.setting, &ring, (change, &x), self.wanted.precision) {
+                Some(point) => self.enter(Point { doublings, ..point }),
+                None => {
+                    let near = x[x.len() - 1];
+                    self.diagram.unproved.push(Unproved { kind, near, word: ring.word() });
+                }
+            }
+            let is_flip = matches!(change, Change::Flip) && !joins;
+            if is_flip && (kind == Kind::Pitchfork || doublings < self.wanted.doublings) {
+                self.take_up(&ring, &x, kind, doublings);
+            }
+        }
+        match path.stop {
+            Stop::Range => End::Range,
+            Stop::Loop => End::Closed,
+            Stop::Change => last.map_or(End::Lost, End::At),
+            Stop::Lost => End::Lost,
+        }
+    }
+
+    /// Lists a point once, if it may lie in the range.
+    fn enter(&mut self, point: Point) {
+        let end = |x: f64| Dyadic::from_f64(x).expect("a finite number");
+        let [low, high] = self.range;
+        if *point.parameter.hi() < end(low) || *point.parameter.lo() > end(high) {
+            return;
+        }
+        let is_known = |known: &Point| {
+            known.kind == point.kind
+                && known.word == point.word
+                && known.parameter.intersection(&point.parameter).is_some()
+                && is_same_orbit(known, &point)
+        };
+        if !self.diagram.points.iter().any(is_known) {
+            self.diagram.points.push(point);
+        }
+    }
+
+    /// Takes up the branch that leaves at an eigenvalue -1. Lemma Y4
+    fn take_up(&mut self, ring: &Ring, x: &[f64], kind: Kind, doublings: u32) {
+        let lead = ring.doubled().zip(null_vector(ring, &self.floats, x, -1.0)).and_then(|(doubled, w)| {
+            let (p, phases) = x.split_last()?;
+            let later: Vec<f64> = phases.iter().map(|u| u + ring.turns()).collect();
+            let along: Vec<f64> = w.iter().copied().chain(w.iter().map(|w| -w)).chain([0.0]).collect();
+            let at = [phases, &later, &[*p]].concat();
+            [1.0, 0.1, 0.01].into_iter().find_map(|part| {
+                let guess: Vec<f64> = at.iter().zip(&along).map(|(x, t)| (part * ENTER).mul_add(*t, *x)).collect();
+                let there = correct(&doubled, &self.floats, &guess, &along)?;
+                let way: Vec<f64> = there.iter().zip(&at).map(|(a, b)| a - b).collect();
+                let way = tangent(&doubled, &self.floats, &there, &way)?;
+                let start = Station::new(&doubled, &self.floats, there, &way)?;
+                let step = 0.2 * part * ENTER;
+                Some(Lead { ring: doubled.clone(), start, step, doublings, leaves: Some(kind) })
+            })
+        });
+        match lead {
+            Some(lead) => self.leads.push_back(lead),
+            None => self.diagram.unproved.push(Unproved { kind, near: x[x.len() - 1], word: ring.word() }),
+        }
+    }
+}
+
+/// What a change of sign on a ring may be.
+fn kind_of(ring: &Ring, change: &Change) -> Kind {
+    match change {
+        Change::Turn => Kind::Fold,
+        Change::Flip | Change::Join if ring.is_mirrored() => Kind::Pitchfork,
+        Change::Flip | Change::Join => Kind::PeriodDoubling,
+        Change::Graze(_) | Change::Vanish(_) => Kind::Graze,
+    }
+}
+
+/// The half that a ring meets at `x`, and where.
+fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
+    let (p, phases) = x.split_last()?;
+    let distance = |half: &Ring| {
+        let apart = |i: usize| (phases[i + half.unknowns()] - phases[i] - half.turns()).abs();
+        (0..half.unknowns()).map(apart).fold(0.0, f64::max)
+    };
+    let half = ring.halves().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let middle = |i: usize| 0.5 * (phases[i] + phases[i + half.unknowns()] - half.turns());
+    let x = (0..half.unknowns()).map(middle).chain([*p]).collect();
+    Some((half, x))
+}
+
+/// Whether two points with one parameter show one orbit, or mirror images, as far as doubles tell.
+fn is_same_orbit(one: &Point, other: &Point) -> bool {
+    let phases = |point: &Point| -> Vec<f64> { point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect() };
+    Chain::new(&one.word, one.cycles).is_ok_and(|chain| is_same(&chain, &phases(one), &phases(other)))
+}

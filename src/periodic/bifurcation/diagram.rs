@@ -1,0 +1,79 @@
+//! What is asked of the branches of a word, and what is found.
+
+use super::super::Precision;
+use super::over::Over;
+use super::point::{Kind, Point};
+use crate::mapping::Word;
+
+/// What is asked of a word's branches.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// The parameter and its range.
+    pub over: Over,
+    /// Doublings up to which the branches that leave are followed.
+    pub doublings: u32,
+    /// How narrow the enclosures are asked to be.
+    pub precision: Precision,
+}
+
+/// A change of sign where no bifurcation could be proved.
+#[derive(Clone, Debug)]
+pub struct Unproved {
+    /// What it may be.
+    pub kind: Kind,
+    /// Near which value of `A/d` or `e`; nothing is certain about it.
+    pub near: f64,
+    /// The word that was followed.
+    pub word: Word,
+}
+
+/// Where a followed branch ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The range of the parameter ends.
+    Range,
+    /// At a bifurcation of this kind.
+    At(Kind),
+    /// Nowhere: it closes.
+    Closed,
+    /// It could be followed no further.
+    Lost,
+}
+
+/// A branch as it was followed.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    /// The word of its orbits.
+    pub word: Word,
+    /// Their cycles.
+    pub cycles: u32,
+    /// Whether they are their own mirror images.
+    pub symmetric: bool,
+    /// Least and greatest `A/d` or `e`, about.
+    pub range: [f64; 2],
+    /// Its ends.
+    pub ends: [End; 2],
+    /// Whether it is proved to be one curve all the way, each orbit of it the only one near it (Lemma Y6).
+    pub is_proved: bool,
+}
+
+/// What is found along the branches of a word.
+#[derive(Clone, Debug, Default)]
+pub struct Diagram {
+    /// The bifurcations proved, in the order of the parameter.
+    pub points: Vec<Point>,
+    /// Where something changes sign but nothing could be proved.
+    pub unproved: Vec<Unproved>,
+    /// The branches followed.
+    pub branches: Vec<Branch>,
+}
+
+impl Diagram {
+    /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to its end.
+    pub fn is_certified(&self) -> bool {
+        let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);
+        self.unproved.is_empty()
+            && self.points.iter().all(|point| point.is_narrow && point.is_decided())
+            && self.branches.iter().all(ends)
+    }
+}

@@ -1,0 +1,162 @@
+//! Floats follow a branch through its folds to its end and note where something changes sign. Nothing is proved.
+
+use super::ring::Ring;
+use super::system::Family;
+use super::trace::{Nearest, Station, Tests, correct};
+
+/// What may happen on a branch.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Change {
+    /// It turns back: an eigenvalue 1.
+    Turn,
+    /// An eigenvalue of the ring is -1.
+    Flip,
+    /// A flight touches a wall.
+    Graze(Nearest),
+    /// An impact has no velocity left.
+    Vanish(usize),
+    /// It meets the branch of its half: an eigenvalue -1 of that.
+    Join,
+}
+
+/// Why a branch is followed no further.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// The parameter leaves its range.
+    Range,
+    /// It ends there: the last change is its end.
+    Change,
+    /// It is back at its start.
+    Loop,
+    /// Newton's iteration or the budget gives out.
+    Lost,
+}
+
+/// A part of a branch in one direction.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    pub stations: Vec<Station>,
+    /// What changes, and near where.
+    pub changes: Vec<(Change, Vec<f64>)>,
+    pub stop: Stop,
+}
+
+/// Stations of a path at most.
+const MOST_STATIONS: usize = 20_000;
+/// The longest step, the shortest one, and the longest in parts of the range.
+const LONGEST: f64 = 0.01;
+const SHORTEST: f64 = 1e-10;
+const OF_RANGE: f64 = 0.01;
+/// Cosines of the angle between tangents: at least so much, and so much for a longer step.
+const STRAIGHT: f64 = 0.99;
+const STRAIGHTER: f64 = 0.998;
+/// How near to its half a ring is at a turn that is a meeting.
+const TOGETHER: f64 = 1e-3;
+
+/// Follows the branch from a station the way of its tangent.
+pub(super) fn follow(ring: &Ring, family: &Family<f64>, start: Station, [low, high]: [f64; 2], first: f64) -> Path {
+    let longest = LONGEST.min(OF_RANGE * (high - low) + 1e-6);
+    let mut size = first.min(longest);
+    let mut path = Path { stations: vec![start], changes: Vec::new(), stop: Stop::Lost };
+    while path.stations.len() < MOST_STATIONS && size > SHORTEST {
+        let last = path.stations.last().expect("a first station");
+        let Some((next, cosine)) = advance(ring, family, last, size) else {
+            size *= 0.5;
+            continue;
+        };
+        if cosine < STRAIGHT {
+            size *= 0.5;
+            continue;
+        }
+        let ended = note(ring, family, last, &next, &mut path.changes);
+        let left = !(low..=high).contains(&next.parameter());
+        let known = path.changes.len();
+        // Beyond the range nothing is asked.
+        path.changes.retain(|(_, x)| (low..=high).contains(&x[x.len() - 1]));
+        let ended = ended && !(left && path.changes.len() < known);
+        let looped = path.stations.len() > 3 && is_back(&path.stations[0], last, &next);
+        path.stations.push(next);
+        if ended || left || looped {
+            path.stop = match (ended, left) {
+                (true, _) => Stop::Change,
+                (_, true) => Stop::Range,
+                _ => Stop::Loop,
+            };
+            break;
+        }
+        size = if cosine > STRAIGHTER { (1.3 * size).min(longest) } else { size };
+    }
+    path
+}
+
+/// A step along the branch, and the cosine of the angle it turns by.
+fn advance(ring: &Ring, family: &Family<f64>, from: &Station, size: f64) -> Option<(Station, f64)> {
+    let guess: Vec<f64> = from.x.iter().zip(&from.tangent).map(|(x, t)| size.mul_add(*t, *x)).collect();
+    let x = correct(ring, family, &guess, &from.tangent)?;
+    let next = Station::new(ring, family, x, &from.tangent)?;
+    let cosine = from.tangent.iter().zip(&next.tangent).map(|(a, b)| a * b).sum();
+    Some((next, cosine))
+}
+
+/// Notes what changes sign between two stations; whether the branch ends there.
+fn note(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, changes: &mut Vec<(Change, Vec<f64>)>) -> bool {
+    let room = |tests: &Tests| tests.room.distance;
+    let speed = |tests: &Tests| tests.arrival.0;
+    if speed(&b.tests) <= 0.0 {
+        let at = locate(ring, family, a, b, speed);
+        changes.push((Change::Vanish(at.tests.arrival.1), at.x));
+        return true;
+    }
+    if room(&b.tests) <= 0.0 {
+        let at = locate(ring, family, a, b, room);
+        changes.push((Change::Graze(at.tests.room), at.x));
+        return true;
+    }
+    let turn = |tests: &Tests| tests.turn;
+    let flip = |tests: &Tests| tests.flip;
+    if turn(&a.tests) * turn(&b.tests) < 0.0 {
+        let at = locate(ring, family, a, b, turn);
+        if at.tests.apart < TOGETHER {
+            changes.push((Change::Join, at.x));
+            return true;
+        }
+        changes.push((Change::Turn, at.x));
+    }
+    if flip(&a.tests) * flip(&b.tests) < 0.0 {
+        let at = locate(ring, family, a, b, flip);
+        changes.push((Change::Flip, at.x));
+    }
+    false
+}
+
+/// Where a test changes sign between two stations, by halving and secants.
+fn locate(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, test: impl Fn(&Tests) -> f64) -> Station {
+    let (mut a, mut b) = (a.clone(), b.clone());
+    for i in 0..24 {
+        let (at_a, at_b) = (test(&a.tests), test(&b.tests));
+        let secant = (at_a / (at_a - at_b)).clamp(0.02, 0.98);
+        let part = if i % 3 == 2 { 0.5 } else { secant };
+        let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
+        let guess: Vec<f64> = a.x.iter().zip(&chord).map(|(a, c)| part.mul_add(*c, *a)).collect();
+        let corrected = correct(ring, family, &guess, &chord);
+        // Where branches meet, nothing can be corrected any more.
+        let Some(middle) = corrected.and_then(|x| Station::new(ring, family, x, &a.tangent)) else { break };
+        let (from, to) = if test(&middle.tests) * at_a > 0.0 { (middle, b) } else { (a, middle) };
+        (a, b) = (from, to);
+    }
+    if test(&a.tests).abs() < test(&b.tests).abs() { a } else { b }
+}
+
+/// Whether the way from one station to the next passes the first one.
+fn is_back(first: &Station, a: &Station, b: &Station) -> bool {
+    let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
+    let square: f64 = chord.iter().map(|c| c * c).sum();
+    let along: f64 = chord.iter().zip(first.x.iter().zip(&a.x)).map(|(c, (f, a))| c * (f - a)).sum();
+    let part = along / square;
+    if !(0.0..=1.0).contains(&part) {
+        return false;
+    }
+    let missed = |((f, a), c): ((&f64, &f64), &f64)| (f - part.mul_add(*c, *a)).powi(2);
+    let distance: f64 = first.x.iter().zip(&a.x).zip(&chord).map(missed).sum();
+    distance < 0.01 * square && first.tangent.iter().zip(&b.tangent).map(|(a, b)| a * b).sum::<f64>() > 0.5
+}

@@ -1,0 +1,80 @@
+//! A bifurcation proved: its parameter and its orbit.
+
+use super::super::orbit::{PeriodicImpact, PeriodicOrbit};
+use super::over::Over;
+use crate::error::Error;
+use crate::exact::{Enclosure, Exact};
+use crate::mapping::Word;
+use crate::pair::ImpactPair;
+
+/// What happens to a branch at a point of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Kind {
+    /// It turns back: (40) with a quadratic turning point.
+    Fold,
+    /// A symmetric orbit becomes two that are mirror images: (40) by an eigenvalue -1 of half the period.
+    Pitchfork,
+    /// (39): an orbit of twice the period branches off.
+    PeriodDoubling,
+    /// A wall is touched with no velocity: beyond, the word is another one.
+    Graze,
+}
+
+impl Kind {
+    /// The word of the bifurcation JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::Pitchfork => "pitchfork",
+            Self::PeriodDoubling => "period-doubling",
+            Self::Graze => "graze",
+        }
+    }
+}
+
+/// A bifurcation, proved.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Which one.
+    pub kind: Kind,
+    /// `A/d`, or `e` where that is what varies: exactly one such point of the branch lies in here with this orbit.
+    pub parameter: Enclosure,
+    /// The word of its orbit, which is longer than the asked one on the branches of a cascade.
+    pub word: Word,
+    /// The cycles of its orbit.
+    pub cycles: u32,
+    /// The impacts of the orbit.
+    pub impacts: Vec<PeriodicImpact>,
+    /// Whether the orbit is its own mirror image.
+    pub symmetric: Option<bool>,
+    /// The rest about it; `None` where an impact is the graze, whose Jacobian (A.7) has no bound.
+    pub orbit: Option<PeriodicOrbit>,
+    /// Doublings of the asked word's branch up to this point's.
+    pub doublings: u32,
+    /// The bits it was proved with.
+    pub bits: u32,
+    /// Whether the bounds are as narrow as asked.
+    pub is_narrow: bool,
+}
+
+impl Point {
+    /// Whether all that is said of it is proved; at a graze no more than that there is one.
+    pub fn is_decided(&self) -> bool {
+        self.kind == Kind::Graze || self.orbit.as_ref().is_some_and(|orbit| orbit.physical.is_some())
+    }
+
+    /// The parameter in the units of the scene, in so many bits, and the pair with it.
+    ///
+    /// # Errors
+    /// When it is beyond what exact expressions hold.
+    pub fn in_units(&self, over: &Over, pair: &ImpactPair) -> Result<(Enclosure, ImpactPair), Error> {
+        let ends = [self.parameter.lo(), self.parameter.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        let [a, b] = ends.map(|end| over.in_units(pair, &end));
+        let (a, b) = (a?, b?);
+        let room = self.bits + 64;
+        let hull = a.enclose(room).hull(&b.enclose(room));
+        let [low, high] = [hull.lo(), hull.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        let value = Exact::interval(&low, &high).map_err(|_| Error::over(&format!("{low}..{high}")))?;
+        Ok((hull, over.pair_at(pair, value)?))
+    }
+}

@@ -1,0 +1,138 @@
+//! Chains that repeat or mirror themselves after half their impacts, told by that half: Lemma Y1.
+
+use super::super::chain::{Chain, Legs, Slopes};
+use crate::mapping::{Mapping, Word};
+use crate::number::{Number, Wave};
+use crate::pair::{Reduced, Wall};
+
+/// A chain of `k` impacts in `N` cycles with `m` unknowns: `m = k`, or `m = k/2` for the orbits that are their own mirror image.
+///
+/// Then `u_{i+m} = u_i + N/2` with `N` odd, and only the first `m` impacts have equations of their own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Ring {
+    chain: Chain,
+    unknowns: usize,
+}
+
+impl Ring {
+    /// All orbits of a chain.
+    pub fn whole(chain: Chain) -> Self {
+        Self { unknowns: chain.impacts(), chain }
+    }
+
+    /// Only its symmetric orbits, where it can have some.
+    pub fn mirrored(chain: &Chain) -> Option<Self> {
+        let (walls, half) = (chain.walls(), chain.impacts() / 2);
+        let folds = chain.impacts() == 2 * half && (0..half).all(|i| walls[i + half] == walls[i].other());
+        (folds && !chain.cycles().is_multiple_of(2)).then(|| Self { chain: chain.clone(), unknowns: half })
+    }
+
+    /// The chain that this one runs through twice.
+    pub fn repeated(chain: &Chain) -> Option<Self> {
+        let (walls, half) = (chain.walls(), chain.impacts() / 2);
+        let folds = chain.impacts() == 2 * half && walls[..half] == walls[half..];
+        if !folds || !chain.cycles().is_multiple_of(2) {
+            return None;
+        }
+        Chain::new(&word_of(&walls[..half])?, chain.cycles() / 2).ok().map(Self::whole)
+    }
+
+    /// Where the branch that leaves at an eigenvalue -1 lives: all the orbits of the chain, or of it run through twice.
+    pub fn doubled(&self) -> Option<Self> {
+        if self.is_mirrored() {
+            return Some(Self::whole(self.chain.clone()));
+        }
+        let walls = self.chain.walls().repeat(2);
+        Chain::new(&word_of(&walls)?, self.chain.cycles().checked_mul(2)?).ok().map(Self::whole)
+    }
+
+    /// The rings whose doubled one this may be.
+    pub fn halves(&self) -> impl Iterator<Item = Self> {
+        let whole = !self.is_mirrored();
+        [Self::mirrored(&self.chain), Self::repeated(&self.chain)].into_iter().flatten().filter(move |_| whole)
+    }
+
+    /// All impacts.
+    pub fn chain(&self) -> &Chain {
+        &self.chain
+    }
+
+    /// How many phases are unknown.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+
+    /// Whether it tells symmetric orbits only.
+    pub fn is_mirrored(&self) -> bool {
+        self.unknowns < self.chain.impacts()
+    }
+
+    /// The word of the chain.
+    pub fn word(&self) -> Word {
+        word_of(self.chain.walls()).expect("the walls of a chain chain")
+    }
+
+    /// Turns after which the unknowns repeat.
+    pub fn turns(&self) -> f64 {
+        f64::from(self.chain.cycles()) * self.unknowns as f64 / self.chain.impacts() as f64
+    }
+
+    /// The phases of all impacts.
+    pub fn lift<N: Number>(&self, phases: &[N]) -> Vec<N> {
+        let later = |i: usize| N::from_f64((i / self.unknowns) as f64 * self.turns());
+        (0..self.chain.impacts()).map(|i| phases[i % self.unknowns].clone() + later(i)).collect()
+    }
+
+    /// All flights.
+    pub fn legs<N: Wave>(&self, pair: &Reduced<N>, phases: &[N]) -> Option<Legs<N>> {
+        self.chain.legs(pair, &self.lift(phases))
+    }
+
+    /// `F_i` of the first `m` impacts. Lemma T1
+    pub fn residual<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Vec<N> {
+        let mut misses = self.chain.residual(pair, legs);
+        misses.truncate(self.unknowns);
+        misses
+    }
+
+    /// `F'_mu w`: the derivatives of `F` along `w` with `w_{i+m} = mu w_i`, for `mu` of 1 or -1. Lemma Y2
+    pub fn twisted<N: Number>(&self, slopes: &Slopes<N>, w: &[N], mu: f64) -> Vec<N> {
+        let last = self.unknowns - 1;
+        let row = |i: usize| {
+            let [before, own, after] = slopes.0[i].clone();
+            let previous = if i == 0 { w[last].clone().signed(mu) } else { w[i - 1].clone() };
+            let next = if i == last { w[0].clone().signed(mu) } else { w[i + 1].clone() };
+            before.mul_add(previous, own.mul_add(w[i].clone(), after * next))
+        };
+        (0..self.unknowns).map(row).collect()
+    }
+}
+
+/// The word that touches these walls in turn.
+fn word_of(walls: &[Wall]) -> Option<Word> {
+    let next = walls.iter().cycle().skip(1);
+    Word::new(walls.iter().zip(next).map(|(&a, &b)| Mapping::between(a, b)).collect()).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chain(word: &str, cycles: u32) -> Chain {
+        Chain::new(&word.parse().unwrap(), cycles).unwrap()
+    }
+
+    #[test]
+    fn only_odd_cycles_and_mirrored_walls_fold() {
+        assert!(Ring::mirrored(&chain("RL", 1)).is_some() && Ring::mirrored(&chain("RRLL", 3)).is_some());
+        assert!(Ring::mirrored(&chain("RL", 2)).is_none() && Ring::mirrored(&chain("RRL", 1)).is_none());
+        assert_eq!(Ring::repeated(&chain("RLRL", 2)), Some(Ring::whole(chain("RL", 1))));
+        assert_eq!(Ring::whole(chain("RL", 1)).doubled(), Some(Ring::whole(chain("RLRL", 2))));
+    }
+
+    #[test]
+    fn a_mirrored_ring_lifts_to_the_chain() {
+        let ring = Ring::mirrored(&chain("RRLL", 1)).unwrap();
+        assert_eq!(ring.lift(&[0.1, 0.2]), [0.1, 0.2, 0.6, 0.7]);
+    }
+}

@@ -1,0 +1,98 @@
+//! Where branches begin: orbits of the word at values spread over the range. Nothing is proved.
+
+use super::super::chain::Chain;
+use super::super::guess::guesses;
+use super::super::identity::View;
+use super::diagram::Wanted;
+use super::over::{Key, Over};
+use super::ring::Ring;
+use crate::error::Error;
+use crate::exact::Exact;
+use crate::orbit::Start;
+use crate::pair::ImpactPair;
+
+/// Values of the parameter at which orbits are looked for, less one.
+const PARTS: u32 = 6;
+/// Phases that differ less are taken for the same, in turns.
+const SAME: f64 = 1e-7;
+
+/// An orbit in floats: its ring, its phases and its parameter.
+pub(super) struct Seed {
+    pub ring: Ring,
+    /// The phases, then the parameter.
+    pub x: Vec<f64>,
+}
+
+/// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their halves.
+///
+/// # Errors
+/// When the range goes beyond what the parameter may be.
+pub(super) fn seeds(chain: &Chain, pair: &ImpactPair, start: &Start, wanted: &Wanted) -> Result<Vec<Seed>, Error> {
+    let mut found: Vec<Seed> = Vec::new();
+    for value in values(&wanted.over) {
+        let there = wanted.over.pair_at(pair, value)?;
+        let reduced = there.reduced()?.centre();
+        let p = if wanted.over.key == Key::Restitution { reduced.restitution } else { reduced.alpha };
+        let from = found.len();
+        for phases in guesses(chain, &reduced, &there, start) {
+            let mut x = phases.clone();
+            x.push(p);
+            let is_new = |seed: &Seed| !is_same(chain, &seed.ring.lift(&seed.x[..seed.x.len() - 1]), &phases);
+            if found[from..].iter().all(is_new) {
+                found.push(fold(Ring::whole(chain.clone()), x));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Values spread over the range, its ends among them.
+fn values(over: &Over) -> Vec<Exact> {
+    let part = |i: u32| {
+        let weight = |n: u32| Exact::from(i64::from(n));
+        let sum = over.low.checked_mul(&weight(PARTS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);
+        sum.ok()?.checked_div(&weight(PARTS)).ok()
+    };
+    (0..=PARTS).filter_map(part).collect()
+}
+
+/// The orbit on the smallest ring that holds it.
+fn fold(ring: Ring, x: Vec<f64>) -> Seed {
+    let (p, phases) = x.split_last().expect("a parameter");
+    let halved = ring.halves().find(|half| {
+        // The chain of a half that repeats is another one; it lifts to this one by being run through again.
+        let unknowns = half.unknowns();
+        let lifted = (unknowns..phases.len()).map(|i| phases[i - unknowns] + half.turns());
+        phases[unknowns..].iter().zip(lifted).all(|(a, b)| (a - b).abs() < SAME)
+    });
+    match halved {
+        Some(half) => {
+            let x = [&phases[..half.unknowns()], &[*p]].concat();
+            fold(half, x)
+        }
+        None => Seed { ring, x },
+    }
+}
+
+/// Whether both are one orbit or mirror images, told from whichever impact. Its chain may be the half of the other's.
+pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
+    let doubled: Vec<f64>;
+    let one = if one.len() < other.len() && other.len().is_multiple_of(one.len()) {
+        let times = other.len() / one.len();
+        let turns = f64::from(chain.cycles()) / times as f64;
+        doubled = (0..other.len()).map(|i| one[i % one.len()] + (i / one.len()) as f64 * turns).collect();
+        &doubled
+    } else {
+        one
+    };
+    [false, true].into_iter().flat_map(|mirrored| View::of(chain, mirrored)).any(|view| {
+        let count = other.len();
+        let moved = |i: usize| {
+            let at = i + view.shift;
+            one[at % count] + if at >= count { f64::from(chain.cycles()) } else { 0.0 }
+                - if view.mirrored { 0.5 } else { 0.0 }
+        };
+        let turns = (moved(0) - other[0]).round();
+        (0..count).all(|i| (moved(i) - turns - other[i]).abs() < SAME)
+    })
+}

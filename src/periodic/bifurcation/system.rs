@@ -1,0 +1,158 @@
+//! The equations whose zeros are bifurcations, the parameter being one of the unknowns: Lemmas Y3, Y5.
+
+use super::jet::Jet;
+use super::ring::Ring;
+use crate::number::{Number, Wave};
+use crate::pair::{Reduced, Wall};
+
+/// What varies along a branch, without units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unknown {
+    /// `alpha = A/d`
+    Ratio,
+    /// `e`
+    Restitution,
+}
+
+/// The parameters that do not vary.
+#[derive(Clone, Debug)]
+pub(super) struct Family<N> {
+    pub unknown: Unknown,
+    /// The other one of `alpha` and `e`.
+    pub fixed: N,
+}
+
+impl<N: Number> Family<N> {
+    /// The pair at a value of the unknown.
+    pub fn pair(&self, value: N) -> Reduced<N> {
+        let (alpha, restitution) = match self.unknown {
+            Unknown::Ratio => (value, self.fixed.clone()),
+            Unknown::Restitution => (self.fixed.clone(), value),
+        };
+        Reduced { beta: alpha.turn() * alpha.clone(), alpha, restitution }
+    }
+
+    /// The same with constants for jets.
+    fn jets(&self) -> Family<Jet<N>> {
+        Family { unknown: self.unknown, fixed: Jet::constant(self.fixed.clone()) }
+    }
+}
+
+/// Equations in any arithmetic.
+pub(super) trait System {
+    /// How many unknowns there are.
+    fn unknowns(&self) -> usize;
+
+    /// What the equations miss at `x`; `None` where they may not be defined.
+    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>>;
+
+    /// The columns of the Jacobian matrix; over balls, enclosed for all their members.
+    fn columns<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<Vec<N>>> {
+        let family = family.jets();
+        let along = |j: usize| {
+            let lift = |(i, x): (usize, &N)| if i == j { Jet::variable(x.clone()) } else { Jet::constant(x.clone()) };
+            let x: Vec<_> = x.iter().enumerate().map(lift).collect();
+            Some(self.values(&family, &x)?.into_iter().map(|value| value.slope).collect())
+        };
+        (0..self.unknowns()).map(along).collect()
+    }
+}
+
+/// The orbits of a ring over the parameter: `m` equations in `(u, p)`, a curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Curve<'r>(pub &'r Ring);
+
+impl System for Curve<'_> {
+    fn unknowns(&self) -> usize {
+        self.0.unknowns() + 1
+    }
+
+    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+        let (p, phases) = x.split_last()?;
+        let pair = family.pair(p.clone());
+        let legs = self.0.legs(&pair, phases)?;
+        Some(self.0.residual(&pair, &legs))
+    }
+}
+
+/// An orbit with an eigenvalue `mu` of 1 (40) or -1 (39): unknowns `(u, w, p)`, `F'_mu w = 0`, `c w = 1`. Lemma Y3
+#[derive(Clone, Debug)]
+pub(super) struct Critical<'r> {
+    pub ring: &'r Ring,
+    pub mu: f64,
+    /// `c`
+    pub direction: Vec<f64>,
+}
+
+impl System for Critical<'_> {
+    fn unknowns(&self) -> usize {
+        2 * self.ring.unknowns() + 1
+    }
+
+    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+        let (p, rest) = x.split_last()?;
+        let (phases, w) = rest.split_at(self.ring.unknowns());
+        let pair = family.pair(p.clone());
+        let legs = self.ring.legs(&pair, phases)?;
+        let mut values = self.ring.residual(&pair, &legs);
+        values.extend(self.ring.twisted(&self.ring.chain().slopes(&pair, &legs)?, w, self.mu));
+        let along = |sum: N, (c, w): (&f64, &N)| N::from_f64(*c).mul_add(w.clone(), sum);
+        values.push(self.direction.iter().zip(w).fold(N::from_f64(-1.0), along));
+        Some(values)
+    }
+}
+
+/// An orbit that touches a wall with no velocity at phase `s` of a flight: unknowns `(u, s, p)`. Lemma Y5
+#[derive(Clone, Debug)]
+pub(super) struct Graze<'r> {
+    pub ring: &'r Ring,
+    /// The flight, by its first impact.
+    pub leg: usize,
+    /// The wall it touches.
+    pub wall: Wall,
+}
+
+impl System for Graze<'_> {
+    fn unknowns(&self) -> usize {
+        self.ring.unknowns() + 2
+    }
+
+    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+        let (p, rest) = x.split_last()?;
+        let (at, phases) = rest.split_last()?;
+        let pair = family.pair(p.clone());
+        let legs = self.ring.legs(&pair, phases)?;
+        let mut values = self.ring.residual(&pair, &legs);
+        let (leg, (sin0, _)) = (&legs.legs[self.leg], legs.waves[self.leg].clone());
+        let (sin, cos) = at.wave();
+        let since = at.clone() - self.ring.lift(phases)[self.leg].clone();
+        // In gaps from the wall that the flight leaves to the wall it touches.
+        let way = (self.ring.chain().walls()[self.leg].sign() - self.wall.sign()) / 2.0;
+        let wave = (-pair.alpha).mul_add(sin - sin0, N::from_f64(-way));
+        values.push(leg.drift.clone().mul_add(since, wave));
+        values.push((-pair.beta).mul_add(cos, leg.drift.clone()));
+        Some(values)
+    }
+}
+
+/// An orbit whose impact `i` has no velocity left: unknowns `(u, p)`, `v_i = 0`. Lemma Y5
+#[derive(Clone, Debug)]
+pub(super) struct Vanishing<'r> {
+    pub ring: &'r Ring,
+    pub impact: usize,
+}
+
+impl System for Vanishing<'_> {
+    fn unknowns(&self) -> usize {
+        self.ring.unknowns() + 1
+    }
+
+    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+        let (p, phases) = x.split_last()?;
+        let pair = family.pair(p.clone());
+        let legs = self.ring.legs(&pair, phases)?;
+        let mut values = self.ring.residual(&pair, &legs);
+        values.push(self.ring.chain().before(&legs, self.impact).clone());
+        Some(values)
+    }
+}

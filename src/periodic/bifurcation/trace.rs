@@ -1,0 +1,172 @@
+//! Floating point proposes: a branch followed by pseudo-arclength, and what changes sign along it. Nothing is proved.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::ring::Ring;
+use super::solve::jacobian;
+use super::system::{Curve, Family, System};
+use crate::pair::Wall;
+
+/// A point of a branch: phases, then the parameter; and the unit tangent there.
+#[derive(Clone, Debug)]
+pub(super) struct Station {
+    pub x: Vec<f64>,
+    pub tangent: Vec<f64>,
+    pub tests: Tests,
+}
+
+/// What changes sign at a bifurcation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tests {
+    /// `det F'_{-1}` (39).
+    pub flip: f64,
+    /// The parameter's part of the tangent (40).
+    pub turn: f64,
+    /// The least distance from a wall inside a flight, and where.
+    pub room: Nearest,
+    /// The least speed of an arrival, and which.
+    pub arrival: (f64, usize),
+    /// How far the ring is from its half: 0 where it runs through it twice.
+    pub apart: f64,
+}
+
+/// The extremum of a flight that is nearest to a wall.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearest {
+    pub distance: f64,
+    pub leg: usize,
+    pub wall: Wall,
+    pub phase: f64,
+}
+
+/// Extrema of a flight that are looked at.
+const MOST_EXTREMA: f64 = 64.0;
+/// Newton steps of a correction.
+const MOST_STEPS: usize = 8;
+
+/// Corrects `x` onto the branch, within the plane through it across `along`.
+pub(super) fn correct(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
+    let curve = Curve(ring);
+    let (start, mut x) = (x.to_vec(), x.to_vec());
+    for _ in 0..MOST_STEPS {
+        let mut values = curve.values(family, &x)?;
+        values.push(along.iter().zip(x.iter().zip(&start)).map(|(t, (x, s))| t * (x - s)).sum());
+        let bordered = border(jacobian(&curve, family, &x)?, along);
+        let step = bordered.lu().solve(&DVector::from_vec(values))?;
+        let size = step.amax();
+        if !size.is_finite() || size > 0.2 {
+            return None;
+        }
+        x.iter_mut().zip(step.iter()).for_each(|(x, s)| *x -= s);
+        if size < 1e-11 {
+            return Some(x);
+        }
+    }
+    None
+}
+
+/// A matrix with one more row.
+fn border(matrix: DMatrix<f64>, row: &[f64]) -> DMatrix<f64> {
+    let last = matrix.nrows();
+    let mut bordered = matrix.insert_row(last, 0.0);
+    row.iter().enumerate().for_each(|(j, &x)| bordered[(last, j)] = x);
+    bordered
+}
+
+/// The unit tangent at `x` that goes the way of `along`.
+pub(super) fn tangent(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
+    let matrix = border(jacobian(&Curve(ring), family, x)?, along);
+    let mut right = DVector::zeros(x.len());
+    right[x.len() - 1] = 1.0;
+    let tangent = matrix.lu().solve(&right)?.normalize();
+    tangent.iter().all(|t| t.is_finite()).then(|| tangent.as_slice().to_vec())
+}
+
+/// A vector that `F'_mu` all but annuls, of length 1.
+pub(super) fn null_vector(ring: &Ring, family: &Family<f64>, x: &[f64], mu: f64) -> Option<Vec<f64>> {
+    let matrix = twisted_matrix(ring, family, x, mu)?;
+    let svd = matrix.svd(false, true);
+    let v = svd.v_t?;
+    let least = svd.singular_values.imin();
+    Some(v.row(least).iter().copied().collect())
+}
+
+/// `F'_mu`
+pub(super) fn twisted_matrix(ring: &Ring, family: &Family<f64>, x: &[f64], mu: f64) -> Option<DMatrix<f64>> {
+    let (&p, phases) = x.split_last()?;
+    let pair = family.pair(p);
+    let slopes = ring.chain().slopes(&pair, &ring.legs(&pair, phases)?)?;
+    let m = ring.unknowns();
+    let unit = |j: usize| (0..m).map(|i| if i == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+    let columns: Vec<_> = (0..m).map(|j| ring.twisted(&slopes, &unit(j), mu)).collect();
+    Some(DMatrix::from_fn(m, m, |i, j| columns[j][i]))
+}
+
+impl Station {
+    /// The station at `x`.
+    pub fn new(ring: &Ring, family: &Family<f64>, x: Vec<f64>, along: &[f64]) -> Option<Self> {
+        let tangent = tangent(ring, family, &x, along)?;
+        let tests = Tests::new(ring, family, &x, &tangent)?;
+        Some(Self { x, tangent, tests })
+    }
+
+    /// The same with the other tangent.
+    pub fn reversed(&self) -> Self {
+        let tests = Tests { turn: -self.tests.turn, ..self.tests };
+        Self { x: self.x.clone(), tangent: self.tangent.iter().map(|t| -t).collect(), tests }
+    }
+
+    /// The parameter.
+    pub fn parameter(&self) -> f64 {
+        self.x[self.x.len() - 1]
+    }
+}
+
+impl Tests {
+    fn new(ring: &Ring, family: &Family<f64>, x: &[f64], tangent: &[f64]) -> Option<Self> {
+        let (&p, phases) = x.split_last()?;
+        let (pair, chain) = (family.pair(p), ring.chain());
+        let legs = ring.legs(&pair, phases)?;
+        let lifted = ring.lift(phases);
+        let arrival = (0..ring.unknowns())
+            .map(|i| (-chain.walls()[i].inward(*chain.before(&legs, i)), i))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mut room = Nearest { distance: f64::INFINITY, leg: 0, wall: Wall::Left, phase: 0.0 };
+        for (i, leg) in legs.legs.iter().enumerate().take(ring.unknowns()) {
+            let height = |s: f64| {
+                let sin = (std::f64::consts::TAU * s).sin();
+                let start = -chain.walls()[i].sign() / 2.0;
+                start + leg.drift * (s - lifted[i]) - pair.alpha * (sin - legs.waves[i].0)
+            };
+            for s in extrema(leg.drift / pair.beta, lifted[i], leg.time) {
+                let y = height(s);
+                let (distance, wall) = (0.5 - y.abs(), if y > 0.0 { Wall::Right } else { Wall::Left });
+                if distance < room.distance {
+                    room = Nearest { distance, leg: i, wall, phase: s };
+                }
+            }
+        }
+        let apart = ring.halves().map(|_| asymmetry(phases, ring.turns() / 2.0)).fold(f64::INFINITY, f64::min);
+        let flip = twisted_matrix(ring, family, x, -1.0)?.lu().determinant();
+        Some(Self { flip, turn: tangent[tangent.len() - 1], room, arrival, apart })
+    }
+}
+
+/// How far phases are from repeating after half the turns.
+fn asymmetry(phases: &[f64], turns: f64) -> f64 {
+    let half = phases.len() / 2;
+    (0..half).map(|i| (phases[i + half] - phases[i] - turns).abs()).fold(0.0, f64::max)
+}
+
+/// The phases inside a flight at which `cos th = q`.
+fn extrema(q: f64, start: f64, time: f64) -> Vec<f64> {
+    if q.abs() > 1.0 || time > MOST_EXTREMA {
+        return Vec::new();
+    }
+    let a = q.acos() / std::f64::consts::TAU;
+    let end = start + time;
+    let first = (start - 1.0).floor() as i64;
+    let last = (end + 1.0).ceil() as i64;
+    let all = (first..=last).flat_map(|n| [n as f64 - a, n as f64 + a]);
+    all.filter(|&s| s > start && s < end).collect()
+}

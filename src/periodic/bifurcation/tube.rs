@@ -1,0 +1,116 @@
+//! A followed branch proved to be one curve: Krawczyk's operator on slabs across it, each glued to the next. Lemma Y6
+
+use nalgebra::DMatrix;
+
+use super::super::krawczyk::{flights, is_inside};
+use super::ring::Ring;
+use super::solve::{image, inverse};
+use super::system::{Curve, Family, System};
+use super::trace::{Station, correct};
+use crate::number::{Ball, Enclosing, Number, Wave};
+
+/// The part of a branch between two planes: `F = 0`, `a (x - x0) = t`, for all `|t| <= tau`.
+struct Slab<'r> {
+    ring: &'r Ring,
+    centre: Vec<f64>,
+    along: Vec<f64>,
+    tau: f64,
+    /// The `t` of the station it goes to, less than `tau`.
+    end: f64,
+}
+
+/// Boxes tried for a slab.
+const MOST_BOXES: u32 = 8;
+/// Halvings of the way between two stations.
+const MOST_HALVINGS: u32 = 12;
+/// How far a slab reaches beyond its two stations, in parts of the way between them.
+const OVERLAP: f64 = 0.02;
+
+impl System for Slab<'_> {
+    fn unknowns(&self) -> usize {
+        self.centre.len()
+    }
+
+    /// With `t = 0`.
+    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+        let mut values = Curve(self.ring).values(family, x)?;
+        let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
+        values.push(self.along.iter().zip(&self.centre).zip(x).fold(N::from_f64(0.0), add));
+        Some(values)
+    }
+}
+
+/// A slab proved: for each `t` exactly one orbit lies in `domain`; that of the station it goes to lies in `end`.
+struct Proof {
+    domain: Vec<Ball>,
+    end: Vec<Ball>,
+}
+
+impl Slab<'_> {
+    /// Krawczyk's image for all `t` of a ball.
+    fn image(&self, family: &Family<Ball>, inverse: &DMatrix<f64>, x: &[Ball], t: Ball) -> Option<Vec<Ball>> {
+        let last = x.len() - 1;
+        let moved = |(i, k): (usize, Ball)| Ball::exact(inverse[(i, last)]) * t + k;
+        Some(image(self, family, inverse, x)?.into_iter().enumerate().map(moved).collect())
+    }
+
+    /// Proves the slab in a box that is widened until its image lies inside.
+    fn prove(&self, floats: &Family<f64>, family: &Family<Ball>) -> Option<Proof> {
+        let inverse = inverse(self, floats, &self.centre)?;
+        let last = self.centre.len() - 1;
+        let all = Ball::new(0.0, self.tau);
+        let first = |(i, &x): (usize, &f64)| Ball::new(x, 1.1 * (inverse[(i, last)].abs() * self.tau) + 1e-12);
+        let mut domain: Vec<Ball> = self.centre.iter().enumerate().map(first).collect();
+        for _ in 0..MOST_BOXES {
+            let found = self.image(family, &inverse, &domain, all)?;
+            if is_inside(&found, &domain) {
+                let (p, phases) = domain.split_last()?;
+                flights(self.ring.chain(), &family.pair(*p), &self.ring.lift(phases))?;
+                // Narrow, so that a much shorter slab may follow.
+                let end = (0..4).try_fold(found, |end, _| self.image(family, &inverse, &end, Ball::exact(self.end)))?;
+                return is_inside(&end, &domain).then_some(Proof { domain, end });
+            }
+            let wider = |(k, &x): (&Ball, &f64)| Ball::new(x, 1.2 * ((k.mid() - x).abs() + k.rad()) + 1e-13);
+            domain = found.iter().zip(&self.centre).map(wider).collect();
+        }
+        None
+    }
+
+    /// Whether points lie in the proved part of the slab: then they are on its curve.
+    fn holds(&self, proof: &Proof, points: &[Ball]) -> bool {
+        let add = |sum: Ball, ((a, c), x): ((&f64, &f64), &Ball)| Ball::exact(*a).mul_add(*x - Ball::exact(*c), sum);
+        let t = self.along.iter().zip(&self.centre).zip(points).fold(Ball::exact(0.0), add);
+        is_inside(points, &proof.domain) && t.is_interior_to(&Ball::new(0.0, self.tau))
+    }
+}
+
+/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it. Lemma Y6
+pub(super) fn is_one_curve(ring: &Ring, floats: &Family<f64>, family: &Family<Ball>, stations: &[Station]) -> bool {
+    let mut end: Option<Vec<Ball>> = None;
+    stations.windows(2).all(|ends| bridge(ring, (floats, family), [&ends[0].x, &ends[1].x], &mut end, 0))
+}
+
+/// Proves the way between two points of the branch and glues it to what ends at `end`; halves it where that fails.
+fn bridge(
+    ring: &Ring,
+    families: (&Family<f64>, &Family<Ball>),
+    [a, b]: [&[f64]; 2],
+    end: &mut Option<Vec<Ball>>,
+    halvings: u32,
+) -> bool {
+    let chord: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
+    let length = chord.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let along: Vec<f64> = chord.iter().map(|c| c / length).collect();
+    let middle: Vec<f64> = a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect();
+    let Some(centre) = correct(ring, families.0, &middle, &along) else { return false };
+    let slab = Slab { ring, centre: centre.clone(), along, tau: (0.5 + OVERLAP) * length, end: 0.5 * length };
+    if let Some(proof) = slab.prove(families.0, families.1)
+        && end.as_ref().is_none_or(|end| slab.holds(&proof, end))
+    {
+        *end = Some(proof.end);
+        return true;
+    }
+    halvings < MOST_HALVINGS
+        && bridge(ring, families, [a, &centre], end, halvings + 1)
+        && bridge(ring, families, [&centre, b], end, halvings + 1)
+}
