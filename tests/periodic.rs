@@ -86,10 +86,15 @@ fn the_exact_orbit_is_enclosed_to_many_digits() {
     assert!(orbit.eigenvalues.iter().all(|value| value.re.contains(&quarter)));
 }
 
-/// Stable orbits that MODEL and `validation/paper` name: the word, the cycles, `A/d`, `e`.
+/// Stable orbits: those that `validation/paper` names, and a ladder from R2L3 to R5L5; the word, the cycles, `A/d`, `e`.
 #[test]
 fn stable_orbits_of_many_words_are_found() {
     for (word, cycles, ratio, restitution) in [
+        ("RRLLL", 1, "1.95", "0.8"),
+        ("RRRLLL", 1, "3", "0.8"),
+        ("RRRLLLL", 1, "3.95", "0.8"),
+        ("RRRRLLLL", 1, "5.15", "0.8"),
+        ("RRRRLLLLL", 1, "6.165", "0.8"),
         ("RRRRRLLLLL", 1, "7.5", "0.8"),
         ("RRLL", 1, "1/0.619", "0.8"),
         ("LLR", 1, "0.498", "0.8"),

@@ -65,7 +65,8 @@ fn wrong_certificates_are_refused() {
     let mapping = |text: String| text.replace("\"mapping\":\"P1\"", "\"mapping\":\"P3\"");
     snapshot!("refuted_mapping", on("check", &certificate("mapping", &FIGURE_12, mapping)));
     let outcome = |text: String| text.replace("impacts-reached", "never-impacts");
-    snapshot!("undecided_outcome", on("check", &certificate("outcome", &FIGURE_12, outcome)));
+    let figure_14 = ["scenes/figure-14.toml", "--impacts", "4"];
+    snapshot!("undecided_outcome", on("check", &certificate("outcome", &figure_14, outcome)));
 }
 
 #[test]
