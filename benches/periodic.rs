@@ -17,7 +17,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Budget, Precision, Problem, newton::polish};
 use impact_pair::{Harmonic, ImpactPair};
 
-/// `A/d`, `e`, the word and its cycles: orbits of MODEL and of the paper, from two impacts to twenty.
+/// `A/d`, `e`, the word and its cycles: orbits of the paper and beyond, from two impacts to twenty.
 const ORBITS: [(&str, &str, &str, u32); 7] = [
     ("1/9.42497", "0.5", "LR", 1),
     ("0.498", "0.8", "LLR", 1),

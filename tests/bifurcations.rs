@@ -27,7 +27,7 @@ fn width(x: &Enclosure) -> f64 {
     x.width().to_f64_up()
 }
 
-/// MODEL: `A_sn = d/sqrt(4 + K^2)`, `A_pf = d sqrt(1 + 4 kappa^2/pi^2)/(K (1 - 4/pi^2))`, `kappa = 9`, `K = 9 pi`.
+/// Closed forms (Lemma W2 and W4): `A_sn = d/sqrt(4 + K^2)`, `A_pf = d sqrt(1 + 4 kappa^2/pi^2)/(K (1 - 4/pi^2))`, `kappa = 9`, `K = 9 pi`.
 #[test]
 fn fold_and_pitchfork_are_those_of_the_closed_forms_and_four_doublings_follow() {
     let diagram = diagram("amplitude=0.03..0.499", 4);

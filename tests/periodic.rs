@@ -45,7 +45,7 @@ fn holds(x: &Enclosure, number: f64, within: f64) -> bool {
     low <= number + within && number - within <= high && high - low < within
 }
 
-/// Figures 12, 13 and 15: eigenvalues of MODEL, items 6 and 2 (proved elsewhere by Arb).
+/// Figures 12, 13 and 15: eigenvalues proved elsewhere by Arb (`validation/paper`).
 #[test]
 fn the_attractors_of_the_figures_are_found_with_their_eigenvalues() {
     let figure_12 = physical(all(&pair("1/9.42497", "0.5"), "LR", 1));
@@ -70,7 +70,7 @@ fn the_attractors_of_the_figures_are_found_with_their_eigenvalues() {
     assert_eq!(double.orbits.iter().filter(|orbit| orbit.repeats == Some(2)).count(), 2);
 }
 
-/// The exact orbit of MODEL, item 6: d = 3 pi, v = -4 pi, eigenvalues 1/4 twice.
+/// The exact orbit of figure 12: d = 3 pi, v = -4 pi, eigenvalues 1/4 twice.
 #[test]
 fn the_exact_orbit_is_enclosed_to_many_digits() {
     let pair = pair("1/(3*pi)", "0.5");
@@ -278,7 +278,7 @@ fn determinant_holds(problem: &Problem, finding: &Finding<Ball>) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
 
-    /// The equispaced orbit of (66)-(69), MODEL item 2: found, symmetric, with the closed form's trace and physical
+    /// The equispaced orbit of (66)-(69): found, symmetric, with the closed form's trace and physical
     /// while `sin th0 >= 0`.
     #[test]
     fn equispaced_orbits_have_the_closed_form(angle in -0.2..0.6f64, e in 0.1..0.9f64, odd in 0..3u32) {

@@ -85,7 +85,7 @@ fn end_of(excitation: &str, pair: &str, start: &str, arguments: &[&str]) -> (ser
     (document["outcome"].clone(), document["events"].as_array().unwrap().len())
 }
 
-/// MODEL, item 9, and Lemmas Z2-Z4: ends that no simulation reaches.
+/// Lemmas Z2-Z4: ends that no simulation reaches.
 #[test]
 fn what_happens_for_ever_is_said() {
     let shaken = "amplitude = 1, frequency = \"2*pi\", phase = 0";

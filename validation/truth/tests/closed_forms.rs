@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 
 const BITS: u32 = 512;
 
-/// theta_g of MODEL: beyond it the near wall is grazed first; pi/2 when there is none.
+/// theta_g (Lemma W3): beyond it the near wall is grazed first; pi/2 when there is none.
 fn grazing_angle(kappa: f64) -> f64 {
     // cos a = kappa cos th, cos a (a + th) = sin a + sin th; the left side minus the right one at th.
     let excess = |th: f64| {
