@@ -61,6 +61,9 @@ pub struct TwoImpactArguments {
     /// Draw the manifold
     #[arg(long, value_name = "FILE.svg", value_parser = crate::arguments::svg, requires = "manifold")]
     pub plot: Option<PathBuf>,
+    /// No notes on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
 }
 
 /// How the answer of `two-impact` is written.

@@ -5,7 +5,7 @@ mod csv;
 mod plot;
 mod table;
 
-use std::io::Write;
+use std::io::{self, Write};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
@@ -76,6 +76,12 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     };
     write(arguments, &text)?;
     let is_complete = answers.iter().all(|(_, answer)| answer.is_complete);
+    let is_shown = arguments.format == TwoImpactFormat::Table && arguments.output.is_none();
+    if !is_complete && !arguments.quiet && !is_shown {
+        // Nobody may be listening.
+        let _ =
+            writeln!(io::stderr(), "not all that was asked is decided: see what is undecided or null in the output");
+    }
     Ok(if is_complete { Exit::Complete } else { Exit::Incomplete })
 }
 
