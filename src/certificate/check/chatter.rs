@@ -21,7 +21,7 @@ pub(super) fn accumulation(departure: &Departure, parameters: &Parameters, origi
     let inward = |x: Real| if wall == Wall::Left { x } else { -x };
     let u = inward(flight.velocity.clone());
     let twice = u.clone() + &u;
-    let pressure = |h: &Real| -inward(flight.curvature(&flight.sin_cos(h).0));
+    let pressure = |h: &Real| -inward(flight.curvature(&flight.sin(h)));
     let lasting = |pressure: &Real, loss: &Real| twice.over(&((one.clone() - loss) * pressure));
     let upper = |x: &Real| Real::point(x.enclosure().hi().clone(), bits);
     let mut window = upper(&lasting(&pressure(&Real::zero(bits)), &e)?);

@@ -73,9 +73,9 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
     let mut reach = h.half();
     for _ in 0..bits {
         let (before, after) = (h.clone() - &reach, h.clone() + &reach);
-        let slope = flight.slope(&flight.sin_cos(&before.hull(&after)).1);
+        let slope = flight.slope(&flight.cos(&before.hull(&after)));
         let arrives = if wall == Wall::Right { slope.is_positive() } else { slope.is_negative() };
-        let height = |at: &Real| flight.height(at, &flight.sin_cos(at).0);
+        let height = |at: &Real| flight.height(at, &flight.sin(at));
         if arrives && matches!(flight.place(&height(&before)), Part::Clear) {
             let (end, level) = (height(&after), flight.level(wall));
             let is_beyond = if wall == Wall::Right { level.is_below(&end) } else { end.is_below(&level) };
@@ -165,7 +165,7 @@ fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
     let mut bracket = bracket;
     loop {
         let middle = Real::point(bracket.mid(), bracket.bits());
-        let (sin, slope) = (flight.sin_cos(&middle).0, flight.slope(&flight.sin_cos(&bracket).1));
+        let (sin, slope) = (flight.sin(&middle), flight.slope(&flight.cos(&bracket)));
         let Some(step) = (flight.height(&middle, &sin) - &flight.level(wall)).over(&slope) else { return bracket };
         let cut = bracket.cut(&(middle - &step));
         let is_halved = width(&cut).scaled(1) < width(&bracket);

@@ -47,6 +47,16 @@ impl Flight {
         (self.phase.clone() + h).sin_cos()
     }
 
+    /// The sine of the phase at `h`.
+    pub fn sin(&self, h: &Real) -> Real {
+        (self.phase.clone() + h).sin()
+    }
+
+    /// The cosine of the phase at `h`.
+    pub fn cos(&self, h: &Real) -> Real {
+        (self.phase.clone() + h).cos()
+    }
+
     /// `y` at `h`. **Equation** (12)
     pub fn height(&self, h: &Real, sin: &Real) -> Real {
         let swing = (sin.clone() - &self.departure.0) * &self.amplitude;
@@ -91,9 +101,8 @@ impl Flight {
 
     /// Whether the ball is clear of both walls over all of `(a, b]`, given that it is at `a` (Lemma V1).
     pub fn judge(&self, a: &Real, b: &Real) -> Part {
-        let (part, end) = (a.hull(b), self.height(b, &self.sin_cos(b).0));
-        let (sin, cos) = self.sin_cos(&part);
-        let slope = self.slope(&cos);
+        let (part, end) = (a.hull(b), self.height(b, &self.sin(b)));
+        let slope = self.slope(&self.cos(&part));
         if slope.is_positive() || slope.is_negative() {
             return self.place(&end);
         }
@@ -105,7 +114,7 @@ impl Flight {
         let (y, x) = (self.height(&middle, &middle_sin), part.clone() - &middle);
         let mean = y.clone() + &(slope * &x);
         let square = x.clone() * &x;
-        let taylor = y + &(self.slope(&middle_cos) * &x) + &(self.curvature(&sin) * &square).half();
+        let taylor = y + &(self.slope(&middle_cos) * &x) + &(self.curvature(&self.sin(&part)) * &square).half();
         match self.place(&mean.cut(&taylor)) {
             Part::Clear => Part::Clear,
             Part::Contact | Part::Open => Part::Open,
@@ -119,11 +128,10 @@ impl Flight {
     pub fn departs(&self, wall: Wall, b: &Real, is_release: bool) -> bool {
         let inward = |x: Real| if wall == Wall::Left { x } else { -x };
         let part = b.hull(&(b.clone() - b));
-        let (sin, cos) = self.sin_cos(&part);
-        let (p, curvature) = (inward(self.velocity.clone()), inward(self.curvature(&sin)));
+        let (p, curvature) = (inward(self.velocity.clone()), inward(self.curvature(&self.sin(&part))));
         let slope = p.clone() + &(curvature.clone() * &part).half();
         let leaves = if is_release {
-            inward(cos * &self.amplitude).is_positive()
+            inward(self.cos(&part) * &self.amplitude).is_positive()
         } else {
             slope.is_positive() || p.is_zero() && curvature.is_positive()
         };

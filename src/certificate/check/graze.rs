@@ -73,15 +73,14 @@ impl Walk<'_> {
 fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
     let bits = guess.bits();
     let outward = |x: Real| if wall == Wall::Right { x } else { -x };
-    let slope = |h: &Real| outward(flight.slope(&flight.sin_cos(h).1));
-    let over = |h: &Real| flight.sin_cos(h);
+    let slope = |h: &Real| outward(flight.slope(&flight.cos(h)));
     let mut reach = guess.half();
     for _ in 0..bits {
         let (before, after) = (guess.clone() - &reach, guess.clone() + &reach);
         let whole = before.hull(&after);
         // |y''| where it bends away from the wall.
-        let bend = -outward(flight.curvature(&over(&whole).0));
-        let clear = |h: &Real| matches!(flight.place(&flight.height(h, &over(h).0)), Part::Clear);
+        let bend = -outward(flight.curvature(&flight.sin(&whole)));
+        let clear = |h: &Real| matches!(flight.place(&flight.height(h, &flight.sin(h))), Part::Clear);
         if bend.is_positive() && slope(&before).is_positive() && slope(&after).is_negative() {
             if !(clear(&before) && clear(&after)) {
                 return None;
@@ -90,13 +89,13 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
             for _ in 0..bits.ilog2() {
                 // h + y'/|y''|, by interval Newton.
                 let middle = Real::point(top.mid(), bits);
-                let bend = -outward(flight.curvature(&over(&top).0));
+                let bend = -outward(flight.curvature(&flight.sin(&top)));
                 top = top.cut(&(middle.clone() + &slope(&middle).over(&bend)?));
             }
             let middle = Real::point(top.mid(), bits);
             let off = top.clone() - &middle;
             let rise = slope(&middle) * &off - &(bend.clone() * &(off.clone() * &off)).half();
-            let excess = outward(flight.height(&middle, &over(&middle).0) - &flight.level(wall)) + &rise;
+            let excess = outward(flight.height(&middle, &flight.sin(&middle)) - &flight.level(wall)) + &rise;
             let end = |x: &Dyadic| Real::point(x.clone(), bits);
             let (least, most) = (end(bend.enclosure().lo()), end(bend.enclosure().hi()));
             let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.enclosure().hi()) };
