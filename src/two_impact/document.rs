@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use serde_json::{Map, Value, json};
 
-use crate::certificate::{PROGRAM, scene};
+use crate::certificate::{PERIODIC_SCHEMA, PROGRAM, scene};
 use crate::exact::{Enclosure, decimal_bounds};
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, Wall};
@@ -17,8 +17,6 @@ use super::manifold::{Axis, Manifold, Part, Point};
 use super::orbit::Orbit;
 use super::question::{Answer, Unknown};
 
-/// The schema of the periodic JSON.
-pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
 /// The schema of the manifolds.
 pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 

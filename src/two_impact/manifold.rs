@@ -11,8 +11,8 @@ use crate::pair::{ImpactPair, Wall, within};
 
 use super::closed_forms::{self, grazing_angle};
 use super::question::{GUARD, SHOWN, digits_to_bits};
-use super::stability::Stability;
 use crate::exact::Real;
+use crate::periodic::Stability;
 
 /// What a curve runs over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -46,11 +46,11 @@ mod question;
 mod stability;
 mod unequispaced;
 
-pub use document::{MANIFOLD_SCHEMA, PERIODIC_SCHEMA, manifolds, periodic, word};
+pub use crate::periodic::Stability;
+pub use document::{MANIFOLD_SCHEMA, manifolds, periodic, word};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::{Impact, Orbit};
 pub use question::{Answer, CYCLES, Question, Unknown};
-pub use stability::Stability;
 
 #[cfg(test)]
 mod tests;

@@ -6,8 +6,9 @@ use crate::exact::Enclosure;
 use crate::pair::Wall;
 
 use super::motion::Motion;
-use super::stability::{Spectrum, Stability};
+use super::stability::Spectrum;
 use crate::exact::Real;
+use crate::periodic::Stability;
 
 /// One of the two impacts.
 #[derive(Clone, Debug)]

@@ -13,9 +13,9 @@ use super::closed_forms::slope;
 use super::data::{Data, Found};
 use super::motion::{Motion, Parameters};
 use super::orbit::{Orbit, Units};
-use super::stability::Stability;
 use super::unequispaced::Spacing;
 use crate::exact::Real;
+use crate::periodic::Stability;
 
 /// The cycles that can be asked for: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;

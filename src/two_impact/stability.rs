@@ -4,28 +4,7 @@ use std::cmp::Ordering;
 
 use super::motion::Motion;
 use crate::exact::Real;
-
-/// Whether small changes of the start die out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stability {
-    /// Both eigenvalues are proved to lie inside the unit circle.
-    Stable,
-    /// One is proved to lie outside.
-    Unstable,
-    /// Neither is proved, or both lie on the circle (e = 1).
-    Undecided,
-}
-
-impl Stability {
-    /// The word of the periodic JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Undecided => "undecided",
-        }
-    }
-}
+use crate::periodic::Stability;
 
 /// What is known of `DP` over a period.
 #[derive(Clone, Debug)]
