@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::RangedI64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use impact_pair::Scene;
@@ -102,15 +103,14 @@ pub struct RunArguments {
     until: Option<Exact>,
     /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W
     /// [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
+    #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
     /// certified in doubles, whatever the widths; or certified in so many BITS, whatever the widths
     #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
     pub arithmetic: Arithmetic,
     /// Bits that auto takes at most
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
-        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
     /// How the events are written
     #[arg(long, value_enum, default_value_t)]
@@ -161,11 +161,10 @@ pub struct PeriodicArguments {
     pub all: bool,
     /// Enclosures are asked to be at most 10^-D wide: of phases in cycles, of velocities relative to A W
     /// [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
+    #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// Bits to take at most
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
-        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
     /// How the orbits are written
     #[arg(long, value_enum, default_value_t)]
@@ -181,8 +180,7 @@ pub struct PeriodicArguments {
 impl PeriodicArguments {
     /// How narrow the enclosures are asked to be.
     pub fn precision(&self, scene: &Scene) -> Precision {
-        let digits = self.digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
-        Precision { digits, max_bits: self.max_bits }
+        precision(self.digits, self.max_bits, scene)
     }
 }
 
@@ -214,11 +212,10 @@ pub struct BifurcationArguments {
     doublings: u32,
     /// Enclosures are asked to be at most 10^-D wide: of the parameter relative to itself, of phases in cycles, of
     /// velocities relative to A W [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
+    #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// Bits to take at most
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
-        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
     /// How the bifurcations are written
     #[arg(long, value_enum, default_value_t)]
@@ -234,8 +231,7 @@ pub struct BifurcationArguments {
 impl BifurcationArguments {
     /// What is asked of the branches.
     pub fn wanted(&self, scene: &Scene) -> Wanted {
-        let digits = self.digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
-        let precision = Precision { digits, max_bits: self.max_bits };
+        let precision = precision(self.digits, self.max_bits, scene);
         Wanted { over: self.over.clone(), doublings: self.doublings, precision }
     }
 }
@@ -330,8 +326,7 @@ pub struct TradeArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     impacts: Option<u64>,
     /// Bits that a rung takes at most
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS,
-        value_parser = clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end())))]
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
     /// How the rungs are written
     #[arg(long, value_enum, default_value_t)]
@@ -378,6 +373,22 @@ pub enum Format {
     Jsonl,
     /// A line an event, bounds in columns
     Csv,
+}
+
+/// The digits of the command line, or else of the scene, or else the usual ones.
+fn precision(digits: Option<u32>, max_bits: u32, scene: &Scene) -> Precision {
+    let digits = digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
+    Precision { digits, max_bits }
+}
+
+/// Reads a number of digits.
+pub fn digits() -> RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end()))
+}
+
+/// Reads a number of bits.
+fn bits() -> RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
 }
 
 /// Reads a single exact number.

@@ -7,7 +7,6 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 use impact_pair::exact::Exact;
 use impact_pair::pair::Wall;
-use impact_pair::scene::DIGITS;
 use impact_pair::two_impact::{COUNTS, CYCLES};
 
 pub const EXIT_CODES: &str = "\
@@ -50,7 +49,7 @@ pub struct TwoImpactArguments {
     pub manifold: Option<ManifoldRange>,
     /// Enclosures are at most 10^-D wide: of phases relative to 2 pi, of velocities relative to A W [default: that of the
     /// scene, or 9]
-    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end())))]
+    #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
     pub digits: Option<u32>,
     /// How the answer is written
     #[arg(long, value_enum, default_value_t)]
