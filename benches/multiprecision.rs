@@ -101,9 +101,9 @@ impl<'p> Plain<'p> {
         let bits = plan.bits(0);
         let float = |x: &Exact| MpBall::enclosing(&x.enclose(bits), bits).mid().clone();
         let exact = figure.pair.exact().expect("printed data");
-        let frequency = figure.pair.excitation().frequency();
+        let frequency = figure.pair.excitation().reference().frequency();
         let turn = Exact::pi() * Exact::from(2);
-        let phase = figure.pair.excitation().phase().checked_div(&turn).expect("printed data");
+        let phase = figure.pair.excitation().reference().phase().checked_div(&turn).expect("printed data");
         let slowness = (turn.checked_div(frequency)).and_then(|x| x.checked_div(figure.pair.gap()));
         let velocity = figure.start.velocity().checked_mul(&slowness.expect("printed data")).expect("printed data");
         let phase = float(&phase);

@@ -84,6 +84,11 @@ impl Error {
         Self::range(key, value, "double-precision flights accept at most 2^400 in units of gaps and turns")
     }
 
+    pub(crate) fn several(harmonics: usize, what: &str) -> Self {
+        let message = format!("the excitation has {harmonics} harmonics, but {what} is known of one only");
+        Self { key: Some("excitation.amplitude".to_owned()), ..Self::new(Kind::Range, message) }
+    }
+
     pub(crate) fn word(text: &str) -> Self {
         let accepted =
             "mappings P1 to P4 that chain, the first right-most (\"P2 P1\"), or walls in time order (\"RL\")";

@@ -9,7 +9,7 @@
 //!
 //! | equation | what | item |
 //! |---|---|---|
-//! | (1), (9) | displacement of the box, one harmonic | [`Harmonic`], [`excitation::displacement_velocity_acceleration`] |
+//! | (1), (9) | displacement of the box, one harmonic or several | [`Excitation`], [`Harmonic`], [`excitation::displacement_velocity_acceleration`] |
 //! | fig. 1, (14) | gap, walls | [`ImpactPair`], [`pair::Wall`] |
 //! | (10)-(13) | motion between impacts | [`flight::Flight`] |
 //! | (15) | impact law | [`pair::Reduced::rebound`] |
@@ -85,7 +85,7 @@ pub mod switch_plane;
 pub mod two_impact;
 
 pub use error::Error;
-pub use excitation::Harmonic;
+pub use excitation::{Excitation, Harmonic};
 pub use pair::ImpactPair;
 pub use scene::Scene;
 

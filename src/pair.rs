@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::exact::{Exact, ExactError};
-use crate::excitation::Harmonic;
+use crate::excitation::{Excitation, Harmonic};
 use crate::number::{Ball, Number};
 
 /// A wall of the box.
@@ -103,7 +103,7 @@ impl Reduced<Ball> {
     }
 }
 
-/// A ball between two walls of a shaken box: **equations** (9), (14), (15).
+/// A ball between two walls of a shaken box: **equations** (1), (14), (15).
 ///
 /// ```
 /// use impact_pair::{Harmonic, ImpactPair};
@@ -114,7 +114,7 @@ impl Reduced<Ball> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct ImpactPair {
-    excitation: Harmonic,
+    excitation: Excitation,
     gap: Exact,
     restitution: Exact,
 }
@@ -129,15 +129,23 @@ impl ImpactPair {
     ///
     /// # Errors
     /// When a value is not in its range, or cannot be proved to be.
-    pub fn new(excitation: Harmonic, gap: Exact, restitution: Exact) -> Result<Self, Error> {
+    pub fn new(excitation: impl Into<Excitation>, gap: Exact, restitution: Exact) -> Result<Self, Error> {
         Error::require_positive("pair.gap", &gap)?;
         Error::require_range("pair.restitution", &restitution, 0, 1)?;
-        Ok(Self { excitation, gap, restitution })
+        Ok(Self { excitation: excitation.into(), gap, restitution })
     }
 
-    /// The excitation (9).
-    pub fn excitation(&self) -> &Harmonic {
+    /// The excitation (1).
+    pub fn excitation(&self) -> &Excitation {
         &self.excitation
+    }
+
+    /// The excitation (9) of a pair that is shaken by one harmonic.
+    ///
+    /// # Errors
+    /// When there are several: `what` is known of one only.
+    pub fn harmonic(&self, what: &str) -> Result<&Harmonic, Error> {
+        self.excitation.only().ok_or_else(|| Error::several(self.excitation.harmonics().len(), what))
     }
 
     /// The gap `d` \[length\].
@@ -152,15 +160,13 @@ impl ImpactPair {
 
     /// Whether no parameter is an interval of values.
     pub fn is_point(&self) -> bool {
-        let Self { excitation, gap, restitution } = self;
-        let excitation = [excitation.amplitude(), excitation.frequency(), excitation.phase()];
-        excitation.into_iter().chain([gap, restitution]).all(Exact::is_point)
+        self.excitation.is_point() && self.gap.is_point() && self.restitution.is_point()
     }
 
     /// Encloses the parameters without units in double precision.
     ///
     /// # Errors
-    /// When `A/d` is beyond `2^400`.
+    /// When `A/d` is beyond `2^400`, or there are several harmonics.
     pub fn reduced(&self) -> Result<Reduced<Ball>, Error> {
         let Reduced { alpha, beta, restitution } = self.exact()?;
         let (alpha, beta) = (ball(RATIO, &alpha)?, ball(RATIO, &beta)?);
@@ -170,9 +176,9 @@ impl ImpactPair {
     /// The parameters without units, exactly.
     ///
     /// # Errors
-    /// When `A/d` is beyond what exact expressions hold.
+    /// When `A/d` is beyond what exact expressions hold, or there are several harmonics.
     pub fn exact(&self) -> Result<Reduced<Exact>, Error> {
-        let amplitude = self.excitation.amplitude();
+        let amplitude = self.harmonic("the pair without units")?.amplitude();
         let alpha = within(RATIO, amplitude, amplitude.checked_div(&self.gap))?;
         let beta = within(RATIO, amplitude, alpha.checked_mul(&(Exact::pi() * Exact::from(2))))?;
         Ok(Reduced { alpha, beta, restitution: self.restitution.clone() })

@@ -37,7 +37,8 @@ fn holds(x: &Enclosure, text: &str) -> bool {
 /// (57)-(60) in the units of the scene, `W = pi`, for both flights: each side less the other must hold 0.
 fn residuals(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> [Enclosure; 4] {
     let bits = BITS;
-    let [e, gap, amplitude] = [pair.restitution(), pair.gap(), pair.excitation().amplitude()].map(|x| x.enclose(bits));
+    let [e, gap, amplitude] =
+        [pair.restitution(), pair.gap(), pair.excitation().reference().amplitude()].map(|x| x.enclose(bits));
     let frequency = Enclosure::pi(bits);
     let swing = amplitude.mul(&frequency, bits);
     let there = orbit.spacing.div(&frequency, bits).unwrap();
@@ -285,7 +286,8 @@ fn start(pair: &ImpactPair, orbit: &Orbit, impacts: u64) -> Run {
         exact(&format!("[{low}, {high}]"))
     };
     let left = &orbit.impacts[0];
-    let harmonic = Harmonic::new(pair.excitation().amplitude().clone(), exact("pi"), interval(&left.phase)).unwrap();
+    let harmonic =
+        Harmonic::new(pair.excitation().reference().amplitude().clone(), exact("pi"), interval(&left.phase)).unwrap();
     let shifted = ImpactPair::new(harmonic, pair.gap().clone(), pair.restitution().clone()).unwrap();
     let start = Start::on_wall(exact("0"), Wall::Left, interval(&left.velocity)).unwrap();
     Run::new(&shifted, &start, Settings { impacts: Some(impacts), ..Settings::default() }).unwrap()

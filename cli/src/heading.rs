@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use impact_pair::Scene;
 use impact_pair::orbit::Place;
+use impact_pair::{Harmonic, Scene};
 
 /// Writes the title, the parameters and the start, a line each.
 pub fn write(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
@@ -15,8 +15,11 @@ pub fn write(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
 
 /// The parameters in the words of the scene.
 pub fn parameters(scene: &Scene) -> String {
-    let (pair, excitation) = (scene.pair(), scene.pair().excitation());
-    let [amplitude, frequency, phase] = [excitation.amplitude(), excitation.frequency(), excitation.phase()];
+    let pair = scene.pair();
+    let [amplitude, frequency, phase] = [Harmonic::amplitude, Harmonic::frequency, Harmonic::phase].map(|of| {
+        let terms: Vec<String> = pair.excitation().terms().iter().map(|term| of(term).to_string()).collect();
+        if terms.len() == 1 { terms.concat() } else { format!("({})", terms.join(", ")) }
+    });
     let (gap, restitution) = (pair.gap(), pair.restitution());
     format!("A = {amplitude}, W = {frequency}, tau = {phase}, d = {gap}, e = {restitution}")
 }

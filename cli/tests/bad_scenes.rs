@@ -76,8 +76,7 @@ refusals! {
         "line 11: pair.gap is \"3*pie\", but does not read as a number: column 3: found `pie`, accepted are a number, \
          `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign";
     several_terms: "amplitude" => "amplitude = [1, \"1/3\"]",
-        "line 6: excitation.amplitude is [1, \"1/3\"], but has 2 terms: this version certifies one harmonic, \
-         a single number or a list of one";
+        "line 7: excitation.frequency is \"pi\", but has 1 term, must have 2 like excitation.amplitude";
     part_of_an_impact: "impacts" => "impacts = 2.5",
         "line 20: run.impacts is 2.5, but must be an integer of at least 0";
     beyond_double_precision: "velocity" => "velocity = -1e300",

@@ -6,6 +6,8 @@ use serde_json::{Map, Value, json};
 
 use super::conclusion::Conclusion;
 use super::event::Event;
+use crate::exact::Exact;
+use crate::excitation::Harmonic;
 use crate::orbit::{Arithmetic, Orbit, Place, Settings, Start};
 use crate::pair::ImpactPair;
 
@@ -50,9 +52,10 @@ pub fn asked_arithmetic(settings: &Settings) -> Value {
 
 /// The exact parameters and initial data, each in its own words.
 pub fn scene(pair: &ImpactPair, start: &Start) -> Value {
-    let excitation = pair.excitation();
-    let [amplitude, frequency, phase] =
-        [excitation.amplitude(), excitation.frequency(), excitation.phase()].map(|term| json!([term.text()]));
+    let of_terms = |of: fn(&Harmonic) -> &Exact| -> Vec<String> {
+        pair.excitation().terms().iter().map(|term| of(term).text()).collect()
+    };
+    let [amplitude, frequency, phase] = [Harmonic::amplitude, Harmonic::frequency, Harmonic::phase].map(of_terms);
     let (place, at) = match start.place() {
         Place::Wall(wall) => ("wall", wall.name().to_owned()),
         Place::Inside(position) => ("position", position.text()),

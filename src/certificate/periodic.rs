@@ -31,7 +31,12 @@ impl<'d> PeriodicDocument<'d> {
     /// When `W d` is beyond what exact expressions hold.
     pub fn new(pair: &'d ImpactPair, start: &'d Start, word: &'d Word, cycles: u32) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
-        let speed = pair.excitation().frequency().checked_mul(pair.gap()).and_then(|speed| speed.checked_div(&turn));
+        let speed = pair
+            .excitation()
+            .reference()
+            .frequency()
+            .checked_mul(pair.gap())
+            .and_then(|speed| speed.checked_div(&turn));
         Ok(Self { pair, start, word, cycles, speed: within("pair.gap", pair.gap(), speed)? })
     }
 

@@ -9,7 +9,7 @@ use super::attraction::Attraction;
 use super::document::ORBIT_SCHEMA;
 use crate::error::Error;
 use crate::exact::Exact;
-use crate::excitation::Harmonic;
+use crate::excitation::{Excitation, Harmonic};
 use crate::mapping::Mapping;
 use crate::orbit::{Period, Start};
 use crate::pair::{ImpactPair, Wall};
@@ -150,10 +150,15 @@ impl Certificate {
 
 fn read_scene(scene: &Entry<'_>) -> Result<(ImpactPair, Start), Error> {
     let excitation = scene.get("excitation")?;
-    let [amplitude, frequency, phase] =
-        ["amplitude", "frequency", "phase"].map(|key| excitation.get(key)?.one_term()?.exact());
+    let of_terms =
+        |key: &str| -> Result<Vec<Exact>, Error> { excitation.get(key)?.list()?.iter().map(Entry::exact).collect() };
+    let (amplitudes, frequencies, phases) = (of_terms("amplitude")?, of_terms("frequency")?, of_terms("phase")?);
+    if frequencies.len() != amplitudes.len() || phases.len() != amplitudes.len() {
+        return Err(excitation.refused("must have as many frequencies and phases as amplitudes"));
+    }
+    let terms = amplitudes.into_iter().zip(frequencies).zip(phases).map(|((a, w), tau)| Harmonic::new(a, w, tau));
     let pair = ImpactPair::new(
-        Harmonic::new(amplitude?, frequency?, phase?)?,
+        Excitation::new(terms.collect::<Result<_, _>>()?)?,
         scene.get("gap")?.exact()?,
         scene.get("restitution")?.exact()?,
     )?;
@@ -230,14 +235,6 @@ impl<'j> Entry<'j> {
 
     pub fn integer(&self) -> Result<u64, Error> {
         self.value.as_u64().ok_or_else(|| self.refused("must be an integer of at least 0"))
-    }
-
-    fn one_term(&self) -> Result<Self, Error> {
-        let mut terms = self.list()?;
-        match (terms.pop(), terms.is_empty()) {
-            (Some(term), true) => Ok(term),
-            _ => Err(self.refused("this version checks one harmonic, a list of one")),
-        }
     }
 
     fn exact(&self) -> Result<Exact, Error> {

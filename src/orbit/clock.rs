@@ -45,7 +45,7 @@ impl Clock {
     /// The clock of `pair` whose turn 0 is the one nearest to `time`; it shows widths down to about `2^-shown`.
     pub(super) fn new(pair: &ImpactPair, time: &Exact, shown: u32) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
-        let (frequency, delay) = (pair.excitation().frequency(), pair.excitation().phase());
+        let (frequency, delay) = (pair.excitation().reference().frequency(), pair.excitation().reference().phase());
         let shift = within("excitation.phase", delay, delay.checked_div(&turn))?;
         let rate = within("excitation.frequency", frequency, frequency.checked_div(&turn))?;
         let period = within("excitation.frequency", frequency, turn.checked_div(frequency))?;

@@ -2,8 +2,9 @@
 //!
 //! A bare number is the exact decimal as written, a string is an expression (`"3*pi"`) or an interval of values
 //! (`"[9.42, 9.43]"`); see [`Exact::parse`]. Nothing is rounded to a double, nothing is clamped. Required are
-//! `[excitation]` with `amplitude`, `frequency` and `phase` (each may be a list of one term), `[pair]` with `gap` and
-//! `restitution`, and `[start]` with `time`, `velocity` and either `wall` or `position`. `title` and `[run]` are not.
+//! `[excitation]` with `amplitude`, `frequency` and `phase` (for several harmonics lists of one length; a single phase is
+//! that of all), `[pair]` with `gap` and `restitution`, and `[start]` with `time`, `velocity` and either `wall` or
+//! `position`. `title` and `[run]` are not.
 
 mod section;
 
@@ -13,7 +14,7 @@ use toml_edit::{Document, TomlError};
 
 use crate::error::Error;
 use crate::exact::Exact;
-use crate::excitation::Harmonic;
+use crate::excitation::{Excitation, Harmonic};
 use crate::orbit::{Arithmetic, Orbit, Settings, Start};
 use crate::pair::{ImpactPair, Wall};
 use section::{Entry, Section, line_of, quoted};
@@ -83,11 +84,12 @@ impl Scene {
         let lines: Vec<_> = [&excitation, &pair, &start].into_iter().chain(&run).flat_map(Section::lines).collect();
         let located = |error: Error| at_its_line(error, &lines);
         let pair = {
-            let [amplitude, frequency, phase] =
-                ["amplitude", "frequency", "phase"].map(|key| excitation.require(key)?.one_term());
+            let terms = read_terms(&excitation)?
+                .into_iter()
+                .map(|[amplitude, frequency, phase]| Harmonic::new(amplitude, frequency, phase));
+            let excitation = terms.collect::<Result<_, _>>().and_then(Excitation::new).map_err(located)?;
             let [gap, restitution] = ["gap", "restitution"].map(|key| pair.require(key)?.number());
-            let harmonic = Harmonic::new(amplitude?, frequency?, phase?).map_err(located)?;
-            ImpactPair::new(harmonic, gap?, restitution?).map_err(located)?
+            ImpactPair::new(excitation, gap?, restitution?).map_err(located)?
         };
         let start = read_start(&start, &pair).map_err(located)?;
         let run = run.map(|run| read_run(&run)).transpose()?.unwrap_or_default();
@@ -149,6 +151,24 @@ fn unreadable(text: &str, error: &TomlError) -> Error {
     let hint = if error.message().contains("overflow") { " (write the number as a string)" } else { "" };
     let written = text.lines().nth(line - 1).unwrap_or_default();
     Error::scene(format!("{} in {}{hint}", error.message(), quoted(written.trim()))).at_line(line)
+}
+
+/// Amplitude, frequency and phase of each harmonic.
+fn read_terms(excitation: &Section<'_>) -> Result<Vec<[Exact; 3]>, Error> {
+    let amplitudes = excitation.require("amplitude")?.terms()?;
+    let (frequency, phase) = (excitation.require("frequency")?, excitation.require("phase")?);
+    let count = amplitudes.len();
+    let frequencies = frequency.terms()?;
+    let shared = |phase: Vec<Exact>| phase.into_iter().cycle().take(count).collect();
+    let phases: Vec<Exact> = if phase.is_list() { phase.terms()? } else { shared(phase.terms()?) };
+    let fits = |entry: &Entry<'_>, found: usize, accepted: &str| {
+        let terms = if found == 1 { "1 term" } else { &format!("{found} terms") };
+        let accepted = format!("has {terms}, must have {count} like excitation.amplitude{accepted}");
+        if found == count { Ok(()) } else { Err(entry.refused(&accepted)) }
+    };
+    fits(&frequency, frequencies.len(), "")?;
+    fits(&phase, phases.len(), ", or be a single number")?;
+    Ok(amplitudes.into_iter().zip(frequencies).zip(phases).map(|((a, w), tau)| [a, w, tau]).collect())
 }
 
 fn read_start(start: &Section<'_>, pair: &ImpactPair) -> Result<Start, Error> {

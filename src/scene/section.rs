@@ -128,20 +128,24 @@ impl<'t> Entry<'t> {
         if number.is_point() { Ok(number) } else { Err(self.refused("must be a single number, not an interval")) }
     }
 
-    /// An exact number, or a list of one.
-    pub fn one_term(&self) -> Result<Exact, Error> {
-        let Some(terms) = self.item.as_array() else { return self.number() };
-        match (terms.len(), terms.get(0)) {
-            (1, Some(term)) => {
-                let offset = self.item.span().unwrap_or_default().start;
-                let Range { start, end } = term.span().unwrap_or_default();
-                let written = self.written.get(start.saturating_sub(offset)..end.saturating_sub(offset));
-                self.exact(term, written.unwrap_or_default())
-            }
-            (terms, _) => Err(self.refused(&format!(
-                "has {terms} terms: this version certifies one harmonic, a single number or a list of one"
-            ))),
+    /// An exact number for each term: a single one, or those of a list.
+    pub fn terms(&self) -> Result<Vec<Exact>, Error> {
+        let Some(terms) = self.item.as_array() else { return Ok(vec![self.number()?]) };
+        if terms.is_empty() {
+            return Err(self.refused("must have a term: a number, or a list of them"));
         }
+        let offset = self.item.span().unwrap_or_default().start;
+        let term = |term: &Value| {
+            let Range { start, end } = term.span().unwrap_or_default();
+            let written = self.written.get(start.saturating_sub(offset)..end.saturating_sub(offset));
+            self.exact(term, written.unwrap_or_default())
+        };
+        terms.iter().map(term).collect()
+    }
+
+    /// Whether it is a list.
+    pub fn is_list(&self) -> bool {
+        self.item.is_array()
     }
 
     /// An integer of this range.

@@ -39,7 +39,7 @@ fn numbers_are_the_decimals_that_are_written() {
     assert_eq!(gap.text(), "+9.424_970_000_000_000_000_000_1");
     assert_eq!(gap.as_rational(), "9.4249700000000000000001".parse::<Exact>().unwrap().as_rational());
     assert_eq!(scene.title(), Some("Figure 14"));
-    assert_eq!(scene.pair().excitation().frequency().text(), "pi");
+    assert_eq!(scene.pair().excitation().reference().frequency().text(), "pi");
     assert!(matches!(scene.start().place(), Place::Wall(Wall::Left)));
     assert_eq!((scene.settings().impacts, scene.settings().digits), (Some(20), 9));
 }
@@ -122,11 +122,30 @@ fn what_is_no_number_is_named_with_its_line_and_text() {
 }
 
 #[test]
-fn several_terms_are_refused_as_not_yet_certified() {
-    let refused = refusal(&with("amplitude = 8", "amplitude = [8, 2]"));
-    assert!(refused.starts_with("line 3: excitation.amplitude is [8, 2], but has 2 terms: this version"), "{refused}");
-    let refused = refusal(&with("phase = 0", "phase = []"));
-    assert!(refused.starts_with("line 5: excitation.phase is [], but has 0 terms: this version"), "{refused}");
+fn several_terms_need_as_many_frequencies_and_one_phase_or_as_many() {
+    let two = with("amplitude = 8", "amplitude = [8, \"1/3\"]")
+        .replace("frequency = \"pi\"", "frequency = [\"pi\", \"3*pi\"]");
+    let terms = |text: &str| Scene::parse(text).unwrap().pair().excitation().terms().to_vec();
+    assert_eq!(terms(&two).iter().map(|term| term.phase().text()).collect::<Vec<_>>(), ["0", "0"]);
+    let phases = two.replace("phase = 0", "phase = [0, \"pi/2\"]");
+    assert_eq!(terms(&phases)[1].phase().text(), "pi/2");
+    for (key, value, message) in [
+        (
+            "amplitude = [8, \"1/3\"]",
+            "amplitude = 8",
+            "line 4: excitation.frequency is [\"pi\", \"3*pi\"], but has 2 terms, must have 1",
+        ),
+        (
+            "phase = 0",
+            "phase = [0]",
+            "line 5: excitation.phase is [0], but has 1 term, must have 2 like excitation.amplitude, or be",
+        ),
+        ("phase = 0", "phase = []", "line 5: excitation.phase is [], but must have a term"),
+        ("\"1/3\"", "-1", "line 3: excitation.amplitude is -1, but must be at least 0"),
+    ] {
+        let refused = refusal(&two.replace(key, value));
+        assert!(refused.starts_with(message), "{refused}");
+    }
 }
 
 #[test]

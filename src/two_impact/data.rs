@@ -46,7 +46,7 @@ impl<'p> Data<'p> {
             _ => return Err(Error::range("pair.restitution", e, "must be 1, or proved to be below 1")),
         };
         let data = Self { pair, cycles, is_elastic };
-        if pair.excitation().amplitude().sign() == Some(Ordering::Greater) {
+        if pair.excitation().reference().amplitude().sign() == Some(Ordering::Greater) {
             within(RATIO, pair.gap(), data.ratio())?;
         }
         Ok(data)
@@ -57,7 +57,7 @@ impl<'p> Data<'p> {
     }
 
     pub fn frequency(&self) -> &Exact {
-        self.pair.excitation().frequency()
+        self.pair.excitation().reference().frequency()
     }
 
     pub fn is_elastic(&self) -> bool {
@@ -70,7 +70,7 @@ impl<'p> Data<'p> {
 
     /// `g = d/A`
     fn ratio(&self) -> Result<Exact, ExactError> {
-        self.pair.gap().checked_div(self.pair.excitation().amplitude())
+        self.pair.gap().checked_div(self.pair.excitation().reference().amplitude())
     }
 
     /// `N pi (1 + e)`
@@ -113,7 +113,7 @@ impl<'p> Data<'p> {
         let (others, open) = Spacing::new(&parameters, orders.room).solve();
         motions.extend(others);
         doubts.extend(open);
-        let amplitude = Real::of(self.pair.excitation().amplitude(), bits);
+        let amplitude = Real::of(self.pair.excitation().reference().amplitude(), bits);
         Found { motions: motions.into_iter().map(|motion| (motion, amplitude.clone())).collect(), doubts }
     }
 
@@ -162,7 +162,7 @@ impl<'p> Data<'p> {
             return Found::none();
         }
         let length = self.length(speed, bits);
-        let amplitude = Real::of(self.pair.excitation().amplitude(), bits);
+        let amplitude = Real::of(self.pair.excitation().reference().amplitude(), bits);
         let e = Real::of(self.pair.restitution(), bits);
         let zero = Real::int(0, bits);
         let cos = ((Real::int(1, bits) - &e) * &length).half().over(&amplitude).expect("A > 0");
@@ -199,8 +199,13 @@ impl<'p> Data<'p> {
     fn speed_order(&self, speed: &Exact) -> Option<Ordering> {
         let sides = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?.checked_mul(speed)?;
-            let most =
-                self.pair.excitation().amplitude().checked_mul(self.frequency())?.checked_mul(&Exact::from(2))?;
+            let most = self
+                .pair
+                .excitation()
+                .reference()
+                .amplitude()
+                .checked_mul(self.frequency())?
+                .checked_mul(&Exact::from(2))?;
             Ok::<_, ExactError>((below, most))
         };
         let (below, most) = sides().ok()?;

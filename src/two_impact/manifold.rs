@@ -170,7 +170,7 @@ impl Range<'_> {
         }
         let (key, needed) = match self.axis {
             Axis::Frequency => ("start.velocity", &self.speed),
-            Axis::Velocity(_) => ("excitation.frequency", self.pair.excitation().frequency()),
+            Axis::Velocity(_) => ("excitation.frequency", self.pair.excitation().reference().frequency()),
         };
         Error::require_positive(key, needed)?;
         let single = "must be a single number, not an interval";
@@ -241,7 +241,7 @@ impl Range<'_> {
                 Axis::Frequency => (gap * &at).over(&Real::of(&self.speed, bits)),
                 Axis::Velocity(wall) => {
                     let speed = if wall == Wall::Left { -&at } else { at.clone() };
-                    (gap * Real::of(self.pair.excitation().frequency(), bits)).over(&speed)
+                    (gap * Real::of(self.pair.excitation().reference().frequency(), bits)).over(&speed)
                 }
             };
             Ok(Place { x: x.expect("checked not to be 0"), at, mark: None })
@@ -255,7 +255,7 @@ impl Range<'_> {
         match self.axis {
             Axis::Frequency => (x * Real::of(&self.speed, x.bits())).over(&gap).expect("d > 0"),
             Axis::Velocity(wall) => {
-                let frequency = Real::of(self.pair.excitation().frequency(), x.bits());
+                let frequency = Real::of(self.pair.excitation().reference().frequency(), x.bits());
                 let speed = (gap * frequency).over(x).expect("inside the range");
                 if wall == Wall::Left { -speed } else { speed }
             }

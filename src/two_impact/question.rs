@@ -71,18 +71,20 @@ impl<'p> Question<'p> {
     /// A question about `pair`.
     ///
     /// # Errors
-    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, or N is not among [`CYCLES`].
+    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], or there are
+    /// several harmonics.
     pub fn new(pair: &'p ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), &accepted));
         }
+        let harmonic = pair.harmonic("the closed form of two impacts")?;
         match &unknown {
             Unknown::Velocity => {}
             Unknown::Amplitude(speed) | Unknown::Gap(speed) => Error::require_positive("|start.velocity|", speed)?,
         }
         if !matches!(unknown, Unknown::Amplitude(_)) {
-            Error::require_positive("excitation.amplitude", pair.excitation().amplitude())?;
+            Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
         }
         Ok(Self { data: Data::new(pair, cycles)?, unknown })
     }

@@ -126,10 +126,10 @@ impl fmt::Display for Speed {
 impl Units {
     pub fn of(scene: &Scene) -> Self {
         let (pair, enclose) = (scene.pair(), |x: &Exact| x.enclose(BITS));
-        let frequency = enclose(pair.excitation().frequency());
+        let frequency = enclose(pair.excitation().reference().frequency());
         let turn = enclose(&(Exact::pi() * Exact::from(2)));
         let period = turn.div(&frequency, BITS).expect("W > 0 is checked with the scene");
-        let speed = enclose(pair.excitation().amplitude()).mul(&frequency, BITS);
+        let speed = enclose(pair.excitation().reference().amplitude()).mul(&frequency, BITS);
         let gap = enclose(pair.gap()).div(&period, BITS).expect("a period is positive");
         let positive = "W > 0 and d > 0 are checked with the scene";
         let (velocity, speed) = match Unit::new(&speed) {

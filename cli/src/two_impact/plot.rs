@@ -193,7 +193,7 @@ fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Result<(), Box<dyn S
     let (pair, start) = (scene.pair(), scene.start());
     let given = match axis {
         Axis::Frequency => format!("v = {}", start.velocity()),
-        Axis::Velocity(_) => format!("Ω = {}", pair.excitation().frequency()),
+        Axis::Velocity(_) => format!("Ω = {}", pair.excitation().reference().frequency()),
     };
     let title = scene.title().unwrap_or("Equispaced motions with two impacts in N cycles").to_owned();
     let parameters = format!("d = {}, e = {}, {given}", pair.gap(), pair.restitution()).replace('-', "−");

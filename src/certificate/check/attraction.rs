@@ -47,7 +47,7 @@ impl Certificate {
 
     /// The claimed impacts in turns and gaps a turn.
     fn states(&self) -> Option<Vec<Passing>> {
-        let excitation = self.pair().excitation();
+        let excitation = self.pair().excitation().reference();
         let turn = Exact::pi() * Exact::from(2);
         let rate = excitation.frequency().checked_div(&turn).ok()?.enclose(BITS);
         let shift = excitation.phase().checked_div(&turn).ok()?.enclose(BITS);

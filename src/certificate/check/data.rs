@@ -49,7 +49,7 @@ const HEIGHT: usize = 5;
 
 impl Data {
     pub fn new(pair: &ImpactPair, start: &Start) -> Result<Self, Error> {
-        let excitation = pair.excitation();
+        let excitation = pair.harmonic("the check")?;
         let (frequency, delay) = (excitation.frequency(), excitation.phase());
         let half = |key, of: &Exact| within(key, of, of.checked_div(&Exact::from(2)));
         let turned = within("start.time", start.time(), frequency.checked_mul(start.time()))?;

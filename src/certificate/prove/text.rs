@@ -21,7 +21,7 @@ const LARGEST_POWER: u32 = 64;
 /// The file that proves these impacts.
 pub(super) fn file(certificate: &Certificate, claims: &[Claim], begin: &Box, legs: &[Leg]) -> Result<String, Error> {
     let (pair, start) = (certificate.pair(), certificate.start());
-    let excitation = pair.excitation();
+    let excitation = pair.harmonic("the theorem")?;
     let [amplitude, frequency, shift, gap, restitution, time, velocity] = [
         excitation.amplitude(),
         excitation.frequency(),

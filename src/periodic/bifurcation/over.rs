@@ -78,7 +78,7 @@ impl Over {
     /// # Errors
     /// When the value is not in its range.
     pub fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
-        let old = pair.excitation();
+        let old = pair.harmonic("a parameter of a branch")?;
         let (mut amplitude, mut frequency) = (old.amplitude().clone(), old.frequency().clone());
         let (mut gap, mut restitution) = (pair.gap().clone(), pair.restitution().clone());
         match self.key {
@@ -111,7 +111,7 @@ impl Over {
         match self.key {
             Key::Amplitude => within("pair.gap", pair.gap(), value.checked_mul(pair.gap())),
             Key::Gap => {
-                let amplitude = pair.excitation().amplitude();
+                let amplitude = pair.excitation().reference().amplitude();
                 within("excitation.amplitude", amplitude, amplitude.checked_div(value))
             }
             Key::Restitution | Key::Frequency => Ok(value.clone()),
@@ -136,7 +136,7 @@ impl Over {
         let of = |value: &Exact| value.enclose(80).mid_rad().0;
         let [a, b] = ends.map(|x| match self.key {
             Key::Amplitude => x * of(pair.gap()),
-            Key::Gap => of(pair.excitation().amplitude()) / x,
+            Key::Gap => of(pair.excitation().reference().amplitude()) / x,
             Key::Restitution | Key::Frequency => x,
         });
         [a.min(b), a.max(b)]

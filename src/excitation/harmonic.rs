@@ -1,4 +1,4 @@
-//! The motion of the box, equations (1) and (9): `E(t) = A sin(W t + tau)`.
+//! One harmonic, equation (9).
 
 use crate::error::Error;
 use crate::exact::Exact;
@@ -36,6 +36,16 @@ impl Harmonic {
     /// `tau` \[rad\]
     pub fn phase(&self) -> &Exact {
         &self.phase
+    }
+
+    /// Whether no parameter is an interval of values.
+    pub(crate) fn is_point(&self) -> bool {
+        [&self.amplitude, &self.frequency, &self.phase].into_iter().all(Exact::is_point)
+    }
+
+    /// The harmonic with another amplitude.
+    pub(super) fn with_amplitude(&self, amplitude: Exact) -> Self {
+        Self { amplitude, ..self.clone() }
     }
 }
 
