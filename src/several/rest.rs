@@ -8,9 +8,9 @@ use super::flight::Instant;
 use super::harmonics::{Harmonics, Phased};
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
+use crate::number::{Ball, UNIT, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
-use crate::number::{Ball, UNIT, up};
 use crate::pair::Wall;
 
 /// How long, in turns, chatter can last that begins with a bounce at `phase` after `turns` whole ones with `velocity`,
@@ -25,7 +25,7 @@ pub(crate) fn accumulation(
 ) -> Option<f64> {
     let (speed, rebound) = (velocity.mag(), restitution.mag());
     let (least, most) = pressure(harmonics, wall, turns, &phase).bounds();
-    if !(least > 0.0) {
+    if !is_positive(least) {
         return None;
     }
     if speed == 0.0 {
@@ -35,7 +35,7 @@ pub(crate) fn accumulation(
     let window = up(up(4.0 * speed) / (least * (1.0 - rebound)).next_down());
     let change = up(harmonics.rates.third * window);
     let (least, most) = ((least - change).next_down(), up(most + change));
-    if !(rebound < 1.0 && least > 0.0) {
+    if !(is_positive(1.0 - rebound) && is_positive(least)) {
         return None;
     }
     let ratio = up(rebound * up((most / least).sqrt()));
@@ -70,7 +70,13 @@ const STEPS: u32 = 1 << 16;
 const BITS: [u32; 3] = [128, 512, 2048];
 
 /// The first change of the pressure's sign after a phase at which the wall is pressed; `None` where none is proved.
-pub(crate) fn release(spectrum: &Spectrum, harmonics: &Harmonics<Ball>, wall: Wall, turns: i64, phase: f64) -> Option<Zero> {
+pub(crate) fn release(
+    spectrum: &Spectrum,
+    harmonics: &Harmonics<Ball>,
+    wall: Wall,
+    turns: i64,
+    phase: f64,
+) -> Option<Zero> {
     if let Some(zero) = first_zero(harmonics, wall, turns, Ball::exact(phase)) {
         return Some(zero);
     }
@@ -88,12 +94,13 @@ pub(crate) fn release(spectrum: &Spectrum, harmonics: &Harmonics<Ball>, wall: Wa
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
 fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase: N) -> Option<Zero> {
     let fourth = harmonics.rates.fourth;
-    let slope = |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
+    let slope =
+        |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
     let value = |at: &Instant<N>| pressure(harmonics, wall, turns.saturating_add(at.turns), &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
     for _ in 0..STEPS {
         let ((p, _), (low, high)) = (value(&at).bounds(), slope(&at));
-        if !(p > 0.0) {
+        if !is_positive(p) {
             return None;
         }
         let ahead = p / -low;
@@ -108,14 +115,21 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
                 let middle = 0.5 * (near.0 + near.1);
                 let reach = up(reach + (near.1 - near.0) + UNIT * middle.abs());
                 let turns = turns.saturating_add(instant.turns);
-                return Some(Zero { wall, turns, near: middle, reach, least: (least - up(fourth * reach)).next_down(), fourth });
+                return Some(Zero {
+                    wall,
+                    turns,
+                    near: middle,
+                    reach,
+                    least: (least - up(fourth * reach)).next_down(),
+                    fourth,
+                });
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;
         let next = at.later(&at.rest.like(step));
         let time = next.since(&at);
         let size = p + time * (low.abs() + time * fourth);
-        if !(time > 0.0 && p + time * (low - 0.5 * fourth * time) - 16.0 * UNIT * size > 0.0) {
+        if !(is_positive(time) && is_positive(p + time * (low - 0.5 * fourth * time) - 16.0 * UNIT * size)) {
             return None;
         }
         at = next;
@@ -137,7 +151,7 @@ fn bracket<N: Phased>(
         let (low, high) = p.bounds();
         let back = p.ratio_to(&at.rest.like(0.5 * (slope(&at).0 + slope(&at).1)))?;
         let size = back.bounds().0.abs();
-        if (low <= 0.0 && high >= 0.0) || !(size < 0.75 * before) {
+        if (low <= 0.0 && high >= 0.0) || !is_positive(0.75 * before - size) {
             let error = low.abs().max(high.abs());
             let steepness = -slope(&at).1;
             let widest = up(2.0 * error / steepness);
