@@ -12,7 +12,8 @@ from listing import chatter_limit, judge, judge_period
 from mirror import mirror, reflected
 from program import as_row
 from random_scenes import scenes, toml
-from rest import Rest, accumulation, release_after
+from release import release_after
+from rest import Rest, accumulation
 from rest_controls import check_rest_controls
 from judging import check_never
 from scene import LEFT, RIGHT, Motion, Scene
