@@ -31,8 +31,8 @@ def between(a, b):
     return a.union(b)
 
 
-def narrow(value, slope, bracket):
-    """The bracket of a root, narrowed by interval Newton for as long as that helps.
+def narrow(value, slope, bracket, enough=0):
+    """The bracket of a root, narrowed by interval Newton for as long as that helps and it is wider than enough.
 
     By the mean value theorem m - f(m)/f'(S) holds every root that S holds. As f' has one sign on S, it lies on one
     side of m, so each round halves the bracket at least, until f(m) is lost in its own radius.
@@ -40,7 +40,7 @@ def narrow(value, slope, bracket):
     while True:
         middle = bracket.mid()
         narrower = bracket.intersection(middle - value(middle) / slope(bracket))
-        if not 3 * narrower.rad() < 2 * bracket.rad():
+        if not 3 * narrower.rad() < 2 * bracket.rad() or narrower.rad() <= enough:
             return narrower
         bracket = narrower
 

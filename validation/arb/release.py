@@ -64,7 +64,9 @@ class Root:
         """A ball around it, for the motion in the current precision."""
         if ctx.prec not in self.known:
             a, slope = (lambda t, of=of: of(motion, self.wall, t) for of in (pressure, pressure_slope))
-            self.known[ctx.prec] = narrow(a, slope, self.bracket)
+            # A root at 0 could be enclosed without end.
+            enough = motion.period().mid() * arb(2) ** -ctx.prec
+            self.known[ctx.prec] = narrow(a, slope, self.bracket, enough)
         return self.known[ctx.prec]
 
 

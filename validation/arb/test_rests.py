@@ -8,7 +8,7 @@ from anchors import ANCHORS, EDGES, crossing
 from compare import Disagreement
 from controls import printed
 from flight import Flight, Undecided
-from listing import chatter_limit, judge, judge_period
+from listing import chatter_limit, judge, judge_period, remaining
 from mirror import mirror, reflected
 from program import as_row
 from random_scenes import scenes, toml
@@ -39,9 +39,10 @@ def listed(scene, digits, impacts):
     origin, count, rows = timeline.begin(), 0, []
     limit = chatter_limit(scene, digits)
     while count < impacts:
-        proved = origin.prove(impacts - count, True)
+        proved = origin.prove(impacts - count, timeline.spare < 1000)
+        left = remaining(0, origin, proved)[0] if proved.rest else None
         for impact in proved.impacts:
-            if count == impacts:
+            if count == impacts or left is not None and left <= limit:
                 break
             count += 1
             placed = impact._replace(index=count, time=origin.shifted(impact.time, proved.bits))
