@@ -1,4 +1,4 @@
-"""Whether frequencies are whole multiples of one, told from how they are written.
+"""Whether frequencies are whole multiples of one, and phases of pi, told from how they are written.
 
 No ball tells a fraction from a number beside it. Here an expression is read as a fraction times powers of pi and of
 square roots of primes; sqrt(8) and 2*sqrt(2) are the same, and what is not of this form is not judged.
@@ -105,3 +105,13 @@ def common_measure(texts):
     except NotAMultiple:
         return None if len(texts) > 1 else fmpq(1)
     return fmpq(gcd(*(int(ratio.p) for ratio in ratios)), lcm(*(int(ratio.q) for ratio in ratios)))
+
+
+def half_turns(text):
+    """k if the expression is the whole multiple k pi; None otherwise, or if that is not seen."""
+    try:
+        value = _Multiples(text).whole()
+    except NotAMultiple:
+        return None
+    turns = value.fraction
+    return int(turns.p) if turns.q == 1 and (turns == 0 or value.powers == {"pi": 1}) else None

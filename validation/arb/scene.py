@@ -3,7 +3,7 @@ import tomllib
 
 from flint import arb
 
-from commensurate import common_measure
+from commensurate import common_measure, half_turns
 from expression import ball, evaluate
 
 LEFT, RIGHT = "left", "right"
@@ -64,9 +64,11 @@ class Scene:
         """The parameters as balls of the current precision."""
         terms = []
         for amplitude, frequency, phase in self.harmonics():
-            # As exact as it can be said: at time 0 the phase pi is a release or the beginning of a press.
-            sign, phase = (-1, "0") if phase == "pi" else (1, phase)
-            terms.append((sign * ball(evaluate(amplitude)), ball(evaluate(frequency)), ball(evaluate(phase))))
+            size, angle, turns = ball(evaluate(amplitude)), ball(evaluate(phase)), half_turns(phase)
+            if turns is not None:
+                # As exact as it can be said: at time 0 this phase is a release or the beginning of a press.
+                size, angle = -size if turns % 2 else size, arb(0)
+            terms.append((size, ball(evaluate(frequency)), angle))
         return Motion(terms, self.number("pair", "gap"), self.number("pair", "restitution"))
 
     def cycle(self):
