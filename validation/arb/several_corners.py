@@ -116,7 +116,12 @@ def with_excitation(tables, amplitude, frequency, phase):
 
 
 def written():
-    """One harmonic in several terms, phases as one or as a list, multiples as products or sums, another order."""
+    """All motions that are written in more than one way."""
+    return [*single(), *squares(), incommensurate()]
+
+
+def single():
+    """One harmonic in one to three terms, with a term of amplitude 0, and as two that add up to it."""
     for name, tables in [
         ("chatter", scene("5", "pi", "4", "1", "0.5", wall=LEFT, velocity="-0.1")),
         ("dead impacts", scene("5", "pi", "0.3", "1", "0", wall=LEFT, velocity="-1")),
@@ -134,6 +139,10 @@ def written():
         ]
         another = with_excitation(tables, [amplitude, "1e-3"], ["pi", "2*pi"], phase)
         yield Written(f"one harmonic, {name}", tables, others, another)
+
+
+def squares():
+    """Three odd harmonics: the phase for all or for each, multiples as products or sums, another order."""
     amplitudes, frequencies = ["1", "1/3", "1/5"], ["pi", "3*pi", "5*pi"]
     for name, restitution, phase in [("0.5", "0.5", "0"), ("0", "0", "1")]:
         tables = scene(amplitudes, frequencies, phase, "1", restitution, wall=RIGHT, velocity="0.5")
@@ -144,10 +153,14 @@ def written():
         ]
         another = with_excitation(tables, amplitudes, frequencies, [phase, phase, f"{phase} + 1e-3"])
         yield Written(f"square wave, e = {name}", tables, others, another)
+
+
+def incommensurate():
+    """Two roots, and one of them in two terms."""
     tables = scene(["2", "1"], ["sqrt(2)", "sqrt(5)"], "pi", "3", "0.3", wall=LEFT, velocity="-1")
     others = [
         with_excitation(tables, ["2", "1"], ["2/sqrt(2)", "5/sqrt(5)"], ["pi", "-pi"]),
         with_excitation(tables, ["1", "1", "1"], ["sqrt(2)", "sqrt(5)", "sqrt(2)"], ["pi", "3*pi", "pi"]),
     ]
     another = with_excitation(tables, ["2", "1"], ["1.41421", "sqrt(5)"], "pi")
-    yield Written("incommensurate", tables, others, another)
+    return Written("incommensurate", tables, others, another)
