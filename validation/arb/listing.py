@@ -28,7 +28,7 @@ class Verdict:
         self.releases, self.proved_end = [], None
 
     def period(self):
-        """(cycles, impacts) between the first two releases from one wall that are whole cycles apart, or None."""
+        """(cycles, impacts) between the first two releases from one wall whose phases are the same, or None."""
         for number, release in enumerate(self.releases):
             for before in self.releases[:number]:
                 if release.origin.wall == before.origin.wall:

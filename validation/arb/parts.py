@@ -20,10 +20,10 @@ IN_DOUBLES = 60
 # `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.
 Job = namedtuple("Job", "part name judge arguments scene")
 # How much of everything is judged; 200 impacts of a scene unless it says otherwise.
-Amount = namedtuple("Amount", "figures long resting resting_impacts extremes extreme_impacts several intervals")
-FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 40)
-QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 8)
-SEVERAL_IMPACTS, INTERVAL_IMPACTS = 60, 20
+Amount = namedtuple("Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts intervals")
+FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 40)
+QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 8)
+INTERVAL_IMPACTS = 20
 SEVERAL = "several harmonics"
 PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, "interval scenes"]
 
@@ -85,7 +85,7 @@ def judge_one_corner(corner, binary):
 
 def several_jobs(amount, seed):
     """Random scenes with several harmonics, corner cases, and motions written in more than one way."""
-    yield from scene_jobs(SEVERAL, several_scenes(amount.several, seed), SEVERAL_IMPACTS)
+    yield from scene_jobs(SEVERAL, several_scenes(amount.several, seed), amount.several_impacts)
     for corner in several_corners():
         yield Job(SEVERAL, corner.name, judge_one_corner, (corner,), toml(corner.tables))
     for corner in untold_corners():

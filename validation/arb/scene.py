@@ -71,14 +71,18 @@ class Scene:
             terms.append((size, ball(evaluate(frequency)), angle))
         return Motion(terms, self.number("pair", "gap"), self.number("pair", "restitution"))
 
-    def cycle(self):
-        """The period of the excitation as a ball, or None: the frequencies are not seen to be commensurate.
+    def common_period(self):
+        """(T, n): the period of the excitation as a ball, and how many cycles of the fastest harmonic it holds.
 
-        It is 2 pi/W of the one harmonic, and of several the least time that is a whole number of periods of each.
+        None if the frequencies are not seen to be commensurate.
         """
         frequencies = [frequency for _, frequency, _ in self.harmonics()]
         measure = common_measure(frequencies)
-        return None if measure is None else 2 * arb.pi() / (measure * ball(evaluate(frequencies[0])))
+        if measure is None:
+            return None
+        period = 2 * arb.pi() / (measure * ball(evaluate(frequencies[0])))
+        fastest = max((ball(evaluate(frequency)) for frequency in frequencies), key=lambda w: w.mid())
+        return period, int((period * fastest / (2 * arb.pi())).unique_fmpz())
 
     def start(self):
         """(wall, time, height, velocity) of the start as balls; the wall is None inside the gap.

@@ -3,7 +3,7 @@
 A release forgets everything but its wall and its phase. With one harmonic the wall gives the phase, so there are three
 legs at most, however long the orbit: from the start, from the left wall and from the right wall; a second release from
 the same wall makes the orbit exactly periodic. With several harmonics every release begins a leg of its own, and the
-orbit is periodic if two from one wall are whole cycles apart.
+orbit is periodic if two from one wall are whole periods of the excitation apart.
 """
 from math import ceil
 
@@ -110,18 +110,20 @@ class AtRoot(Origin):
         self.wall, self.number = root.wall, number
 
     def cycles_since(self, earlier):
-        """The whole cycles since an earlier release from the same wall, proved, or None.
+        """The cycles of the fastest harmonic since an earlier release from the same wall with the same phases, or None.
 
-        Moved by that many cycles, the earlier one is a root, too. If a' has one sign on both balls and between, there
+        Moved by that many periods of the excitation, the earlier one is a root, too. If a' has one sign on both balls and between, there
         is only one root.
         """
         with ctx.workprec(FIRST_BITS):
-            cycle = self.timeline.scene.cycle()
-            if cycle is None:
+            common = self.timeline.scene.common_period()
+            if common is None:
                 return None
+            period, cycles = common
             later, first = self.time(FIRST_BITS), earlier.time(FIRST_BITS)
-            cycles = ((later - first) / cycle).unique_fmpz()
-            if cycles is None:
+            count = ((later - first) / period).unique_fmpz()
+            if count is None:
                 return None
-            both = later.union(first + int(cycles) * cycle)
-            return int(cycles) if pressure_slope(self.timeline.scene.motion(), self.wall, both) < 0 else None
+            both = later.union(first + int(count) * period)
+            is_same = pressure_slope(self.timeline.scene.motion(), self.wall, both) < 0
+            return int(count) * cycles if is_same else None
