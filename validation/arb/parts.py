@@ -20,7 +20,9 @@ IN_DOUBLES = 60
 # `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.
 Job = namedtuple("Job", "part name judge arguments scene")
 # How much of everything is judged; 200 impacts of a scene unless it says otherwise.
-Amount = namedtuple("Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts intervals")
+Amount = namedtuple(
+    "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts intervals"
+)
 FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 40)
 QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 8)
 INTERVAL_IMPACTS = 20

@@ -24,7 +24,8 @@ class Scene:
         motion = self.motion()
         if not (motion.gap > 0 and 0 <= motion.restitution <= 1):
             raise SceneError("a scene needs gap > 0 and 0 <= restitution <= 1")
-        if not all(value >= 0 for value in self.numbers("amplitude")) or not all(w > 0 for w in self.numbers("frequency")):
+        amplitudes, frequencies = self.numbers("amplitude"), self.numbers("frequency")
+        if not all(value >= 0 for value in amplitudes) or not all(w > 0 for w in frequencies):
             raise SceneError("a scene needs amplitudes >= 0 and frequencies > 0")
 
     @classmethod
@@ -83,6 +84,11 @@ class Scene:
         period = 2 * arb.pi() / (measure * ball(evaluate(frequencies[0])))
         fastest = max((ball(evaluate(frequency)) for frequency in frequencies), key=lambda w: w.mid())
         return period, int((period * fastest / (2 * arb.pi())).unique_fmpz())
+
+    def has_roots(self):
+        """Whether there are several harmonics, and a root in one of their frequencies."""
+        frequencies = [frequency for _, frequency, _ in self.harmonics()]
+        return len(frequencies) > 1 and any("sqrt" in frequency for frequency in frequencies)
 
     def start(self):
         """(wall, time, height, velocity) of the start as balls; the wall is None inside the gap.

@@ -16,7 +16,7 @@ IMPACTS, DIGITS = 100, 9
 
 
 def judge_written(motion, binary):
-    """A Counter: each way to write the motion lists the same, and agrees with the legs of the first; another does not."""
+    """A Counter: each way to write the motion lists the same, proved by the legs of the first; another does not."""
     rows, tally = judge_scene(motion.tables, binary, IMPACTS, DIGITS, "auto")
     if tally["beyond"] or tally["undecided"]:
         raise Disagreement("not proved to the end")

@@ -14,7 +14,7 @@ from compare import Disagreement
 from corner_check import check_touch
 from flight import Flight, Undecided
 from judging import judge_scene
-from listing import judge
+from listing import judge, judge_period
 from parts import judge_one_corner, judge_one_untold, judge_one_written
 from random_scenes import toml
 from release import Root, release_after
@@ -144,6 +144,22 @@ class Judges(unittest.TestCase):
         ):
             with self.assertRaises(Disagreement):
                 by_stand_in(judge_one_written, wrong)
+
+    def test_a_period_that_is_not_said(self):
+        tables = next(corner.tables for corner in several_corners() if "e = 0, frequencies pi and 2*pi" in corner.name)
+        for base, refused in [("pi", True), ("sqrt(10)", False)]:
+            excitation = tables["excitation"] | {"frequency": [base, f"2*{base}"]}
+            rows, timeline = listed(Scene(tables | {"excitation": excitation}), 9, 20)
+            verdict = judge(rows, timeline)
+            self.assertIsNotNone(verdict.period())
+            silent = {"kind": "impacts-reached"}
+            if refused:
+                with self.assertRaisesRegex(Disagreement, "period"):
+                    judge_period(verdict, silent)
+            else:
+                judge_period(verdict, silent)
+            with self.assertRaisesRegex(Disagreement, "period"):
+                judge_period(verdict, {"kind": "periodic", "period": {"cycles": 1, "impacts": 1}})
 
     def test_periods_are_of_commensurate_frequencies_only(self):
         dead = {corner.name.rpartition(" ")[2]: corner.tables for corner in several_corners() if "e = 0" in corner.name}

@@ -110,10 +110,10 @@ class AtRoot(Origin):
         self.wall, self.number = root.wall, number
 
     def cycles_since(self, earlier):
-        """The cycles of the fastest harmonic since an earlier release from the same wall with the same phases, or None.
+        """The cycles of the fastest harmonic since an earlier release from this wall at the same phases, or None.
 
-        Moved by that many periods of the excitation, the earlier one is a root, too. If a' has one sign on both balls and between, there
-        is only one root.
+        Moved by that many periods of the excitation, the earlier one is a root, too. If a' has one sign on both balls
+        and between, there is only one root.
         """
         with ctx.workprec(FIRST_BITS):
             common = self.timeline.scene.common_period()
