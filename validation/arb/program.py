@@ -6,7 +6,7 @@ from compare import Disagreement, read_rows
 from simulate import HEADER
 
 # Seconds after which the program under test is stopped.
-PATIENCE = 300
+PATIENCE = 120
 
 
 def run(binary, text, arguments, form):

@@ -7,7 +7,7 @@ orbit is periodic if two from one wall are whole periods of the excitation apart
 """
 from math import ceil
 
-from flint import arb, ctx
+from flint import ctx
 
 from orbit import FIRST_BITS, prove
 from release import Released, ReleasedAt, pressure_slope, release_time
@@ -74,7 +74,7 @@ class Origin:
         return AtRoot(self.timeline, rest.release, self.number + 1)
 
     def half_turns_before(self):
-        """What a count of half turns on this leg leaves out."""
+        """The half turns that a count on this leg leaves out."""
         return 0
 
 
