@@ -70,11 +70,10 @@ impl Orbit {
         let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
         let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
         let is_still = self.pair.beta == Ball::exact(0.0);
-        let Cursor { turns, phase, .. } = self.cursor;
         let time = match (is_still, &self.course.several) {
             (true, _) => (after == Ball::exact(0.0)).then_some(0.0)?,
-            (false, None) => rest::accumulation(&self.pair, wall, phase, after)?,
-            (false, Some(several)) => several.accumulation(&self.pair, wall, turns, phase, after)?,
+            (false, None) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
+            (false, Some(several)) => several.accumulation(&self.pair, &self.cursor, wall, after)?,
         };
         self.rest(wall, time, is_still)
     }

@@ -33,7 +33,7 @@ impl Course {
     /// The exact course of `pair` from `start`, and the whole turns of its phase since the clock's origin.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<(i64, Self), Error> {
         let (turns, origin) = Origin::new(pair, start, clock)?;
-        let several = Several::new(pair, clock.origin(), turns)?;
+        let several = Several::new(pair, clock.origin(), start, turns)?;
         let (exact, reduced) = match &several {
             None => (pair.exact()?, pair.reduced()?),
             Some(several) => {
@@ -70,9 +70,7 @@ impl Course {
             (Arithmetic::Float, None) => Box::new(FloatMotion::new(&self.pair, &origin)),
             (Arithmetic::Float, Some(several)) => Box::new(several.float(&self.pair, &origin)),
             (Arithmetic::Auto | Arithmetic::Interval, None) => Box::new(IntervalMotion::new(&self.pair, &origin)),
-            (Arithmetic::Auto | Arithmetic::Interval, Some(several)) => {
-                Box::new(several.interval(&self.pair, &self.origin, &origin))
-            }
+            (Arithmetic::Auto | Arithmetic::Interval, Some(several)) => Box::new(several.interval(&self.pair, &origin)),
             #[cfg(feature = "multiprecision")]
             (Arithmetic::Bits(bits), _) => self.precise(Plan::constant(bits)),
             #[cfg(not(feature = "multiprecision"))]

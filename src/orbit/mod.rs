@@ -117,7 +117,7 @@ pub struct Orbit {
 
 /// How far the motion has come.
 #[derive(Clone, Copy, Debug)]
-struct Cursor {
+pub(super) struct Cursor {
     index: u64,
     /// The wall of the last impact.
     wall: Option<Wall>,

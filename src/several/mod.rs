@@ -24,4 +24,4 @@ pub(crate) use harmonics::{Harmonics, Phased};
 pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};
-pub(crate) use spectrum::Spectrum;
+pub(crate) use spectrum::{Spectrum, phases_at};

@@ -69,7 +69,8 @@ const STEPS: u32 = 1 << 16;
 #[cfg(feature = "multiprecision")]
 const BITS: [u32; 3] = [128, 512, 2048];
 
-/// The first change of the pressure's sign after a phase at which the wall is pressed; `None` where none is proved.
+/// The first change of the pressure's sign after a phase at which the wall is pressed, or from which on it is; `None`
+/// where none is proved.
 pub(crate) fn release(
     spectrum: &Spectrum,
     harmonics: &Harmonics<Ball>,
@@ -98,6 +99,11 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
         |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
     let value = |at: &Instant<N>| pressure(harmonics, wall, turns.saturating_add(at.turns), &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
+    // The pressure that begins here is growing for so long.
+    let (low, _) = slope(&at);
+    if value(&at).bounds().0 <= 0.0 && low > 0.0 {
+        at = at.later(&at.rest.like(low / fourth));
+    }
     for _ in 0..STEPS {
         let ((p, _), (low, high)) = (value(&at).bounds(), slope(&at));
         if !is_positive(p) {
