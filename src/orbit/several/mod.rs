@@ -26,7 +26,7 @@ pub(super) use interval::IntervalMotion;
 #[cfg(feature = "multiprecision")]
 pub(super) use precise::PreciseMotion;
 
-/// The harmonics of a course, and where it starts in their phases.
+/// The harmonics of a pair, and where it starts in their phases.
 #[derive(Clone, Debug)]
 pub(in crate::orbit) struct Several {
     spectrum: Arc<Spectrum>,

@@ -20,7 +20,7 @@ use crate::several::Zero;
 
 /// A pair without units and a start.
 #[derive(Clone, Debug)]
-pub(super) struct Course {
+pub(super) struct Given {
     /// Under several harmonics `alpha` and `beta` are the sums of theirs.
     pub exact: Reduced<Exact>,
     pub pair: Reduced<Ball>,
@@ -29,8 +29,8 @@ pub(super) struct Course {
     pub several: Option<Several>,
 }
 
-impl Course {
-    /// The exact course of `pair` from `start`, and the whole turns of its phase since the clock's origin.
+impl Given {
+    /// What is given of `pair` from `start`, and the whole turns of its phase since the clock's origin.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<(i64, Self), Error> {
         let (turns, origin) = Origin::new(pair, start, clock)?;
         let several = Several::new(pair, clock.origin(), start, turns)?;
