@@ -14,6 +14,7 @@ use impact_pair::periodic::bifurcation::{Over, Wanted};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
 
+use crate::audit::arguments as audit;
 use crate::two_impact::arguments as two_impact;
 
 /// Verified numerics for the horizontal impact pair: every impact proved
@@ -71,6 +72,9 @@ pub enum Verb {
     /// Find the motions with two impacts in N cycles: closed forms (61)-(73), all others, first contacts, stability
     #[command(after_help = two_impact::EXIT_CODES, after_long_help = two_impact::HELP)]
     TwoImpact(two_impact::TwoImpactArguments),
+    /// Judge another simulator's list of impacts: inside, outside, missed, false; where it leaves the certified orbit
+    #[command(after_help = audit::EXIT_CODES, after_long_help = audit::HELP)]
+    Audit(audit::AuditArguments),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -387,12 +391,12 @@ pub fn digits() -> RangedI64ValueParser<u32> {
 }
 
 /// Reads a number of bits.
-fn bits() -> RangedI64ValueParser<u32> {
+pub fn bits() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
 }
 
 /// Reads a single exact number.
-fn point(text: &str) -> Result<Exact, String> {
+pub fn point(text: &str) -> Result<Exact, String> {
     let number = Exact::parse(text).map_err(|error| error.to_string())?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
 }

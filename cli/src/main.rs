@@ -1,6 +1,7 @@
 //! Command line of impact-pair: certified orbits of the horizontal impact pair.
 
 mod arguments;
+mod audit;
 mod bifurcations;
 mod check;
 mod ending;
@@ -44,6 +45,7 @@ fn main() -> ExitCode {
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
+        Verb::Audit(arguments) => audit::audit(&arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

@@ -1,0 +1,147 @@
+//! `impact-pair audit SCENE EVENTS`: another simulator's list of impacts, judged by the certified orbit.
+
+mod align;
+pub mod arguments;
+mod document;
+mod floats;
+mod judge;
+mod list;
+mod table;
+mod tolerance;
+mod truth;
+
+use std::io::{self, IsTerminal, Write};
+
+use anyhow::{Context, Result, bail};
+use impact_pair::Scene;
+use impact_pair::certificate::Conclusion;
+use impact_pair::contact::Reason;
+use impact_pair::exact::Exact;
+use impact_pair::orbit::Settings;
+use num_rational::BigRational;
+
+use crate::Answer;
+use crate::output::Output;
+use crate::progress::{Progress, interruption};
+use crate::scene;
+use arguments::{AuditArguments, AuditFormat};
+use floats::Floats;
+use judge::{Judgement, Verdict};
+use list::{Listed, Walls};
+use tolerance::Tolerance;
+use truth::Truth;
+
+/// A list and what is found of it.
+pub struct Audit<'a> {
+    scene: &'a Scene,
+    /// What is judged.
+    rows: &'a [Listed],
+    /// Rows after the time to judge up to.
+    left_out: usize,
+    /// The time to judge up to: that asked for, or the last one listed.
+    end: BigRational,
+    settings: Settings,
+    tolerance: Tolerance,
+    truth: Truth,
+    judgement: Judgement,
+    /// The same of the plain orbit in doubles.
+    floats: Floats,
+}
+
+pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
+    let scene = scene::read(&arguments.scene)?;
+    if arguments.scene.as_os_str() == "-" && arguments.events.as_os_str() == "-" {
+        bail!("scene and events are both -, but stdin is only one of them");
+    }
+    let named = || scene::name(&arguments.events);
+    let text = scene::text(&arguments.events)?;
+    let mut rows =
+        list::read(&text, &arguments.columns(), &Walls::new(scene.pair().gap())).with_context(named)?;
+    for input in [&arguments.scene, &arguments.events] {
+        scene::keep(input, arguments.output.as_deref())?;
+    }
+
+    // From here on Ctrl-C keeps what is certified.
+    interruption();
+    let mut out = Output::open(arguments.output.as_deref())?;
+    let visible = !arguments.quiet && io::stderr().is_terminal();
+    let progress = Progress::new(Some(rows.len() as u64), visible);
+    let audit = Audit::new(&scene, &mut rows, arguments, &progress).with_context(|| scene::name(&arguments.scene))?;
+    progress.clear();
+
+    let text = match arguments.format {
+        AuditFormat::Table => table::table(&audit, &named(), arguments.all),
+        AuditFormat::Json => document::document(&audit),
+    };
+    let said_already = arguments.format == AuditFormat::Table && out.is_stdout();
+    out.write_all(text.as_bytes()).context("cannot write the output")?;
+    out.commit()?;
+    if !audit.is_agreed() && !arguments.quiet && !said_already {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "{}", audit.conclusion());
+    }
+    Ok(if audit.is_agreed() { Answer::Complete } else { Answer::Incomplete })
+}
+
+impl<'a> Audit<'a> {
+    /// Judges `rows` up to the time asked for; later ones are left out.
+    fn new(scene: &'a Scene, rows: &'a mut Vec<Listed>, arguments: &AuditArguments, progress: &Progress) -> Result<Self> {
+        let listed = rows.len();
+        let end = match &arguments.until {
+            Some(until) => {
+                let end = until.enclose(Tolerance::GUARD).hi().to_rational();
+                rows.retain(|row| row.time.low <= end);
+                end
+            }
+            None => rows.iter().map(|row| row.time.high.clone()).max().context("no row")?,
+        };
+        // A listed impact may be early: the truth is followed for a period more.
+        let digits = arguments.settings(Exact::from(0)).digits;
+        let tolerance = Tolerance::new(scene, &arguments.tolerance, digits);
+        let after = &end + tolerance.scales.period.hi().to_rational();
+        let settings = arguments.settings(Exact::from_rational(after));
+        let truth = Truth::follow(scene, settings.clone(), &tolerance, progress)?;
+        let judgement = Judgement::new(&truth, rows, &end, &tolerance);
+        let floats = Floats::judge(scene, &settings, &truth, &end, &tolerance)?;
+        let left_out = listed - rows.len();
+        Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, floats })
+    }
+
+    /// Whether what is certified ends before the time to judge up to.
+    fn is_open(&self) -> bool {
+        self.truth.doubtful_from.as_ref().is_some_and(|from| from.lo().to_rational() <= self.end)
+    }
+
+    /// Whether nothing disagrees and nothing is undecided.
+    fn is_agreed(&self) -> bool {
+        !self.is_open() && self.judgement.count(|verdict| verdict.disagrees() || verdict == Verdict::Undecided) == 0
+    }
+
+    /// One line in words, with what else there is to try.
+    fn conclusion(&self) -> String {
+        let disagreements = self.judgement.count(Verdict::disagrees);
+        let mut said = match disagreements {
+            0 if self.is_agreed() => format!("agreed: all {} listed", self.rows.len()),
+            0 => "undecided".to_owned(),
+            1 => "disagreed: 1 impact".to_owned(),
+            n => format!("disagreed: {n} impacts"),
+        };
+        if self.is_open() {
+            said += &format!("; {}", self.truth.conclusion.message());
+        }
+        if let Some(hint) = self.hint() {
+            said += &format!("; {hint}");
+        }
+        said
+    }
+
+    fn hint(&self) -> Option<&'static str> {
+        let is_short = |conclusion: &Conclusion| conclusion.reason() == Some(Reason::Precision);
+        if self.is_open() && is_short(&self.truth.conclusion) {
+            return Some("try more --max-bits or fewer --digits");
+        }
+        let errors = self.judgement.first_disagreement()?.errors.as_ref()?;
+        let is_in_time = !self.tolerance.is_outside_in_time(&errors.time);
+        is_in_time.then_some("its time is inside: velocities are asked for just before the impact, --no-velocity judges times only")
+    }
+}
