@@ -264,10 +264,10 @@ impl<'a> Judge<'a> {
         Finding { verdict, row: Some(row), site, errors: None }
     }
 
-    /// Whether a time comes after the contact and before the release of the rest that follows it.
+    /// Whether a time comes after the contact and not after the release of the rest that follows it.
     fn is_within(&self, time: &Enclosure, site: usize, rest: &Rest) -> bool {
         let is_after = time.lo() > self.truth.sites[site].time.hi();
-        is_after && rest.until.as_ref().is_none_or(|until| time.hi() < until.lo())
+        is_after && rest.until.as_ref().is_none_or(|until| time.hi() <= until.hi())
     }
 
     /// Whether a row lies in the chatter that ends in this rest: on its wall, no later than it by more than the tolerance,

@@ -140,8 +140,10 @@ impl<'a> Audit<'a> {
         if self.is_open() && is_short(&self.truth.conclusion) {
             return Some("try more --max-bits or fewer --digits");
         }
-        let errors = self.judgement.first_disagreement()?.errors.as_ref()?;
-        let is_in_time = !self.tolerance.is_outside_in_time(&errors.time);
-        is_in_time.then_some("its time is inside: velocities are asked for just before the impact, --no-velocity judges times only")
+        // Wrong in velocity alone from the first impact on: it may be another velocity.
+        let first = self.judgement.first_disagreement()?;
+        let errors = first.errors.as_ref()?;
+        let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.judgement.impact(first, &self.truth) <= 1;
+        is_velocity.then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
     }
 }

@@ -1,5 +1,7 @@
 //! The audit for people: the first events that disagree, and a summary.
 
+use std::collections::BTreeSet;
+
 use impact_pair::exact::{Enclosure, decimal_digits};
 
 use super::Audit;
@@ -23,11 +25,12 @@ pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
     ));
     let shown = shown(audit, all);
     if !shown.is_empty() {
-        lines.push(format!("{:>8}  {:>6}  {:5}  {:22}  {:7}  {:8}  verdict", "row", "impact", "wall", "listed time", "off", "velocity"));
-        lines.extend(shown.iter().map(|finding| line(finding, audit)));
-        let more = audit.judgement.count(Verdict::disagrees).saturating_sub(SHOWN);
-        if more > 0 && !all {
-            lines.push(format!("     ... and {more} more that disagree (--all, --format json)"));
+        let [row, impact, time] = ["row", "impact", "listed time"];
+        lines.push(format!("{row:>10}  {impact:>6}  wall   {time:22}  time off  velocity off  verdict"));
+        lines.extend(shown.iter().map(|finding| finding.map_or("     ...".into(), |finding| line(finding, audit))));
+        let count = audit.judgement.count(Verdict::disagrees);
+        if count > shown.iter().flatten().filter(|finding| finding.verdict.disagrees()).count() {
+            lines.push(format!("     ... {count} disagree in all (--all or --format json lists them)"));
         }
         lines.push(String::new());
     }
@@ -49,16 +52,27 @@ fn listed(audit: &Audit<'_>) -> String {
     format!("{} rows, {with}{left_out}", audit.rows.len())
 }
 
-/// What the table lists: all, or the first ones that disagree or are undecided, each with the event before it.
-fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<&'a Finding> {
+/// What the table lists: all, or the first ones that disagree or are undecided and the one where the list leaves the
+/// orbit, each with the event before it. `None` stands for what is left out in between.
+fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<Option<&'a Finding>> {
     let findings = &audit.judgement.findings;
     if all {
-        return findings.iter().collect();
+        return findings.iter().map(Some).collect();
     }
     let is_of_interest = |finding: &Finding| finding.verdict.disagrees() || finding.verdict == Verdict::Undecided;
-    let wanted: Vec<usize> = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(SHOWN).collect();
-    let is_shown = |&at: &usize| wanted.contains(&at) || wanted.contains(&(at + 1));
-    (0..findings.len()).filter(is_shown).map(|at| &findings[at]).collect()
+    let first = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(SHOWN);
+    let wanted: BTreeSet<usize> = first.chain(audit.judgement.departure.map(|departure| departure.finding)).collect();
+    let with_those_before: BTreeSet<usize> = wanted.iter().flat_map(|&at| [at.saturating_sub(1), at]).collect();
+    let mut shown = Vec::new();
+    let mut next = with_those_before.first().copied().unwrap_or(0);
+    for at in with_those_before {
+        if at > next {
+            shown.push(None);
+        }
+        shown.push(Some(&findings[at]));
+        next = at + 1;
+    }
+    shown
 }
 
 fn line(finding: &Finding, audit: &Audit<'_>) -> String {
@@ -73,7 +87,7 @@ fn line(finding: &Finding, audit: &Audit<'_>) -> String {
     let off = errors.map_or("-".into(), |errors| about(&errors.time));
     let velocity = errors.and_then(|errors| errors.velocity.as_ref()).map_or("-".into(), about);
     let said = said(finding.verdict, site);
-    format!("{place:>8}  {impact:>6}  {wall:5}  {time:22}  {off:7}  {velocity:8}  {said}")
+    format!("{place:>10}  {impact:>6}  {wall:5}  {time:22}  {off:8}  {velocity:12}  {said}")
 }
 
 /// A distance to two digits.

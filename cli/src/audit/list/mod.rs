@@ -40,7 +40,8 @@ impl Number {
 
     /// What lies between two bounds; `None` if they are out of order.
     fn between([low, high]: [Self; 2]) -> Option<Self> {
-        let written = format!("[{}, {}]", low.written, high.written);
+        let is_point = low.low == high.low;
+        let written = if is_point { low.written } else { format!("[{}, {}]", low.written, high.written) };
         (low.low <= high.low).then_some(Self { low: low.low, high: high.low, written })
     }
 
