@@ -8,6 +8,7 @@ mod ending;
 mod follow;
 mod heading;
 mod listing;
+mod man;
 mod output;
 mod periodic;
 mod progress;
@@ -17,6 +18,7 @@ mod scene;
 mod table;
 mod trade;
 mod two_impact;
+mod version;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -46,6 +48,7 @@ fn main() -> ExitCode {
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Audit(arguments) => audit::audit(&arguments),
+        Verb::Man(arguments) => man::man(&arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

@@ -14,20 +14,26 @@ pub const EXIT_CODES: &str = "\
 Exit code: 0 all agree; 1 something disagrees or is undecided; 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
-Examples: impact-pair audit scenes/figure-14.toml events.csv
-          impact-pair audit scenes/figure-14.toml sol.txt --time-column 1 --wall-column 3 --no-velocity --tolerance 1e-6
-          impact-pair run scenes/figure-14.toml --arithmetic float --format json | impact-pair audit scenes/figure-14.toml -
+Examples:
+  impact-pair audit scenes/figure-14.toml events.csv
+  impact-pair audit scenes/figure-14.toml sol.txt --wall-column 3 --no-velocity --tolerance 1e-6
+  impact-pair run scenes/figure-14.toml --arithmetic float --format json |
+    impact-pair audit scenes/figure-14.toml - --format json --output audit.json
 
 The list: text with commas, semicolons, tabs or blanks between columns, with a header, with one in a comment (# or %), or with \
 none: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object of arrays, JSON Lines, the orbit JSON. \
 Walls are left and right, L and R, -1 and +1, or positions near -d/2 and +d/2. Velocities are y' just before the impact, \
 with their sign. Numbers are read exactly.
 
-inside: the impact is certified, and its listed time and velocity are no farther from the certified bounds than the tolerance. \
-outside: the impact is certified, and one of them is proved to be farther. missed: certified before the end of the list, on no row. \
-false: on a row, and proved not to happen. in the chatter: after the last impact that can be told from the rest \
-to the tolerance, on that wall and no faster: infinitely many impacts lie there, and none of them is asked for. undecided: \
-after the last impact that could be certified. The start and grazes may be listed (of a graze time and wall are judged) or not.
+What is said of a row, or of a certified impact that is on none:
+  inside          certified, and in time and velocity no farther from the bounds than the tolerance
+  outside         certified, and in one of them proved to be farther
+  missed          certified before the end of the list, and on no row
+  false           proved not to happen
+  in the chatter  on its wall, no faster, and after the last impact of a chatter that can be told from its end to the
+                  tolerance: infinitely many impacts lie there, and none of them is asked for
+  undecided       after the last impact that could be certified
+The start and grazes may be listed or not; of a graze wall and time are judged.
 
 A row may be an impact if it lies on its wall, and nearest to it of all impacts or within the tolerance. As many rows as \
 possible are matched, in the order of the list; of several rows for one impact the nearest in time is taken. The list has \
@@ -37,7 +43,7 @@ if both kinds come then. What follows is another orbit.
 Double precision: impact-pair's own float orbit of the scene, judged in the same way. Where it is outside is proved of \
 this orbit; others in doubles part from the truth a few impacts sooner or later, since the growth of errors is the scene's.
 
-Exit code: 0 all agree (all listed are inside or in the chatter, none is missed or false); 1 something disagrees, or is \
+Exit code: 0 all agree (all rows are inside or in the chatter, nothing is missed); 1 something disagrees or is \
 undecided; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
