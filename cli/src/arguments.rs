@@ -193,7 +193,7 @@ impl PeriodicArguments {
 const BIFURCATION_HELP: &str = "\
 Examples:
   impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over amplitude=0.3..0.499
-  impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over gap=1.02..1.1 --doublings 0
+  impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over gap=1.02..1.1
 
 Orbits of the word are looked for at values spread over the range; their branches are followed through folds, and so are \
 those that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly one such bifurcation \
@@ -260,7 +260,8 @@ Exit code: 0 every claim is proved again; 1 one is refuted, or could not be prov
 const CHECK_HELP: &str = "\
 Examples:
   impact-pair run scenes/figure-14.toml --format json | impact-pair check -
-  impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl && impact-pair check orbit.jsonl
+  impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl
+  impact-pair check orbit.jsonl
 
 Each flight is followed anew from the exact data of the certificate's own scene: in physical units, by halving, in one \
 arithmetic of integers whose precision rises until every claimed bound is decided. A claim is confirmed when what is \

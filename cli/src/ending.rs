@@ -37,7 +37,9 @@ impl Ending<'_> {
                 Some("try --arithmetic auto")
             }
             // Of point data more bits make every enclosure narrower.
-            (Arithmetic::Auto, Some(Reason::Width)) if cfg!(feature = "multiprecision") => Some("narrower intervals in the scene lead further"),
+            (Arithmetic::Auto, Some(Reason::Width)) if cfg!(feature = "multiprecision") => {
+                Some("narrower intervals in the scene lead further")
+            }
             (Arithmetic::Auto, None) if self.wide.is_some() => {
                 Some("try fewer --digits, or narrower intervals in the scene")
             }

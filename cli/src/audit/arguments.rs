@@ -37,7 +37,7 @@ The start and grazes may be listed or not; of a graze wall and time are judged.
 
 A row may be an impact if it lies on its wall, and nearest to it of all impacts or within the tolerance. As many rows as \
 possible are matched, in the order of the list; of several rows for one impact the nearest in time is taken. The list has \
-left the orbit at the first missed or false impact after which, counted to any later one, never more than half are inside, \
+left the orbit at the first missed or false impact from which on, counted to any later one, fewer than half are inside, \
 if both kinds come then. What follows is another orbit.
 
 Double precision: impact-pair's own float orbit of the scene, judged in the same way. Where it is outside is proved of \

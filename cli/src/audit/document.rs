@@ -22,39 +22,49 @@ pub fn document(audit: &Audit<'_>) -> String {
     let first = judgement.first_disagreement().map(|finding| {
         json!({"impact": judgement.impact(finding, truth), "verdict": finding.verdict.name(), "row": row(finding)})
     });
-    let departure = judgement.departure.map(|found| json!({"impact": found.impact, "row": found.row.map(|row| row + 1)}));
+    let departure =
+        judgement.departure.map(|found| json!({"impact": found.impact, "row": found.row.map(|row| row + 1)}));
     let in_doubles = floats.disagrees.map(|(impact, verdict)| json!({"impact": impact, "verdict": verdict.name()}));
     let head = [
         ("schema", json!(SCHEMA)),
         ("program", json!(PROGRAM)),
         ("scene", certificate::scene(scene.pair(), scene.start())),
         ("tolerance", json!(tolerance.relative.text())),
-        ("units", json!({
-            "time": decimal_bounds(&tolerance.scales.period),
-            "velocity": decimal_bounds(&tolerance.scales.velocity),
-        })),
+        (
+            "units",
+            json!({
+                "time": decimal_bounds(&tolerance.scales.period),
+                "velocity": decimal_bounds(&tolerance.scales.velocity),
+            }),
+        ),
         ("until", json!(decimal_bounds(&Enclosure::from_rational(&audit.end, BITS)))),
         ("digits", json!(audit.settings.digits)),
         ("arithmetic", truth.computed.clone()),
         ("outcome", truth.conclusion.json()),
         ("agreed", json!(audit.is_agreed())),
         ("message", json!(audit.conclusion())),
-        ("counts", json!({
-            "listed": audit.rows.len(),
-            "left_out": audit.left_out,
-            "inside": count(Verdict::Inside),
-            "outside": count(Verdict::Outside),
-            "missed": count(Verdict::Missed),
-            "false": judgement.count(|verdict| matches!(verdict, Verdict::False(_))),
-            "chatter": count(Verdict::InChatter),
-            "undecided": count(Verdict::Undecided),
-        })),
+        (
+            "counts",
+            json!({
+                "listed": audit.rows.len(),
+                "left_out": audit.left_out,
+                "inside": count(Verdict::Inside),
+                "outside": count(Verdict::Outside),
+                "missed": count(Verdict::Missed),
+                "false": judgement.count(|verdict| matches!(verdict, Verdict::False(_))),
+                "chatter": count(Verdict::InChatter),
+                "undecided": count(Verdict::Undecided),
+            }),
+        ),
         ("first_disagreement", json!(first)),
         ("another_orbit", json!(departure)),
-        ("double_precision", json!({
-            "first_disagreement": in_doubles,
-            "another_orbit": floats.leaves.map(|impact| json!({"impact": impact})),
-        })),
+        (
+            "double_precision",
+            json!({
+                "first_disagreement": in_doubles,
+                "another_orbit": floats.leaves.map(|impact| json!({"impact": impact})),
+            }),
+        ),
     ];
     let head: Vec<String> = head.iter().map(|(key, value)| format!("\"{key}\":{value}")).collect();
     let events: Vec<String> = judgement.findings.iter().map(|finding| event(finding, audit).to_string()).collect();
@@ -98,7 +108,8 @@ fn certified(site: &Site) -> Value {
         SiteKind::Start => ("start", None),
         SiteKind::Graze => ("graze", None),
     };
-    let mut certified = json!({"event": name, "index": index, "wall": site.wall.name(), "time": decimal_bounds(&site.time)});
+    let mut certified =
+        json!({"event": name, "index": index, "wall": site.wall.name(), "time": decimal_bounds(&site.time)});
     if let Some(velocity) = &site.velocity {
         certified["velocity"] = json!(decimal_bounds(velocity));
     }

@@ -34,12 +34,14 @@ impl Floats {
         end: &BigRational,
         tolerance: &Tolerance,
     ) -> Result<Self> {
-        let of_list = |site: &&super::truth::Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
-        let last = truth.sites.iter().filter(of_list).last().map_or(0, |site| site.index);
+        let of_list =
+            |site: &&super::truth::Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
+        let last = truth.sites.iter().rfind(of_list).map_or(0, |site| site.index);
         // One more than the truth has: a chatter in doubles need not end.
         let settings = Settings { arithmetic: Arithmetic::Float, impacts: Some(last + 1), ..settings.clone() };
         let judgement = Judgement::new(truth, &list(scene, settings)?, end, tolerance);
-        let disagrees = judgement.first_disagreement().map(|finding| (judgement.impact(finding, truth), finding.verdict));
+        let disagrees =
+            judgement.first_disagreement().map(|finding| (judgement.impact(finding, truth), finding.verdict));
         let leaves = judgement.departure.map(|departure| departure.impact);
         Ok(Self {
             disagrees: disagrees.filter(|&(impact, _)| impact <= last),

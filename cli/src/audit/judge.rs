@@ -196,7 +196,9 @@ impl<'a> Judge<'a> {
         let is_open = self.truth.doubtful_from.is_some() && site + 1 == self.truth.sites.len();
         // As far as the last contact's half of the flight that led to it.
         let half = site.checked_sub(1).map(|before| &self.middles[site] - &self.boundaries[before]);
-        is_open && self.rows[row].time.low > half.map_or_else(|| self.middles[site].clone(), |half| &self.middles[site] + half)
+        is_open
+            && self.rows[row].time.low
+                > half.map_or_else(|| self.middles[site].clone(), |half| &self.middles[site] + half)
     }
 
     fn is_nearer(&self, one: usize, other: usize, site: usize) -> bool {
@@ -226,7 +228,10 @@ impl<'a> Judge<'a> {
         let (tolerance, Site { time, velocity, .. }) = (self.tolerance, &self.truth.sites[site]);
         let errors = Errors {
             time: tolerance.distance(&self.times[row], time),
-            velocity: self.velocity(row).zip(velocity.as_ref()).map(|(listed, truth)| tolerance.distance(&listed, truth)),
+            velocity: self
+                .velocity(row)
+                .zip(velocity.as_ref())
+                .map(|(listed, truth)| tolerance.distance(&listed, truth)),
         };
         let is_outside = tolerance.is_outside_in_time(&errors.time)
             || errors.velocity.as_ref().is_some_and(|velocity| tolerance.is_outside_in_velocity(velocity));
@@ -243,8 +248,8 @@ impl<'a> Judge<'a> {
         let (nearest, time) = (self.nearest(row), &self.times[row]);
         let is_in_doubt = self.truth.doubtful_from.as_ref().is_some_and(|from| time.hi() >= from.lo());
         let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
-        let rest = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
-        let rest = rest.filter(|&(site, rest)| self.is_within(time, site, rest)).last();
+        let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
+        let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));
         let (verdict, site) = match rest {
             Some((site, rest)) if self.is_in_chatter(row, site, rest) => (Verdict::InChatter, Some(site)),
             Some((site, _)) => (Verdict::False(Reason::Rest), Some(site)),
@@ -283,8 +288,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The first missed or false finding from which on, counted to any later one, never more than half are inside, if both
-/// kinds come from there on: a list that only lacks or only adds impacts is on the orbit still.
+/// The first missed or false finding from which on, counted to any later one, fewer than half are inside, if both kinds
+/// come from there on: a list that only lacks or only adds impacts is on the orbit still.
 fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
     let score = |verdict: Verdict| match verdict {
         Verdict::Inside => 1,
@@ -299,7 +304,7 @@ fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
         greatest = score(*verdict) + greatest.max(0);
         misses |= *verdict == Verdict::Missed;
         invents |= matches!(verdict, Verdict::False(_));
-        if matches!(verdict, Verdict::Missed | Verdict::False(_)) && greatest <= 0 && misses && invents {
+        if matches!(verdict, Verdict::Missed | Verdict::False(_)) && greatest < 0 && misses && invents {
             first = Some(at);
         }
     }
@@ -309,4 +314,58 @@ fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
         let row = findings[finding..].iter().find_map(|finding| finding.row);
         Departure { finding, impact: last.map_or(0, |site| sites[site].index) + 1, row }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use impact_pair::pair::Wall;
+
+    /// `i`: inside, `o`: outside, `m`: missed, `f`: false, `c`: in the chatter; a site for each but the false ones.
+    fn departure_of(verdicts: &str) -> Option<(usize, u64)> {
+        let verdict = |letter| match letter {
+            'i' => Verdict::Inside,
+            'o' => Verdict::Outside,
+            'm' => Verdict::Missed,
+            'f' => Verdict::False(Reason::None),
+            _ => Verdict::InChatter,
+        };
+        let zero = Enclosure::point(Dyadic::zero());
+        let mut sites = Vec::new();
+        let finding = |letter| {
+            let verdict = verdict(letter);
+            let is_site = matches!(verdict, Verdict::Inside | Verdict::Outside | Verdict::Missed);
+            let index = sites.len() as u64 + 1;
+            let site = Site {
+                kind: SiteKind::Impact,
+                index,
+                wall: Wall::Left,
+                time: zero.clone(),
+                velocity: None,
+                rest: None,
+            };
+            is_site.then(|| sites.push(site));
+            Finding { verdict, row: None, site: is_site.then(|| sites.len() - 1), errors: None }
+        };
+        let findings: Vec<Finding> = verdicts.chars().map(finding).collect();
+        departure(&findings, &sites).map(|departure| (departure.finding, departure.impact))
+    }
+
+    #[test]
+    fn a_list_that_goes_on_as_before_has_not_left() {
+        for verdicts in
+            ["", "iiii", "iimii", "iifii", "iifmii", "iiiif", "iiiim", "mmmm", "ooooo", "iimcccc", "iimiifiii"]
+        {
+            assert_eq!(departure_of(verdicts), None, "{verdicts}");
+        }
+    }
+
+    #[test]
+    fn a_list_leaves_where_it_is_inside_no_more() {
+        assert_eq!(departure_of("iiifmoofmof"), Some((3, 4)));
+        assert_eq!(departure_of("iiomoofmof"), Some((3, 4)));
+        // Before, one impact was left out; after, one is inside by chance.
+        assert_eq!(departure_of("iimiiiiifmoomifofmoo"), Some((8, 9)));
+        assert_eq!(departure_of("fmo"), Some((0, 1)));
+    }
 }

@@ -49,14 +49,13 @@ pub struct Audit<'a> {
 }
 
 pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
-    let scene = scene::read(&arguments.scene)?;
     if arguments.scene.as_os_str() == "-" && arguments.events.as_os_str() == "-" {
         bail!("scene and events are both -, but stdin is only one of them");
     }
+    let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.events);
     let text = scene::text(&arguments.events)?;
-    let mut rows =
-        list::read(&text, &arguments.columns(), &Walls::new(scene.pair().gap())).with_context(named)?;
+    let mut rows = list::read(&text, &arguments.columns(), &Walls::new(scene.pair().gap())).with_context(named)?;
     for input in [&arguments.scene, &arguments.events] {
         scene::keep(input, arguments.output.as_deref())?;
     }
@@ -85,7 +84,12 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
 
 impl<'a> Audit<'a> {
     /// Judges `rows` up to the time asked for; later ones are left out.
-    fn new(scene: &'a Scene, rows: &'a mut Vec<Listed>, arguments: &AuditArguments, progress: &Progress) -> Result<Self> {
+    fn new(
+        scene: &'a Scene,
+        rows: &'a mut Vec<Listed>,
+        arguments: &AuditArguments,
+        progress: &Progress,
+    ) -> Result<Self> {
         let listed = rows.len();
         let end = match &arguments.until {
             Some(until) => {
@@ -143,7 +147,9 @@ impl<'a> Audit<'a> {
         // Wrong in velocity alone from the first impact on: it may be another velocity.
         let first = self.judgement.first_disagreement()?;
         let errors = first.errors.as_ref()?;
-        let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.judgement.impact(first, &self.truth) <= 1;
-        is_velocity.then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
+        let is_velocity =
+            !self.tolerance.is_outside_in_time(&errors.time) && self.judgement.impact(first, &self.truth) <= 1;
+        is_velocity
+            .then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
     }
 }

@@ -155,12 +155,15 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         let leaves = floats.leaves.map_or(String::new(), |impact| format!(", another orbit from impact {impact} on"));
         lines.push(format!("double precision (--arithmetic float): impact {impact} is {}{leaves}", verdict.name()));
     } else {
-        lines.push("double precision (--arithmetic float): agrees".into());
+        let so_far = if audit.is_open() { " as far as that is certified" } else { "" };
+        lines.push(format!("double precision (--arithmetic float): agrees{so_far}"));
     }
     if let Some(index) = truth.wide {
-        lines.push(format!("impact {index} is the first one certified in bounds wider than {} digits", audit.settings.digits));
+        lines.push(format!(
+            "impact {index} is the first one certified in bounds wider than {} digits",
+            audit.settings.digits
+        ));
     }
     lines.push(format!("\n{}", audit.conclusion()));
     lines
 }
-

@@ -87,7 +87,10 @@ impl Truth {
         let doubtful_from = match orbit.outcome() {
             Some(Outcome::Undecided { time: (from, _), .. }) => Some(from.clone()),
             Some(_) => None,
-            None => Some(last.as_ref().map_or_else(|| scene.start().time().enclose(tolerance.bits), |event| enclosure(&event.time))),
+            None => Some(
+                last.as_ref()
+                    .map_or_else(|| scene.start().time().enclose(tolerance.bits), |event| enclosure(&event.time)),
+            ),
         };
         Ok(Self {
             sites,

@@ -41,7 +41,7 @@ pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>>
     Ok(rows)
 }
 
-fn list<'j>(value: &'j RawValue) -> Result<Vec<&'j RawValue>> {
+fn list(value: &RawValue) -> Result<Vec<&RawValue>> {
     serde_json::from_str(value.get())
         .map_err(|_| anyhow!("`{}` is no list, but accepted is an array", shortened(value.get())))
 }
@@ -87,7 +87,9 @@ fn event(place: &str, row: &Object<'_>, columns: &Columns, walls: &Walls) -> Res
     let find = |column: &Column| column.names().find_map(|name| row.get_key_value(name));
     let need = |column: &Column| {
         let known: Vec<&str> = column.names().collect();
-        find(column).ok_or_else(|| anyhow!("{place} has no {}: say which one it is by {} NAME", known.join(" or "), column.flag))
+        find(column).ok_or_else(|| {
+            anyhow!("{place} has no {}: say which one it is by {} NAME", known.join(" or "), column.flag)
+        })
     };
     let (key, time) = need(&columns.time)?;
     let time = number(&format!("{place}.{key}"), time)?;
@@ -112,7 +114,9 @@ fn number(place: &str, value: &RawValue) -> Result<Number> {
     };
     decimal(value).or_else(bounds).ok_or_else(|| {
         let written = shortened(value.get());
-        anyhow!("{place} is `{written}`, but accepted is a finite decimal number, or a list of a lower and an upper bound")
+        anyhow!(
+            "{place} is `{written}`, but accepted is a finite decimal number, or a list of a lower and an upper bound"
+        )
     })
 }
 

@@ -145,7 +145,8 @@ mod tests {
         for text in ["0.1", "+1e-1", "1.0E-01", ".1", "1.e-1", "100e-3"] {
             assert_eq!(Number::decimal(text).unwrap().low, tenth, "{text}");
         }
-        for text in ["", "-", ".", "nan", "inf", "-Infinity", "1-2", "pi", "1/3", "[0, 1]", "0x1", "1e", "1,5", "1.2.3"] {
+        for text in ["", "-", ".", "nan", "inf", "-Infinity", "1-2", "pi", "1/3", "[0, 1]", "0x1", "1e", "1,5", "1.2.3"]
+        {
             assert!(Number::decimal(text).is_none(), "{text}");
         }
     }

@@ -28,7 +28,8 @@ pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>>
     let places = Places::find(columns, &header, fields.len())?;
     let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
     let data = (!is_header).then_some((number, first)).into_iter().chain(data);
-    let rows: Vec<Listed> = data.map(|(number, line)| places.row(number, &separator.fields(line), walls)).collect::<Result<_>>()?;
+    let rows: Vec<Listed> =
+        data.map(|(number, line)| places.row(number, &separator.fields(line), walls)).collect::<Result<_>>()?;
     if rows.is_empty() {
         bail!("the list has no events below its header: accepted is at least one");
     }
@@ -54,7 +55,8 @@ impl Separator {
         let mut record = StringRecord::new();
         // A line in memory: nothing can fail, and it is not empty.
         let _ = reader.from_reader(line.as_bytes()).read_record(&mut record);
-        record.iter().map(str::to_owned).collect()
+        // A quote after a blank is none to it.
+        record.iter().map(|field| field.trim_matches('"').to_owned()).collect()
     }
 }
 
@@ -68,7 +70,8 @@ enum Header {
 
 impl Header {
     fn of_comment(comment: Option<&str>, separator: &Separator) -> Self {
-        comment.map_or(Self::None, |comment| Self::Comment(separator.fields(comment.trim_start_matches(COMMENTS).trim())))
+        comment
+            .map_or(Self::None, |comment| Self::Comment(separator.fields(comment.trim_start_matches(COMMENTS).trim())))
     }
 
     fn names(&self) -> &[String] {
@@ -104,7 +107,7 @@ impl Places {
     fn row(&self, number: usize, fields: &[String], walls: &Walls) -> Result<Listed> {
         let field = |name: &str, place: usize| match fields.get(place) {
             Some(field) => Ok(field.as_str()),
-            None => bail!("line {number} has {} columns, but {name} is in column {}", fields.len(), place + 1),
+            None => bail!("line {number} is `{}`, but {name} is in column {}", shortened(&fields.join(" ")), place + 1),
         };
         let (time, wall) = (field("time", self.time)?, field("wall", self.wall)?);
         let velocity = self.velocity.map(|place| field("velocity", place)).transpose()?;
