@@ -110,12 +110,16 @@ snapshots! {
     a_tolerance_of_minus_one: LIST, [FIGURE_14[0], FIGURE_14[1], "--tolerance=-1"];
     a_scene_and_a_list_on_stdin: LIST, ["-", "-"];
     a_list_that_is_not_there: LIST, [FIGURE_14[0], "nowhere.csv"];
+    a_time_beyond_all_orbits: "time,wall\n1e9999,left\n", FIGURE_14;
+    a_row_before_the_start: "-1 left -12.56636\n", FIGURE_14;
     arguments_of_audit: LIST, ["--help"];
 }
 
 #[cfg(feature = "multiprecision")]
 snapshots! {
     a_list_as_json: LIST.replace("3.5755051", "3.5755061"), [FIGURE_14[0], FIGURE_14[1], "--format", "json"];
+    a_list_whose_end_is_undecided:
+        format!("{LIST}100,left,-1\n"), [FIGURE_14[0], FIGURE_14[1], "--max-bits", "64", "--until", "1000"];
     a_list_beyond_the_bits: "time,wall\n60,right\n100,left\n", [FIGURE_14[0], FIGURE_14[1], "--max-bits", "64"];
 }
 
@@ -312,4 +316,33 @@ fn a_judgement_may_go_into_a_file() {
     let document: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!((&document["schema"], &document["agreed"]), (&"impact-pair/audit/1".into(), &false.into()));
     assert_eq!(document["message"], "disagreed: 1 impact");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_what_is_judged() {
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::Pid;
+
+    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("audit-interrupted");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let (list, file) = (folder.join("list.csv"), folder.join("audit.json"));
+    std::fs::write(&list, format!("time,wall\n{},right\n", 1e9)).unwrap();
+    let child = audit(&["scenes/figure-12.toml", list.to_str().unwrap(), "--format", "json", "--output"])
+        .arg(&file)
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The draft appears after the handler is in place.
+    while std::fs::read_dir(&folder).unwrap().count() < 2 {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+    let answer = child.wait_with_output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    let text = String::from_utf8(answer.stderr).unwrap();
+    assert!(text.contains("interrupted "), "{text}");
+    let document: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    assert_eq!((&document["counts"]["undecided"], &document["double_precision"]), (&1.into(), &Value::Null));
 }

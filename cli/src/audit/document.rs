@@ -24,7 +24,10 @@ pub fn document(audit: &Audit<'_>) -> String {
     });
     let departure =
         judgement.departure.map(|found| json!({"impact": found.impact, "row": found.row.map(|row| row + 1)}));
-    let in_doubles = floats.disagrees.map(|(impact, verdict)| json!({"impact": impact, "verdict": verdict.name()}));
+    let in_doubles = floats.as_ref().map(|floats| {
+        let first = floats.disagrees.map(|(impact, verdict)| json!({"impact": impact, "verdict": verdict.name()}));
+        json!({"first_disagreement": first, "another_orbit": floats.leaves.map(|impact| json!({"impact": impact}))})
+    });
     let head = [
         ("schema", json!(SCHEMA)),
         ("program", json!(PROGRAM)),
@@ -58,13 +61,7 @@ pub fn document(audit: &Audit<'_>) -> String {
         ),
         ("first_disagreement", json!(first)),
         ("another_orbit", json!(departure)),
-        (
-            "double_precision",
-            json!({
-                "first_disagreement": in_doubles,
-                "another_orbit": floats.leaves.map(|impact| json!({"impact": impact})),
-            }),
-        ),
+        ("double_precision", json!(in_doubles)),
     ];
     let head: Vec<String> = head.iter().map(|(key, value)| format!("\"{key}\":{value}")).collect();
     let events: Vec<String> = judgement.findings.iter().map(|finding| event(finding, audit).to_string()).collect();

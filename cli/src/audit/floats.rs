@@ -14,7 +14,7 @@ use num_rational::BigRational;
 use super::judge::{Judgement, Verdict};
 use super::list::{Listed, Number};
 use super::tolerance::Tolerance;
-use super::truth::{SiteKind, Truth};
+use super::truth::{Site, SiteKind, Truth};
 use crate::follow::follow_impacts;
 use crate::progress::Progress;
 
@@ -27,31 +27,32 @@ pub struct Floats {
 }
 
 impl Floats {
+    /// Judges the float orbit up to the last certified impact before `end`; `None` when interrupted.
     pub fn judge(
         scene: &Scene,
         settings: &Settings,
         truth: &Truth,
         end: &BigRational,
         tolerance: &Tolerance,
-    ) -> Result<Self> {
-        let of_list =
-            |site: &&super::truth::Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
+    ) -> Result<Option<Self>> {
+        let of_list = |site: &&Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
         let last = truth.sites.iter().rfind(of_list).map_or(0, |site| site.index);
         // One more than the truth has: a chatter in doubles need not end.
         let settings = Settings { arithmetic: Arithmetic::Float, impacts: Some(last + 1), ..settings.clone() };
-        let judgement = Judgement::new(truth, &list(scene, settings)?, end, tolerance);
+        let Some(rows) = list(scene, settings)? else { return Ok(None) };
+        let judgement = Judgement::new(truth, &rows, end, tolerance);
         let disagrees =
             judgement.first_disagreement().map(|finding| (judgement.impact(finding, truth), finding.verdict));
         let leaves = judgement.departure.map(|departure| departure.impact);
-        Ok(Self {
+        Ok(Some(Self {
             disagrees: disagrees.filter(|&(impact, _)| impact <= last),
             leaves: leaves.filter(|&impact| impact <= last),
-        })
+        }))
     }
 }
 
-/// The float orbit as a list.
-fn list(scene: &Scene, settings: Settings) -> Result<Vec<Listed>> {
+/// The float orbit as a list; `None` when interrupted.
+fn list(scene: &Scene, settings: Settings) -> Result<Option<Vec<Listed>>> {
     let mut orbit = scene.orbit(settings)?;
     let mut rows = Vec::new();
     let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
@@ -61,7 +62,7 @@ fn list(scene: &Scene, settings: Settings) -> Result<Vec<Listed>> {
         ControlFlow::Continue(())
     });
     debug_assert!(ended.is_continue(), "nothing breaks it off");
-    Ok(rows)
+    Ok(orbit.outcome().map(|_| rows))
 }
 
 fn number(x: &Enclosure) -> Number {

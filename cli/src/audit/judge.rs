@@ -179,13 +179,15 @@ impl<'a> Judge<'a> {
         (!self.truth.sites.is_empty()).then_some(before)
     }
 
-    /// The contacts on its wall that a row may be: the nearest one, and all within the tolerance.
+    /// The contacts on its wall that a row may be: the nearest one, and all within the tolerance; the start only then.
     fn candidates(&self, row: usize) -> Vec<usize> {
         let around = self.tolerance.around_time(&self.times[row]);
         let (from, to) = (around.lo().to_rational(), around.hi().to_rational());
         let first = self.middles.partition_point(|middle| middle < &from);
         let near = first..self.middles.partition_point(|middle| middle <= &to);
-        let nearest = self.nearest(row).filter(|&site| !near.contains(&site) && !self.is_beyond(row, site));
+        let is_start = |site: usize| self.truth.sites[site].kind == SiteKind::Start;
+        let nearest = self.nearest(row).filter(|&site| !near.contains(&site));
+        let nearest = nearest.filter(|&site| !is_start(site) && !self.is_beyond(row, site));
         let (lower, upper) = (nearest.filter(|&site| site < near.start), nearest.filter(|&site| site >= near.end));
         let all = lower.into_iter().chain(near).chain(upper);
         all.filter(|&site| self.truth.sites[site].wall == self.rows[row].wall).collect()

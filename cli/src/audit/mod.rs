@@ -12,7 +12,7 @@ mod truth;
 
 use std::io::{self, IsTerminal, Write};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
 use impact_pair::certificate::Conclusion;
 use impact_pair::contact::Reason;
@@ -44,8 +44,8 @@ pub struct Audit<'a> {
     tolerance: Tolerance,
     truth: Truth,
     judgement: Judgement,
-    /// The same of the plain orbit in doubles.
-    floats: Floats,
+    /// The same of the plain orbit in doubles; `None` when interrupted.
+    floats: Option<Floats>,
 }
 
 pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
@@ -65,7 +65,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     let mut out = Output::open(arguments.output.as_deref())?;
     let visible = !arguments.quiet && io::stderr().is_terminal();
     let progress = Progress::new(Some(rows.len() as u64), visible);
-    let audit = Audit::new(&scene, &mut rows, arguments, &progress).with_context(|| scene::name(&arguments.scene))?;
+    let audit = Audit::new(&scene, &mut rows, arguments, &progress)?;
     progress.clear();
 
     let text = match arguments.format {
@@ -104,7 +104,11 @@ impl<'a> Audit<'a> {
         let tolerance = Tolerance::new(scene, &arguments.tolerance, digits);
         let after = &end + tolerance.scales.period.hi().to_rational();
         let settings = arguments.settings(Exact::from_rational(after));
-        let truth = Truth::follow(scene, settings.clone(), &tolerance, progress)?;
+        let truth = Truth::follow(scene, settings.clone(), &tolerance, progress);
+        let truth = truth.map_err(|error| match error.key() {
+            Some("run.until") => too_late(arguments, rows),
+            _ => Error::from(error).context(scene::name(&arguments.scene)),
+        })?;
         let judgement = Judgement::new(&truth, rows, &end, &tolerance);
         let floats = Floats::judge(scene, &settings, &truth, &end, &tolerance)?;
         let left_out = listed - rows.len();
@@ -123,16 +127,15 @@ impl<'a> Audit<'a> {
 
     /// One line in words, with what else there is to try.
     fn conclusion(&self) -> String {
-        let disagreements = self.judgement.count(Verdict::disagrees);
-        let mut said = match disagreements {
-            0 if self.is_agreed() => format!("agreed: all {} listed", self.rows.len()),
-            0 => "undecided".to_owned(),
-            1 => "disagreed: 1 impact".to_owned(),
-            n => format!("disagreed: {n} impacts"),
+        let open = self.is_open().then(|| self.truth.conclusion.message().to_owned());
+        let mut said = match (self.judgement.count(Verdict::disagrees), open) {
+            (0, None) => format!("agreed: all {} listed", self.rows.len()),
+            (0, Some(open)) => open,
+            (n, open) => {
+                let impacts = if n == 1 { "impact" } else { "impacts" };
+                format!("disagreed: {n} {impacts}{}", open.map_or(String::new(), |open| format!("; {open}")))
+            }
         };
-        if self.is_open() {
-            said += &format!("; {}", self.truth.conclusion.message());
-        }
         if let Some(hint) = self.hint() {
             said += &format!("; {hint}");
         }
@@ -151,5 +154,20 @@ impl<'a> Audit<'a> {
             !self.tolerance.is_outside_in_time(&errors.time) && self.judgement.impact(first, &self.truth) <= 1;
         is_velocity
             .then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
+    }
+}
+
+/// The error that the time to judge up to is beyond what an orbit can be followed to.
+fn too_late(arguments: &AuditArguments, rows: &[Listed]) -> Error {
+    let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
+    match (&arguments.until, latest) {
+        (None, Some(Listed { place, time, .. })) => {
+            let list = scene::name(&arguments.events);
+            anyhow!("{list}: {place}: time is `{}`, later than an orbit can be followed to", time.written)
+        }
+        (until, _) => {
+            let until = until.as_ref().map_or(String::new(), Exact::text);
+            anyhow!("--until is `{until}`, later than an orbit can be followed to")
+        }
     }
 }

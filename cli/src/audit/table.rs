@@ -49,7 +49,8 @@ fn listed(audit: &Audit<'_>) -> String {
         0 => String::new(),
         n => format!("; {n} later ones left out"),
     };
-    format!("{} rows, {with}{left_out}", audit.rows.len())
+    let rows = audit.rows.len();
+    format!("{rows} row{}, {with}{left_out}", if rows == 1 { "" } else { "s" })
 }
 
 /// What the table lists: all, or the first ones that disagree or are undecided and the one where the list leaves the
@@ -144,19 +145,25 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
     let mut lines = vec![counts.join(", ")];
     if let Some(first) = judgement.first_disagreement() {
         let place = first.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
-        let impact = judgement.impact(first, truth);
-        lines.push(format!("first disagreement: impact {impact}{place}, {}", first.verdict.name()));
+        let near = if let Verdict::False(_) = first.verdict { "near " } else { "" };
+        let at = match judgement.impact(first, truth) {
+            0 => "before impact 1".into(),
+            impact => format!("{near}impact {impact}"),
+        };
+        lines.push(format!("first disagreement: {at}{place}, {}", first.verdict.name()));
     }
     if let Some(departure) = judgement.departure {
         let place = departure.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
         lines.push(format!("another orbit from impact {} on{place}", departure.impact));
     }
-    if let Some((impact, verdict)) = floats.disagrees {
+    if let Some(floats) = floats {
+        let found = match (floats.disagrees, audit.is_open()) {
+            (Some((impact, verdict)), _) => format!("impact {impact} is {}", verdict.name()),
+            (None, true) => "agrees as far as that is certified".into(),
+            (None, false) => "agrees".into(),
+        };
         let leaves = floats.leaves.map_or(String::new(), |impact| format!(", another orbit from impact {impact} on"));
-        lines.push(format!("double precision (--arithmetic float): impact {impact} is {}{leaves}", verdict.name()));
-    } else {
-        let so_far = if audit.is_open() { " as far as that is certified" } else { "" };
-        lines.push(format!("double precision (--arithmetic float): agrees{so_far}"));
+        lines.push(format!("double precision (--arithmetic float): {found}{leaves}"));
     }
     if let Some(index) = truth.wide {
         lines.push(format!(

@@ -2,12 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use anyhow::Result;
-use impact_pair::Scene;
 use impact_pair::certificate::{Bounds, Conclusion, Event, Kind, arithmetic};
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Outcome, Place, Settings};
 use impact_pair::pair::Wall;
+use impact_pair::{Error, Scene};
 use num_rational::BigRational;
 use serde_json::Value;
 
@@ -71,7 +70,12 @@ pub struct Truth {
 
 impl Truth {
     /// Follows the orbit of the scene; when interrupted, as far as it came.
-    pub fn follow(scene: &Scene, settings: Settings, tolerance: &Tolerance, progress: &Progress) -> Result<Self> {
+    pub fn follow(
+        scene: &Scene,
+        settings: Settings,
+        tolerance: &Tolerance,
+        progress: &Progress,
+    ) -> Result<Self, Error> {
         let mut orbit = scene.orbit(settings)?;
         let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
         let mut last: Option<Event> = None;
