@@ -20,7 +20,8 @@ use crate::version;
 
 /// Verified numerics for the horizontal impact pair: every impact proved
 #[derive(Debug, Parser)]
-#[command(name = "impact-pair", version, long_version = version::text(), max_term_width = 100, after_help = EXIT_CODES, after_long_help = HELP)]
+#[command(name = "impact-pair", version, long_version = version::text(), max_term_width = 100)]
+#[command(after_help = EXIT_CODES, after_long_help = HELP)]
 pub struct Cli {
     #[command(subcommand)]
     pub verb: Verb,

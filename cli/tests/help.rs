@@ -118,8 +118,12 @@ fn the_version_says_what_it_was_built_with() {
 
 #[test]
 fn nothing_is_coloured_where_it_is_not_wanted() {
+    let is_coloured = |command: &mut std::process::Command| {
+        let answer = command.env("CLICOLOR_FORCE", "1").output().unwrap();
+        answer.stdout.contains(&0x1b) || answer.stderr.contains(&0x1b)
+    };
     for arguments in [&["run", "--help"][..], &["juggle"], &["run"]] {
-        let answer = program(arguments).output().unwrap();
-        assert!(!answer.stdout.contains(&0x1b) && !answer.stderr.contains(&0x1b), "{arguments:?}");
+        assert!(is_coloured(program(arguments).env_remove("NO_COLOR")), "{arguments:?}");
+        assert!(!is_coloured(&mut program(arguments)), "{arguments:?}");
     }
 }

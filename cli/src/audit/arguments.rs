@@ -23,7 +23,7 @@ Examples:
 The list: text with commas, semicolons, tabs or blanks between columns, with a header, with one in a comment (# or %), or with \
 none: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object of arrays, JSON Lines, the orbit JSON. \
 Walls are left and right, L and R, -1 and +1, or positions near -d/2 and +d/2. Velocities are y' just before the impact, \
-with their sign. Numbers are read exactly.
+with their sign. Numbers are read exactly. The certified orbit goes as far as the list, whatever [run] says.
 
 What is said of a row, or of a certified impact that is on none:
   inside          certified, and in time and velocity no farther from the bounds than the tolerance

@@ -8,8 +8,9 @@ use impact_pair::exact::{Enclosure, decimal_bounds};
 use serde_json::{Value, json};
 
 use super::Audit;
-use super::judge::{Finding, Verdict};
+use super::judge::Finding;
 use super::truth::{Site, SiteKind};
+use super::verdict::Verdict;
 
 const SCHEMA: &str = "impact-pair/audit/1";
 /// Bits that a time to judge up to is shown in.

@@ -11,10 +11,11 @@ use impact_pair::exact::{Enclosure, decimal_f64};
 use impact_pair::orbit::{Arithmetic, Settings};
 use num_rational::BigRational;
 
-use super::judge::{Judgement, Verdict};
+use super::judge::Judgement;
 use super::list::{Listed, Number};
 use super::tolerance::Tolerance;
 use super::truth::{Site, SiteKind, Truth};
+use super::verdict::Verdict;
 use crate::follow::follow_impacts;
 use crate::progress::Progress;
 

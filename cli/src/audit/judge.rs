@@ -7,70 +7,7 @@ use super::align::{Alignment, align};
 use super::list::Listed;
 use super::tolerance::Tolerance;
 use super::truth::{Rest, Site, SiteKind, Truth};
-
-/// What a row or a certified impact is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Certified, and no farther from it than the tolerance.
-    Inside,
-    /// Certified, and proved to be farther.
-    Outside,
-    /// Certified, on no row.
-    Missed,
-    /// On a row, and not certified.
-    False(Reason),
-    /// Among the infinitely many of a chatter.
-    InChatter,
-    /// After the end of what is certified.
-    Undecided,
-}
-
-impl Verdict {
-    /// The word of the audit JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Inside => "inside",
-            Self::Outside => "outside",
-            Self::Missed => "missed",
-            Self::False(_) => "false",
-            Self::InChatter => "chatter",
-            Self::Undecided => "undecided",
-        }
-    }
-
-    /// Whether list and truth differ here, as far as is known.
-    pub fn disagrees(self) -> bool {
-        matches!(self, Self::Outside | Self::Missed | Self::False(_))
-    }
-}
-
-/// Why a row is false.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// Another row is this impact already.
-    Twice,
-    /// The impact it would be comes earlier or later in the list.
-    Order,
-    /// The nearest contact is on the other wall.
-    Wall,
-    /// The ball rests on its wall at that time.
-    Rest,
-    /// No impact is near, or none at all.
-    None,
-}
-
-impl Reason {
-    /// The word of the audit JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Twice => "twice",
-            Self::Order => "order",
-            Self::Wall => "wall",
-            Self::Rest => "rest",
-            Self::None => "none",
-        }
-    }
-}
+use super::verdict::{Reason, Verdict};
 
 /// A row, a certified impact, or both.
 #[derive(Clone, Debug)]
@@ -273,8 +210,13 @@ impl<'a> Judge<'a> {
 
     /// Whether a time comes after the contact and not after the release of the rest that follows it.
     fn is_within(&self, time: &Enclosure, site: usize, rest: &Rest) -> bool {
-        let is_after = time.lo() > self.truth.sites[site].time.hi();
-        is_after && rest.until.as_ref().is_none_or(|until| time.hi() <= until.hi())
+        let is_before_its_end = match (&rest.until, &self.truth.doubtful_from) {
+            (Some(until), _) => time.hi() <= until.hi(),
+            (None, None) => true,
+            // Nobody knows for how long it rests.
+            (None, Some(_)) => time.lo() <= self.tolerance.around_time(&rest.from).hi(),
+        };
+        time.lo() > self.truth.sites[site].time.hi() && is_before_its_end
     }
 
     /// Whether a row lies in the chatter that ends in this rest: on its wall, no later than it by more than the tolerance,

@@ -9,6 +9,7 @@ mod list;
 mod table;
 mod tolerance;
 mod truth;
+mod verdict;
 
 use std::io::{self, IsTerminal, Write};
 
@@ -26,10 +27,11 @@ use crate::progress::{Progress, interruption};
 use crate::scene;
 use arguments::{AuditArguments, AuditFormat};
 use floats::Floats;
-use judge::{Judgement, Verdict};
+use judge::Judgement;
 use list::{Listed, Walls};
 use tolerance::Tolerance;
 use truth::Truth;
+use verdict::Verdict;
 
 /// A list and what is found of it.
 pub struct Audit<'a> {

@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use impact_pair::exact::{Enclosure, decimal_digits};
 
 use super::Audit;
-use super::judge::{Finding, Reason, Verdict};
+use super::judge::Finding;
 use super::truth::{Site, SiteKind};
+use super::verdict::{Reason, Verdict};
 use crate::heading;
 use crate::trade::size::Unit;
 
