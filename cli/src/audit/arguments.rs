@@ -40,8 +40,9 @@ possible are matched, in the order of the list; of several rows for one impact t
 left the orbit at the first missed or false impact from which on, counted to any later one, fewer than half are inside, \
 if both kinds come then. What follows is another orbit.
 
-Double precision: impact-pair's own float orbit of the scene, judged in the same way. Where it is outside is proved of \
-this orbit; others in doubles part from the truth a few impacts sooner or later, since the growth of errors is the scene's.
+Double precision, judged in the same way. Exact from rounded data: the certified orbit of the scene with each number \
+rounded to the nearest double; from where it is outside, no simulator that reads the scene in doubles is right but by \
+chance, however well it computes. --arithmetic float: impact-pair's own orbit in plain doubles; of others it proves nothing.
 
 Exit code: 0 all agree (all rows are inside or in the chatter, nothing is missed); 1 something disagrees or is \
 undecided; 2 usage, bad input, I/O.";

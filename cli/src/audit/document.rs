@@ -8,6 +8,7 @@ use impact_pair::exact::{Enclosure, decimal_bounds};
 use serde_json::{Value, json};
 
 use super::Audit;
+use super::doubles::Parting;
 use super::judge::Finding;
 use super::truth::{Site, SiteKind};
 use super::verdict::Verdict;
@@ -18,17 +19,13 @@ const BITS: u32 = 64;
 
 /// The whole document, an event a line.
 pub fn document(audit: &Audit<'_>) -> String {
-    let Audit { scene, truth, judgement, tolerance, floats, .. } = audit;
+    let Audit { scene, truth, judgement, tolerance, doubles, .. } = audit;
     let count = |verdict: Verdict| judgement.count(|other| other == verdict);
     let first = judgement.first_disagreement().map(|finding| {
         json!({"impact": judgement.impact(finding, truth), "verdict": finding.verdict.name(), "row": row(finding)})
     });
     let departure =
         judgement.departure.map(|found| json!({"impact": found.impact, "row": found.row.map(|row| row + 1)}));
-    let in_doubles = floats.as_ref().map(|floats| {
-        let first = floats.disagrees.map(|(impact, verdict)| json!({"impact": impact, "verdict": verdict.name()}));
-        json!({"first_disagreement": first, "another_orbit": floats.leaves.map(|impact| json!({"impact": impact}))})
-    });
     let head = [
         ("schema", json!(SCHEMA)),
         ("program", json!(PROGRAM)),
@@ -62,11 +59,16 @@ pub fn document(audit: &Audit<'_>) -> String {
         ),
         ("first_disagreement", json!(first)),
         ("another_orbit", json!(departure)),
-        ("double_precision", json!(in_doubles)),
+        ("double_precision", json!({"rounded_data": doubles.data.map(parting), "float": doubles.float.map(parting)})),
     ];
     let head: Vec<String> = head.iter().map(|(key, value)| format!("\"{key}\":{value}")).collect();
     let events: Vec<String> = judgement.findings.iter().map(|finding| event(finding, audit).to_string()).collect();
     format!("{{{},\n \"events\":[\n  {}]}}\n", head.join(",\n "), events.join(",\n  "))
+}
+
+fn parting(Parting { disagrees, leaves }: Parting) -> Value {
+    let first = disagrees.map(|(impact, verdict)| json!({"impact": impact, "verdict": verdict.name()}));
+    json!({"first_disagreement": first, "another_orbit": leaves.map(|impact| json!({"impact": impact}))})
 }
 
 /// Counts rows from 1.

@@ -3,7 +3,7 @@
 mod align;
 pub mod arguments;
 mod document;
-mod floats;
+mod doubles;
 mod judge;
 mod list;
 mod table;
@@ -26,7 +26,7 @@ use crate::output::Output;
 use crate::progress::{Progress, interruption};
 use crate::scene;
 use arguments::{AuditArguments, AuditFormat};
-use floats::Floats;
+use doubles::Doubles;
 use judge::Judgement;
 use list::{Listed, Walls};
 use tolerance::Tolerance;
@@ -46,8 +46,8 @@ pub struct Audit<'a> {
     tolerance: Tolerance,
     truth: Truth,
     judgement: Judgement,
-    /// The same of the plain orbit in doubles; `None` when interrupted.
-    floats: Option<Floats>,
+    /// The same of orbits in doubles.
+    doubles: Doubles,
 }
 
 pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
@@ -112,9 +112,9 @@ impl<'a> Audit<'a> {
             _ => Error::from(error).context(scene::name(&arguments.scene)),
         })?;
         let judgement = Judgement::new(&truth, rows, &end, &tolerance);
-        let floats = Floats::judge(scene, &settings, &truth, &end, &tolerance)?;
+        let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance)?;
         let left_out = listed - rows.len();
-        Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, floats })
+        Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, doubles })
     }
 
     /// Whether what is certified ends before the time to judge up to.

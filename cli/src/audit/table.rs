@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use impact_pair::exact::{Enclosure, decimal_digits};
 
 use super::Audit;
+use super::doubles::Parting;
 use super::judge::Finding;
 use super::truth::{Site, SiteKind};
 use super::verdict::{Reason, Verdict};
@@ -125,7 +126,7 @@ fn said(verdict: Verdict, site: Option<&Site>) -> String {
 }
 
 fn summary(audit: &Audit<'_>) -> Vec<String> {
-    let Audit { judgement, truth, floats, .. } = audit;
+    let Audit { judgement, truth, doubles, .. } = audit;
     let count = |verdict: Verdict| judgement.count(|other| other == verdict);
     let invented = judgement.count(|verdict| matches!(verdict, Verdict::False(_)));
     let mut counts: Vec<String> = [
@@ -157,14 +158,10 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         let place = departure.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
         lines.push(format!("another orbit from impact {} on{place}", departure.impact));
     }
-    if let Some(floats) = floats {
-        let found = match (floats.disagrees, audit.is_open()) {
-            (Some((impact, verdict)), _) => format!("impact {impact} is {}", verdict.name()),
-            (None, true) => "agrees as far as that is certified".into(),
-            (None, false) => "agrees".into(),
-        };
-        let leaves = floats.leaves.map_or(String::new(), |impact| format!(", another orbit from impact {impact} on"));
-        lines.push(format!("double precision (--arithmetic float): {found}{leaves}"));
+    for (name, parting) in [("exact from rounded data", &doubles.data), ("--arithmetic float", &doubles.float)] {
+        if let Some(parting) = parting {
+            lines.push(format!("double precision, {name}: {}", parted(parting, audit.is_open())));
+        }
     }
     if let Some(index) = truth.wide {
         lines.push(format!(
@@ -174,4 +171,14 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
     }
     lines.push(format!("\n{}", audit.conclusion()));
     lines
+}
+
+/// Where an orbit in doubles parts from the truth.
+fn parted(Parting { disagrees, leaves }: &Parting, is_open: bool) -> String {
+    let leaves = leaves.map_or(String::new(), |impact| format!(", another orbit from impact {impact} on"));
+    match disagrees {
+        Some((impact, verdict)) => format!("impact {impact} is {}{leaves}", verdict.name()),
+        None if is_open => "agrees as far as that is certified".into(),
+        None => "agrees".into(),
+    }
 }
