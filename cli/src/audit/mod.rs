@@ -40,7 +40,7 @@ pub struct Audit<'a> {
     rows: &'a [Listed],
     /// Rows after the time to judge up to.
     left_out: usize,
-    /// The time to judge up to: that asked for, or the last one listed.
+    /// The time to judge up to: that asked for (an irrational one a little later), or the last one listed.
     end: BigRational,
     settings: Settings,
     tolerance: Tolerance,
@@ -95,7 +95,8 @@ impl<'a> Audit<'a> {
         let listed = rows.len();
         let end = match &arguments.until {
             Some(until) => {
-                let end = until.enclose(Tolerance::GUARD).hi().to_rational();
+                let rounded_up = || until.enclose(Tolerance::GUARD).hi().to_rational();
+                let end = until.as_rational().cloned().unwrap_or_else(rounded_up);
                 rows.retain(|row| row.time.low <= end);
                 end
             }
