@@ -1,12 +1,14 @@
 //! Command line of impact-pair: certified orbits of the horizontal impact pair.
 
 mod arguments;
+mod audit;
 mod bifurcations;
 mod check;
 mod ending;
 mod follow;
 mod heading;
 mod listing;
+mod man;
 mod output;
 mod periodic;
 mod progress;
@@ -16,6 +18,7 @@ mod scene;
 mod table;
 mod trade;
 mod two_impact;
+mod version;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -44,6 +47,8 @@ fn main() -> ExitCode {
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
+        Verb::Audit(arguments) => audit::audit(&arguments),
+        Verb::Man(arguments) => man::man(&arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

@@ -24,7 +24,7 @@ pub use magnitude::Magnitude;
 #[cfg(feature = "multiprecision")]
 pub(crate) use multiprecision::magnitude;
 #[cfg(feature = "multiprecision")]
-pub use multiprecision::{LEAST_BITS, MpBall};
+pub use multiprecision::{LEAST_BITS, MpBall, mpfr_version};
 
 /// What the formulas of the paper need of a number: ring operations and a fused product and sum.
 pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {

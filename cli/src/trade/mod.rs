@@ -7,7 +7,7 @@ mod labels;
 mod ladder;
 mod measure;
 mod plot;
-mod size;
+pub mod size;
 mod table;
 
 use std::io::{self, IsTerminal, Write};
