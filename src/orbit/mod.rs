@@ -3,6 +3,7 @@
 mod aside;
 mod attraction;
 mod clock;
+mod course;
 mod event;
 mod motion;
 mod origin;
@@ -20,6 +21,7 @@ mod start;
 mod still;
 
 pub use clock::Clock;
+pub use course::{Course, CoursePoint};
 pub use event::{Graze, Impact, Outcome, Period, Progress, Release, Rest};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;

@@ -1,0 +1,181 @@
+//! Where the ball is between the events of an orbit: what figures draw.
+
+use super::event::finite;
+use super::origin::Location;
+use super::{Impact, Orbit, Release};
+use crate::exact::Enclosure;
+use crate::excitation::displacement_velocity_acceleration;
+use crate::flight::Flight;
+use crate::number::Ball;
+use crate::pair::{Reduced, Wall, ball};
+
+/// A flight of an orbit over the whole set of its states, enclosed in doubles.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    /// Whole turns since the clock's origin where the flight is told from.
+    turns: i64,
+    flight: Flight<Ball>,
+}
+
+/// Where the ball is at some time, in both frames.
+///
+/// **Enclosure**: each coordinate holds that of the true motion. **Units**: time \[time\], length \[length\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoursePoint {
+    /// `t`
+    pub time: Enclosure,
+    /// `y`, relative to the box. **Equation** (11)
+    pub displacement: Enclosure,
+    /// `y'`. **Equation** (12)
+    pub velocity: Enclosure,
+    /// `x = y + E(t)`
+    pub absolute_displacement: Enclosure,
+    /// `x' = y' + E'(t)`
+    pub absolute_velocity: Enclosure,
+}
+
+impl Orbit {
+    /// The flight from the start, and its phase: whole turns and the rest. To be asked before the orbit goes on.
+    pub fn first_course(&self) -> (Course, i64, Ball) {
+        let origin = self.origin.map(ball).expect("the orbit started with these numbers");
+        let phase = origin.phase;
+        let flight = match origin.place {
+            Location::Wall(wall) => self.leaving(wall, phase, origin.velocity),
+            Location::Inside(height) => {
+                Flight::from_inside(&self.pair, height, phase, origin.velocity, phase.sin_cos())
+            }
+        };
+        let turns = self.start.turns;
+        (Course { turns, flight }, turns, phase)
+    }
+
+    /// The flight that an impact begins. **Equation** (15)
+    pub fn course_after(&self, impact: &Impact) -> Course {
+        Course { turns: impact.turns, flight: self.leaving(impact.wall, impact.phase, impact.velocity) }
+    }
+
+    /// The flight that ends with an impact, told backwards from it: it holds whatever a graze before it may have done.
+    pub fn course_before(&self, impact: &Impact) -> Course {
+        let Impact { wall, turns, phase, velocity, .. } = *impact;
+        Course { turns, flight: Flight::from_wall(&self.pair, wall, phase, wall.inward(velocity), phase.sin_cos()) }
+    }
+
+    /// The flight that begins with a release, with no velocity.
+    pub fn course_from(&self, release: &Release) -> Course {
+        let (phase, rest) = (Ball::exact(release.phase), Ball::exact(0.0));
+        let flight = Flight::from_wall(&self.pair, release.wall, phase, rest, phase.sin_cos());
+        Course { turns: release.turns, flight }
+    }
+
+    fn leaving(&self, wall: Wall, phase: Ball, before: Ball) -> Flight<Ball> {
+        Flight::from_wall(&self.pair, wall, phase, wall.inward(self.pair.rebound_of(before)), phase.sin_cos())
+    }
+
+    /// The point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
+    pub fn course_point(&self, course: &Course, turns: i64, phase: Ball) -> Option<CoursePoint> {
+        let (displacement, velocity) = course.at(turns, phase);
+        self.point(turns, phase, displacement, velocity)
+    }
+
+    /// The point of the motion at that phase while the ball rests on `wall`.
+    pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
+        self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), Ball::exact(0.0))
+    }
+
+    /// From turns and gaps to the units of the scene.
+    fn point(&self, turns: i64, phase: Ball, displacement: Ball, velocity: Ball) -> Option<CoursePoint> {
+        let (shift, speed) = carried(&self.pair, phase);
+        let clock = &self.clock;
+        Some(CoursePoint {
+            time: clock.time(turns, &phase.enclosure()?),
+            displacement: clock.length(&displacement.enclosure()?),
+            velocity: clock.velocity(&velocity.enclosure()?),
+            absolute_displacement: clock.length(&(displacement + shift).enclosure()?),
+            absolute_velocity: clock.velocity(&(velocity + speed).enclosure()?),
+        })
+    }
+
+    /// Half the gap `d/2`: where the walls are \[length\].
+    pub fn wall_displacement(&self) -> Enclosure {
+        self.clock.length(&finite(Ball::exact(0.5)))
+    }
+}
+
+/// `E/d` and `E'` in gaps a turn.
+fn carried(pair: &Reduced<Ball>, phase: Ball) -> (Ball, Ball) {
+    let (displacement, velocity, _) = displacement_velocity_acceleration(pair.alpha, phase.sin_cos());
+    (displacement, velocity)
+}
+
+impl Course {
+    /// `y` in gaps and `y'` in gaps a turn, of the whole set of states. **Equations** (11), (12)
+    fn at(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
+        let Self { turns: from, flight } = self;
+        let (sin, cos) = flight.wall.mirror(phase.sin_cos());
+        // Exact below 2^53: flights are at most 2^52 turns long.
+        let whole = Ball::exact(turns.saturating_sub(*from) as f64);
+        let above_the_middle = flight.height_above(Ball::exact(0.5), whole, phase, sin);
+        (flight.wall.inward(above_the_middle), flight.wall.inward(flight.velocity_at(cos)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Enclosure;
+    use crate::scene::Scene;
+
+    fn meets(a: &Enclosure, b: &Enclosure) -> bool {
+        a.intersection(b).is_some()
+    }
+
+    fn orbit(arithmetic: &str) -> Orbit {
+        let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).unwrap();
+        scene.orbit(crate::orbit::Settings { arithmetic: arithmetic.parse().unwrap(), ..scene.settings() }).unwrap()
+    }
+
+    #[test]
+    fn each_flight_leads_from_impact_to_impact() {
+        let mut orbit = orbit("interval");
+        let (mut course, _, _) = orbit.first_course();
+        for _ in 0..60 {
+            let impact = orbit.next().unwrap();
+            let (time, velocity) = orbit.bounds(&impact);
+            let wall = orbit.wall_displacement();
+            let wall = if impact.wall == Wall::Right { wall } else { wall.negated() };
+            let switch = orbit.switch_point(&impact);
+            for course in [course, orbit.course_before(&impact)] {
+                let point = orbit.course_point(&course, impact.turns, impact.phase).unwrap();
+                assert!(meets(&point.time, &time) && meets(&point.displacement, &wall), "impact {}", impact.index);
+                assert!(meets(&point.velocity, &velocity), "impact {}", impact.index);
+                assert!(meets(&point.absolute_displacement, &switch.displacement));
+                assert!(meets(&point.absolute_velocity, &switch.absolute_velocity));
+                let (low, high) = point.displacement.to_f64_bounds();
+                assert!(high - low < 1e-3, "impact {}: {low} {high}", impact.index);
+            }
+            course = orbit.course_after(&impact);
+        }
+    }
+
+    #[test]
+    fn between_impacts_the_ball_is_inside_the_gap() {
+        let mut orbit = orbit("interval");
+        let (mut course, mut turns, phase) = orbit.first_course();
+        let mut from = phase.mid();
+        for _ in 0..40 {
+            let impact = orbit.next().unwrap();
+            let to = (impact.turns - turns) as f64 + impact.phase.mid();
+            for step in 1..16 {
+                let at = from + (to - from) * f64::from(step) / 16.0;
+                let whole = at.round();
+                let phase = Ball::exact(at - whole);
+                let forward = orbit.course_point(&course, turns + whole as i64, phase).unwrap();
+                let backward = orbit.course_point(&orbit.course_before(&impact), turns + whole as i64, phase).unwrap();
+                assert!(meets(&forward.displacement, &backward.displacement));
+                let (low, high) = forward.displacement.to_f64_bounds();
+                assert!(low > -4.712485 && high < 4.712485, "impact {}: {low} {high}", impact.index);
+            }
+            (course, turns, from) = (orbit.course_after(&impact), impact.turns, impact.phase.mid());
+        }
+    }
+}
