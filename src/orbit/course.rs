@@ -77,6 +77,13 @@ impl Orbit {
         self.point(turns, phase, displacement, velocity)
     }
 
+    /// The ball on its wall, just before and just after an impact. **Equation** (15)
+    pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
+        let Impact { wall, turns, phase, velocity, .. } = *impact;
+        let on_wall = |velocity| self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), velocity);
+        Some([on_wall(velocity)?, on_wall(self.pair.rebound_of(velocity))?])
+    }
+
     /// The point of the motion at that phase while the ball rests on `wall`.
     pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
         self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), Ball::exact(0.0))
@@ -144,6 +151,12 @@ mod tests {
             let wall = orbit.wall_displacement();
             let wall = if impact.wall == Wall::Right { wall } else { wall.negated() };
             let switch = orbit.switch_point(&impact);
+            let [before, after] = orbit.impact_points(&impact).unwrap();
+            assert!(before.displacement == wall && before.velocity == velocity && after.displacement == wall);
+            let half = Enclosure::from_f64_bounds(-0.5, -0.5).unwrap();
+            assert!(meets(&after.velocity, &velocity.mul(&half, 200)));
+            let left = orbit.course_point(&orbit.course_after(&impact), impact.turns, impact.phase).unwrap();
+            assert!(meets(&after.velocity, &left.velocity));
             for course in [course, orbit.course_before(&impact)] {
                 let point = orbit.course_point(&course, impact.turns, impact.phase).unwrap();
                 assert!(meets(&point.time, &time) && meets(&point.displacement, &wall), "impact {}", impact.index);

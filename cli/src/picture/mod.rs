@@ -4,6 +4,7 @@ mod axis;
 mod dots;
 mod file;
 mod hull;
+mod lines;
 
 use std::error::Error as StdError;
 
@@ -15,6 +16,7 @@ pub use axis::Axis;
 pub use dots::{Dots, Shape};
 pub use file::{encoded, path};
 pub use hull::hull;
+pub use lines::simplified;
 
 /// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;

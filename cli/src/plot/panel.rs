@@ -1,5 +1,7 @@
 //! Draws one panel.
 
+use std::collections::BTreeSet;
+
 use impact_pair::pair::Wall;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
@@ -8,7 +10,7 @@ use plotters::style::text_anchor::HPos;
 use super::frame::Frame;
 use super::symbols::{self, hatch, symbol};
 use super::trace::{Part, Span};
-use crate::picture::{Axis, BLUE, Canvas, Dots, Drawn, GREEN, SCALE, Shape, VERMILION, hull, words};
+use crate::picture::{Axis, BLUE, Canvas, Dots, Drawn, GREEN, SCALE, Shape, VERMILION, hull, simplified, words};
 
 /// Heights of letters.
 pub const FONT: i32 = 17 * SCALE;
@@ -87,8 +89,8 @@ pub fn draw(
     let mut has_boxes = false;
     for (stroke, places) in frame.strokes() {
         has_boxes |= band(&places, style, &plane, root)?;
-        let mut pixels: Vec<Pixel> = places.iter().map(|place| plane.middle(*place)).collect();
-        pixels.dedup();
+        let pixels: Vec<Pixel> = places.iter().map(|place| plane.middle(*place)).collect();
+        let pixels = simplified(&pixels);
         let line = match stroke.part {
             Part::Flight => style.curve().stroke_width(3 * SCALE as u32 / 2),
             Part::Jump => style.curve().mix(0.45).stroke_width(SCALE as u32),
@@ -107,7 +109,9 @@ pub fn draw(
             root.draw(&Rectangle::new(plane.corners(place), colour.mix(0.3).filled()))?;
             root.draw(&Rectangle::new(plane.corners(place), colour.stroke_width(SCALE as u32 / 2)))?;
         }
-        let places = narrow.into_iter().map(|place| plane.middle(place)).collect();
+        // Impacts on one pixel look like one.
+        let places: BTreeSet<Pixel> = narrow.into_iter().map(|place| plane.middle(place)).collect();
+        let places = places.into_iter().collect();
         dots.push(Dots { shape, colour, places });
     }
     for (kind, place) in frame.marks() {
@@ -126,7 +130,10 @@ fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::erro
     title.draw(&Text::new(text, (14 * SCALE, 16 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
     let axes = frame.axes();
     let [x, y] = axes.clone();
+    // The names of walls may stand above.
+    let above = if matches!(frame.walls(), Some((0, _))) { 16 * SCALE } else { 0 };
     let mut chart = ChartBuilder::on(&below)
+        .margin_top(above)
         .margin_left(6 * SCALE)
         .margin_right(34 * SCALE)
         .margin_bottom(4 * SCALE)

@@ -2,14 +2,14 @@
 
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::number::Ball;
-use impact_pair::orbit::{Course, CoursePoint, Impact, Orbit, Outcome, Progress, Settings};
+use impact_pair::orbit::{Course, Impact, Orbit, Outcome, Progress, Settings};
 use impact_pair::pair::Wall;
 
 use super::trace::{Crossing, Kind, Mark, Part, Point, Span, Stroke, Trace};
 
-/// Points drawn in a turn of a flight, and in a shorter one.
-const IN_A_TURN: f64 = 48.0;
-const IN_A_HOP: u32 = 8;
+/// Points of a flight: in a turn, and at least.
+const IN_A_TURN: f64 = 96.0;
+const IN_A_HOP: u32 = 32;
 
 /// A phase: whole turns since the clock's origin and the rest.
 type Phase = (i64, Ball);
@@ -28,8 +28,10 @@ pub struct Recorder {
     /// Turns since the start up to which curves are drawn.
     window: f64,
     start: Phase,
-    /// The last event, what the ball does since, and whether a graze has come before that.
+    /// The last event, the state after it where that is an impact, what the ball does since, and whether it has
+    /// grazed a wall since the last impact.
     last: Phase,
+    after: Option<Point>,
     now: Now,
     has_grazed: bool,
 }
@@ -63,7 +65,7 @@ impl Recorder {
             is_open: false,
         };
         let start = (turns, phase);
-        Self { trace, window: f64::from(cycles), start, last: start, now: Now::Flies(course), has_grazed: false }
+        Self { trace, window: f64::from(cycles), start, last: start, after: None, now: Now::Flies(course), has_grazed: false }
     }
 
     /// Turns since the start.
@@ -89,10 +91,13 @@ impl Recorder {
             Progress::Rest(rest) => {
                 let (middle, radius) = rest.phase.mid_rad();
                 let phase = (rest.turns, Ball::new(middle, radius));
-                if rest.is_accumulation {
-                    self.stay(orbit, Part::Chatter, rest.wall, phase);
-                }
                 self.now = Now::Rests(rest.wall);
+                if rest.is_accumulation {
+                    // The last bounces are too small to be told from the wall.
+                    self.after = None;
+                    self.sweep(orbit, Part::Chatter, phase, None);
+                    self.last = phase;
+                }
                 self.touch(orbit, Kind::Rest, phase);
             }
             Progress::Release(release) => {
@@ -108,35 +113,35 @@ impl Recorder {
         if self.has_grazed {
             self.now = Now::Flies(orbit.course_before(impact));
         }
-        self.follow(orbit, phase);
-        let (before, after) = (orbit.course_before(impact), orbit.course_after(impact));
-        if self.at(phase) <= self.window {
-            let ends = [before, after].map(|course| orbit.course_point(&course, phase.0, phase.1));
-            self.stroke(Part::Jump, phase, ends);
+        let at = self.at(phase);
+        let ends = orbit.impact_points(impact).map(|ends| ends.map(|point| Point::new(at, &point, self.trace.walls)));
+        let part = Part::Flight;
+        self.sweep(orbit, part, phase, ends.map(|[before, _]| before));
+        if let Some(ends) = ends
+            && at <= self.window
+        {
+            self.trace.strokes.push(Stroke { part: Part::Jump, points: ends.to_vec() });
         }
         self.trace.crossings.push(Crossing::new(orbit, impact, self.trace.period));
-        (self.now, self.last, self.has_grazed) = (Now::Flies(after), phase, false);
+        (self.now, self.has_grazed) = (Now::Flies(orbit.course_after(impact)), false);
+        (self.last, self.after) = (phase, ends.map(|[_, after]| after));
     }
 
     /// An event with no velocity.
     fn touch(&mut self, orbit: &Orbit, kind: Kind, phase: Phase) {
         self.follow(orbit, phase);
-        let at = self.at(phase);
-        let point = self.point(orbit, phase);
-        if at <= self.window
-            && let Some(point) = point
-        {
-            self.trace.marks.push(Mark { kind, point: Point::new(at, &point, self.trace.walls) });
-        }
-        self.last = phase;
+        let point = self.point(orbit, phase).filter(|point| point.at <= self.window);
+        self.trace.marks.extend(point.map(|point| Mark { kind, point }));
+        (self.last, self.after) = (phase, None);
     }
 
     /// Where the ball is.
-    fn point(&self, orbit: &Orbit, (turns, phase): Phase) -> Option<CoursePoint> {
-        match &self.now {
-            Now::Flies(course) => orbit.course_point(course, turns, phase),
-            Now::Rests(wall) => orbit.rest_point(*wall, turns, phase),
-        }
+    fn point(&self, orbit: &Orbit, phase: Phase) -> Option<Point> {
+        let point = match &self.now {
+            Now::Flies(course) => orbit.course_point(course, phase.0, phase.1),
+            Now::Rests(wall) => orbit.rest_point(*wall, phase.0, phase.1),
+        };
+        point.map(|point| Point::new(self.at(phase), &point, self.trace.walls))
     }
 
     /// What the ball does up to an event.
@@ -145,35 +150,24 @@ impl Recorder {
             Now::Flies(_) => Part::Flight,
             Now::Rests(_) => Part::Rest,
         };
-        self.sweep(orbit, part, to);
+        self.sweep(orbit, part, to, None);
     }
 
-    /// The last bounces before a rest: too small to be told from the wall.
-    fn stay(&mut self, orbit: &Orbit, part: Part, wall: Wall, to: Phase) {
-        let now = std::mem::replace(&mut self.now, Now::Rests(wall));
-        self.sweep(orbit, part, to);
-        (self.now, self.last) = (now, to);
-    }
-
-    fn sweep(&mut self, orbit: &Orbit, part: Part, to: Phase) {
+    /// Records the motion up to a phase, where it is at `end` if that is given.
+    fn sweep(&mut self, orbit: &Orbit, part: Part, to: Phase, end: Option<Point>) {
         let (first, last) = (self.at(self.last), self.at(to));
         self.trace.known = self.trace.known.max(last);
         if first >= self.window || first >= last {
             return;
         }
-        let mut phases = vec![(first, self.last)];
-        phases.extend(inner(first, last.min(self.window)).into_iter().map(|at| (at, self.phase(at))));
-        phases.push(if last <= self.window { (last, to) } else { (self.window, self.phase(self.window)) });
-        let walls = self.trace.walls;
-        let points =
-            phases.into_iter().filter_map(|(at, phase)| Some(Point::new(at, &self.point(orbit, phase)?, walls)));
-        let points = points.collect();
-        self.trace.strokes.push(Stroke { part, points });
-    }
-
-    fn stroke(&mut self, part: Part, phase: Phase, points: [Option<CoursePoint>; 2]) {
-        let at = self.at(phase);
-        let points = points.iter().flatten().map(|point| Point::new(at, point, self.trace.walls)).collect();
+        let is_cut = last > self.window;
+        let end = match end.filter(|_| !is_cut) {
+            Some(end) => Some(end),
+            None => self.point(orbit, if is_cut { self.phase(self.window) } else { to }),
+        };
+        let inner = inner(first, last.min(self.window)).into_iter().filter_map(|at| self.point(orbit, self.phase(at)));
+        let start = self.after.or_else(|| self.point(orbit, self.last));
+        let points = start.into_iter().chain(inner).chain(end).collect();
         self.trace.strokes.push(Stroke { part, points });
     }
 

@@ -33,6 +33,13 @@ pub struct Sheet<'s> {
 
 impl Sheet<'_> {
     pub fn svg(&self) -> Result<String> {
+        // Whether there are boxes wide enough to be seen, and the legend has to explain them, the drawing tells.
+        let (svg, has_boxes) = self.drawn(true)?;
+        if has_boxes { Ok(svg) } else { Ok(self.drawn(false)?.0) }
+    }
+
+    /// The picture, with or without boxes in its legend, and whether there are any in its panels.
+    fn drawn(&self, explains_boxes: bool) -> Result<(String, bool)> {
         let panels = self.arguments.panels();
         let columns = if panels.len() == 1 { 1 } else { 2 };
         let (width, height) = if columns == 1 { ALONE } else { TOGETHER };
@@ -40,31 +47,27 @@ impl Sheet<'_> {
         let whole = SCALE * width * columns as i32;
         let caption = self.caption(whole - 2 * MARGIN);
         let head = MARGIN + LINE * caption.len() as i32;
-        // The legend says whether there are boxes: known once the panels are drawn, so room for it is kept.
         let curves = panels.iter().any(|panel| !panel.is_section());
         let sections = panels.iter().any(|panel| panel.is_section());
-        let legend = |has_boxes: bool| {
-            let entries = symbols::entries(self.trace, (curves, sections, has_boxes));
-            symbols::lay_out(&entries, self.style, whole - 2 * MARGIN)
-        };
-        let top = head + legend(true).1 * symbols::LINE + MARGIN / 2;
+        let entries = symbols::entries(self.trace, (curves, sections, explains_boxes));
+        let (legend, lines) = symbols::lay_out(&entries, self.style, whole - 2 * MARGIN);
+        let top = head + lines * symbols::LINE + MARGIN / 2;
         let size = (whole / SCALE, top / SCALE + height * rows as i32);
-        let mut dots = Vec::new();
+        let (mut dots, mut has_boxes) = (Vec::new(), false);
         let mut svg = picture::svg((size.0 as u32, size.1 as u32), SCALE, |root| {
             write(&caption, root)?;
+            for (entry, (x, y)) in legend {
+                symbols::draw(entry, self.style, root, (MARGIN + x, head + y))?;
+            }
             let (_, below) = root.split_vertically(top);
-            let mut has_boxes = false;
             for (&panel, area) in panels.iter().zip(below.split_evenly((rows, columns))) {
                 let frame = Frame::new(panel, self.trace, self.cycles(panel));
                 has_boxes |= panel::draw(&frame, self.style, (root, &area), &mut dots)?;
             }
-            for (entry, (x, y)) in legend(has_boxes).0 {
-                symbols::draw(entry, self.style, root, (MARGIN + x, head + y))?;
-            }
             Ok(())
         })?;
         dots.iter().for_each(|dots: &Dots| dots.append_to(&mut svg));
-        Ok(svg)
+        Ok((svg, has_boxes))
     }
 
     fn cycles(&self, panel: Panel) -> u32 {

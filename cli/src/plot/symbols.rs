@@ -110,8 +110,8 @@ impl Entry {
                 root.draw(&Rectangle::new(corners, curve.mix(0.25).filled()))?;
             }
             Self::Open => {
-                hatch(root, (left, y - 7 * SCALE), (x, y + 7 * SCALE))?;
-                open(root, (right, y))?;
+                hatch(root, (left, y - 7 * SCALE), (x - 2 * SCALE, y + 7 * SCALE))?;
+                open(root, (x + 7 * SCALE, y))?;
             }
         }
         Ok(())
