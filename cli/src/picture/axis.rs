@@ -95,7 +95,11 @@ impl ValueFormatter<f64> for Axis {
         match self.labels {
             Labels::Step(_, decimals) => {
                 let text = format!("{value:.decimals$}");
-                if text.chars().any(|digit| ('1'..='9').contains(&digit)) { text.replace('-', "−") } else { "0".into() }
+                if text.chars().any(|digit| ('1'..='9').contains(&digit)) {
+                    text.replace('-', "−")
+                } else {
+                    "0".into()
+                }
             }
             Labels::Angle => QUARTERS[(value / FRAC_PI_2).round() as usize].into(),
         }
@@ -106,15 +110,8 @@ impl ValueFormatter<f64> for Axis {
 mod tests {
     use super::*;
 
-    struct Bold;
-    impl KeyPointHint for Bold {
-        fn max_num_points(&self) -> usize {
-            10
-        }
-    }
-
     fn labels(axis: &Axis) -> Vec<String> {
-        axis.key_points(Bold).iter().map(|value| axis.format_ext(value)).collect()
+        axis.key_points(10).iter().map(|value| axis.format_ext(value)).collect()
     }
 
     #[test]

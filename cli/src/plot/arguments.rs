@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::{ArgGroup, Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
@@ -25,11 +25,12 @@ interrupted, or is wider than --digits (the picture holds all that is certified,
 const SECTION_IMPACTS: u64 = 4000;
 
 #[derive(Args, Debug)]
+#[command(group(ArgGroup::new("shown").required(true).args(["panels", "all"])))]
 pub struct PlotArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// A panel to draw; several times for a sheet of them
-    #[arg(long = "panel", value_enum, value_name = "NAME", required_unless_present = "all", conflicts_with = "all")]
+    #[arg(long = "panel", value_enum, value_name = "NAME")]
     panels: Vec<Panel>,
     /// All eight panels on one sheet, as in the paper
     #[arg(long)]

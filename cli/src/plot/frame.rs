@@ -110,7 +110,7 @@ impl<'t> Frame<'t> {
     /// Where the walls are, on the axis they are on.
     pub fn walls(&self) -> Option<(usize, [Span; 2])> {
         let wall = self.trace.wall;
-        let walls = [Span { low: -wall.high, high: -wall.low }, wall];
+        let walls = [wall.negated(), wall];
         match self.panel {
             Panel::Displacement => Some((1, walls)),
             Panel::PhasePlane => Some((0, walls)),
@@ -126,7 +126,8 @@ impl<'t> Frame<'t> {
 
     /// The last state that is proved, where time does not show it.
     pub fn last(&self) -> Option<[Span; 2]> {
-        let is_cut = !self.trace.is_open || self.panel.is_of_time() || self.panel.is_section() || self.trace.known > self.end;
+        let is_cut =
+            !self.trace.is_open || self.panel.is_of_time() || self.panel.is_section() || self.trace.known > self.end;
         let last = self.trace.strokes.last().and_then(|stroke| stroke.points.last());
         last.filter(|_| !is_cut).map(|point| self.place(point))
     }
@@ -144,9 +145,8 @@ impl<'t> Frame<'t> {
         };
         let time = || Axis::over(self.time(0.0), self.time(self.end));
         let gap = || {
-            let Span { low, high } = self.trace.walls;
-            let room = BEYOND_THE_WALLS * (high - low);
-            Axis::over(low - room, high + room)
+            let half = (1.0 + 2.0 * BEYOND_THE_WALLS) * self.trace.wall.high;
+            Axis::over(-half, half)
         };
         match self.panel {
             Panel::Displacement => [time(), gap()],

@@ -57,7 +57,7 @@ impl Plane {
     }
 
     fn middle(&self, [x, y]: [Span; 2]) -> Pixel {
-        self.pixel([x.middle(), y.middle()])
+        self.pixel([x.middle, y.middle])
     }
 
     fn corners(&self, [x, y]: [Span; 2]) -> [Pixel; 2] {
@@ -102,8 +102,11 @@ pub fn draw(
     }
     for wall in [Wall::Left, Wall::Right] {
         let (shape, colour) = style.impact(wall);
-        let (wide, narrow): (Vec<_>, Vec<_>) =
-            frame.crossings().filter(|(of, _)| *of == wall).map(|(_, place)| place).partition(|place| plane.is_wide(*place));
+        let (wide, narrow): (Vec<_>, Vec<_>) = frame
+            .crossings()
+            .filter(|(of, _)| *of == wall)
+            .map(|(_, place)| place)
+            .partition(|place| plane.is_wide(*place));
         has_boxes |= !wide.is_empty();
         for place in wide {
             root.draw(&Rectangle::new(plane.corners(place), colour.mix(0.3).filled()))?;
@@ -169,7 +172,7 @@ fn walls(frame: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
         if (high.0 - low.0).min((high.1 - low.1).abs()) > SCALE {
             root.draw(&Rectangle::new([low, high], BLACK.mix(0.2).filled()))?;
         }
-        let [from, to] = at(span.middle());
+        let [from, to] = at(span.middle);
         root.draw(&PathElement::new([from, to], line))?;
         let (place, side) = match axis {
             0 => ((to.0, to.1 - 9 * SCALE), HPos::Center),

@@ -51,13 +51,12 @@ impl Recorder {
         let wall = Span::from(&orbit.wall_displacement());
         let time = |phase: f64| {
             let rest = Enclosure::from_f64_bounds(phase, phase).expect("a finite number");
-            Span::from(&orbit.clock().time(turns, &rest)).middle()
+            Span::from(&orbit.clock().time(turns, &rest)).middle
         };
         let trace = Trace {
             strokes: Vec::new(),
             marks: Vec::new(),
             crossings: Vec::new(),
-            walls: Span { low: -wall.high, high: wall.high },
             wall,
             start: time(phase.mid()),
             period: time(1.0) - time(0.0),
@@ -65,7 +64,15 @@ impl Recorder {
             is_open: false,
         };
         let start = (turns, phase);
-        Self { trace, window: f64::from(cycles), start, last: start, after: None, now: Now::Flies(course), has_grazed: false }
+        Self {
+            trace,
+            window: f64::from(cycles),
+            start,
+            last: start,
+            after: None,
+            now: Now::Flies(course),
+            has_grazed: false,
+        }
     }
 
     /// Turns since the start.
@@ -114,7 +121,8 @@ impl Recorder {
             self.now = Now::Flies(orbit.course_before(impact));
         }
         let at = self.at(phase);
-        let ends = orbit.impact_points(impact).map(|ends| ends.map(|point| Point::new(at, &point, self.trace.walls)));
+        let ends =
+            orbit.impact_points(impact).map(|ends| ends.map(|point| Point::new(at, &point, self.trace.wall.high)));
         let part = Part::Flight;
         self.sweep(orbit, part, phase, ends.map(|[before, _]| before));
         if let Some(ends) = ends
@@ -141,7 +149,7 @@ impl Recorder {
             Now::Flies(course) => orbit.course_point(course, phase.0, phase.1),
             Now::Rests(wall) => orbit.rest_point(*wall, phase.0, phase.1),
         };
-        point.map(|point| Point::new(self.at(phase), &point, self.trace.walls))
+        point.map(|point| Point::new(self.at(phase), &point, self.trace.wall.high))
     }
 
     /// What the ball does up to an event.
@@ -177,9 +185,10 @@ impl Recorder {
             None | Some(Outcome::Undecided { .. }) => self.trace.is_open = true,
             Some(_) if settings.impacts == Some(impacts) => {}
             Some(_) => {
-                let until = settings.until.as_ref().map(|until| {
-                    (Span::from(&until.enclose(64)).middle() - self.trace.start) / self.trace.period
-                });
+                let until = settings
+                    .until
+                    .as_ref()
+                    .map(|until| (Span::from(&until.enclose(64)).middle - self.trace.start) / self.trace.period);
                 let end = self.phase(until.map_or(self.window, |until| until.min(self.window)));
                 self.follow(orbit, end);
             }

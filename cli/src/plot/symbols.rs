@@ -93,7 +93,8 @@ impl Entry {
             Self::Rest => line(curve.to_rgba(), 5 * SCALE)?,
             Self::Mark(kind) => symbol(root, kind, (x, y))?,
             Self::Left | Self::Right => {
-                let wall = if self == Self::Left { impact_pair::pair::Wall::Left } else { impact_pair::pair::Wall::Right };
+                let wall =
+                    if self == Self::Left { impact_pair::pair::Wall::Left } else { impact_pair::pair::Wall::Right };
                 let (shape, colour) = style.impact(wall);
                 match shape {
                     Shape::Dot => root.draw(&Circle::new((x, y), 3 * SCALE, colour.filled()))?,

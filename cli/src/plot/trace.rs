@@ -6,32 +6,29 @@ use impact_pair::exact::Enclosure;
 use impact_pair::orbit::{CoursePoint, Orbit};
 use impact_pair::pair::Wall;
 
-/// What a coordinate is proved to lie between.
+/// What a coordinate is proved to lie between, and what it most likely is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     pub low: f64,
+    pub middle: f64,
     pub high: f64,
 }
 
 impl Span {
-    pub fn middle(self) -> f64 {
-        self.low + 0.5 * (self.high - self.low)
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self { low: f(self.low), middle: f(self.middle), high: f(self.high) }
     }
 
-    fn scaled(self, by: f64) -> Self {
-        Self { low: by * self.low, high: by * self.high }
-    }
-
-    /// What of it is between the walls.
-    fn within(self, walls: Self) -> Self {
-        Self { low: self.low.clamp(walls.low, walls.high), high: self.high.clamp(walls.low, walls.high) }
+    /// Mirrored at 0.
+    pub fn negated(self) -> Self {
+        Self { low: -self.high, middle: -self.middle, high: -self.low }
     }
 }
 
 impl From<&Enclosure> for Span {
     fn from(x: &Enclosure) -> Self {
         let (low, high) = x.to_f64_bounds();
-        Self { low, high }
+        Self { low, middle: low + 0.5 * (high - low), high }
     }
 }
 
@@ -49,12 +46,13 @@ pub struct Point {
 }
 
 impl Point {
-    pub fn new(at: f64, point: &CoursePoint, walls: Span) -> Self {
+    /// A state so many turns after the start, with the walls at most so far from the middle.
+    pub fn new(at: f64, point: &CoursePoint, wall: f64) -> Self {
         Self {
             at,
             time: (&point.time).into(),
             // The ball is in the gap.
-            displacement: Span::from(&point.displacement).within(walls),
+            displacement: Span::from(&point.displacement).map(|y| y.clamp(-wall, wall)),
             velocity: (&point.velocity).into(),
             absolute: ((&point.absolute_displacement).into(), (&point.absolute_velocity).into()),
         }
@@ -112,9 +110,9 @@ impl Crossing {
     /// The impact of `orbit`, whose period is `period` \[time\].
     pub fn new(orbit: &Orbit, impact: &impact_pair::orbit::Impact, period: f64) -> Self {
         let point = orbit.switch_point(impact);
-        let phase = Span::from(&point.time).scaled(TAU / period);
+        let phase = Span::from(&point.time).map(|time| time * TAU / period);
         // The product may be rounded up to a whole turn.
-        let phase = if phase.low < TAU { phase } else { Span { low: 0.0, high: phase.high - TAU } };
+        let phase = if phase.low < TAU { phase } else { phase.map(|phase| (phase - TAU).max(0.0)) };
         let absolute = ((&point.displacement).into(), (&point.absolute_velocity).into());
         Self { wall: point.wall, phase, velocity: (&point.relative_velocity).into(), absolute }
     }
@@ -126,8 +124,6 @@ pub struct Trace {
     pub strokes: Vec<Stroke>,
     pub marks: Vec<Mark>,
     pub crossings: Vec<Crossing>,
-    /// `y` between the outer ends of the walls.
-    pub walls: Span,
     /// `d/2`
     pub wall: Span,
     /// \[time\]
