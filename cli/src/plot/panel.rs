@@ -86,9 +86,12 @@ pub fn draw(
         hatch(root, (x0, top), (x1, bottom))?;
     }
     walls(frame, &plane, root)?;
+    // Bands first: they cover no line.
     let mut has_boxes = false;
-    for (stroke, places) in frame.strokes() {
+    for (_, places) in frame.strokes() {
         has_boxes |= band(&places, style, &plane, root)?;
+    }
+    for (stroke, places) in frame.strokes() {
         let pixels: Vec<Pixel> = places.iter().map(|place| plane.middle(*place)).collect();
         let pixels = simplified(&pixels);
         let line = match stroke.part {

@@ -47,9 +47,7 @@ impl Sheet<'_> {
         let whole = SCALE * width * columns as i32;
         let caption = self.caption(whole - 2 * MARGIN);
         let head = MARGIN + LINE * caption.len() as i32;
-        let curves = panels.iter().any(|panel| !panel.is_section());
-        let sections = panels.iter().any(|panel| panel.is_section());
-        let entries = symbols::entries(self.trace, (curves, sections, explains_boxes));
+        let entries = symbols::entries(self.trace, &panels, explains_boxes);
         let (legend, lines) = symbols::lay_out(&entries, self.style, whole - 2 * MARGIN);
         let top = head + lines * symbols::LINE + MARGIN / 2;
         let size = (whole / SCALE, top / SCALE + height * rows as i32);

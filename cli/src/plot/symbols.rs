@@ -3,6 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
+use super::arguments::Panel;
 use super::panel::{FONT, Style};
 use super::trace::{Kind, Part, Trace};
 use crate::picture::{Canvas, Drawn, LETTER, SCALE, Shape, VERMILION, words};
@@ -119,9 +120,10 @@ impl Entry {
     }
 }
 
-/// What the panels of a trace need to have said.
-pub fn entries(trace: &Trace, (has_curves, has_sections, has_boxes): (bool, bool, bool)) -> Vec<Entry> {
+/// What these panels of a trace need to have said, boxes if there are any wide enough.
+pub fn entries(trace: &Trace, panels: &[Panel], has_boxes: bool) -> Vec<Entry> {
     let mut entries = Vec::new();
+    let has_curves = panels.iter().any(|panel| !panel.is_section());
     if has_curves {
         entries.push(Entry::Motion);
         let has = |parts: &[Part]| trace.strokes.iter().any(|stroke| parts.contains(&stroke.part));
@@ -131,16 +133,19 @@ pub fn entries(trace: &Trace, (has_curves, has_sections, has_boxes): (bool, bool
         let marked = kinds.filter(|kind| trace.marks.iter().any(|mark| mark.kind == *kind));
         entries.extend(marked.map(Entry::Mark));
     }
-    if has_sections {
-        entries.extend([Entry::Left, Entry::Right]);
-    }
+    let has_impacts = |but: Panel| panels.iter().any(|panel| panel.is_section() && *panel != but);
+    entries.extend(has_impacts(Panel::SectionRight).then_some(Entry::Left));
+    entries.extend(has_impacts(Panel::SectionLeft).then_some(Entry::Right));
     entries.extend(has_boxes.then_some(Entry::Box));
     entries.extend((trace.is_open && has_curves).then_some(Entry::Open));
     entries
 }
 
+/// An entry, and where it stands.
+type Placed = (Entry, (i32, i32));
+
 /// The places of the entries: lines of this `width`, in pixels from the upper left corner; and how many lines.
-pub fn lay_out(entries: &[Entry], style: Style, width: i32) -> (Vec<(Entry, (i32, i32))>, i32) {
+pub fn lay_out(entries: &[Entry], style: Style, width: i32) -> (Vec<Placed>, i32) {
     let (mut x, mut y) = (0, 0);
     let mut places = Vec::new();
     for &entry in entries {
