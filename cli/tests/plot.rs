@@ -103,6 +103,19 @@ fn what_is_not_proved_is_said_and_drawn() {
 }
 
 #[test]
+fn there_may_be_nothing_to_see() {
+    let folder = folder("plot-still");
+    let still = "excitation = { amplitude = 0, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0.5 }\n";
+    for start in ["wall = \"left\", velocity = 0", "position = 0, velocity = 0"] {
+        let (scene, picture) = (folder.join("scene.toml"), folder.join("a.svg"));
+        fs::write(&scene, format!("{still}start = {{ time = 0, {start} }}\n")).unwrap();
+        let answer = plot(&[scene.to_str().unwrap(), "--all", "--output"]).arg(&picture).output().unwrap();
+        assert!(answer.status.success(), "{start}: {answer:?}");
+        assert!(fs::read_to_string(&picture).unwrap().contains("(h) "));
+    }
+}
+
+#[test]
 fn floats_claim_nothing() {
     let folder = folder("plot-float");
     let picture = folder.join("a.svg");

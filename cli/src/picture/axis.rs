@@ -38,6 +38,8 @@ impl Axis {
     /// Holds all these, and has free room beyond them; at least a tenth of the greatest of them long, lest the tail of
     /// a spiral look like a motion.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
+        // Below the normal doubles there is no room for ticks, beyond the finite ones none for anything.
+        let values = values.filter(|x| x.is_finite()).map(|x| if x.is_subnormal() { 0.0 } else { x });
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
             return Self::over(-1.0, 1.0);
@@ -61,9 +63,9 @@ fn step(least: f64) -> (f64, usize) {
         part if part <= 1.0 => (1.0, exponent),
         part if part <= 2.0 => (2.0, exponent),
         part if part <= 5.0 => (5.0, exponent),
-        _ => (10.0, exponent + 1),
+        _ => (10.0, exponent.saturating_add(1)),
     };
-    (times * decade, (-exponent).max(0) as usize)
+    (times * decade, exponent.min(0).unsigned_abs() as usize)
 }
 
 impl Ranged for Axis {
@@ -72,7 +74,7 @@ impl Ranged for Axis {
 
     fn map(&self, &value: &f64, (left, right): (i32, i32)) -> i32 {
         let part = (value - self.range.start) / (self.range.end - self.range.start);
-        left + (f64::from(right - left) * part).round() as i32
+        left.saturating_add((f64::from(right - left) * part).round() as i32)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
@@ -130,6 +132,12 @@ mod tests {
         let axis = Axis::around([12.5663, 12.5664].into_iter()).range();
         assert!(axis.end - axis.start > 1.2 && axis.contains(&12.5663));
         assert!(!Axis::around(std::iter::empty()).range().is_empty());
-        assert!(!Axis::around([0.0].into_iter()).range().is_empty());
+        for odd in
+            [[0.0, 0.0], [-5e-324, 5e-324], [f64::NEG_INFINITY, f64::INFINITY], [f64::MIN, f64::MAX], [1e300, 1e300]]
+        {
+            let axis = Axis::around(odd.into_iter());
+            assert!(labels(&axis).len() < 20, "{axis:?}");
+            axis.map(&f64::INFINITY, (100, 500));
+        }
     }
 }
