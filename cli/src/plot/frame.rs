@@ -1,9 +1,11 @@
 //! What each panel shows: its name, axes, and what of the trace lies on them.
 
+use std::f64::consts::TAU;
+
 use impact_pair::pair::Wall;
 
 use super::arguments::Panel;
-use super::trace::{Crossing, Point, Span, Stroke, Trace};
+use super::trace::{Crossing, Part, Point, Span, Stroke, Trace};
 use crate::picture::Axis;
 
 /// Free room beyond the walls, in parts of the gap.
@@ -101,6 +103,17 @@ impl<'t> Frame<'t> {
         })
     }
 
+    /// A place on an axis of angles, in two parts where it goes beyond a whole turn.
+    pub fn wrapped(&self, place: [Span; 2]) -> impl Iterator<Item = [Span; 2]> {
+        let [angle, other] = place;
+        let is_angle = self.panel.is_section() && self.panel != Panel::AbsoluteSwitchPlane;
+        let beyond = (is_angle && angle.high > TAU).then(|| {
+            let high = (angle.high - TAU).min(TAU);
+            [Span { low: 0.0, middle: 0.5 * high, high }, other]
+        });
+        [place].into_iter().chain(beyond)
+    }
+
     /// Grazes, rests and releases shown.
     pub fn marks(&self) -> impl Iterator<Item = (super::trace::Kind, [Span; 2])> {
         let marks = if self.panel.is_section() { &[] } else { self.trace.marks.as_slice() };
@@ -128,7 +141,8 @@ impl<'t> Frame<'t> {
     pub fn last(&self) -> Option<[Span; 2]> {
         let is_cut =
             !self.trace.is_open || self.panel.is_of_time() || self.panel.is_section() || self.trace.known > self.end;
-        let last = self.trace.strokes.last().and_then(|stroke| stroke.points.last());
+        let mut lines = self.trace.strokes.iter().filter(|stroke| stroke.part != Part::Either);
+        let last = lines.next_back().and_then(|stroke| stroke.points.last());
         last.filter(|_| !is_cut).map(|point| self.place(point))
     }
 

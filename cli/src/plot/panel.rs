@@ -91,12 +91,12 @@ pub fn draw(
     for (_, places) in frame.strokes() {
         has_boxes |= band(&places, style, &plane, root)?;
     }
-    for (stroke, places) in frame.strokes() {
+    for (stroke, places) in frame.strokes().filter(|(stroke, _)| stroke.part != Part::Either) {
         let pixels: Vec<Pixel> = places.iter().map(|place| plane.middle(*place)).collect();
         let pixels = simplified(&pixels);
         let line = match stroke.part {
             Part::Flight => style.curve().stroke_width(3 * SCALE as u32 / 2),
-            Part::Jump => style.curve().mix(0.45).stroke_width(SCALE as u32),
+            Part::Jump | Part::Either => style.curve().mix(0.45).stroke_width(SCALE as u32),
             Part::Chatter | Part::Rest => style.curve().stroke_width(5 * SCALE as u32),
         };
         if pixels.len() > 1 {
@@ -111,7 +111,7 @@ pub fn draw(
             .map(|(_, place)| place)
             .partition(|place| plane.is_wide(*place));
         has_boxes |= !wide.is_empty();
-        for place in wide {
+        for place in wide.into_iter().flat_map(|place| frame.wrapped(place)) {
             root.draw(&Rectangle::new(plane.corners(place), colour.mix(0.3).filled()))?;
             root.draw(&Rectangle::new(plane.corners(place), colour.stroke_width(SCALE as u32 / 2)))?;
         }

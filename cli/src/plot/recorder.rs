@@ -123,16 +123,33 @@ impl Recorder {
         let at = self.at(phase);
         let ends =
             orbit.impact_points(impact).map(|ends| ends.map(|point| Point::new(at, &point, self.trace.wall.high)));
-        let part = Part::Flight;
-        self.sweep(orbit, part, phase, ends.map(|[before, _]| before));
+        self.sweep(orbit, Part::Flight, phase, ends.map(|[before, _]| before));
         if let Some(ends) = ends
             && at <= self.window
         {
             self.trace.strokes.push(Stroke { part: Part::Jump, points: ends.to_vec() });
+            let either = self.either(orbit, impact);
+            self.trace.strokes.extend(either);
         }
         self.trace.crossings.push(Crossing::new(orbit, impact, self.trace.period));
         (self.now, self.has_grazed) = (Now::Flies(orbit.course_after(impact)), false);
         (self.last, self.after) = (phase, ends.map(|[_, after]| after));
+    }
+
+    /// Where the ball may be in the second half of the time of an impact if it has not come yet, and in the first half
+    /// if it has.
+    fn either(&self, orbit: &Orbit, impact: &Impact) -> Option<Stroke> {
+        let half = 0.5 * impact.phase.rad();
+        let over = |course: &Course, from_middle: f64| {
+            // Half of the ball, and what the sum may have been rounded by.
+            let middle = impact.phase.mid() + from_middle;
+            let phase = Ball::new(middle, half).widened(middle.abs() * f64::EPSILON);
+            let point = orbit.course_point(course, impact.turns, phase)?;
+            Some(Point::new(self.at((impact.turns, impact.phase)), &point, self.trace.wall.high))
+        };
+        let Now::Flies(before) = &self.now else { return None };
+        let points = vec![over(before, half)?, over(&orbit.course_after(impact), -half)?];
+        (half > 0.0).then_some(Stroke { part: Part::Either, points })
     }
 
     /// An event with no velocity.

@@ -178,3 +178,29 @@ fn sets_of_states_have_visible_bands() {
         }
     }
 }
+
+#[test]
+fn an_impact_at_no_certain_time_is_enclosed_before_and_after() {
+    let text = std::fs::read_to_string(format!("{}/../scenes/figure-13.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let wide = Scene::parse(&text.replace("9.42497", "\"[9.40, 9.45]\"")).unwrap();
+    let (wide, impacts) = trace(&wide, &impacts(3), 10);
+    let either: Vec<_> = wide.strokes.iter().filter(|stroke| stroke.part == Part::Either).collect();
+    assert_eq!(either.len(), 3);
+    for (stroke, (_, time, _)) in either.iter().zip(&impacts) {
+        let [before, after] = stroke.points[..] else { panic!("{stroke:?}") };
+        // Not yet: from the middle on; already: up to it.
+        assert!(after.time.low <= time.low && time.middle <= after.time.high, "{after:?}");
+        assert!(before.time.low <= time.middle && time.high <= before.time.high, "{before:?}");
+        assert!(before.velocity.middle * after.velocity.middle < 0.0, "{stroke:?}");
+    }
+}
+
+#[test]
+fn a_box_beyond_a_turn_goes_on_at_its_beginning() {
+    let (trace, _) = trace(&scene("figure-12"), &impacts(2), 0);
+    let span = |low: f64, high: f64| Span { low, middle: 0.5 * (low + high), high };
+    let place = [span(6.0, 6.5), span(-2.0, -1.0)];
+    let parts = |panel: Panel| Frame::new(panel, &trace, 1).wrapped(place).collect::<Vec<_>>();
+    assert_eq!(parts(Panel::SectionLeft), [place, [span(0.0, 6.5 - TAU), place[1]]]);
+    assert_eq!(parts(Panel::AbsoluteSwitchPlane), [place]);
+}

@@ -66,6 +66,8 @@ pub enum Part {
     Flight,
     /// The velocity before and after an impact.
     Jump,
+    /// While an impact may have come or not: the flights before and after it. Enclosures without a line.
+    Either,
     /// Infinitely many bounces, each smaller than the digits asked for.
     Chatter,
     /// On a wall.
