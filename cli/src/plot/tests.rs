@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use impact_pair::Scene;
-use impact_pair::orbit::{Orbit, Progress, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
 
 use super::arguments::Panel;
@@ -37,8 +37,9 @@ fn trace(scene: &Scene, settings: &Settings, cycles: u32) -> (Trace, Vec<(Wall, 
     (recorder.finish(&orbit, settings, count), impacts)
 }
 
+/// So many impacts, certified in doubles, which every build has.
 fn impacts(count: u64) -> Settings {
-    Settings { impacts: Some(count), ..Settings::default() }
+    Settings { impacts: Some(count), arithmetic: Arithmetic::Interval, ..Settings::default() }
 }
 
 fn meet(a: Span, b: Span) -> bool {
@@ -84,7 +85,7 @@ fn absolute_coordinates_move_with_no_force_between_impacts() {
 
 #[test]
 fn crossings_lie_on_their_walls_at_their_phases() {
-    let (trace, impacts) = trace(&scene("figure-17"), &impacts(400), 0);
+    let (trace, impacts) = trace(&scene("figure-17"), &impacts(40), 0);
     assert!(trace.strokes.is_empty());
     for (crossing, (wall, time, velocity)) in trace.crossings.iter().zip(&impacts) {
         assert!((0.0..TAU).contains(&crossing.phase.low), "{crossing:?}");
@@ -96,7 +97,7 @@ fn crossings_lie_on_their_walls_at_their_phases() {
     for (panel, wall) in [(Panel::SectionLeft, Wall::Left), (Panel::SectionRight, Wall::Right)] {
         let frame = Frame::new(panel, &trace, 1);
         let count = impacts.iter().filter(|(of, ..)| *of == wall).count();
-        assert!(count > 100 && frame.crossings().count() == count && frame.crossings().all(|(of, _)| of == wall));
+        assert!(count > 10 && frame.crossings().count() == count && frame.crossings().all(|(of, _)| of == wall));
     }
 }
 
@@ -137,7 +138,7 @@ fn chatter_rest_and_release_are_on_the_wall() {
 #[cfg(feature = "multiprecision")]
 #[test]
 fn a_graze_is_on_the_curve_and_on_the_wall() {
-    let (trace, _) = trace(&scene("graze"), &impacts(5), 10);
+    let (trace, _) = trace(&scene("graze"), &Settings { arithmetic: Arithmetic::Auto, ..impacts(5) }, 10);
     let [graze] = trace.marks[..] else { panic!("{:?}", trace.marks) };
     assert!(graze.kind == Kind::Graze && graze.point.velocity.middle.abs() < 1e-9);
     assert!((graze.point.displacement.middle - trace.wall.middle).abs() < 1e-9);
@@ -150,8 +151,7 @@ fn a_graze_is_on_the_curve_and_on_the_wall() {
 
 #[test]
 fn what_is_not_proved_is_open() {
-    let settings = Settings { arithmetic: "interval".parse().unwrap(), ..impacts(200) };
-    let (trace, impacts) = trace(&scene("figure-14"), &settings, 100);
+    let (trace, impacts) = trace(&scene("figure-14"), &impacts(200), 100);
     assert!(trace.is_open && impacts.len() < 200);
     let last = impacts.last().unwrap().1;
     let end = trace.start + trace.known * trace.period;
