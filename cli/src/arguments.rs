@@ -15,6 +15,7 @@ use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
 
 use crate::audit::arguments as audit;
+use crate::plot::arguments as plot;
 use crate::two_impact::arguments as two_impact;
 use crate::version;
 
@@ -60,6 +61,9 @@ pub enum Verb {
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),
+    /// Draw the figures of a scene, of certified orbits, as SVG or PNG
+    #[command(after_help = EXIT_CODES, after_long_help = plot::HELP)]
+    Plot(plot::PlotArguments),
     /// Find the motions with two impacts in N cycles: closed forms (61)-(73), all others, first contacts, stability
     #[command(after_help = two_impact::EXIT_CODES, after_long_help = two_impact::HELP)]
     TwoImpact(two_impact::TwoImpactArguments),
@@ -368,7 +372,7 @@ pub struct TradeArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the rungs: the time of an impact over the certified digits
-    #[arg(long, value_name = "FILE.svg", value_parser = svg)]
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
     pub plot: Option<PathBuf>,
     /// No notes and no progress on stderr
     #[arg(long, short)]
@@ -428,14 +432,4 @@ pub fn bits() -> RangedI64ValueParser<u32> {
 pub fn point(text: &str) -> Result<Exact, String> {
     let number = Exact::parse(text).map_err(|error| error.to_string())?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
-}
-
-/// Reads the name of a picture.
-pub fn svg(path: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(path);
-    if path.extension().is_some_and(|ending| ending == "svg") {
-        Ok(path)
-    } else {
-        Err("accepted is a name that ends in .svg".into())
-    }
 }

@@ -11,6 +11,8 @@ mod listing;
 mod man;
 mod output;
 mod periodic;
+mod picture;
+mod plot;
 mod progress;
 mod prove;
 mod run;
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
+        Verb::Plot(arguments) => plot::plot(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Audit(arguments) => audit::audit(&arguments),

@@ -3,6 +3,7 @@
 mod aside;
 mod attraction;
 mod clock;
+mod course;
 mod event;
 mod given;
 mod motion;
@@ -22,6 +23,7 @@ mod start;
 mod still;
 
 pub use clock::Clock;
+pub use course::{Course, CoursePoint};
 pub use event::{Graze, Impact, Outcome, Period, Progress, Release, Rest};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
@@ -235,13 +237,7 @@ impl Orbit {
 
     /// The impact as a point of its switch-plane. **Equations** (18)-(23)
     pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
-        let shaking = match &self.given.several {
-            None => {
-                let (shift, speed, _) = displacement_velocity_acceleration(self.pair.alpha, impact.phase.sin_cos());
-                (shift, speed)
-            }
-            Some(several) => several.shaking(impact.turns, impact.phase),
-        };
+        let shaking = self.shaking(impact.turns, impact.phase);
         let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
         let (time, relative_velocity) = impact.enclosures();
         SwitchPoint {
@@ -250,6 +246,17 @@ impl Orbit {
             relative_velocity: self.clock.velocity(&relative_velocity),
             displacement: self.clock.length(&finite(displacement)),
             absolute_velocity: self.clock.velocity(&finite(velocity)),
+        }
+    }
+
+    /// `E/d` and `E'` in gaps a turn.
+    fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
+        match &self.given.several {
+            None => {
+                let (shift, speed, _) = displacement_velocity_acceleration(self.pair.alpha, phase.sin_cos());
+                (shift, speed)
+            }
+            Some(several) => several.shaking(turns, phase),
         }
     }
 

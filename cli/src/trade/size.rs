@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use impact_pair::{Harmonic, Scene};
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
+use impact_pair::{Harmonic, Scene};
 
 /// What a logarithm here may be off by, absolutely and in proportion: each is a few roundings of doubles.
 const SLACK: (f64, f64) = (1e-9, 1e-14);
