@@ -74,6 +74,7 @@ mod error;
 pub mod exact;
 pub mod excitation;
 pub mod flight;
+pub mod lyapunov;
 pub mod mapping;
 pub mod number;
 pub mod orbit;
@@ -81,6 +82,7 @@ pub mod pair;
 pub mod periodic;
 pub mod rest;
 pub mod scene;
+pub mod sweep;
 pub mod switch_plane;
 pub mod two_impact;
 

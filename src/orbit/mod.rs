@@ -6,6 +6,7 @@ mod clock;
 mod event;
 mod motion;
 mod origin;
+mod passage;
 #[cfg(feature = "multiprecision")]
 mod plan;
 #[cfg(feature = "multiprecision")]
