@@ -14,6 +14,7 @@ use impact_pair::periodic::bifurcation::{Over, Wanted};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
 
+use crate::sweep::arguments as sweep;
 use crate::two_impact::arguments as two_impact;
 
 /// Verified numerics for the horizontal impact pair: every impact proved
@@ -65,6 +66,9 @@ pub enum Verb {
     /// Write a Coq file whose theorem says what an orbit JSON says
     #[command(after_help = PROVE_EXIT_CODES, after_long_help = PROVE_HELP)]
     Prove(ProveArguments),
+    /// Certify an orbit at each point of a grid of parameters or initial data: bifurcation diagrams, exponents, basins
+    #[command(after_help = sweep::EXIT_CODES, after_long_help = sweep::HELP)]
+    Sweep(sweep::SweepArguments),
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),
@@ -387,7 +391,7 @@ pub fn digits() -> RangedI64ValueParser<u32> {
 }
 
 /// Reads a number of bits.
-fn bits() -> RangedI64ValueParser<u32> {
+pub fn bits() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
 }
 

@@ -13,6 +13,7 @@ mod progress;
 mod prove;
 mod run;
 mod scene;
+mod sweep;
 mod table;
 mod trade;
 mod two_impact;
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
+        Verb::Sweep(arguments) => sweep::sweep(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Completions { shell } => completions(shell),

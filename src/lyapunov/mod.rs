@@ -33,7 +33,7 @@ pub enum Exponent {
 pub enum Unknown {
     /// There are no two impacts in a row.
     NoImpacts,
-    /// At a graze the map has no derivative.
+    /// At a graze the map has no derivative; it may have been a miss.
     Graze,
     /// The ball rests where nothing presses it to the wall: some that start nearby leave.
     Unpressed,
@@ -42,6 +42,15 @@ pub enum Unknown {
 }
 
 impl Unknown {
+    /// Whether there is none, proved; otherwise it could not be found.
+    pub fn is_definite(self) -> bool {
+        match self {
+            Self::NoImpacts | Self::Unpressed => true,
+            // A graze is listed where no precision tells it from a miss.
+            Self::Graze | Self::Width => false,
+        }
+    }
+
     /// A word for it.
     pub fn name(self) -> &'static str {
         match self {

@@ -223,13 +223,16 @@ mod tests {
 
     #[test]
     fn mirror_images_are_two_attractors_of_one_word() {
-        // Beyond the pitchfork at A = 0.3458... two orbits RL exist, mirror images of each other.
-        let scene = scene("cascade").with(&[(Key::Amplitude, "0.4".parse().unwrap())]).unwrap();
+        // A = 0.36 is beyond the pitchfork at 0.3458...: two orbits RL exist, mirror images of each other.
+        let scene = scene("cascade");
         let from = |phase: &str| {
             let varied = scene.with(&[(Key::StartPhase, phase.parse().unwrap())]).unwrap();
             point(&varied, 600, 4).attraction
         };
-        let found: Vec<_> = ["0", "1", "2", "3", "4", "5", "6"].iter().filter_map(|phase| from(phase)).collect();
+        // There are others as well.
+        let is_short = |attraction: &Attraction| attraction.cycles == 1;
+        let phases = ["0", "1", "2", "3", "4", "5", "6"];
+        let found: Vec<_> = phases.iter().filter_map(|phase| from(phase)).filter(is_short).collect();
         let phase = |attraction: &Attraction| attraction.first.phase.mid_rad().0;
         assert!(found.len() > 3 && found.iter().all(|one| one.word == found[0].word));
         let (low, high) = found.iter().map(phase).fold((9f64, 0f64), |(a, b), x| (a.min(x), b.max(x)));
