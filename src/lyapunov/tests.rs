@@ -68,10 +68,7 @@ fn bounds_hold_the_norm_of_differences() {
         [half(&less.0, &more.0), half(&less.1, &more.1)]
     };
     let by_time = column(last("-2e-25", "-12.56636"), last("2e-25", "-12.56636"));
-    let by_velocity = column(
-        last("0", "-12.56636 - 4.712485e-25"),
-        last("0", "-12.56636 + 4.712485e-25"),
-    );
+    let by_velocity = column(last("0", "-12.56636 - 4.712485e-25"), last("0", "-12.56636 + 4.712485e-25"));
     let squares: f64 = by_time.iter().chain(&by_velocity).map(|x| x * x).sum();
     let determinant = by_time[0] * by_velocity[1] - by_time[1] * by_velocity[0];
     let norm = (0.5 * (squares + (squares * squares - 4.0 * determinant * determinant).sqrt())).sqrt();

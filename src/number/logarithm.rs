@@ -1,4 +1,4 @@
-//! The natural logarithm of a ball, without a library's: Lemma B2.
+//! The natural logarithm of a ball, without a library's: Lemma B3.
 
 use super::{Ball, Number, up};
 
@@ -26,7 +26,7 @@ pub fn logarithm(x: Ball) -> Option<Ball> {
     Some(middle.widened(up(x.rad() / least)))
 }
 
-/// Encloses `ln x` of a normal double `x > 0`. Lemma B2
+/// Encloses `ln x` of a normal double `x > 0`. Lemma B3
 fn logarithm_of(x: f64) -> Ball {
     let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023;
     // x = m 2^k with m in [sqrt(1/2), sqrt(2)], about; both factors are exact.

@@ -113,7 +113,8 @@ impl Scene {
 
     fn set(&mut self, key: Key, value: Exact) -> Result<(), Error> {
         let old = self.pair.excitation();
-        let [mut amplitude, mut frequency, mut phase] = [old.amplitude(), old.frequency(), old.phase()].map(Exact::clone);
+        let [mut amplitude, mut frequency, mut phase] =
+            [old.amplitude(), old.frequency(), old.phase()].map(Exact::clone);
         let (mut gap, mut restitution) = (self.pair.gap().clone(), self.pair.restitution().clone());
         match key {
             Key::Amplitude => amplitude = value,
@@ -203,14 +204,17 @@ mod tests {
 
     #[test]
     fn what_is_out_of_range_is_refused() {
-        let (wall, inside) = (scene("time = 0, wall = \"left\", velocity = -1"), scene("time = 0, position = 1.5, velocity = 1"));
+        let (wall, inside) =
+            (scene("time = 0, wall = \"left\", velocity = -1"), scene("time = 0, position = 1.5, velocity = 1"));
         let message = |scene: &Scene, key, value| scene.with(&[(key, exact(value))]).unwrap_err().to_string();
         assert_eq!(message(&wall, Key::Restitution, "1.5"), "pair.restitution is 1.5, but must lie in [0, 1]");
         assert_eq!(
             message(&wall, Key::StartVelocity, "1"),
             "start.velocity is 1, but on the left wall it must be at most 0"
         );
-        assert!(message(&wall, Key::StartPosition, "0").starts_with("start.position is 0, but the scene starts on a wall"));
+        assert!(
+            message(&wall, Key::StartPosition, "0").starts_with("start.position is 0, but the scene starts on a wall")
+        );
         // The gap shrinks over the start.
         assert!(message(&inside, Key::Gap, "3").starts_with("start.position is 1.5, but must lie strictly between"));
         assert!("velocity".parse::<Key>().unwrap_err().to_string().contains("start.velocity"));

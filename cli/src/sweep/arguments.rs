@@ -92,9 +92,8 @@ pub struct SweepArguments {
 /// Impacts that can be asked for.
 const MOST_IMPACTS: u64 = 1_000_000_000;
 /// What shards have been told already.
-const MADE_ANEW: [&str; 10] = [
-    "scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume",
-];
+const MADE_ANEW: [&str; 10] =
+    ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
 
 /// How the points of a sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

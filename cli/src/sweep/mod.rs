@@ -93,7 +93,10 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     if left > 0 && interrupted.load(Ordering::Relaxed) && journal.path().is_some() {
         let path = journal.path().map(|path| path.display().to_string()).unwrap_or_default();
         let points = journal.points();
-        note(arguments, &format!("interrupted: {points} points are kept in {path}, {left} are left (go on with --resume)"));
+        note(
+            arguments,
+            &format!("interrupted: {points} points are kept in {path}, {left} are left (go on with --resume)"),
+        );
         return Ok(Answer::Incomplete);
     }
     let seconds = begun.elapsed().as_secs_f64();

@@ -34,6 +34,8 @@ const LINE: i32 = 22 * SCALE;
 const BESIDE: i32 = 250 * SCALE;
 /// The smallest cell of a diagram: less than a pixel of most screens.
 const CELL: i32 = 3;
+/// What is added around the cells of periodic orbits.
+const EDGE: i32 = 2;
 /// Attractors of a map that have a colour of their own.
 const NAMED: usize = 5;
 /// Letters of a word that a legend shows.
@@ -143,10 +145,9 @@ fn diagram(sweep: &mut Sweep, axis: &Axis, show: Show, text: &mut String, size: 
     let mut greatest = 0f64;
     let mut present = Vec::new();
     sweep.each_record(|record| {
-        if let Some(class) = Class::ALL.into_iter().find(|class| *class == Class::of(&record)) {
-            if !present.contains(&class) {
-                present.push(class);
-            }
+        let class = Class::of(&record);
+        if !present.contains(&class) {
+            present.push(class);
         }
         for state in &record.states {
             greatest = greatest.max(middle(&state.velocity)?.abs());
@@ -230,7 +231,10 @@ fn diagram(sweep: &mut Sweep, axis: &Axis, show: Show, text: &mut String, size: 
             rows.sort_unstable();
             rows.dedup();
             for run in rows.chunk_by(|a, b| a + 1 == *b) {
-                path.rectangle((column * cell - cell / 2, run[0] * cell - cell / 2), (cell, cell * run.len() as i32));
+                // Lines are made thick enough to be seen, clouds are not.
+                let edge = if class == Class::NotAttracted { 0 } else { EDGE };
+                let corner = (column * cell - cell / 2 - edge, run[0] * cell - cell / 2 - edge);
+                path.rectangle(corner, (cell + 2 * edge, cell * run.len() as i32 + 2 * edge));
             }
         }
         paths += &path.element(class.colour());
@@ -403,7 +407,11 @@ fn key(root: &Canvas<'_>, (x, y): (i32, i32), colour: RGBColor, name: &str) -> D
 fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
     let title = head.title.clone().unwrap_or_else(|| "Sweep".to_owned());
     let arithmetic = head.arithmetic["kind"].as_str().unwrap_or_default();
-    let certified = if head.certified { format!("certified ({arithmetic}, {} digits)", head.digits) } else { "floats, not certified".into() };
+    let certified = if head.certified {
+        format!("certified ({arithmetic}, {} digits)", head.digits)
+    } else {
+        "floats, not certified".into()
+    };
     let made = format!(
         "{} points, impacts {} to {} of each, {certified}; {}",
         head.points,

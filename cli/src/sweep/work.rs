@@ -1,8 +1,8 @@
 //! The points that are left, computed by all threads.
 
 use std::io::{self, IsTerminal};
-use std::sync::atomic::Ordering;
 use std::sync::Mutex;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use anyhow::{Context, Error, Result};
@@ -50,7 +50,9 @@ impl Work<'_> {
         let interrupted = interruption();
         let values = self.grid.values(point)?;
         let named = || {
-            let value = |(key, value): &(impact_pair::scene::Key, impact_pair::exact::Exact)| format!("{} = {value}", key.name());
+            let value = |(key, value): &(impact_pair::scene::Key, impact_pair::exact::Exact)| {
+                format!("{} = {value}", key.name())
+            };
             format!("point {point} ({})", values.iter().map(value).collect::<Vec<_>>().join(", "))
         };
         let scene = self.scene.with(&values).with_context(named)?;
@@ -59,6 +61,8 @@ impl Work<'_> {
     }
 
     /// Asks that all corners of the grid are scenes, before anything is computed.
+    ///
+    /// Then all points are: what a key accepts is an interval, and what two keys accept together, as `|y| < d/2`, convex.
     pub fn check(&self) -> Result<()> {
         let counts: Vec<u64> = self.grid.axes().iter().map(|axis| axis.count).collect();
         let corners = match counts[..] {
