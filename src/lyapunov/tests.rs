@@ -1,7 +1,7 @@
 //! Against an orbit whose Jacobians are known exactly, against differences of orbits, and against what is known of chaos.
 
 use super::*;
-use crate::orbit::{Settings, Start};
+use crate::orbit::Settings;
 use crate::scene::Scene;
 
 fn scene(name: &str) -> Scene {
@@ -55,8 +55,9 @@ fn bounds_hold_the_norm_of_differences() {
     let scene = scene("figure-14");
     let (impacts, step) = (12, 1e-25);
     let last = |time: &str, velocity: &str| {
-        let Start { .. } = scene.start();
-        let start = Start::on_wall(time.parse().unwrap(), crate::pair::Wall::Left, velocity.parse().unwrap()).unwrap();
+        let start =
+            crate::orbit::Start::on_wall(time.parse().unwrap(), crate::pair::Wall::Left, velocity.parse().unwrap())
+                .unwrap();
         let settings = Settings { impacts: Some(impacts), digits: 60, ..Settings::default() };
         let mut orbit = Orbit::new(scene.pair(), &start, settings).unwrap();
         let impact = orbit.by_ref().last().unwrap();

@@ -45,7 +45,6 @@ fn logarithm_of(x: f64) -> Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
 
     #[test]
     fn logarithms_of_fractions_add_up() {
@@ -60,7 +59,7 @@ mod tests {
     }
 
     #[cfg(feature = "multiprecision")]
-    proptest! {
+    proptest::proptest! {
         /// Against MPFR at 200 bits, at the centre and at both ends.
         #[test]
         fn balls_hold_the_logarithm(m in 0.5..2.0f64, k in -1000..1000i32, r in 0.0..0.9f64) {
@@ -70,9 +69,9 @@ mod tests {
                 for at in [-rad, 0.0, rad] {
                     let x = rug::Float::with_val(200, mid) + at;
                     let error = (x.ln() - found.mid()).abs();
-                    prop_assert!(error <= found.rad(), "{mid:e} {rad:e}: {error:e} > {:e}", found.rad());
+                    proptest::prop_assert!(error <= found.rad(), "{mid:e} {rad:e}: {error:e} > {:e}", found.rad());
                 }
-                prop_assert!(rad > 0.0 || found.rad() <= 2e-15 * (1.0 + found.mid().abs()), "{found:?}");
+                proptest::prop_assert!(rad > 0.0 || found.rad() <= 2e-15 * (1.0 + found.mid().abs()), "{found:?}");
             }
         }
     }

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 use std::error::Error as StdError;
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
 use anyhow::{Result, anyhow};
@@ -204,7 +205,7 @@ fn diagram(sweep: &mut Sweep, axis: &Axis, show: Show, text: &mut String, size: 
         let x = value(&axis.value(record.point)?);
         for state in &record.states {
             let bounds = match show {
-                Show::Phase => [double(&state.phase[0])?, double(&state.phase[1])?].map(|x| x / std::f64::consts::PI),
+                Show::Phase => [double(&state.phase[0])?, double(&state.phase[1])?].map(|x| x / PI),
                 Show::Velocity => [double(&state.velocity[0])?, double(&state.velocity[1])?],
             };
             // A box when it is wide enough to be seen, from its upper bound down.
@@ -254,7 +255,7 @@ impl Kind {
     fn is_of(&self, record: &Record, is_one_pair: bool) -> bool {
         let alike = |a: &Periodic, b: &Periodic| {
             let near = match (&a.first, &b.first) {
-                (Some(a), Some(b)) => overlap(&a.phase, &b.phase) && overlap(&a.velocity, &b.velocity),
+                (Some(a), Some(b)) => overlap(&a.phase, &b.phase, TAU) && overlap(&a.velocity, &b.velocity, 0.0),
                 _ => true,
             };
             (a.impacts, a.cycles, &a.word) == (b.impacts, b.cycles, &b.word) && (near || !is_one_pair)
@@ -284,11 +285,13 @@ impl Kind {
     }
 }
 
-/// Whether two pairs of bounds may mean one number, by doubles.
-fn overlap(a: &Bounds, b: &Bounds) -> bool {
+/// Whether two pairs of bounds may mean one number, or numbers that are `period` apart; by doubles, as labels are.
+fn overlap(a: &Bounds, b: &Bounds, period: f64) -> bool {
     let ends = |bounds: &Bounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
     let Some(((a0, a1), (b0, b1))) = ends(a).zip(ends(b)) else { return false };
-    a0.next_down() <= b1.next_up() && b0.next_down() <= a1.next_up()
+    // What reading and shifting may round off.
+    let slack = 4.0 * f64::EPSILON * (a1.abs() + b1.abs() + period);
+    [-period, 0.0, period].iter().any(|shift| a0 + shift <= b1 + slack && b0 <= a1 + shift + slack)
 }
 
 /// Draws axes and words into `text`; the data are handed back.
