@@ -70,6 +70,8 @@ pub struct Disturbance {
     /// The last impact; the start when it is on a wall.
     last: Option<Impact>,
     turns: Ball,
+    /// The growth is not known any more: it will not matter if a rest follows.
+    is_lost: bool,
     /// What is known without the growth, once that is so.
     settled: Option<Exponent>,
 }
@@ -88,7 +90,7 @@ impl Disturbance {
     fn new(orbit: &Orbit, last: Option<Impact>) -> Self {
         let restitution = orbit.restitution();
         let growth = Growth::new(restitution == Ball::exact(0.0));
-        Self { growth, restitution, last, turns: Ball::exact(0.0), settled: None }
+        Self { growth, restitution, last, turns: Ball::exact(0.0), is_lost: false, settled: None }
     }
 
     /// Follows it over the orbit's next event.
@@ -108,14 +110,15 @@ impl Disturbance {
     fn pass(&mut self, orbit: &Orbit, impact: &Impact) {
         let Some(last) = self.last.replace(impact.clone()) else { return };
         self.turns = self.turns + orbit.turns_between(&last, impact);
-        let multiplied = orbit.jacobian(&last, impact).and_then(|jacobian| {
-            let square = self.restitution * self.restitution;
-            let determinant = (square * last.velocity).checked_div(impact.velocity)?;
-            self.growth.multiply(&jacobian, determinant).then_some(())
-        });
-        if multiplied.is_none() {
+        let Some(jacobian) = orbit.jacobian(&last, impact) else {
+            // It may be a graze as far as is known.
             self.settled = Some(Exponent::Unknown(Unknown::Width));
-        }
+            return;
+        };
+        let square = self.restitution * self.restitution;
+        let determinant = (square * last.velocity).checked_div(impact.velocity);
+        let is_known = !self.is_lost && determinant.is_some_and(|it| self.growth.multiply(&jacobian, it));
+        self.is_lost = !is_known;
     }
 
     /// The exponent over the impacts so far. Lemma L3
@@ -124,19 +127,15 @@ impl Disturbance {
             return settled;
         }
         let impacts = self.growth.matrices();
-        if impacts == 0 {
+        if impacts == 0 && !self.is_lost {
             return Exponent::Unknown(Unknown::NoImpacts);
         }
-        let bounds = self.growth.logarithm_of_norm().and_then(|growth| {
+        let growth = self.growth.logarithm_of_norm().filter(|_| !self.is_lost);
+        let bounds = growth.and_then(|growth| {
             let per_impact = growth.checked_div(Ball::exact(impacts as f64))?;
             Some(Exponent::Finite { per_impact, per_cycle: growth.checked_div(self.turns)? })
         });
         bounds.unwrap_or(Exponent::Unknown(Unknown::Width))
-    }
-
-    /// Flights that it has been followed over, and the turns that they took.
-    pub fn passed(&self) -> (u64, Ball) {
-        (self.growth.matrices(), self.turns)
     }
 }
 

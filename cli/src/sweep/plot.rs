@@ -97,7 +97,7 @@ impl Path {
 
     fn element(&self, colour: RGBColor) -> String {
         let RGBColor(r, g, b) = colour;
-        format!("<path fill=\"#{r:02X}{g:02X}{b:02X}\" d=\"{}\"/>\n", self.0)
+        format!("<path shape-rendering=\"crispEdges\" fill=\"#{r:02X}{g:02X}{b:02X}\" d=\"{}\"/>\n", self.0)
     }
 }
 
@@ -232,8 +232,8 @@ fn diagram(sweep: &mut Sweep, axis: &Axis, show: Show, text: &mut String, size: 
             rows.sort_unstable();
             rows.dedup();
             for run in rows.chunk_by(|a, b| a + 1 == *b) {
-                // Lines are made thick enough to be seen, clouds are not.
-                let edge = if class == Class::NotAttracted { 0 } else { EDGE };
+                // Lines are made thick enough to be seen, dense clouds are not.
+                let edge = if class == Class::NotAttracted && cell == CELL { 0 } else { EDGE };
                 let corner = (column * cell - cell / 2 - edge, run[0] * cell - cell / 2 - edge);
                 path.rectangle(corner, (cell + 2 * edge, cell * run.len() as i32 + 2 * edge));
             }
@@ -269,11 +269,12 @@ impl Kind {
     }
 
     fn name(&self, is_one_pair: bool) -> String {
-        let Some(period) = &self.period else { return self.outcome.clone() };
-        let plural = if period.cycles == 1 { "" } else { "s" };
-        let Some(word) = period.word.as_deref().and_then(|word| word.parse::<Word>().ok()) else {
-            return format!("{} impacts in {} cycle{plural}, rests", period.impacts, period.cycles);
+        let word = |period: &Periodic| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
+        let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
+            let periodic = self.outcome == "periodic";
+            return if periodic { "exactly periodic through rest".to_owned() } else { self.outcome.clone() };
         };
+        let plural = if period.cycles == 1 { "" } else { "s" };
         let letter = |wall| if wall == Wall::Left { 'L' } else { 'R' };
         let mut walls: String = word.mappings().iter().take(LETTERS).map(|mapping| letter(mapping.walls().0)).collect();
         if word.mappings().len() > LETTERS {
@@ -301,7 +302,9 @@ fn map(sweep: &mut Sweep, grid: &Grid, text: &mut String, size: (u32, u32)) -> D
     let mut kinds: Vec<Kind> = Vec::new();
     // The kind of each point; none where it is missing.
     let mut points = vec![usize::MAX; usize::try_from(grid.points())?];
-    sweep.each_record(|record| {
+    sweep.each_record(|mut record| {
+        // What is exactly periodic through a rest is one kind.
+        record.period = record.period.filter(|period| period.word.is_some());
         let found = kinds.iter().position(|kind| kind.is_of(&record, is_one_pair));
         let number = found.unwrap_or_else(|| {
             kinds.push(Kind { outcome: record.outcome.clone(), period: record.period.clone(), points: 0 });
