@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use impact_pair::orbit::{Arithmetic, MAX_BITS};
+use impact_pair::orbit::Arithmetic;
 use impact_pair::sweep::Axis;
 
 pub const EXIT_CODES: &str = "\
@@ -54,8 +54,8 @@ pub struct SweepArguments {
     /// What computes: as in run
     #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
     pub arithmetic: Arithmetic,
-    /// Bits that auto takes at most
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::arguments::bits())]
+    /// Bits that auto takes at most; more than 100,000 chaotic impacts need, and no point takes minutes to stay undecided
+    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::arguments::bits())]
     pub max_bits: u32,
     /// Write no impacts, only what is said of each point
     #[arg(long)]
