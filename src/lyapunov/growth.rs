@@ -6,7 +6,7 @@ use crate::number::{Ball, Number, logarithm, up};
 /// A tangent vector `length (c + s c')`, `c` the frame and `c'` the frame turned by a quarter.
 #[derive(Clone, Copy, Debug)]
 struct Tangent {
-    /// `c`, exactly; of a length near 1.
+    /// `c`, exactly.
     frame: [f64; 2],
     /// Encloses `s`.
     slope: Ball,
@@ -22,8 +22,8 @@ fn turned([x, y]: [Ball; 2]) -> [Ball; 2] {
 }
 
 impl Tangent {
-    fn new(frame: [f64; 2]) -> Self {
-        Self { frame, slope: Ball::exact(0.0), length: Scaled::one() }
+    fn new(frame: [f64; 2], length: Ball) -> Self {
+        Self { frame, slope: Ball::exact(0.0), length: Scaled::one().times(length) }
     }
 
     /// The image under every matrix in the balls. Lemma L1
@@ -85,8 +85,15 @@ impl Growth {
     /// Where `is_dead`, `e = 0`: every Jacobian maps the direction of the velocity to 0, as its second column is `-e`
     /// times something.
     pub fn new(is_dead: bool) -> Self {
-        let second = (!is_dead).then(|| Tangent::new([0.0, 1.0]));
-        Self { first: Tangent::new([1.0, 0.0]), second, determinant: Scaled::one(), matrices: 0 }
+        let (first, second) = if is_dead {
+            (Tangent::new([1.0, 0.0], Ball::exact(1.0)), None)
+        } else {
+            // Orthonormal, but not along the axes: a vector along an axis that every matrix contracts more than the other
+            // would lose its direction in the end.
+            let fifth = Ball::new(0.2, f64::EPSILON);
+            (Tangent::new([3.0, 4.0], fifth), Some(Tangent::new([-4.0, 3.0], fifth)))
+        };
+        Self { first, second, determinant: Scaled::one(), matrices: 0 }
     }
 
     /// Multiplies by a Jacobian from the left; `determinant` encloses its determinant.
@@ -114,7 +121,9 @@ impl Growth {
         let Some(second) = &self.second else { return Some(half * self.first.square().logarithm()?) };
         // S and 2 D of Lemma L2.
         let squares = self.first.square().plus(second.square());
-        let ratio = Ball::exact(2.0) * self.determinant.in_units_of_sum(squares)?;
+        // At most 1, where nothing better is known.
+        let ratio = self.determinant.in_units_of_sum(squares).map(|determinant| Ball::exact(2.0) * determinant);
+        let ratio = ratio.unwrap_or(Ball::new(0.5, 0.5));
         let room = Ball::exact(1.0) - ratio * ratio;
         // Singular values are real: what rounding leaves below 0 is none.
         let root = |x: f64| x.clamp(0.0, 1.0).sqrt();
@@ -123,5 +132,55 @@ impl Growth {
         let root = Ball::new(middle, up((high - middle).max(middle - low) + 4.0 * f64::EPSILON));
         let larger = half * (Ball::exact(1.0) + root);
         Some(half * (squares.logarithm()? + logarithm(larger)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `ln` of the norm by floats.
+    fn norm([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+        let (squares, determinant) = (a * a + b * b + c * c + d * d, a * d - b * c);
+        (0.5 * (squares + (squares * squares - 4.0 * determinant * determinant).sqrt())).ln() / 2.0
+    }
+
+    #[test]
+    fn directions_that_are_not_known_widen_the_norm() {
+        // Twice a stretch of one axis, in between a turn by 75 degrees: its image is nearly along the short axis.
+        let (stretch, radius) = ([[10.0, 0.0], [0.0, 0.1]], 0.05);
+        let balls = |matrix: [[f64; 2]; 2], radius| matrix.map(|row| row.map(|x| Ball::new(x, radius)));
+        let middle = 75f64.to_radians();
+        let mut growth = Growth::new(false);
+        let (sin, cos) = middle.sin_cos();
+        assert!(growth.multiply(&balls(stretch, 0.0), Ball::new(1.0, 1e-15)));
+        assert!(growth.multiply(&balls([[cos, -sin], [sin, cos]], radius), Ball::new(1.0, 0.1)));
+        assert!(growth.multiply(&balls(stretch, 0.0), Ball::new(1.0, 1e-15)));
+        let found = growth.logarithm_of_norm().unwrap();
+        for turn in [-0.05f64, -0.03, 0.0, 0.03, 0.05] {
+            let (sin, cos) = (middle + turn).sin_cos();
+            let product = [[100.0 * cos, -sin], [sin, 0.01 * cos]];
+            assert!((norm(product) - found.mid()).abs() <= found.rad() + 1e-12, "{turn}: {found:?}");
+        }
+        assert!(found.rad() < 1.5, "{found:?}");
+    }
+
+    #[test]
+    fn a_direction_that_may_turn_by_a_right_angle_is_lost() {
+        let mut growth = Growth::new(false);
+        assert!(!growth.multiply(&[[Ball::new(1.0, 2.0); 2]; 2], Ball::new(1.0, 1.0)));
+        assert_eq!(growth.matrices(), 0);
+    }
+
+    #[test]
+    fn products_leave_the_range_of_doubles() {
+        let matrix = [[Ball::exact(1e-15), Ball::exact(0.0)], [Ball::exact(0.0), Ball::exact(1e-20)]];
+        let mut growth = Growth::new(false);
+        for _ in 0..1000 {
+            assert!(growth.multiply(&matrix, Ball::new(1e-35, 1e-50)));
+        }
+        let found = growth.logarithm_of_norm().unwrap();
+        let exact = -15_000.0 * std::f64::consts::LN_10;
+        assert!((found.mid() - exact).abs() <= found.rad() + 1e-9 && found.rad() < 1e-6, "{found:?} {exact}");
     }
 }
