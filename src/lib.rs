@@ -24,6 +24,7 @@
 //! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
 //! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
+//! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
 //!
@@ -75,6 +76,7 @@ mod error;
 pub mod exact;
 pub mod excitation;
 pub mod flight;
+pub mod lyapunov;
 pub mod mapping;
 pub mod number;
 pub mod orbit;
@@ -83,6 +85,7 @@ pub mod periodic;
 pub mod rest;
 pub mod scene;
 mod several;
+pub mod sweep;
 pub mod switch_plane;
 pub mod two_impact;
 

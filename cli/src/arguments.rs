@@ -16,6 +16,7 @@ use impact_pair::scene::{DIGITS, Run};
 
 use crate::audit::arguments as audit;
 use crate::plot::arguments as plot;
+use crate::sweep::arguments as sweep;
 use crate::two_impact::arguments as two_impact;
 use crate::version;
 
@@ -58,6 +59,9 @@ pub enum Verb {
     /// Write a Coq file whose theorem says what an orbit JSON says
     #[command(after_help = PROVE_EXIT_CODES, after_long_help = PROVE_HELP)]
     Prove(ProveArguments),
+    /// Certify an orbit at each point of a grid of parameters or initial data: bifurcation diagrams, exponents, basins
+    #[command(after_help = sweep::EXIT_CODES, after_long_help = sweep::HELP)]
+    Sweep(sweep::SweepArguments),
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),

@@ -17,6 +17,7 @@ mod progress;
 mod prove;
 mod run;
 mod scene;
+mod sweep;
 mod table;
 mod trade;
 mod two_impact;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),
+        Verb::Sweep(arguments) => sweep::sweep(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Audit(arguments) => audit::audit(&arguments),

@@ -6,6 +6,7 @@
 
 mod ball;
 pub mod kernel;
+mod logarithm;
 #[cfg(feature = "multiprecision")]
 mod magnitude;
 #[cfg(feature = "multiprecision")]
@@ -19,6 +20,7 @@ use crate::exact::Enclosure;
 pub use ball::Ball;
 pub(crate) use ball::{UNIT, binade, is_positive, up};
 use kernel::Departure;
+pub use logarithm::logarithm;
 #[cfg(feature = "multiprecision")]
 pub use magnitude::Magnitude;
 #[cfg(feature = "multiprecision")]

@@ -8,6 +8,7 @@ mod event;
 mod given;
 mod motion;
 mod origin;
+mod passage;
 #[cfg(feature = "multiprecision")]
 mod plan;
 #[cfg(feature = "multiprecision")]

@@ -83,6 +83,11 @@ impl Several {
         (sums.sine, sums.cosine)
     }
 
+    /// `y''` in gaps a turn squared.
+    pub fn swing(&self, turns: i64, phase: Ball) -> Ball {
+        self.harmonics.sums(turns, &phase).swing
+    }
+
     /// The number of a release, the same for all that are whole common periods apart (Lemma H9).
     pub fn number_of(&mut self, zero: &Zero) -> usize {
         let period = self.spectrum.period.and_then(|period| i64::try_from(period).ok());
