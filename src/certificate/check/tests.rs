@@ -1,9 +1,12 @@
-//! Certificates of several harmonics: those of one harmonic `A sin(th)` are true of `A sin(th + pi/3) + A sin(th - pi/3)`.
+//! Certificates of several harmonics: those of one harmonic `A sin(th)` are true of `A sin(th + pi/3) + A sin(th - pi/3)`, and
+//! one is another program's.
 
+use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::{Data, Verdict};
 use crate::Scene;
+use crate::certificate::tests::found_again;
 use crate::certificate::{Certificate, Conclusion, Event, arithmetic, head, write_json};
 use crate::orbit::{Arithmetic, Progress, Settings};
 
@@ -62,6 +65,56 @@ fn event(document: &Value, name: &str) -> usize {
     document["events"].as_array().unwrap().iter().position(|event| event["event"] == name).expect(name)
 }
 
+/// Bounds of time and velocity of the first impacts of [`proved`], from the right wall on by turns; from
+/// `python validation/arb/simulate.py SCENE --impacts 6 --digits 14`, which encloses them in Arb's balls.
+const PROVED: [[&str; 4]; 6] = [
+    ["0.77621049727600641226", "0.77621049727600641227", "6.09718066506500039728", "6.09718066506500039729"],
+    ["1.24268949131571683583", "1.24268949131571683584", "-8.83515431394829045518", "-8.83515431394829045517"],
+    ["1.78671025839332870884", "1.78671025839332870885", "6.51313642915364352458", "6.51313642915364352459"],
+    ["2.42748250247211105387", "2.42748250247211105388", "-5.95067562297451543682", "-5.95067562297451543681"],
+    ["2.97489106279952938255", "2.97489106279952938256", "8.63000619818686017919", "8.63000619818686017920"],
+    ["3.55525578060025564714", "3.55525578060025564715", "-8.66998377411411345750", "-8.66998377411411345749"],
+];
+
+/// Paths to the data of [`proved`] and their values.
+const DATA: [(&str, &str); 13] = [
+    ("/scene/excitation/amplitude/0", "1"),
+    ("/scene/excitation/amplitude/1", "0.7"),
+    ("/scene/excitation/amplitude/2", "0.4"),
+    ("/scene/excitation/frequency/0", "pi"),
+    ("/scene/excitation/frequency/1", "sqrt(2)*pi"),
+    ("/scene/excitation/frequency/2", "pi/3"),
+    ("/scene/excitation/phase/0", "0.3"),
+    ("/scene/excitation/phase/1", "1"),
+    ("/scene/excitation/phase/2", "2"),
+    ("/scene/gap", "3"),
+    ("/scene/restitution", "0.6"),
+    ("/scene/start/time", "0.25"),
+    ("/scene/start/velocity", "-4"),
+];
+
+/// The certificate of an orbit under three harmonics, two of them incommensurate, with data put into other words.
+fn proved(word: impl Fn(usize, &str) -> String) -> Value {
+    let event = |(i, [t0, t1, v0, v1]): (usize, &[&str; 4])| {
+        let (wall, mapping) = if i % 2 == 0 { ("right", "P2") } else { ("left", "P1") };
+        json!({
+            "event": "impact", "index": i + 1, "mapping": mapping, "wall": wall, "time": [t0, t1], "velocity": [v0, v1],
+        })
+    };
+    let mut document = json!({
+        "schema": "impact-pair/orbit/1", "certified": true, "outcome": {"kind": "impacts-reached"},
+        "scene": {
+            "excitation": {"amplitude": [0, 0, 0], "frequency": [0, 0, 0], "phase": [0, 0, 0]},
+            "gap": 0, "restitution": 0, "start": {"time": 0, "wall": "left", "velocity": 0},
+        },
+        "events": PROVED.iter().enumerate().map(event).collect::<Vec<_>>(),
+    });
+    for (i, (path, value)) in DATA.iter().enumerate() {
+        *document.pointer_mut(path).expect(path) = json!(word(i, value));
+    }
+    document
+}
+
 /// A path to an entry of an event.
 fn entry(event: usize, key: &str) -> String {
     format!("/events/{event}/{key}")
@@ -89,6 +142,36 @@ fn the_orbit_of_a_sum_is_confirmed_and_nothing_else() {
         let mut claimed = bounds.clone();
         claimed[end] = other.clone();
         assert!(!matches!(spoiled(&document, &path, json!(claimed)), Verdict::Confirmed { .. }), "{path}");
+    }
+}
+
+#[test]
+fn the_orbit_that_another_program_proved_is_confirmed_for_these_data_only() {
+    let document = proved(|_, value| value.to_owned());
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    for (path, value) in DATA {
+        let other = json!(format!("{value} + 1e-17"));
+        assert!(matches!(spoiled(&document, path, other), Verdict::Refuted(_)), "{path}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    /// Sets hold the orbits of their members (Lemma V2): any data are intervals, members anywhere inside.
+    #[test]
+    fn sets_under_a_sum_hold_their_members(
+        size in 3u32..10, sets in prop::array::uniform13(any::<bool>()), parts in prop::array::uniform13(0u32..=4),
+    ) {
+        let width = format!("1e-{size}");
+        let all = |i: usize, x: &str| if sets[i] { format!("[{x}, {x} + {width}]") } else { x.to_owned() };
+        let one = |i: usize, x: &str| if sets[i] { format!("{x} + {width}*{}/4", parts[i]) } else { x.to_owned() };
+        let found = found_again(&proved(all));
+        prop_assert!(size < 7 || found.len() == PROVED.len());
+        for ((times, velocities), (time, velocity)) in found.iter().zip(found_again(&proved(one))) {
+            prop_assert!(times.contains_enclosure(&time), "{times:?} {time:?}");
+            prop_assert!(velocities.contains_enclosure(&velocity), "{velocities:?} {velocity:?}");
+        }
     }
 }
 
