@@ -150,6 +150,9 @@ pub(super) fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
     for claim in certificate.events() {
         // Whether the set lies inside the printed bounds does not matter here.
         let _ = walk.confirm(claim);
+        if !matches!(claim.kind, ClaimKind::Impact { .. }) {
+            continue;
+        }
         // Wide sets need not all land on one wall.
         let Some(landing) = walk.landing.take() else { break };
         let (time, velocity) = (walk.clock.time(&landing.phase.hull()), walk.clock.velocity(&landing.velocity.hull()));

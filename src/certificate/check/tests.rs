@@ -192,6 +192,34 @@ fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
     }
 }
 
+/// Sets that rest and are released hold their members: each harmonic has its own release, which depends on all data.
+#[test]
+fn sets_that_are_released_hold_their_members() {
+    let mut document = split(&certificate("1", "wall = \"left\", velocity = -0.5", "0.3", 40));
+    let [rest, release] = [event(&document, "rest"), event(&document, "release")];
+    document["events"].as_array_mut().unwrap().truncate(release + 4);
+    // Wide enough for all members.
+    document["events"][rest]["time"] = json!(["0.2", "0.25"]);
+    document["events"][release]["time"] = json!(["0.9", "1.1"]);
+    let with = |word: &dyn Fn(usize, &str) -> String| {
+        let mut document = document.clone();
+        document["scene"]["excitation"] = json!({
+            "amplitude": [word(0, "1"), word(1, "1")], "frequency": [word(2, "(pi - 1e-24)"), word(3, "pi")],
+            "phase": [word(4, "4*pi/3"), word(5, "2*pi/3")],
+        });
+        found_again(&document)
+    };
+    let set = with(&|_, x| format!("[{x}, {x} + 1e-24]"));
+    assert_eq!(set.len(), release - 1 + 3);
+    for member in 0..64 {
+        let one = with(&|i, x| format!("{x} + 1e-24*{}", (member >> i) & 1));
+        for ((times, velocities), (time, velocity)) in set.iter().zip(one) {
+            assert!(times.contains_enclosure(&time), "{times:?} {time:?}");
+            assert!(velocities.contains_enclosure(&velocity), "{velocities:?} {velocity:?}");
+        }
+    }
+}
+
 #[test]
 fn only_commensurate_harmonics_have_a_common_period() {
     let common_turns = |frequencies: [&str; 3]| {
