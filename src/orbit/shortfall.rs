@@ -91,11 +91,11 @@ impl Orbit {
     pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
         let Some(raise) = &mut self.raise else { return false };
         let Some(motion) =
-            raise.again(&self.pair, shortfall, self.cursor.index - self.start.index, self.motion.accuracy())
+            raise.again(shortfall, self.cursor.index - self.start.index, self.motion.accuracy())
         else {
             return false;
         };
-        self.motion = Box::new(motion);
+        self.motion = motion;
         self.cursor = self.start;
         true
     }
