@@ -128,8 +128,7 @@ impl Growth {
         let (time, velocity1, swing1) = (contact.time.mid(), contact.velocity.mid(), self.run.swing());
         let last = self.last.replace((velocity1, swing1));
         let Some((velocity0, swing0)) = last else { return Some((0.0, time)) };
-        let [[a, b], [c, d]] =
-            jacobian_between(self.restitution, time, [swing0, swing1], [velocity0, velocity1])?;
+        let [[a, b], [c, d]] = jacobian_between(self.restitution, time, [swing0, swing1], [velocity0, velocity1])?;
         let [x, y] = self.tangent;
         let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];
         let (before, after) = (x.hypot(y), image[0].hypot(image[1]));

@@ -26,7 +26,9 @@ pub(super) struct Still {
 pub(super) fn still(course: &Course) -> Option<Still> {
     match &course.several {
         None => stays_inside(&course.exact, &course.origin).ok().flatten(),
-        Some(several) => several.stays_inside(&course.origin).ok()?.then_some(Still { grazes_left: false, grazes_right: false }),
+        Some(several) => {
+            several.stays_inside(&course.origin).ok()?.then_some(Still { grazes_left: false, grazes_right: false })
+        }
     }
 }
 

@@ -116,7 +116,8 @@ impl<'h, N: Phased> Flight<'h, N> {
     /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
     pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<Vec<(N, N)>>) -> Self {
         let zero = N::from_f64(0.0);
-        let waves = waves.unwrap_or_else(|| harmonics.waves(launch.turns, &launch.phase).map(|(_, wave)| wave).collect());
+        let waves =
+            waves.unwrap_or_else(|| harmonics.waves(launch.turns, &launch.phase).map(|(_, wave)| wave).collect());
         let (mut sine, mut cosine, mut swing, mut jerk) = (zero.clone(), zero.clone(), zero.clone(), zero);
         for (term, (sin, cos)) in harmonics.terms.iter().zip(&waves) {
             sine = term.alpha.clone().mul_add(sin.clone(), sine);

@@ -63,7 +63,14 @@ impl Touch {
     }
 
     /// The box of both continuations `step` after the bottom, if both are on their way across the gap there.
-    fn go_on(&self, all: &Flight<'_, MpBall>, wall: Wall, bottom: &Instant<MpBall>, side: &Side, step: f64) -> Option<Passed> {
+    fn go_on(
+        &self,
+        all: &Flight<'_, MpBall>,
+        wall: Wall,
+        bottom: &Instant<MpBall>,
+        side: &Side,
+        step: f64,
+    ) -> Option<Passed> {
         let rates = &all.harmonics.rates;
         if !(side.least_bend(rates, step) > 0.0) || Magnitude::new(step, 0) < self.window {
             return None;

@@ -323,7 +323,8 @@ impl Rates {
         let magnitude = |x: Enclosure| x.mag().to_f64_up();
         let mut rates = Self { shift: 0.0, second: 0.0, third: 0.0, fourth: 0.0 };
         for term in &spectrum.terms {
-            let (alpha, rate) = (magnitude(term.alpha.enclose(64)), up(6.283_185_307_179_587 * magnitude(term.ratio.enclose(64))));
+            let (alpha, rate) =
+                (magnitude(term.alpha.enclose(64)), up(6.283_185_307_179_587 * magnitude(term.ratio.enclose(64))));
             rates.shift = up(rates.shift + alpha);
             let second = up(up(alpha * rate) * rate);
             rates.second = up(rates.second + second);

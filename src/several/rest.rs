@@ -8,9 +8,9 @@ use super::flight::Instant;
 use super::harmonics::{Harmonics, Phased};
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
+use crate::number::{Ball, UNIT, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
-use crate::number::{Ball, UNIT, up};
 use crate::pair::Wall;
 
 /// How long, in turns, chatter can last that begins with a bounce at `phase` after `turns` whole ones with `velocity`,
@@ -70,7 +70,13 @@ const STEPS: u32 = 1 << 16;
 const BITS: [u32; 3] = [128, 512, 2048];
 
 /// The first change of the pressure's sign after a phase at which the wall is pressed; `None` where none is proved.
-pub(crate) fn release(spectrum: &Spectrum, harmonics: &Harmonics<Ball>, wall: Wall, turns: i64, phase: f64) -> Option<Zero> {
+pub(crate) fn release(
+    spectrum: &Spectrum,
+    harmonics: &Harmonics<Ball>,
+    wall: Wall,
+    turns: i64,
+    phase: f64,
+) -> Option<Zero> {
     if let Some(zero) = first_zero(harmonics, wall, turns, Ball::exact(phase)) {
         return Some(zero);
     }
@@ -88,7 +94,8 @@ pub(crate) fn release(spectrum: &Spectrum, harmonics: &Harmonics<Ball>, wall: Wa
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
 fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase: N) -> Option<Zero> {
     let fourth = harmonics.rates.fourth;
-    let slope = |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
+    let slope =
+        |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
     let value = |at: &Instant<N>| pressure(harmonics, wall, turns.saturating_add(at.turns), &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
     for _ in 0..STEPS {
@@ -108,7 +115,14 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
                 let middle = 0.5 * (near.0 + near.1);
                 let reach = up(reach + (near.1 - near.0) + UNIT * middle.abs());
                 let turns = turns.saturating_add(instant.turns);
-                return Some(Zero { wall, turns, near: middle, reach, least: (least - up(fourth * reach)).next_down(), fourth });
+                return Some(Zero {
+                    wall,
+                    turns,
+                    near: middle,
+                    reach,
+                    least: (least - up(fourth * reach)).next_down(),
+                    fourth,
+                });
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;

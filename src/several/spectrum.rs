@@ -60,7 +60,8 @@ impl Spectrum {
                 whole_turns_off(own.checked_sub(&ratio.checked_mul(&before)?)?)
             };
             let shift = within("excitation.phase", harmonic.phase(), shift())?;
-            let alpha = within("excitation.amplitude", harmonic.amplitude(), harmonic.amplitude().checked_div(pair.gap()))?;
+            let alpha =
+                within("excitation.amplitude", harmonic.amplitude(), harmonic.amplitude().checked_div(pair.gap()))?;
             terms.push(Term { alpha, ratio, shift });
         }
         let period = common.and_then(|common| common.to_u64());

@@ -76,8 +76,7 @@ impl IntervalMotion {
         let (phase, before) = (set.phase_ball(), set.velocity_ball());
         let after = |velocity: Ball| self.pair.rebound_of(velocity);
         let all = from_wall(wall, self.turns, phase, after(before), is_release);
-        let centre =
-            from_wall(wall, self.turns, Ball::exact(set.phase), after(Ball::exact(set.velocity)), is_release);
+        let centre = from_wall(wall, self.turns, Ball::exact(set.phase), after(Ball::exact(set.velocity)), is_release);
         let (image, swings) = self.contact(all, centre)?;
         let contact = image.all;
         let wide = Undecided::width(&contact);
