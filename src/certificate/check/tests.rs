@@ -200,7 +200,7 @@ fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
     }
 }
 
-/// Each member has its own release, which depends on all data of the harmonics.
+/// Each member has its own release, at another time.
 #[test]
 fn releases_depend_on_each_datum_as_their_members() {
     let mut document = split(&certificate("1", "wall = \"left\", velocity = -0.5", "0.3", 40));
