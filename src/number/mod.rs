@@ -17,7 +17,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::exact::Enclosure;
 
 pub use ball::Ball;
-pub(crate) use ball::{UNIT, binade, up};
+pub(crate) use ball::{UNIT, binade, is_positive, up};
 use kernel::Departure;
 #[cfg(feature = "multiprecision")]
 pub use magnitude::Magnitude;

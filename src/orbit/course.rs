@@ -2,7 +2,9 @@
 
 use super::Arithmetic;
 use super::clock::Clock;
-use super::motion::{FloatMotion, IntervalMotion, Motion, Swinging};
+#[cfg(feature = "multiprecision")]
+use super::motion::Swinging;
+use super::motion::{FloatMotion, IntervalMotion, Motion};
 use super::origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;

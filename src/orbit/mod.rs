@@ -31,6 +31,7 @@ pub use start::{Place, Start};
 use crate::contact::Contact;
 use crate::error::Error;
 use crate::exact::Enclosure;
+use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall};
@@ -234,7 +235,14 @@ impl Orbit {
 
     /// The impact as a point of its switch-plane. **Equations** (18)-(23)
     pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
-        let (displacement, velocity) = absolute(&self.pair, impact.wall, impact.phase.sin_cos(), impact.velocity);
+        let shaking = match &self.course.several {
+            None => {
+                let (shift, speed, _) = displacement_velocity_acceleration(self.pair.alpha, impact.phase.sin_cos());
+                (shift, speed)
+            }
+            Some(several) => several.shaking(impact.turns, impact.phase),
+        };
+        let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
         let (time, relative_velocity) = impact.enclosures();
         SwitchPoint {
             wall: impact.wall,

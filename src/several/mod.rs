@@ -15,7 +15,9 @@ mod scan;
 mod spectrum;
 mod view;
 
-pub(crate) use flight::{Flight, Instant, Launch};
+#[cfg(feature = "multiprecision")]
+pub(crate) use flight::Instant;
+pub(crate) use flight::{Flight, Launch};
 #[cfg(feature = "multiprecision")]
 pub(crate) use graze::pass;
 pub(crate) use harmonics::{Harmonics, Phased};

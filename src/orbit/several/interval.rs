@@ -87,17 +87,10 @@ impl IntervalMotion {
 
     /// From inside the gap: the enclosure of all first contacts is the new set.
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(SetContact, StateSet), Undecided> {
-        let launch = |height, phase, velocity| Launch {
-            wall: None,
-            height,
-            turns: self.turns,
-            phase,
-            velocity,
-            is_release: false,
-        };
-        let exact = |x: Ball| Ball::exact(x.mid());
-        let centre = launch(exact(height), exact(phase), exact(velocity));
-        let (image, _) = self.contact(launch(height, phase, velocity), centre)?;
+        let turns = self.turns;
+        let all = Launch { wall: None, height, turns, phase, velocity, is_release: false };
+        let centre = all.map(|x| Ball::exact(x.mid()));
+        let (image, _) = self.contact(all, centre)?;
         let contact = image.all;
         Ok((image, StateSet::new(contact.phase, contact.velocity, scale(&self.pair, contact.velocity))))
     }

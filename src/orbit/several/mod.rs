@@ -16,8 +16,8 @@ use super::plan::Plan;
 use super::still::quarter_turn;
 use crate::error::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
-use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced, Wall, within};
+use crate::number::{Ball, is_positive};
+use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::several::{Band, Harmonics, Launch, Phased, Spectrum, Zero, accumulation, release};
 pub(super) use float::FloatMotion;
 pub(super) use interval::IntervalMotion;
@@ -43,9 +43,8 @@ impl Several {
     pub fn new(pair: &ImpactPair, origin: &BigInt, turns: i64) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
         let harmonics = Harmonics::<Ball>::new(&spectrum, f64::MANTISSA_DIGITS);
-        if !(harmonics.rates.fourth < LARGEST) {
+        if !is_positive(LARGEST - harmonics.rates.fourth) {
             let amplitude = pair.excitation().reference().amplitude();
-            within("excitation.amplitude", amplitude, Ok(amplitude.clone()))?;
             return Err(Error::too_large("excitation.amplitude", amplitude));
         }
         let band = Band::new(&harmonics, spectrum.period);
@@ -66,6 +65,12 @@ impl Several {
     /// When a ball that rests on a wall since a phase is released.
     pub fn release_after(&self, wall: Wall, turns: i64, phase: f64) -> Option<Zero> {
         release(&self.spectrum, &self.harmonics, wall, turns, phase)
+    }
+
+    /// `E/d` and `E'` in gaps a turn, at a phase after whole turns.
+    pub fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
+        let sums = self.harmonics.sums(turns, &phase);
+        (sums.sine, sums.cosine)
     }
 
     /// The number of a release, the same for all that are whole common periods apart (Lemma H9).
@@ -127,9 +132,9 @@ impl Several {
             middle = middle.checked_add(&term.alpha.checked_mul(sin)?)?;
             swing = swing.checked_add(&term.alpha)?;
         }
-        let is_positive = |x: &Exact| x.sign() == Some(Ordering::Greater);
+        let is_above_0 = |x: &Exact| x.sign() == Some(Ordering::Greater);
         let (below, above) = (middle.checked_sub(&swing)?, Exact::from(1).checked_sub(&middle.checked_add(&swing)?)?);
-        Ok(drift.sign() == Some(Ordering::Equal) && is_positive(&below) && is_positive(&above))
+        Ok(drift.sign() == Some(Ordering::Equal) && is_above_0(&below) && is_above_0(&above))
     }
 
     pub fn float(&self, pair: &Reduced<Ball>, origin: &Origin<Ball>) -> FloatMotion {
