@@ -16,7 +16,9 @@ mod contact;
 mod data;
 mod flight;
 mod graze;
+mod release;
 mod rest;
+mod shaking;
 mod step;
 mod still;
 mod walk;
@@ -114,3 +116,6 @@ impl Certificate {
         (wanted as u32).min(MOST_BITS)
     }
 }
+
+#[cfg(test)]
+mod tests;
