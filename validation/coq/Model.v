@@ -129,6 +129,8 @@ Lemma one_position l t : free_position l t =
 Proof. unfold free_position, box_position, box_velocity. rewrite one_harmonic. unfold sum, swing, pace. cbn. ring. Qed.
 Lemma one_velocity l t : free_velocity l t = - A s * W s * cos (phase s t) + (speed l + A s * W s * cos (phase s (since l))).
 Proof. unfold free_velocity, box_velocity. rewrite one_harmonic. unfold sum, pace. cbn. ring. Qed.
+Lemma one_push t : box_push t = A s * (W s)^2 * sin (phase s t).
+Proof. unfold box_push. rewrite one_harmonic. reflexivity. Qed.
 End One.
 End Motion.
 
