@@ -49,6 +49,11 @@ impl Affine {
         Self { centre, columns, error: spread.enclosure().hi().clone() }
     }
 
+    /// Whether it is known as well as its centre.
+    pub fn is_fixed(&self) -> bool {
+        self.columns.is_empty() && self.error.is_zero()
+    }
+
     /// The same set with a point as its centre.
     pub fn recentred(self) -> Self {
         let middle = Real::point(self.centre.mid(), self.centre.bits());

@@ -13,15 +13,15 @@ const WINDOWS: u32 = 8;
 /// With the pressure between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
 /// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
 /// `2u/(lo (1 - e rho))`; if the window holds that, they all come, and the ball is at rest after them.
-pub(super) fn accumulation(departure: &Departure, parameters: &Parameters, origin: &Real) -> Option<Real> {
+pub(super) fn accumulation(departure: &Departure, parameters: &Parameters) -> Option<Real> {
     let wall = departure.start.wall?;
-    let flight = departure.flights(parameters, origin);
-    let bits = flight.phase.bits();
+    let flight = departure.flights(parameters);
+    let bits = flight.bits();
     let (one, e) = (Real::int(1, bits), parameters.restitution.hull());
     let inward = |x: Real| if wall == Wall::Left { x } else { -x };
     let u = inward(flight.velocity.clone());
     let twice = u.clone() + &u;
-    let pressure = |h: &Real| -inward(flight.curvature(&flight.sin(h)));
+    let pressure = |h: &Real| -inward(flight.curvature(h));
     let lasting = |pressure: &Real, loss: &Real| twice.over(&((one.clone() - loss) * pressure));
     let upper = |x: &Real| Real::point(x.enclosure().hi().clone(), bits);
     let mut window = upper(&lasting(&pressure(&Real::zero(bits)), &e)?);
@@ -49,23 +49,23 @@ pub(super) fn accumulation(departure: &Departure, parameters: &Parameters, origi
 /// Whether the ball does not leave its wall: it has no velocity, and the wall is pressed.
 ///
 /// `is_first` tells that a ball without velocity at a phase where the acceleration is 0 is pressed from then on.
-pub(super) fn is_held(departure: &Departure, parameters: &Parameters, origin: &Real, is_first: bool) -> bool {
-    let flight = departure.flights(parameters, origin);
-    let acceleration = flight.curvature(&flight.departure.0);
+pub(super) fn is_held(departure: &Departure, parameters: &Parameters, is_first: bool) -> bool {
+    let flight = departure.flights(parameters);
+    let acceleration = flight.shaking.first_acceleration();
     let is_pressed = match departure.start.wall {
         Some(Wall::Left) => acceleration.is_negative(),
         Some(Wall::Right) => acceleration.is_positive(),
         None => return false,
     };
-    flight.velocity.is_zero() && (is_pressed || is_first || flight.amplitude.is_zero())
+    flight.velocity.is_zero() && (is_pressed || is_first || flight.shaking.is_still())
 }
 
 /// About how long the next short bounce lasts \[rad\]: twice the velocity over the pressure.
-pub(super) fn bounce(departure: &Departure, parameters: &Parameters, origin: &Real) -> Result<Real, Doubt> {
-    let flight = departure.flights(parameters, origin);
+pub(super) fn bounce(departure: &Departure, parameters: &Parameters) -> Result<Real, Doubt> {
+    let flight = departure.flights(parameters);
     let point = |x: &Real| Real::point(x.mid(), x.bits());
     let velocity = point(&flight.velocity);
     let doubled = velocity.clone() + &velocity;
-    let pressure = -point(&flight.curvature(&flight.departure.0));
+    let pressure = -point(&flight.shaking.first_acceleration());
     doubled.over(&pressure).ok_or_else(|| Doubt::Open("the wall is not proved to be pressed".into()))
 }

@@ -32,7 +32,7 @@ pub(in crate::certificate) struct Claimed {
 /// The contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
 /// ball strictly between the walls from the departure to its beginning.
 pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
-    let most = flight.phase.bits();
+    let most = flight.bits();
     let mut bits = FIRST_BITS;
     loop {
         let coarse = flight.rounded(bits.min(most));
@@ -54,7 +54,7 @@ pub(in crate::certificate) struct Start {
 }
 
 fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
-    let bits = flight.phase.bits();
+    let bits = flight.bits();
     let guessed = Real::point(claimed.guess.mid(), bits);
     let h = newton(flight, wall, &guessed);
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
@@ -73,11 +73,10 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
     let mut reach = h.half();
     for _ in 0..bits {
         let (before, after) = (h.clone() - &reach, h.clone() + &reach);
-        let slope = flight.slope(&flight.cos(&before.hull(&after)));
+        let slope = flight.slope(&before.hull(&after));
         let arrives = if wall == Wall::Right { slope.is_positive() } else { slope.is_negative() };
-        let height = |at: &Real| flight.height(at, &flight.sin(at));
-        if arrives && matches!(flight.place(&height(&before)), Part::Clear) {
-            let (end, level) = (height(&after), flight.level(wall));
+        if arrives && matches!(flight.place(&flight.height(&before)), Part::Clear) {
+            let (end, level) = (flight.height(&after), flight.level(wall));
             let is_beyond = if wall == Wall::Right { level.is_below(&end) } else { end.is_below(&level) };
             return is_beyond.then_some((before, after));
         }
@@ -129,15 +128,14 @@ fn is_short(width: &Real, whole: &Real) -> bool {
 /// Where Newton's plain iteration from `guess` ends; it begins with the bits of `guess` and takes as many as its digits are
 /// worth. Nothing is proved of it.
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
-    let most = flight.phase.bits();
+    let most = flight.bits();
     let mut bits = guess.bits().min(most);
     let mut h = Real::point(guess.mid(), bits);
     let mut before = None;
     for _ in 0..STEPS {
         let coarse = flight.rounded(bits);
         let point = |x: Real| Real::point(x.mid(), bits);
-        let (sin, cos) = coarse.sin_cos(&h);
-        let (height, slope) = (point(coarse.height(&h, &sin)), point(coarse.slope(&cos)));
+        let (height, slope) = (point(coarse.height(&h)), point(coarse.slope(&h)));
         let Some(step) = (height - &point(coarse.level(wall))).over(&slope) else { return h };
         let step = point(step);
         // As many digits as the precision holds, or as rounding leaves of them.
@@ -162,11 +160,17 @@ fn is_last(step: &Real, h: &Real) -> bool {
 
 /// The bracket cut by interval Newton for as long as that halves it: it still holds all contacts (Lemma V1).
 fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
+    let level = flight.level(wall);
+    zero(bracket, |h| flight.height(h) - &level, |part| flight.slope(part))
+}
+
+/// A bracket of the only zero of a function, and of all functions of a set, cut by interval Newton for as long as that halves
+/// it; `slope` holds their derivatives over a part of it.
+pub(super) fn zero(bracket: Real, value: impl Fn(&Real) -> Real, slope: impl Fn(&Real) -> Real) -> Real {
     let mut bracket = bracket;
     loop {
         let middle = Real::point(bracket.mid(), bracket.bits());
-        let (sin, slope) = (flight.sin(&middle), flight.slope(&flight.cos(&bracket)));
-        let Some(step) = (flight.height(&middle, &sin) - &flight.level(wall)).over(&slope) else { return bracket };
+        let Some(step) = value(&middle).over(&slope(&bracket)) else { return bracket };
         let cut = bracket.cut(&(middle - &step));
         let is_halved = width(&cut).scaled(1) < width(&bracket);
         bracket = cut;

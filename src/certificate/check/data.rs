@@ -1,27 +1,33 @@
 //! The exact data of an orbit in physical lengths and radians, and pieces of those that are intervals.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
+use num_integer::Integer;
 
 use super::affine::Affine;
+use super::shaking::Term;
 use super::step::Parameters;
 use crate::error::Error;
-use crate::exact::{Dyadic, Enclosure, Exact, Real};
+use crate::exact::{Dyadic, Enclosure, Exact, ExactError, Real};
+use crate::excitation::Harmonic;
 use crate::orbit::{Place, Start};
 use crate::pair::{ImpactPair, Wall, within};
 
 /// The exact data.
 #[derive(Clone, Debug)]
 pub(in crate::certificate) struct Data {
-    pub amplitude: Exact,
+    /// The harmonics, the reference first.
+    pub tones: Vec<Tone>,
     pub half_gap: Exact,
     pub restitution: Exact,
+    /// `W` of the reference.
     pub frequency: Exact,
-    /// `tau`
+    /// `tau` of the reference.
     pub delay: Exact,
     /// `t0`
     pub time: Exact,
-    /// `W t0 + tau` less whole turns, and these.
-    pub phase: Exact,
+    /// The whole turns of the reference before the start.
     pub turns: BigInt,
     /// `y' / W`, before the impact for a start on a wall.
     pub velocity: Exact,
@@ -30,73 +36,143 @@ pub(in crate::certificate) struct Data {
     pub height: Option<Exact>,
 }
 
+/// One harmonic.
+#[derive(Clone, Debug)]
+pub(in crate::certificate) struct Tone {
+    /// `A_k`
+    pub amplitude: Exact,
+    /// `W_k t0 + tau_k` less whole turns.
+    pub phase: Exact,
+    /// `W_k/W`; `None` for the reference.
+    pub rate: Option<Exact>,
+}
+
 /// Which halves of halves of each datum that is an interval.
 #[derive(Clone, Debug, Default)]
 pub(in crate::certificate) struct Piece {
-    /// By the number of the datum: part `k` of `2^n`.
-    parts: [(u32, u32); DATA],
+    /// By the number of the datum: part `k` of `2^n`; the whole of those that are not listed.
+    parts: Vec<(u32, u32)>,
 }
 
-/// How many data can be intervals.
-const DATA: usize = 6;
-/// Their numbers.
-const AMPLITUDE: usize = 0;
-const HALF_GAP: usize = 1;
-const RESTITUTION: usize = 2;
-const PHASE: usize = 3;
-const VELOCITY: usize = 4;
-const HEIGHT: usize = 5;
+/// The numbers of the data that can be intervals.
+const HALF_GAP: usize = 0;
+const RESTITUTION: usize = 1;
+const VELOCITY: usize = 2;
+const HEIGHT: usize = 3;
+/// Those of the first harmonic; three more for each further one.
+const AMPLITUDE: usize = 4;
+const PHASE: usize = 5;
+const RATE: usize = 6;
 
 impl Data {
     pub fn new(pair: &ImpactPair, start: &Start) -> Result<Self, Error> {
-        let excitation = pair.harmonic("the check")?;
-        let (frequency, delay) = (excitation.frequency(), excitation.phase());
-        let half = |key, of: &Exact| within(key, of, of.checked_div(&Exact::from(2)));
-        let turned = within("start.time", start.time(), frequency.checked_mul(start.time()))?;
-        let phase = within("excitation.phase", delay, turned.checked_add(delay))?;
-        let turn = Exact::pi() * Exact::from(2);
-        let turns = within("start.time", start.time(), phase.checked_div(&turn))?;
-        let turns = nearest(&turns);
-        let whole = Exact::from_rational(turns.clone().into());
-        let whole = within("start.time", start.time(), whole.checked_mul(&turn))?;
+        let reference = pair.excitation().reference();
+        let frequency = reference.frequency();
+        let (mut tones, mut whole) = (Vec::new(), BigInt::ZERO);
+        for (k, harmonic) in pair.excitation().harmonics().iter().enumerate() {
+            let (phase, turns) = phase(harmonic, start)?;
+            let rate = match k {
+                0 => None,
+                _ => Some(within("excitation.frequency", frequency, harmonic.frequency().checked_div(frequency))?),
+            };
+            if k == 0 {
+                whole = turns;
+            }
+            tones.push(Tone { amplitude: harmonic.amplitude().clone(), phase, rate });
+        }
         let (wall, height) = match start.place() {
             Place::Wall(wall) => (Some(*wall), None),
             Place::Inside(height) => (None, Some(height.clone())),
         };
         Ok(Self {
-            amplitude: excitation.amplitude().clone(),
-            half_gap: half("pair.gap", pair.gap())?,
+            tones,
+            half_gap: within("pair.gap", pair.gap(), pair.gap().checked_div(&Exact::from(2)))?,
             restitution: pair.restitution().clone(),
             frequency: frequency.clone(),
-            delay: delay.clone(),
+            delay: reference.phase().clone(),
             time: start.time().clone(),
-            phase: within("start.time", start.time(), phase.checked_sub(&whole))?,
-            turns,
+            turns: whole,
             velocity: within("start.velocity", start.velocity(), start.velocity().checked_div(frequency))?,
             wall,
             height,
         })
     }
 
-    /// `A`, `d/2` and `e` over a piece of the data.
+    /// `d/2`, `e` and the harmonics over a piece of the data.
     pub fn parameters(&self, piece: &Piece, bits: u32) -> Parameters {
+        let (start, ..) = self.state(piece, bits);
+        let term = |(k, tone): (usize, &Tone)| {
+            let amplitude = piece.part(&tone.amplitude, AMPLITUDE + 3 * k, bits);
+            // The origin is the middle of the reference's phases at the start.
+            let Some(rate) = &tone.rate else {
+                return Term { amplitude, phase: Affine::fixed(start.centre.clone()), rate: None };
+            };
+            let rate = piece.part(rate, RATE + 3 * k, bits);
+            let (phase, off) = (piece.part(&tone.phase, PHASE + 3 * k, bits), start.clone().less_centre());
+            let slopes = [Real::int(1, bits), -rate.hull(), -off.hull()];
+            let shifted = [(&slopes[0], &phase), (&slopes[1], &off), (&slopes[2], &rate)];
+            Term { amplitude, phase: Affine::of(phase.centre.clone(), &shifted), rate: Some(rate) }
+        };
         Parameters {
-            amplitude: piece.part(&self.amplitude, AMPLITUDE, bits),
             half_gap: piece.part(&self.half_gap, HALF_GAP, bits),
             restitution: piece.part(&self.restitution, RESTITUTION, bits),
+            terms: self.tones.iter().enumerate().map(term).collect(),
         }
     }
 
     /// The start's phase, velocity and height (if it is inside the gap) over a piece of the data.
     pub fn state(&self, piece: &Piece, bits: u32) -> (Affine, Affine, Option<Affine>) {
         let height = self.height.as_ref().map(|height| piece.part(height, HEIGHT, bits));
-        (piece.part(&self.phase, PHASE, bits), piece.part(&self.velocity, VELOCITY, bits), height)
+        (piece.part(&self.tones[0].phase, PHASE, bits), piece.part(&self.velocity, VELOCITY, bits), height)
     }
 
-    /// The phase of the start as a number of quarter turns, if it is exactly one.
+    /// The only harmonic, if there is one only.
+    pub fn only(&self) -> Option<&Tone> {
+        match self.tones.as_slice() {
+            [only] => Some(only),
+            _ => None,
+        }
+    }
+
+    /// The turns of the reference after which the shaking is proved to repeat.
+    pub fn common_turns(&self) -> Option<BigInt> {
+        let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref());
+        rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))
+    }
+
+    /// If the acceleration at the start is exactly 0: the sign of `-E'''` there.
+    pub fn jerk_without_acceleration(&self) -> Option<Ordering> {
+        let acceleration = self.sum(|tone| tone.phase.checked_sin(), 2).ok()?;
+        let is_zero = acceleration.sign() == Some(Ordering::Equal);
+        is_zero.then(|| self.sum(|tone| tone.phase.checked_cos(), 3).ok()?.sign()).flatten()
+    }
+
+    /// Whether the flight of a start inside the gap has exactly no drift: `p + E'(0) = 0`.
+    pub fn has_no_drift(&self) -> bool {
+        let drift = || self.velocity.checked_add(&self.sum(|tone| tone.phase.checked_cos(), 1)?);
+        drift().is_ok_and(|drift| drift.sign() == Some(Ordering::Equal))
+    }
+
+    /// `sum A_k r_k^n f(phase of the start)`; what is exactly 0 is so however little is known of its factors.
+    fn sum(&self, f: impl Fn(&Tone) -> Result<Exact, ExactError>, n: u32) -> Result<Exact, ExactError> {
+        let mut sum = Exact::from(0);
+        for tone in &self.tones {
+            let mut part = f(tone)?;
+            if part.sign() == Some(Ordering::Equal) {
+                continue;
+            }
+            for rate in (0..n).filter_map(|_| tone.rate.as_ref()) {
+                part = part.checked_mul(rate)?;
+            }
+            sum = sum.checked_add(&part.checked_mul(&tone.amplitude)?)?;
+        }
+        Ok(sum)
+    }
+
+    /// The phase of the start as a number of quarter turns of the reference, if it is exactly one.
     pub fn quarter(&self) -> Option<BigInt> {
         let quarter = Exact::pi().checked_div(&Exact::from(2)).ok()?;
-        let quarters = self.phase.checked_div(&quarter).ok()?;
+        let quarters = self.tones[0].phase.checked_div(&quarter).ok()?;
         let quarters = quarters.as_rational()?;
         quarters.is_integer().then(|| quarters.to_integer())
     }
@@ -105,9 +181,10 @@ impl Data {
 impl Piece {
     /// The two halves along a datum.
     pub fn halves(&self, datum: usize) -> [Self; 2] {
-        let (k, n) = self.parts[datum];
+        let (k, n) = self.parts.get(datum).copied().unwrap_or_default();
         [2 * k, 2 * k + 1].map(|k| {
             let mut half = self.clone();
+            half.parts.resize(half.parts.len().max(datum + 1), (0, 0));
             half.parts[datum] = (k, n + 1);
             half
         })
@@ -119,7 +196,7 @@ impl Piece {
         if x.is_point() {
             return Affine::fixed(whole);
         }
-        let (k, n) = self.parts[j];
+        let (k, n) = self.parts.get(j).copied().unwrap_or_default();
         let [lo, hi] = [whole.enclosure().lo(), whole.enclosure().hi()].map(|end| Real::point(end.clone(), bits));
         let size = hi - &lo;
         let cut = |k: u32| lo.clone() + &(size.clone() * &Real::point(Dyadic::new(k.into(), -i64::from(n)), bits));
@@ -128,6 +205,18 @@ impl Piece {
         let radius = (part - &centre).enclosure().mag();
         Affine::varied(centre, radius, j)
     }
+}
+
+/// `W t0 + tau` of a harmonic less whole turns, and these.
+fn phase(harmonic: &Harmonic, start: &Start) -> Result<(Exact, BigInt), Error> {
+    let (time, delay) = (start.time(), harmonic.phase());
+    let turned = within("start.time", time, harmonic.frequency().checked_mul(time))?;
+    let phase = within("excitation.phase", delay, turned.checked_add(delay))?;
+    let turn = Exact::pi() * Exact::from(2);
+    let turns = nearest(&within("start.time", time, phase.checked_div(&turn))?);
+    let whole = Exact::from_rational(turns.clone().into());
+    let whole = within("start.time", time, whole.checked_mul(&turn))?;
+    Ok((within("start.time", time, phase.checked_sub(&whole))?, turns))
 }
 
 /// A whole number within 1 of an exact value, or of one of a set of values.

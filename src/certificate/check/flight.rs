@@ -1,26 +1,23 @@
 //! A flight in physical lengths and in radians, for all states of a set at once, and what can be proved of its parts.
 //!
-//! With `h` the phase since the departure at phase `th0`, equations (11) and (12) read
-//! `y = y0 + c h - A (sin(th0 + h) - sin th0)`, `y' = c - A cos(th0 + h)`, `y'' = A sin(th0 + h)`, `c = p + A cos th0`,
-//! `p` the velocity after the impact; velocities are lengths a radian. Nothing is known here of where `y'` vanishes: parts of
-//! the flight are judged by their mean value and Taylor forms, and halved.
+//! With `h` the phase of the reference harmonic since the departure and `E` the shaking since then ([`Shaking`]), equations (11)
+//! and (12) read `y = y0 + c h - (E(h) - E(0))`, `y' = c - E'(h)`, `y'' = -E''(h)`, `c = p + E'(0)`, `p` the velocity after the
+//! impact; velocities are lengths a radian. Nothing is known here of where `y'` vanishes: parts of the flight are judged by
+//! their mean value and Taylor forms, and halved.
 
+use super::shaking::Shaking;
 use crate::exact::Real;
 use crate::pair::Wall;
 
 /// All flights from a set of departures.
 #[derive(Clone, Debug)]
 pub(in crate::certificate) struct Flight {
-    pub amplitude: Real,
+    pub shaking: Shaking,
     pub half_gap: Real,
-    /// `th0`
-    pub phase: Real,
     /// `y0`
     pub height: Real,
     /// `p`
     pub velocity: Real,
-    /// `sin th0`, `cos th0`
-    pub departure: (Real, Real),
 }
 
 /// What is known of a part of a flight.
@@ -34,49 +31,32 @@ pub(in crate::certificate) enum Part {
 }
 
 impl Flight {
+    /// The bits that it is computed with.
+    pub fn bits(&self) -> u32 {
+        self.velocity.bits()
+    }
+
     /// Rounded outward to fewer bits.
     pub fn rounded(&self, bits: u32) -> Self {
-        let Self { amplitude, half_gap, phase, height, velocity, departure: (sin, cos) } = self;
-        let [amplitude, half_gap, phase, height, velocity, sin, cos] =
-            [amplitude, half_gap, phase, height, velocity, sin, cos].map(|x| x.rounded(bits));
-        Self { amplitude, half_gap, phase, height, velocity, departure: (sin, cos) }
-    }
-
-    /// `(sin, cos)` of the phase at `h`.
-    pub fn sin_cos(&self, h: &Real) -> (Real, Real) {
-        (self.phase.clone() + h).sin_cos()
-    }
-
-    /// The sine of the phase at `h`.
-    pub fn sin(&self, h: &Real) -> Real {
-        (self.phase.clone() + h).sin()
-    }
-
-    /// The cosine of the phase at `h`.
-    pub fn cos(&self, h: &Real) -> Real {
-        (self.phase.clone() + h).cos()
+        let Self { shaking, half_gap, height, velocity } = self;
+        let [half_gap, height, velocity] = [half_gap, height, velocity].map(|x| x.rounded(bits));
+        Self { shaking: shaking.rounded(bits), half_gap, height, velocity }
     }
 
     /// `y` at `h`. **Equation** (12)
-    pub fn height(&self, h: &Real, sin: &Real) -> Real {
-        let swing = (sin.clone() - &self.departure.0) * &self.amplitude;
-        self.height.clone() + &(self.drift() * h) - &swing
+    pub fn height(&self, h: &Real) -> Real {
+        let drift = self.velocity.clone() + &self.shaking.first_velocity();
+        self.height.clone() + &(drift * h) - &self.shaking.shift(h)
     }
 
-    /// `y'` where the cosine of the phase is `cos`. **Equation** (11)
-    pub fn slope(&self, cos: &Real) -> Real {
-        // Grouped so that a flight that hardly turns loses nothing.
-        self.velocity.clone() - &((cos.clone() - &self.departure.1) * &self.amplitude)
+    /// `y'` at `h`. **Equation** (11)
+    pub fn slope(&self, h: &Real) -> Real {
+        self.velocity.clone() - &self.shaking.hurry(h)
     }
 
-    /// `y''` where the sine of the phase is `sin`. **Equation** (10)
-    pub fn curvature(&self, sin: &Real) -> Real {
-        sin.clone() * &self.amplitude
-    }
-
-    /// `c`
-    fn drift(&self) -> Real {
-        self.velocity.clone() + &(self.departure.1.clone() * &self.amplitude)
+    /// `y''` at `h`. **Equation** (10)
+    pub fn curvature(&self, h: &Real) -> Real {
+        self.shaking.acceleration(h)
     }
 
     /// `y` of a wall.
@@ -101,8 +81,8 @@ impl Flight {
 
     /// Whether the ball is clear of both walls over all of `(a, b]`, given that it is at `a` (Lemma V1).
     pub fn judge(&self, a: &Real, b: &Real) -> Part {
-        let (part, end) = (a.hull(b), self.height(b, &self.sin(b)));
-        let slope = self.slope(&self.cos(&part));
+        let (part, end) = (a.hull(b), self.height(b));
+        let slope = self.slope(&part);
         if slope.is_positive() || slope.is_negative() {
             return self.place(&end);
         }
@@ -110,11 +90,10 @@ impl Flight {
             return Part::Contact;
         }
         let middle = Real::point(part.mid(), part.bits());
-        let (middle_sin, middle_cos) = self.sin_cos(&middle);
-        let (y, x) = (self.height(&middle, &middle_sin), part.clone() - &middle);
+        let (y, x) = (self.height(&middle), part.clone() - &middle);
         let mean = y.clone() + &(slope * &x);
         let square = x.clone() * &x;
-        let taylor = y + &(self.slope(&middle_cos) * &x) + &(self.curvature(&self.sin(&part)) * &square).half();
+        let taylor = y + &(self.slope(&middle) * &x) + &(self.curvature(&part) * &square).half();
         match self.place(&mean.cut(&taylor)) {
             Part::Clear => Part::Clear,
             Part::Contact | Part::Open => Part::Open,
@@ -128,10 +107,10 @@ impl Flight {
     pub fn departs(&self, wall: Wall, b: &Real, is_release: bool) -> bool {
         let inward = |x: Real| if wall == Wall::Left { x } else { -x };
         let part = b.hull(&(b.clone() - b));
-        let (p, curvature) = (inward(self.velocity.clone()), inward(self.curvature(&self.sin(&part))));
+        let (p, curvature) = (inward(self.velocity.clone()), inward(self.curvature(&part)));
         let slope = p.clone() + &(curvature.clone() * &part).half();
         let leaves = if is_release {
-            inward(self.cos(&part) * &self.amplitude).is_positive()
+            inward(self.shaking.jerk(&part)).is_positive()
         } else {
             slope.is_positive() || p.is_zero() && curvature.is_positive()
         };

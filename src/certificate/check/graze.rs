@@ -28,7 +28,7 @@ impl Walk<'_> {
     /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
     pub(super) fn graze(&mut self, claim: &Claim) -> Result<(), Doubt> {
         let claimed = self.ahead(claim)?;
-        let flight = self.departure.flights(&self.parameters, &self.origin);
+        let flight = self.departure.flights(&self.parameters);
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
         clear(&flight, self.departure.start, &summit.before, &claimed.from)?;
@@ -53,9 +53,8 @@ impl Walk<'_> {
         let lost = (Real::int(1, self.bits) + &self.parameters.restitution.hull()) * speed;
         let lost = if wall == Wall::Right { -lost } else { lost };
         let lost = lost.hull(&Real::zero(self.bits));
-        let (sin, cos) = flight.sin_cos(after);
-        let height = flight.height(after, &sin) + &(lost.clone() * &(after.clone() - before));
-        let velocity = flight.slope(&cos) + &lost;
+        let height = flight.height(after) + &(lost.clone() * &(after.clone() - before));
+        let velocity = flight.slope(after) + &lost;
         let is_away = if wall == Wall::Right { velocity.is_negative() } else { velocity.is_positive() };
         if !(is_away && matches!(flight.place(&height), Part::Clear)) {
             return Err(Doubt::Open("both ways past the graze are not proved to leave the wall".into()));
@@ -73,14 +72,14 @@ impl Walk<'_> {
 fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
     let bits = guess.bits();
     let outward = |x: Real| if wall == Wall::Right { x } else { -x };
-    let slope = |h: &Real| outward(flight.slope(&flight.cos(h)));
+    let slope = |h: &Real| outward(flight.slope(h));
     let mut reach = guess.half();
     for _ in 0..bits {
         let (before, after) = (guess.clone() - &reach, guess.clone() + &reach);
         let whole = before.hull(&after);
         // |y''| where it bends away from the wall.
-        let bend = -outward(flight.curvature(&flight.sin(&whole)));
-        let clear = |h: &Real| matches!(flight.place(&flight.height(h, &flight.sin(h))), Part::Clear);
+        let bend = -outward(flight.curvature(&whole));
+        let clear = |h: &Real| matches!(flight.place(&flight.height(h)), Part::Clear);
         if bend.is_positive() && slope(&before).is_positive() && slope(&after).is_negative() {
             if !(clear(&before) && clear(&after)) {
                 return None;
@@ -89,13 +88,13 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
             for _ in 0..bits.ilog2() {
                 // h + y'/|y''|, by interval Newton.
                 let middle = Real::point(top.mid(), bits);
-                let bend = -outward(flight.curvature(&flight.sin(&top)));
+                let bend = -outward(flight.curvature(&top));
                 top = top.cut(&(middle.clone() + &slope(&middle).over(&bend)?));
             }
             let middle = Real::point(top.mid(), bits);
             let off = top.clone() - &middle;
             let rise = slope(&middle) * &off - &(bend.clone() * &(off.clone() * &off)).half();
-            let excess = outward(flight.height(&middle, &flight.sin(&middle)) - &flight.level(wall)) + &rise;
+            let excess = outward(flight.height(&middle) - &flight.level(wall)) + &rise;
             let end = |x: &Dyadic| Real::point(x.clone(), bits);
             let (least, most) = (end(bend.enclosure().lo()), end(bend.enclosure().hi()));
             let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.enclosure().hi()) };

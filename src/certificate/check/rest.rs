@@ -1,6 +1,7 @@
 //! Rests and releases along an orbit (Lemma V3).
 
-use crate::exact::Real;
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
@@ -11,6 +12,7 @@ use super::contact::{Claimed, Doubt};
 use super::step::Departure;
 use super::walk::{Walk, compare};
 use crate::certificate::Claim;
+use crate::exact::Real;
 use crate::orbit::Period;
 use crate::pair::Wall;
 
@@ -19,8 +21,11 @@ const MOST_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
 pub(in crate::certificate) struct Rest {
-    wall: Wall,
-    since: Real,
+    pub wall: Wall,
+    /// Since the origin.
+    pub since: Real,
+    /// Whether it is from a phase on at which the pressure is exactly 0 that the wall is pressed.
+    pub begins: bool,
 }
 
 impl Walk<'_> {
@@ -30,23 +35,23 @@ impl Walk<'_> {
         };
         if is_accumulation {
             let since = self.chatter(claim)?;
-            self.rest = Some(Rest { wall, since });
+            self.rest = Some(Rest { wall, since, begins: false });
             return Ok(());
         }
-        let begins = self.event == 0 && self.starts_where_pressure_ends(2);
-        if !is_held(&self.departure, &self.parameters, &self.origin, begins) {
+        let begins = self.event == 0 && self.starts_where_pressure_vanishes(Ordering::Less);
+        if !is_held(&self.departure, &self.parameters, begins) {
             return Err(Doubt::Open("the ball is not proved to stay on its wall".into()));
         }
         let since = self.departure.phase.hull();
         compare("time", &self.clock.time(&since), &claim.time)?;
-        self.rest = Some(Rest { wall, since });
+        self.rest = Some(Rest { wall, since, begins });
         Ok(())
     }
 
     /// The phases of the rest after infinitely many impacts, which lie inside the claimed bounds.
     fn chatter(&mut self, claim: &Claim) -> Result<Real, Doubt> {
         for _ in 0..MOST_BOUNCES {
-            let lasting = accumulation(&self.departure, &self.parameters, &self.origin)
+            let lasting = accumulation(&self.departure, &self.parameters)
                 .ok_or_else(|| Doubt::Open("the chatter is not proved to end in rest".into()))?;
             let since = self.departure.phase.hull() + &lasting;
             match beside(&self.clock.time(&since), &claim.time) {
@@ -54,7 +59,7 @@ impl Walk<'_> {
                 Beside::Outside => return compare("time", &self.clock.time(&since), &claim.time).map(|()| since),
                 Beside::Across => {
                     // No claim says where.
-                    let guess = bounce(&self.departure, &self.parameters, &self.origin)?;
+                    let guess = bounce(&self.departure, &self.parameters)?;
                     let landing = self.land(claim.wall, &Claimed { from: Real::zero(self.bits), guess })?;
                     self.departure = Departure::rebound(&self.parameters, &landing);
                 }
@@ -63,32 +68,37 @@ impl Walk<'_> {
         Err(Doubt::Open("the rest is not enclosed as claimed".into()))
     }
 
-    /// Whether the start is exactly where, seen from its wall, the acceleration turns inward (`quarters` = 0), or presses from
-    /// then on (2).
-    pub(super) fn starts_where_pressure_ends(&self, quarters: i64) -> bool {
-        let mirrored = match self.data.wall {
-            Some(Wall::Left) => quarters,
-            Some(Wall::Right) => quarters + 2,
+    /// Whether the ball starts on a wall, with no velocity, exactly where its acceleration is 0 and turns inward (`jerk` is
+    /// greater) or outward (less).
+    pub(super) fn starts_where_pressure_vanishes(&self, jerk: Ordering) -> bool {
+        let told = match self.data.wall {
+            Some(Wall::Left) => jerk,
+            Some(Wall::Right) => jerk.reverse(),
             None => return false,
         };
-        let is_at = |at: BigInt| (at - mirrored) % 4 == BigInt::ZERO;
-        let velocity = self.departure.velocity.hull();
-        velocity.is_zero() && !self.parameters.amplitude.hull().is_zero() && self.data.quarter().is_some_and(is_at)
+        self.departure.velocity.hull().is_zero() && self.data.jerk_without_acceleration() == Some(told)
     }
 
-    /// The ball leaves where the acceleration turns inward: at an even number of half turns on the left wall, an odd one on
-    /// the right wall.
+    /// The ball leaves where the acceleration turns inward.
     pub(super) fn release(&mut self, claim: &Claim) -> Result<(), Doubt> {
-        let Some(Rest { wall, since }) = self.rest.take().filter(|rest| rest.wall == claim.wall) else {
+        let Some(rest) = self.rest.take().filter(|rest| rest.wall == claim.wall) else {
             return Err(Doubt::False(format!("the ball does not lie on the {} wall", claim.wall.name())));
         };
-        if self.parameters.amplitude.hull().is_zero() {
+        if self.parameters.is_still() {
             return Err(Doubt::False("the ball lies on its wall for ever".into()));
         }
+        match self.data.only() {
+            Some(_) => self.release_of_one(&rest, claim),
+            None => self.release_of_several(&rest, claim),
+        }
+    }
+
+    /// With one harmonic that is at an even number of half turns on the left wall, an odd one on the right wall.
+    fn release_of_one(&mut self, &Rest { wall, ref since, .. }: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let odd = i64::from(wall == Wall::Right);
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
         let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
-        let turns = (self.origin.clone() + &since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
+        let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
         let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
         // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
@@ -96,7 +106,7 @@ impl Walk<'_> {
         self.clock = clock.ok_or_else(|| Doubt::Open("the time of the release is too large".into()))?;
         let zero = || Real::zero(self.bits);
         compare("time", &self.clock.time(&zero()), &claim.time)?;
-        self.origin = half;
+        self.parameters.count_from(half);
         let still = || Affine::fixed(zero());
         self.departure = Departure::on_wall(&self.parameters, wall, still(), still());
         self.departure.start.is_release = true;

@@ -3,18 +3,19 @@
 use super::affine::Affine;
 use super::contact::{Claimed, Doubt, Start, first_contact, newton};
 use super::flight::Flight;
+use super::shaking::{Shaking, Term, Wave};
 use crate::exact::Real;
 use crate::pair::Wall;
 
 /// What the motion depends on, over the data of the scene.
 #[derive(Clone, Debug)]
 pub(in crate::certificate) struct Parameters {
-    /// `A` \[length\]
-    pub amplitude: Affine,
     /// `d/2` \[length\]
     pub half_gap: Affine,
     /// `e`
     pub restitution: Affine,
+    /// The harmonics, the reference first.
+    pub terms: Vec<Term>,
 }
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
@@ -46,6 +47,35 @@ fn side(wall: Wall, bits: u32) -> Real {
     Real::int(if wall == Wall::Right { 1 } else { -1 }, bits)
 }
 
+impl Parameters {
+    /// The bits that they are known with.
+    pub fn bits(&self) -> u32 {
+        self.half_gap.centre.bits()
+    }
+
+    /// The phase `W t + tau` that phases are counted from.
+    pub fn origin(&self) -> Real {
+        self.terms[0].phase.hull()
+    }
+
+    /// Counts phases from another one. A single harmonic has no other phases that would have to follow.
+    pub fn count_from(&mut self, phase: Real) {
+        debug_assert!(self.terms.len() == 1);
+        self.terms[0].phase = Affine::fixed(phase);
+    }
+
+    /// Whether the box stands still.
+    pub fn is_still(&self) -> bool {
+        self.terms.iter().all(|term| term.amplitude.hull().is_zero())
+    }
+
+    /// The shaking of those members of the set that `member` says, from the phase `since` after the origin.
+    pub fn shaking(&self, since: &Real, member: fn(&Affine) -> Real) -> Shaking {
+        let bits = since.bits();
+        Shaking { waves: self.terms.iter().map(|term| term.wave(since, bits, member)).collect() }
+    }
+}
+
 impl Departure {
     /// From `wall` after the impact law (15), `p = -e v`.
     pub fn rebound(parameters: &Parameters, landing: &Landing) -> Self {
@@ -65,19 +95,15 @@ impl Departure {
         Self { start: Start { wall: Some(wall), is_release: false }, phase, height, velocity }
     }
 
-    /// The flights of those members of the set that `member` says, phases counted from `origin`.
-    fn flight(&self, parameters: &Parameters, origin: &Real, member: fn(&Affine) -> Real) -> Flight {
-        let bits = self.bits(origin.bits());
-        let member = |x: &Affine| member(x).rounded(bits);
-        let phase = origin.rounded(bits) + &member(&self.phase);
-        let departure = phase.sin_cos();
+    /// The flights of those members of the set that `member` says.
+    fn flight(&self, parameters: &Parameters, member: fn(&Affine) -> Real) -> Flight {
+        let bits = self.bits(parameters.bits());
+        let of = |x: &Affine| member(x).rounded(bits);
         Flight {
-            amplitude: member(&parameters.amplitude),
-            half_gap: member(&parameters.half_gap),
-            height: member(&self.height),
-            velocity: member(&self.velocity),
-            phase,
-            departure,
+            shaking: parameters.shaking(&of(&self.phase), member),
+            half_gap: of(&parameters.half_gap),
+            height: of(&self.height),
+            velocity: of(&self.velocity),
         }
     }
 
@@ -88,53 +114,92 @@ impl Departure {
     }
 
     /// The flights of the whole set.
-    pub fn flights(&self, parameters: &Parameters, origin: &Real) -> Flight {
-        self.flight(parameters, origin, Affine::hull)
+    pub fn flights(&self, parameters: &Parameters) -> Flight {
+        self.flight(parameters, Affine::hull)
     }
 
     /// The landings, if all flights are proved to touch `wall` first, near where it is claimed.
-    pub fn land(
-        &self,
-        parameters: &Parameters,
-        origin: &Real,
-        wall: Wall,
-        claimed: &Claimed,
-    ) -> Result<Landing, Doubt> {
-        let set = self.flights(parameters, origin);
-        let centre = self.flight(parameters, origin, |x| x.centre.clone());
+    pub fn land(&self, parameters: &Parameters, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
+        let set = self.flights(parameters);
+        let centre = self.flight(parameters, |x| x.centre.clone());
         let contact = first_contact(&set, self.start, wall, claimed)?;
-        let bits = set.phase.bits();
+        let bits = set.bits();
         // The middle, where Newton's iteration ends; it need not be the root.
         let h = newton(&centre, wall, &contact).at(bits);
         let departed = self.phase.centre.rounded(bits);
         let landed = Real::point((departed.clone() + &h).mid(), bits);
         let h = landed.clone() - &departed;
-        let (sin, cos) = centre.sin_cos(&h);
         let contact = contact.at(bits).hull(&h);
-        let (sin1, cos1) = set.sin_cos(&contact);
-        let v = set.slope(&cos1);
+        let v = set.slope(&contact);
         let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::Open("a graze is not excluded".into()));
-        let miss = over(centre.height(&h, &sin) - &centre.level(wall))?;
-        let velocity = centre.slope(&cos);
+        let miss = over(centre.height(&h) - &centre.level(wall))?;
 
         // d(th1, v1) by implicit differentiation of (A.2/4/6) and of (A.1/3/5).
-        let (acceleration0, acceleration1) = (set.curvature(&set.departure.0), set.curvature(&sin1));
+        let acceleration0 = set.shaking.first_acceleration();
+        let acceleration1 = set.curvature(&contact);
         let one = Real::int(1, bits);
-        let by_amplitude = (sin1 - &set.departure.0) - &(set.departure.1.clone() * &contact);
-        let dt = [
-            (over(acceleration0.clone() * &contact + &set.velocity)?, &self.phase),
-            (over(-one.clone())?, &self.height),
-            (over(-contact)?, &self.velocity),
-            (over(side(wall, bits))?, &parameters.half_gap),
-            (over(by_amplitude)?, &parameters.amplitude),
+        let by = |x, along, beside| Slope { x, along, beside };
+        let mut slopes = vec![
+            by(&self.phase, acceleration0.clone() * &contact + &set.velocity, -acceleration0),
+            by(&self.height, -one.clone(), Real::zero(bits)),
+            by(&self.velocity, -contact.clone(), one),
+            by(&parameters.half_gap, side(wall, bits), Real::zero(bits)),
         ];
-        let direct = [-acceleration0, Real::zero(bits), one, Real::zero(bits), set.departure.1.clone() - &cos1];
-        let dv: Vec<Real> =
-            dt.iter().zip(&direct).map(|((slope, _), direct)| acceleration1.clone() * slope + direct).collect();
+        let since = self.phase.hull().rounded(bits);
+        for (wave, term) in set.shaking.waves.iter().zip(&parameters.terms) {
+            slopes.extend(term.slopes(wave, &since, &contact));
+        }
+        let dt = slopes.iter().map(|slope| Ok((over(slope.along.clone())?, slope.x))).collect::<Result<Vec<_>, _>>()?;
+        let dv: Vec<_> =
+            dt.iter().zip(&slopes).map(|((dt, x), slope)| (acceleration1.clone() * dt + &slope.beside, *x)).collect();
+        let by_value = |slopes: &[(Real, &Affine)], centre| {
+            let terms: Vec<_> = slopes.iter().map(|(slope, x)| (slope, *x)).collect();
+            Affine::of(centre, &terms).recentred()
+        };
+        let velocity = centre.slope(&h) - &(acceleration1 * &miss);
+        Ok(Landing { wall, phase: by_value(&dt, landed - &miss), velocity: by_value(&dv, velocity) })
+    }
+}
 
-        let phase = Affine::of(landed - &miss, &dt.each_ref().map(|(slope, x)| (slope, *x)));
-        let terms: Vec<_> = dv.iter().zip(&dt).map(|(slope, (_, x))| (slope, *x)).collect();
-        let velocity = Affine::of(velocity - &(acceleration1 * &miss), &terms);
-        Ok(Landing { wall, phase: phase.recentred(), velocity: velocity.recentred() })
+/// How a landing depends on a quantity `x`: `v dth1 = along dx`, `dv = y'' dth1 + beside dx`.
+struct Slope<'x> {
+    x: &'x Affine,
+    along: Real,
+    beside: Real,
+}
+
+impl Term {
+    /// How a landing at `h` after a departure at the phase `since` depends on what of the harmonic is not known exactly.
+    fn slopes(&self, wave: &Wave, since: &Real, h: &Real) -> Vec<Slope<'_>> {
+        let Self { amplitude, phase, rate } = self;
+        let mut slopes = Vec::new();
+        if [Some(amplitude), Some(phase), rate.as_ref()].into_iter().flatten().all(Affine::is_fixed) {
+            return slopes;
+        }
+        let (sin1, cos1) = wave.sin_cos(h);
+        let (sin0, cos0) = (&wave.sin, &wave.cos);
+        let (turned, slowed) = (cos1.clone() - cos0, sin1.clone() - sin0);
+        if !amplitude.is_fixed() {
+            let along = slowed.clone() - &wave.rated(cos0.clone() * h, 1);
+            slopes.push(Slope { x: amplitude, along, beside: -wave.rated(turned.clone(), 1) });
+        }
+        let of_amplitude = |x: Real| x * &wave.amplitude;
+        if !phase.is_fixed() {
+            let along = turned.clone() + &wave.rated(sin0.clone() * h, 1);
+            slopes.push(Slope {
+                x: phase,
+                along: of_amplitude(along),
+                beside: of_amplitude(wave.rated(slowed.clone(), 1)),
+            });
+        }
+        if let Some(rate) = rate.as_ref().filter(|rate| !rate.is_fixed()) {
+            // Its phase at the departure depends on it as well.
+            let until = since.clone() + h;
+            let swept = sin0.clone() * since;
+            let along = cos1 * &until - &(cos0.clone() * &until) + &wave.rated(swept.clone() * h, 1);
+            let beside = wave.rated(sin1 * &until - &swept, 1) - &turned;
+            slopes.push(Slope { x: rate, along: of_amplitude(along), beside: of_amplitude(beside) });
+        }
+        slopes
     }
 }

@@ -1,11 +1,11 @@
-//! Motions without drift, `c = 0` exactly: they touch no wall, or graze the same ones in every turn.
+//! Motions without drift, `c = 0` exactly: they touch no wall, or, under one harmonic, graze the same ones in every turn.
 
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
 use super::clock::Clock;
-use super::contact::Doubt;
+use super::contact::{Doubt, clear};
 use super::data::Data;
 use super::walk::{Walk, compare};
 use crate::certificate::Claim;
@@ -24,7 +24,8 @@ impl Still {
     /// The motion from the start, if it is proved to be one: from the exact data, at odd quarter turns, where `cos th0 = 0`, or
     /// where the box stands still. `is_at_rest`: the ball has no velocity after the start.
     pub fn of(data: &Data, is_at_rest: bool) -> Option<Self> {
-        let stands = data.amplitude.sign() == Some(Ordering::Equal);
+        let amplitude = &data.only()?.amplitude;
+        let stands = amplitude.sign() == Some(Ordering::Equal);
         let quarters = if stands { BigInt::ZERO } else { data.quarter()? };
         let is_odd = &quarters % 2 != BigInt::ZERO;
         let on_wall_for_ever = stands && data.wall.is_some();
@@ -46,7 +47,7 @@ impl Still {
         };
         let mut rooms = [Ordering::Less; 2];
         for ((room, distance), part) in rooms.iter_mut().zip(&distances).zip([1 - sin, 1 + sin]) {
-            let swing = if part == 0 { zero() } else { data.amplitude.checked_mul(&Exact::from(part)).ok()? };
+            let swing = if part == 0 { zero() } else { amplitude.checked_mul(&Exact::from(part)).ok()? };
             *room = distance.checked_sub(&swing).ok()?.sign()?;
         }
         let quarters = quarters + &data.turns * 4;
@@ -71,6 +72,24 @@ impl Still {
 }
 
 impl Walk<'_> {
+    /// Whether a ball that starts inside the gap without drift, so that `y + E` stays as it is, is proved to touch no wall:
+    /// nowhere where `E` may get to, or nowhere in a common period of all harmonics.
+    pub(super) fn swings_freely(&self) -> Result<bool, Doubt> {
+        if self.data.height.is_none() || !self.certificate.events().is_empty() || !self.data.has_no_drift() {
+            return Ok(false);
+        }
+        let flight = self.departure.flights(&self.parameters);
+        let (place, reach) = (flight.height.clone() + &flight.shaking.first_place(), flight.shaking.reach());
+        if [place.clone() + &reach, reach - &place].iter().all(|most| most.is_below(&flight.half_gap)) {
+            return Ok(true);
+        }
+        let Some(common) = self.data.common_turns() else { return Ok(false) };
+        let turn = Real::pi(flight.bits()) + &Real::pi(flight.bits());
+        let period = Real::rational(&common.into(), flight.bits()) * &turn;
+        let [_, end] = period.ends();
+        clear(&flight, self.departure.start, &end, &(end.clone() + &end)).map(|()| true)
+    }
+
     /// A graze of a motion that grazes in every turn.
     pub(super) fn graze_again(&mut self, claim: &Claim) -> Result<(), Doubt> {
         let bits = self.bits;

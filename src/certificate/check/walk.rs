@@ -1,5 +1,7 @@
 //! The events of a certificate, one after another, over a piece of its data.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
@@ -7,6 +9,7 @@ use super::affine::Affine;
 use super::clock::{Beside, Clock, beside};
 use super::contact::{Claimed, Doubt, Start};
 use super::data::{Data, Piece};
+use super::release::Release;
 use super::rest::Rest;
 use super::step::{Departure, Landing, Parameters};
 use super::still::Still;
@@ -18,12 +21,11 @@ use crate::pair::Wall;
 
 /// An orbit followed along the claims.
 pub(in crate::certificate) struct Walk<'c> {
-    certificate: &'c Certificate,
+    pub(super) certificate: &'c Certificate,
     pub(super) data: &'c Data,
     pub parameters: Parameters,
     pub(super) clock: Clock,
-    /// The phase that phases are counted from, within a turn of 0, and the whole half turns dropped from it.
-    pub(super) origin: Real,
+    /// The whole half turns dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
     pub departure: Departure,
     /// The last impact.
@@ -32,8 +34,10 @@ pub(in crate::certificate) struct Walk<'c> {
     pub(super) still: Option<Still>,
     /// The wall that the last flight between walls left.
     pub(super) last: Option<Wall>,
-    /// The first release from each wall: half turns, impacts before it.
+    /// The first release from each wall under one harmonic: half turns, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
+    /// All releases under several harmonics.
+    pub(super) released: Vec<Release>,
     pub(super) period: Option<Period>,
     pub(super) impacts: u64,
     pub(super) bits: u32,
@@ -46,8 +50,6 @@ impl<'c> Walk<'c> {
         let parameters = data.parameters(piece, bits);
         let (phase, velocity, height) = data.state(piece, bits);
         let clock = Clock::at_start(data, &phase, bits);
-        // Phases are counted from the middle of those of the start.
-        let origin = phase.centre.clone();
         let phase = phase.less_centre();
         let departure = match (data.wall, height) {
             (Some(wall), _) => Departure::rebound(&parameters, &Landing { wall, phase, velocity }),
@@ -61,7 +63,6 @@ impl<'c> Walk<'c> {
             data,
             parameters,
             clock,
-            origin,
             halves: BigInt::from(2) * &data.turns,
             departure,
             landing: None,
@@ -69,12 +70,13 @@ impl<'c> Walk<'c> {
             still: None,
             last: data.wall,
             releases: [None, None],
+            released: Vec::new(),
             period: None,
             impacts: 0,
             bits,
             event: 0,
         };
-        walk.departure.start.is_release = walk.starts_where_pressure_ends(0);
+        walk.departure.start.is_release = walk.starts_where_pressure_vanishes(Ordering::Greater);
         walk.still = Still::of(data, walk.departure.velocity.hull().is_zero());
         walk
     }
@@ -93,7 +95,7 @@ impl<'c> Walk<'c> {
     pub fn absolute(&self, phase: &Real) -> Real {
         let bits = phase.bits().saturating_add(u32::try_from(self.halves.bits()).unwrap_or(0));
         let dropped = Real::rational(&self.halves.clone().into(), bits) * &Real::pi(bits);
-        dropped + &self.origin + phase
+        dropped + &self.parameters.origin() + phase
     }
 
     /// The datum whose halving narrows the sets most, if the data make most of their width.
@@ -159,7 +161,7 @@ impl<'c> Walk<'c> {
     }
 
     pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
-        self.departure.land(&self.parameters, &self.origin, wall, claimed)
+        self.departure.land(&self.parameters, wall, claimed)
     }
 
     /// What is claimed of the future.
@@ -169,10 +171,10 @@ impl<'c> Walk<'c> {
         let (is_true, message) = match self.certificate.outcome() {
             "periodic" => (period.is_some() && period == self.certificate.period(), "the period is not proved"),
             "rests-forever" => {
-                let stays = self.rest.is_some() && self.parameters.amplitude.hull().is_zero();
+                let stays = self.rest.is_some() && self.parameters.is_still();
                 (stays, "the ball is not proved to rest for ever")
             }
-            "never-impacts" => (never, "the ball is not proved never to touch a wall"),
+            "never-impacts" => (never || self.swings_freely()?, "the ball is not proved never to touch a wall"),
             // `attracted` is checked once for all pieces of the data: `Certificate::attraction`.
             "impacts-reached" | "time-reached" | "undecided" | "attracted" => (true, ""),
             _ => (false, "this version does not check the outcome"),

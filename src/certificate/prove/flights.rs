@@ -62,7 +62,7 @@ pub(super) fn flights(
 ) -> (Origin, Vec<Flight>, Option<Doubt>) {
     let mut walk = Walk::new(certificate, data, &Piece::default(), bits);
     let parameters = walk.parameters.clone();
-    let amplitude = parameters.amplitude.hull();
+    let amplitude = parameters.terms[0].amplitude.hull();
     let unit = |x: &Real| x.over(&amplitude).expect("the box is shaken");
     let middle = |x: &Real| Real::point(x.mid(), bits);
     let (phase, velocity, height) = data.state(&Piece::default(), bits);

@@ -43,9 +43,10 @@ impl Certificate {
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, or the box is not shaken.
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
+        let harmonic = self.pair().harmonic("the theorem")?;
         let data = Data::new(self.pair(), self.start())?;
-        Error::require_positive("excitation.amplitude", &data.amplitude)?;
-        let is_point = self.pair().is_point() && self.start().velocity().is_point() && data.phase.is_point();
+        Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
+        let is_point = self.pair().is_point() && self.start().velocity().is_point() && data.tones[0].phase.is_point();
         let is_point = is_point && data.height.as_ref().is_none_or(Exact::is_point);
         let claims = self.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
         let claims: Vec<_> = claims.take(most).cloned().collect();

@@ -1,0 +1,152 @@
+//! Releases under several harmonics: where the acceleration of the box turns inward (Lemma V3).
+
+use num_bigint::BigInt;
+use num_traits::{Signed, ToPrimitive};
+
+use super::affine::Affine;
+use super::contact::{Doubt, zero};
+use super::rest::Rest;
+use super::shaking::{Shaking, Term, Wave};
+use super::step::Departure;
+use super::walk::{Walk, compare};
+use crate::certificate::Claim;
+use crate::exact::Real;
+use crate::orbit::Period;
+use crate::pair::Wall;
+
+/// Bits that rests are first followed with.
+const FIRST_BITS: u32 = 128;
+/// A rest is cut into so many parts at most.
+const MOST_PARTS: u32 = 1 << 18;
+
+/// A release from a wall.
+pub(in crate::certificate) struct Release {
+    wall: Wall,
+    /// Phases since the origin that hold it.
+    phase: Real,
+    /// Impacts before it.
+    impacts: u64,
+}
+
+impl Walk<'_> {
+    /// The ball leaves at the first zero of the acceleration after the rest began, and that is a simple one.
+    pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
+        let root = self.turning(rest).ok_or_else(|| Doubt::Open("no release is proved".into()))?;
+        compare("time", &self.clock.time(&root), &claim.time)?;
+        let released = self.released(&root)?;
+        let still = Affine::fixed(Real::zero(self.bits));
+        self.departure = Departure::on_wall(&self.parameters, rest.wall, released, still);
+        self.departure.start.is_release = true;
+        self.last = Some(rest.wall);
+        if self.period.is_none() {
+            let same = self.released.iter().filter(|before| before.wall == rest.wall);
+            self.period = same.rev().find_map(|before| self.period_since(before, &root));
+        }
+        self.released.push(Release { wall: rest.wall, phase: root, impacts: self.impacts });
+        Ok(())
+    }
+
+    /// The phases at which the wall is no longer pressed.
+    fn turning(&self, rest: &Rest) -> Option<Real> {
+        let origin = Real::zero(self.bits);
+        let set = self.parameters.shaking(&origin, Affine::hull);
+        let mut bits = FIRST_BITS.min(self.bits);
+        let bracket = loop {
+            match turning(&set.rounded(bits), rest, bits) {
+                None if bits < self.bits => bits = (4 * bits).min(self.bits),
+                found => break found?,
+            }
+        };
+        Some(zero(bracket.at(self.bits), |s| set.acceleration(s), |part| set.jerk(part)))
+    }
+
+    /// The release as a function of the data, by implicit differentiation of `E'' = 0`.
+    fn released(&self, root: &Real) -> Result<Affine, Doubt> {
+        let origin = Real::zero(self.bits);
+        let set = self.parameters.shaking(&origin, Affine::hull);
+        let middle = self.parameters.shaking(&origin, |x| x.centre.clone());
+        let jerk = set.jerk(root);
+        let over = |x: &Real| x.over(&-jerk.clone()).ok_or_else(|| Doubt::Open("no release is proved".into()));
+        let centre = zero(root.clone(), |s| middle.acceleration(s), |part| set.jerk(part));
+        let waves = set.waves.iter().zip(&self.parameters.terms);
+        let slopes = waves.flat_map(|(wave, term)| term.turns(wave, root));
+        let slopes = slopes.map(|(x, slope)| Ok((over(&slope)?, x))).collect::<Result<Vec<_>, _>>()?;
+        let slopes: Vec<_> = slopes.iter().map(|(slope, x)| (slope, *x)).collect();
+        Ok(Affine::of(centre, &slopes).recentred())
+    }
+
+    /// The period, if a release at `root` is proved to be `before` whole common periods of all harmonics later.
+    ///
+    /// What is a zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
+    /// between two zeros they are the same.
+    fn period_since(&self, before: &Release, root: &Real) -> Option<Period> {
+        let common = self.data.common_turns()?;
+        let turn = Real::pi(self.bits) + &Real::pi(self.bits);
+        let lasting = Real::rational(&common.clone().into(), self.bits) * &turn;
+        let periods = (root.clone() - &before.phase).over(&lasting)?.middle() + &Real::int(1, self.bits).half();
+        let periods = BigInt::from(periods.floor()?);
+        let later = before.phase.clone() + &(Real::rational(&periods.clone().into(), self.bits) * &lasting);
+        let jerk = self.parameters.shaking(&Real::zero(self.bits), Affine::hull).jerk(&later.hull(root));
+        let is_same = periods.is_positive() && (jerk.is_positive() || jerk.is_negative());
+        let cycles = (common * periods).to_u64().filter(|_| is_same)?;
+        Some(Period { cycles, impacts: self.impacts - before.impacts })
+    }
+}
+
+impl Term {
+    /// How `-E''` at `s` after the origin, where `wave` is, depends on what of the harmonic is not known exactly.
+    fn turns(&self, wave: &Wave, s: &Real) -> Vec<(&Affine, Real)> {
+        let (sin, cos) = wave.sin_cos(s);
+        let Self { amplitude, phase, rate } = self;
+        let mut slopes =
+            vec![(amplitude, wave.rated(sin.clone(), 2)), (phase, wave.rated(cos.clone() * &wave.amplitude, 2))];
+        if let Some(rate) = rate {
+            let twice = sin.clone() + &sin;
+            let slope = wave.rated(twice, 1) + &wave.rated(cos * s, 2);
+            slopes.push((rate, slope * &wave.amplitude));
+        }
+        slopes.retain(|(x, _)| !x.is_fixed());
+        slopes
+    }
+}
+
+/// A part of the motion of the box, the wall pressed all the time from the rest to its beginning and not at its end, in which
+/// `E'''` is not 0; phases since the origin.
+fn turning(shaking: &Shaking, rest: &Rest, bits: u32) -> Option<Real> {
+    let inward = |x: Real| if rest.wall == Wall::Left { x } else { -x };
+    let point = |x: &Real| Real::point(x.mid(), bits);
+    let acceleration = |at: &Real| inward(shaking.acceleration(at));
+    let jerk = |part: &Real| inward(shaking.jerk(part));
+    let [begin, _] = rest.since.rounded(bits).ends();
+    let shortest = |width: &Real| width.enclosure().mag().top().is_none_or(|top| -top > i64::from(bits) / 2);
+    let (mut at, mut width) = (begin.clone(), Real::int(1, bits));
+    if rest.begins {
+        let first = |width: &Real| point(&(begin.clone() + width));
+        while !jerk(&rest.since.rounded(bits).hull(&first(&width))).is_negative() {
+            width = width.half();
+            if shortest(&width) {
+                return None;
+            }
+        }
+        at = first(&width);
+    }
+    for _ in 0..MOST_PARTS {
+        let next = point(&(at.clone() + &width));
+        let part = at.hull(&next);
+        let (slope, end) = (jerk(&part), acceleration(&next));
+        let middle = point(&part);
+        let mean = acceleration(&middle) + &(slope.clone() * &(part.clone() - &middle));
+        if acceleration(&part).cut(&mean).is_negative() {
+            (at, width) = (next, width.clone() + &width);
+            continue;
+        }
+        if slope.is_positive() && end.is_positive() && acceleration(&at).is_negative() {
+            return Some(part);
+        }
+        width = width.half();
+        if shortest(&width) {
+            return None;
+        }
+    }
+    None
+}
