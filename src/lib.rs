@@ -81,6 +81,7 @@ pub mod pair;
 pub mod periodic;
 pub mod rest;
 pub mod scene;
+mod several;
 pub mod switch_plane;
 pub mod two_impact;
 

@@ -169,7 +169,17 @@ pub struct Passage<N> {
 pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Option<[[N; 2]; 2]> {
     let Passage { time, sin0, sin1, velocity0, velocity1 } = passage.clone();
     let swing = beta.turn() * beta;
-    let (swing0, swing1) = (swing.clone() * sin0, swing * sin1);
+    jacobian_between(restitution, time, [swing.clone() * sin0, swing * sin1], [velocity0, velocity1])
+}
+
+/// The same from the accelerations `y''` after the impact it starts with and at the one it ends with.
+#[inline(always)]
+pub(crate) fn jacobian_between<N: Number>(
+    restitution: N,
+    time: N,
+    [swing0, swing1]: [N; 2],
+    [velocity0, velocity1]: [N; 2],
+) -> Option<[[N; 2]; 2]> {
     let inverse = N::from_f64(1.0).checked_div(velocity1)?;
     let rebound = -(restitution.clone() * velocity0);
     let time_by_time = swing0.clone().mul_add(time.clone(), rebound) * inverse.clone();

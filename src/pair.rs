@@ -189,7 +189,7 @@ impl ImpactPair {
 ///
 /// # Errors
 /// When it is beyond what exact expressions hold.
-pub(crate) fn within(key: &'static str, of: &Exact, value: Result<Exact, ExactError>) -> Result<Exact, Error> {
+pub(crate) fn within<T>(key: &'static str, of: &Exact, value: Result<T, ExactError>) -> Result<T, Error> {
     value.map_err(|reason| Error::range(key, of, &reason.to_string()))
 }
 

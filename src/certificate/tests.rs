@@ -141,8 +141,8 @@ fn floats_claim_nothing() {
     }
 }
 
-/// Where the impacts that a document lists come, and how fast, found again: phases `W t + tau` and velocities in lengths a radian.
-fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
+/// Where the impacts that a document lists come, and how fast, found again: times and velocities.
+pub(super) fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
     let certificate = Certificate::parse(&document.to_string()).unwrap();
     let data = check::Data::new(certificate.pair(), certificate.start()).unwrap();
     let mut walk = check::Walk::new(&certificate, &data, &check::Piece::default(), 192);
@@ -150,10 +150,13 @@ fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
     for claim in certificate.events() {
         // Whether the set lies inside the printed bounds does not matter here.
         let _ = walk.confirm(claim);
+        if !matches!(claim.kind, ClaimKind::Impact { .. }) {
+            continue;
+        }
         // Wide sets need not all land on one wall.
         let Some(landing) = walk.landing.take() else { break };
-        let phase = walk.absolute(&landing.phase.hull());
-        found.push((phase.enclosure().clone(), landing.velocity.hull().enclosure().clone()));
+        let (time, velocity) = (walk.clock.time(&landing.phase.hull()), walk.clock.velocity(&landing.velocity.hull()));
+        found.push((time.enclosure().clone(), velocity.enclosure().clone()));
     }
     found
 }

@@ -63,8 +63,6 @@ impl<const WIDE: bool> Judge for Bounds<'_, WIDE> {
 pub(crate) struct SetContact {
     /// Encloses the contact of every flight of the set.
     pub all: Contact<Ball>,
-    /// Encloses `sin th1` over the set.
-    pub sin: Ball,
     /// Encloses the phase on arrival of the flight from the centre.
     pub phase: Ball,
     /// Its velocity at the middle of that phase, but for the radius; elsewhere the slope times the distance is added.
@@ -74,7 +72,7 @@ pub(crate) struct SetContact {
 }
 
 /// Encloses the first contact of all the flights that start within the radii `all`, and more closely that of those
-/// within `point`; both as [`first_contact`] does.
+/// within `point`; both as [`first_contact`] does. With it comes `sin th1` over the set.
 ///
 /// The phase and velocity of the latter lie in `phase x velocity`, sheared by `slope` (Lemma S4).
 ///
@@ -85,7 +83,7 @@ pub(crate) fn first_contacts(
     margins: &Margins,
     point: Radii,
     all: Radii,
-) -> Result<SetContact, Undecided> {
+) -> Result<(SetContact, Ball), Undecided> {
     let judges =
         Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
     let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
@@ -94,13 +92,13 @@ pub(crate) fn first_contacts(
     // The stored phase is rounded, the velocity is that before the rounding (Lemma S4).
     let rounding = UNIT * (2.0 * centre.arrival.phase.mid().abs() + centre.arrival.time.mid().abs());
     let rest = up(slope.mag().mul_add(rounding, centre.rest));
-    Ok(SetContact {
+    let contact = SetContact {
         all: all.contact(flight),
-        sin: flight.wall.inward(all.sin),
         phase: centre.arrival.phase,
         velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), rest)),
         slope: flight.wall.inward(slope),
-    })
+    };
+    Ok((contact, flight.wall.inward(all.sin)))
 }
 
 /// Judges the flights of a set, and the one of its centre.

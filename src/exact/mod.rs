@@ -5,7 +5,7 @@
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
-//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye), `fold` (for other languages),
+//! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye), `ratio` (fractions between numbers), `fold` (for other languages),
 //! `error`.
 //!
 //! ```
@@ -30,6 +30,7 @@ mod monomial;
 mod operators;
 mod parse;
 mod print;
+mod ratio;
 mod real;
 
 use std::sync::{Arc, Mutex, OnceLock};

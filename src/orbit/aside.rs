@@ -1,17 +1,17 @@
 //! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
 
 use super::event::{Graze, Outcome, Period, Progress, Release, Rest, finite};
-use super::origin::{Location, Origin};
 use super::shortfall::Shortfall;
 use super::still::Still;
-use super::{Cursor, Orbit, first_motion};
-use crate::exact::{Enclosure, Exact};
+use super::{Cursor, Orbit};
+use crate::exact::Enclosure;
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
 use crate::pair::Wall;
 use crate::rest;
+use crate::several::Zero;
 
 impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
@@ -47,11 +47,12 @@ impl Orbit {
     fn repeat(&mut self, event: Progress) -> Progress {
         let (turns, phase) = match &event {
             Progress::Impact(impact) => (impact.turns, impact.phase),
-            Progress::Rest(Rest { turns, phase, .. }) | Progress::Graze(Graze { turns, phase, .. }) => {
+            Progress::Rest(Rest { turns, phase, .. })
+            | Progress::Graze(Graze { turns, phase, .. })
+            | Progress::Release(Release { turns, phase, .. }) => {
                 let (mid, rad) = phase.mid_rad();
                 (*turns, Ball::new(mid, rad))
             }
-            Progress::Release(release) => (release.turns, Ball::exact(release.phase)),
             Progress::Retraced(_) | Progress::Ended => return event,
         };
         if self.is_past(turns, phase) {
@@ -69,9 +70,11 @@ impl Orbit {
         let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
         let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
         let is_still = self.pair.beta == Ball::exact(0.0);
-        let time = match (is_still, after == Ball::exact(0.0)) {
-            (true, still) => still.then_some(0.0)?,
-            (false, _) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
+        let Cursor { turns, phase, .. } = self.cursor;
+        let time = match (is_still, &self.course.several) {
+            (true, _) => (after == Ball::exact(0.0)).then_some(0.0)?,
+            (false, None) => rest::accumulation(&self.pair, wall, phase, after)?,
+            (false, Some(several)) => several.accumulation(&self.pair, wall, turns, phase, after)?,
         };
         self.rest(wall, time, is_still)
     }
@@ -92,43 +95,58 @@ impl Orbit {
         }
         let at_start = self.cursor.index == self.start.index;
         let enclosed = match self.motion.enclosures() {
-            _ if at_start => self.origin.phase.enclose(self.shown),
+            _ if at_start => self.course.origin.phase.enclose(self.shown),
             Some((phase, _)) => phase.rounded(self.shown),
             None => finite(phase),
         };
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.shown.saturating_add(64));
-        let release = (!for_ever).then(|| {
-            let (ahead, phase) = rest::release(wall, phase.mid());
-            Release { wall, turns: turns.saturating_add(ahead), phase }
-        });
+        let release = match for_ever {
+            true => None,
+            false => Some(self.release_of(wall, turns, phase.mid())?),
+        };
         (self.resting, self.is_aside) = (Some(release), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
         Some(self.hand_out(Progress::Rest(rest)))
     }
 
+    /// When a ball that rests since a phase leaves its wall: the turns, and a zero of the pressure under several harmonics.
+    fn release_of(&self, wall: Wall, turns: i64, phase: f64) -> Option<(Release, Option<Zero>)> {
+        let Some(several) = &self.course.several else {
+            let (ahead, phase) = rest::release(wall, phase);
+            let phase = Enclosure::from_f64_bounds(phase, phase)?;
+            return Some((Release { wall, turns: turns.saturating_add(ahead), phase }, None));
+        };
+        let zero = several.release_after(wall, turns, phase)?;
+        let phase = several.enclosure(&zero, self.shown)?;
+        Some((Release { wall, turns: zero.turns, phase }, Some(zero)))
+    }
+
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
     #[cold]
-    fn release(&mut self, release: Option<Release>) -> Progress {
-        let Some(release) = release else {
+    fn release(&mut self, release: Option<(Release, Option<Zero>)>) -> Progress {
+        let Some((release, zero)) = release else {
             self.outcome = self.cursor.wall.map(Outcome::RestsForever);
             return Progress::Ended;
         };
-        let Release { wall, turns, phase } = release;
-        if self.is_past(turns, Ball::exact(phase)) {
+        let Release { wall, turns, phase } = release.clone();
+        let (mid, rad) = phase.mid_rad();
+        let phase = Ball::new(mid, rad);
+        if self.is_past(turns, phase) {
             return self.finish(Outcome::TimeReached);
         }
         let event = self.hand_out(Progress::Release(release));
-        self.recurrence.release(wall, turns, self.listed);
-        let point = |x: f64| Exact::from_f64(x).expect("a finite number");
-        self.origin = Origin { place: Location::Wall(wall), phase: point(phase), velocity: point(0.0) };
-        let (phase, velocity) = (Ball::exact(phase), Ball::exact(0.0));
-        let origin = Origin { place: Location::Wall(wall), phase, velocity };
+        let number = match (&mut self.course.several, &zero) {
+            (Some(several), Some(zero)) => several.number_of(zero),
+            _ => usize::from(wall == Wall::Right),
+        };
+        self.recurrence.release(number, turns, self.listed);
+        self.course.leave(wall, mid, zero, self.shown);
+        let velocity = Ball::exact(0.0);
         self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
         self.cursor = self.start;
         self.bits = self.bits();
-        self.motion = first_motion(self.settings.arithmetic, &self.exact, &self.pair, &self.origin, &origin)
-            .expect("the arithmetic was there at the start");
+        self.motion = self.course.motion(self.settings.arithmetic).expect("the arithmetic was there at the start");
         self.look_ahead();
         event
     }

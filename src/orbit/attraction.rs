@@ -46,7 +46,11 @@ impl Orbit {
         if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
             return None;
         }
-        let problem = |word: &_, cycles| Problem::of(self.exact.clone(), self.pair, word, cycles).ok();
+        // Of several harmonics no problem is stated.
+        if self.course.several.is_some() {
+            return None;
+        }
+        let problem = |word: &_, cycles| Problem::of(self.course.exact.clone(), self.pair, word, cycles).ok();
         find_attractor(&self.recent.in_order(), self.settings.digits.min(DIGITS), problem)
     }
 }

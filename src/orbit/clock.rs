@@ -74,6 +74,11 @@ impl Clock {
         })
     }
 
+    /// The whole turns that phases are counted from.
+    pub(super) fn origin(&self) -> &BigInt {
+        &self.origin
+    }
+
     /// The phase `(W t + tau) / (2 pi)` of a time, in whole turns after the origin and the rest.
     pub(super) fn split(&self, key: &'static str, time: &Exact) -> Result<(i64, Exact), Error> {
         let origin = Exact::from(self.origin.clone());

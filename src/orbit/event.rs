@@ -61,14 +61,14 @@ pub struct Rest {
 }
 
 /// The ball leaves the wall that it rested on, where its acceleration turns inward.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Release {
     /// The wall.
     pub wall: Wall,
     /// Whole turns since the clock's origin.
     pub turns: i64,
-    /// The rest of the phase in turns, exactly: 0 on the left wall, -1/2 on the right one.
-    pub phase: f64,
+    /// Encloses the rest of the phase, in turns; under one harmonic it is exactly 0 on the left wall, -1/2 on the right one.
+    pub phase: Enclosure,
 }
 
 /// What [`Orbit::advance`](super::Orbit::advance) has done.

@@ -3,6 +3,7 @@
 mod aside;
 mod attraction;
 mod clock;
+mod course;
 mod event;
 mod motion;
 mod origin;
@@ -15,6 +16,7 @@ mod raise;
 mod recurrence;
 mod set;
 mod settings;
+mod several;
 mod shortfall;
 mod start;
 mod still;
@@ -28,18 +30,19 @@ pub use start::{Place, Start};
 
 use crate::contact::Contact;
 use crate::error::Error;
-use crate::exact::{Enclosure, Exact};
+use crate::exact::Enclosure;
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
-use crate::pair::{ImpactPair, Reduced, Wall, ball};
+use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::periodic::Passing;
 use crate::rest;
+use crate::several::Zero;
 use crate::switch_plane::{SwitchPoint, absolute};
 use attraction::Recent;
 use clock::Phase;
+use course::Course;
 use event::finite;
-use motion::{FloatMotion, IntervalMotion, Motion};
-use origin::Origin;
+use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
 use recurrence::Recurrence;
@@ -71,7 +74,8 @@ use still::Still;
 /// ```
 #[derive(Debug)]
 pub struct Orbit {
-    exact: Reduced<Exact>,
+    /// What is followed, from the orbit's start or the last release.
+    course: Course,
     pair: Reduced<Ball>,
     clock: Clock,
     motion: Box<dyn Motion>,
@@ -83,8 +87,7 @@ pub struct Orbit {
     is_point: bool,
     /// Bits of what is printed beyond doubles.
     shown: u32,
-    /// Where the motion starts: the orbit's start, or the last release.
-    origin: Origin<Exact>,
+    /// Where the motion starts.
     start: Cursor,
     /// Where the motion is.
     cursor: Cursor,
@@ -101,7 +104,7 @@ pub struct Orbit {
     /// There has been a rest, or a wall is never hit: more than flights is to be looked after.
     is_aside: bool,
     /// The ball rests and will be released then; for ever if it is not.
-    resting: Option<Option<Release>>,
+    resting: Option<Option<(Release, Option<Zero>)>>,
     /// It never hits a wall again, and may graze some, so many times so far.
     still: Option<Still>,
     grazes: u64,
@@ -132,28 +135,26 @@ impl Orbit {
     /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
     /// asked for.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
-        let exact = pair.exact()?;
-        let reduced = pair.reduced()?;
         let shown = match settings.arithmetic {
             Arithmetic::Bits(bits) => bits,
             // Of log2(10) bits a digit, and a few more.
             _ => settings.digits.saturating_mul(10) / 3 + 64,
         };
         let clock = Clock::new(pair, &start.time, shown)?;
-        let (turns, origin) = Origin::new(pair, start, &clock)?;
-        let origin_ball = origin.map(ball).map_err(|error| match error.key() {
+        let (turns, course) = Course::new(pair, start, &clock)?;
+        let reduced = course.pair;
+        let origin = course.origin_ball().map_err(|error| match error.key() {
             Some("start.velocity") => Error::too_large("start.velocity", &start.velocity),
             _ => error,
         })?;
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
-        let motion = first_motion(settings.arithmetic, &exact, &reduced, &origin, &origin_ball)?;
-        let (phase, velocity) = (origin_ball.phase, origin_ball.velocity);
-        let wall = origin.wall();
+        let motion = course.motion(settings.arithmetic)?;
+        let (phase, velocity, wall) = (origin.phase, origin.velocity, origin.wall());
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let mut orbit = Self {
-            exact,
+            course,
             pair: reduced,
             clock,
             motion,
@@ -161,7 +162,6 @@ impl Orbit {
             widths: [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)],
             is_point,
             shown,
-            origin,
             start: cursor,
             cursor,
             listed: 0,
@@ -189,10 +189,9 @@ impl Orbit {
         if self.settings.arithmetic == Arithmetic::Auto {
             let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts));
             let settings = Settings { impacts: left, ..self.settings.clone() };
-            let (origin, turns) = (self.origin.clone(), self.start.turns);
-            self.raise = Some(Raise::new(self.exact.clone(), origin, turns, self.until, &settings));
+            self.raise = Some(Raise::new(self.course.clone(), self.start.turns, self.until, &settings));
         }
-        self.still = still::still(&self.exact, &self.origin).filter(|_| self.settings.arithmetic != Arithmetic::Float);
+        self.still = still::still(&self.course).filter(|_| self.settings.arithmetic != Arithmetic::Float);
         self.is_aside |= self.still.is_some();
     }
 
@@ -321,6 +320,11 @@ impl Orbit {
     #[inline]
     fn may_rest(&self) -> bool {
         let Some(wall) = self.cursor.wall else { return false };
+        if self.course.several.is_some() {
+            // A rest is told once the chatter left is shorter than the digits show.
+            let least = self.widths[0].linear.max(f64::MIN_POSITIVE);
+            return self.cursor.index == self.listed && (self.cursor.velocity.mid() * self.haste).abs() <= least;
+        }
         let phase = self.cursor.phase.mid() + wall.mirror_phase();
         // Chatter that begins now would have to end before the pressure does.
         let shortest = (self.cursor.velocity.mid() * self.haste).abs();
@@ -344,15 +348,20 @@ impl Orbit {
 
     /// When a wall may be grazed \[time\].
     pub fn graze_time(&self, graze: &Graze) -> Enclosure {
-        match graze.phase.is_point() {
-            true => self.clock.time_of(graze.turns, graze.phase.mid_rad().0),
-            false => self.clock.time(graze.turns, &graze.phase),
-        }
+        self.exact_time(graze.turns, &graze.phase)
     }
 
     /// When a release happens \[time\], as exactly as it can be shown.
     pub fn release_time(&self, release: &Release) -> Enclosure {
-        self.clock.time_of(release.turns, release.phase)
+        self.exact_time(release.turns, &release.phase)
+    }
+
+    /// The time of a phase, itself exact where that is.
+    fn exact_time(&self, turns: i64, phase: &Enclosure) -> Enclosure {
+        match phase.mid_rad() {
+            (exact, 0.0) => self.clock.time_of(turns, exact),
+            _ => self.clock.time(turns, phase),
+        }
     }
 
     /// Whether an impact certainly comes after the time to stop at.
@@ -362,27 +371,6 @@ impl Orbit {
             ahead.mid() > ahead.rad()
         })
     }
-}
-
-/// The first motion from an origin that is tried in an arithmetic.
-fn first_motion(
-    arithmetic: Arithmetic,
-    exact: &Reduced<Exact>,
-    pair: &Reduced<Ball>,
-    origin: &Origin<Exact>,
-    origin_ball: &Origin<Ball>,
-) -> Result<Box<dyn Motion>, Error> {
-    Ok(match arithmetic {
-        Arithmetic::Float => Box::new(FloatMotion::new(pair, origin_ball)),
-        Arithmetic::Auto | Arithmetic::Interval => Box::new(IntervalMotion::new(pair, origin_ball)),
-        #[cfg(feature = "multiprecision")]
-        Arithmetic::Bits(bits) => Box::new(precise::PreciseMotion::new(exact, pair, origin, Plan::constant(bits))),
-        #[cfg(not(feature = "multiprecision"))]
-        Arithmetic::Bits(bits) => {
-            let _ = (exact, origin);
-            return Err(Error::arithmetic(&bits.to_string()));
-        }
-    })
 }
 
 impl Iterator for Orbit {

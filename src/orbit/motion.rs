@@ -54,9 +54,15 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     }
 }
 
+/// A floating motion that knows how the box pushes.
+pub(super) trait Swinging: Motion {
+    /// `y''` at the last contact, or at the start, in gaps a turn squared.
+    fn swing(&self) -> f64;
+}
+
 /// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
 #[inline(always)]
-fn carry(turns: f64, phase: f64) -> (f64, f64) {
+pub(super) fn carry(turns: f64, phase: f64) -> (f64, f64) {
     if phase > 0.5 {
         (turns + 1.0, phase - 1.0)
     } else if phase < -0.5 {
@@ -68,7 +74,7 @@ fn carry(turns: f64, phase: f64) -> (f64, f64) {
 
 /// Bits enough to lose nothing of doubles on the way past a graze.
 #[cfg(feature = "multiprecision")]
-const PASSING_BITS: u32 = 128;
+pub(super) const PASSING_BITS: u32 = 128;
 
 /// A power of two near the velocities to come.
 pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
@@ -125,6 +131,12 @@ impl Motion for FloatMotion {
     }
 }
 
+impl Swinging for FloatMotion {
+    fn swing(&self) -> f64 {
+        self.next.wall.inward(self.next.acceleration_at(self.next.sin))
+    }
+}
+
 /// Certified in double precision: the centre of the set flies, the set follows by the Jacobian.
 #[derive(Clone, Debug)]
 pub(super) struct IntervalMotion {
@@ -174,12 +186,12 @@ impl IntervalMotion {
         let flight = Flight::from_wall(&self.centre, wall, set.phase, wall.inward(after.mid()), sin_cos);
         let point = Radii { velocity: after.rad(), ..Radii::default() };
         let all = Radii { phase: phase.rad(), velocity: self.pair.rebound_of(before).rad(), ..point };
-        let image = first_contacts(&flight, &self.margins, point, all)?;
+        let (image, sin1) = first_contacts(&flight, &self.margins, point, all)?;
         let contact = image.all;
         let passage = Passage {
             time: contact.time,
             sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + 6.3 * phase.rad()),
-            sin1: image.sin,
+            sin1,
             velocity0: before,
             velocity1: contact.velocity,
         };

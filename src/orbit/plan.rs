@@ -9,11 +9,11 @@
 
 use std::sync::Arc;
 
-use super::motion::{FloatMotion, Motion};
-use super::origin::{Location, Origin};
-use crate::mapping::{Passage, jacobian};
-use crate::number::{Ball, LEAST_BITS, kernel};
-use crate::pair::Reduced;
+use super::course::Course;
+use super::motion::Swinging;
+use super::origin::Location;
+use crate::mapping::jacobian_between;
+use crate::number::LEAST_BITS;
 
 /// Bits that constant factors eat.
 const GUARD: f64 = 24.0;
@@ -101,9 +101,9 @@ fn deviation(growth: &[f32]) -> f64 {
 /// A floating run that carries a tangent vector along: how many bits each impact eats.
 #[derive(Debug)]
 pub(super) struct Growth {
-    pair: Reduced<f64>,
-    motion: FloatMotion,
-    /// Velocity before the last impact, and the sine of its phase; `None` inside the gap.
+    restitution: f64,
+    run: Box<dyn Swinging>,
+    /// Velocity before the last impact, and the acceleration there; `None` inside the gap.
     last: Option<(f64, f64)>,
     /// In turns, and in units of the scale.
     tangent: [f64; 2],
@@ -111,29 +111,30 @@ pub(super) struct Growth {
 }
 
 impl Growth {
-    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
-        let scale = super::motion::scale(pair, origin.velocity);
+    /// `None` for a start beyond doubles.
+    pub fn new(course: &Course) -> Option<Self> {
+        let (run, origin) = (course.run()?, course.origin_ball().ok()?);
+        let scale = super::motion::scale(&course.pair, origin.velocity);
         let last = match origin.place {
-            Location::Wall(_) => Some((origin.velocity.mid(), kernel::sin_cos(origin.phase.mid()).0)),
+            Location::Wall(_) => Some((origin.velocity.mid(), run.swing())),
             Location::Inside(_) => None,
         };
-        Self { pair: pair.centre(), motion: FloatMotion::new(pair, origin), last, tangent: [1.0, 1.0], scale }
+        Some(Self { restitution: course.pair.restitution.mid(), run, last, tangent: [1.0, 1.0], scale })
     }
 
     /// Goes on to the next impact: the bits it eats, and the turns that passed.
     pub fn next_impact(&mut self) -> Option<(f64, f64)> {
-        let contact = self.motion.next_contact().ok()?;
-        let (velocity, sin) = (contact.velocity.mid(), kernel::sin_cos(contact.phase.mid()).0);
-        let last = self.last.replace((velocity, sin));
-        let Some((velocity0, sin0)) = last else { return Some((0.0, contact.time.mid())) };
-        let passage = Passage { time: contact.time.mid(), sin0, sin1: sin, velocity0, velocity1: velocity };
-        let [[a, b], [c, d]] = jacobian(self.pair.beta, self.pair.restitution, &passage)?;
+        let contact = self.run.next_contact().ok()?;
+        let (time, velocity1, swing1) = (contact.time.mid(), contact.velocity.mid(), self.run.swing());
+        let last = self.last.replace((velocity1, swing1));
+        let Some((velocity0, swing0)) = last else { return Some((0.0, time)) };
+        let [[a, b], [c, d]] = jacobian_between(self.restitution, time, [swing0, swing1], [velocity0, velocity1])?;
         let [x, y] = self.tangent;
         let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];
         let (before, after) = (x.hypot(y), image[0].hypot(image[1]));
         // A dead impact forgets all.
         let usable = after.is_normal();
         self.tangent = if usable { image.map(|x| x / after) } else { [1.0, 1.0] };
-        Some((if usable { (after / before).log2() } else { 0.0 }, contact.time.mid()))
+        Some((if usable { (after / before).log2() } else { 0.0 }, time))
     }
 }

@@ -43,31 +43,31 @@ enum State {
 
 /// A parallelogram of states around a centre.
 #[derive(Debug)]
-struct PreciseSet {
-    phase: Float,
-    velocity: Float,
+pub(super) struct PreciseSet {
+    pub phase: Float,
+    pub velocity: Float,
     /// In units of `2^unit`.
-    shape: Shape,
-    unit: i64,
+    pub shape: Shape,
+    pub unit: i64,
 }
 
 impl PreciseSet {
     /// The box of all states within two balls.
-    fn new(phase: &MpBall, velocity: &MpBall, scale: f64) -> Self {
+    pub fn new(phase: &MpBall, velocity: &MpBall, scale: f64) -> Self {
         let unit = greatest_exponent(&[phase.rad(), velocity.rad()]);
         let shape = Shape::new(phase.rad().in_units_of(unit), velocity.rad().in_units_of(unit), scale);
         Self { phase: phase.mid().clone(), velocity: velocity.mid().clone(), shape, unit }
     }
 
     /// Encloses phases and velocities of the set.
-    fn balls(&self) -> (MpBall, MpBall) {
+    pub fn balls(&self) -> (MpBall, MpBall) {
         let (phase, velocity) = (self.shape.phase_radius(), self.shape.velocity_radius());
         let ball = |mid: &Float, rad| MpBall::new(mid.clone(), Magnitude::new(rad, self.unit));
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }
 
     /// The image of the shape, in a unit that suits it and the noise of the centre.
-    fn image(&self, jacobian: &[[Ball; 2]; 2], phase: Magnitude, velocity: Magnitude, slope: Ball) -> (Shape, i64) {
+    pub fn image(&self, jacobian: &[[Ball; 2]; 2], phase: Magnitude, velocity: Magnitude, slope: Ball) -> (Shape, i64) {
         let edges = self.shape.edges().map(|edge| Magnitude::new(edge, self.unit));
         let unit = greatest_exponent(&[edges[0], edges[1], phase, velocity]);
         let edges = edges.map(|edge| match edge.in_units_of(unit) {
@@ -82,6 +82,17 @@ impl PreciseSet {
 /// The exponent of the greatest of them, 0 when all are 0.
 fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
     magnitudes.iter().filter_map(|x| x.exponent()).max().unwrap_or(0)
+}
+
+/// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
+pub(super) fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
+    let planned = plan.bits(index);
+    let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
+    let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit);
+    match radius.exponent() {
+        Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
+        None => planned,
+    }
 }
 
 /// What a step leads to.
@@ -108,17 +119,6 @@ impl PreciseMotion {
         Self { pair: exact.map(enclose), doubles, plan, index: 0, state }
     }
 
-    /// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
-    fn bits_for(&self, set: &PreciseSet, index: u64) -> u32 {
-        let planned = self.plan.bits(index);
-        let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
-        let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit);
-        match radius.exponent() {
-            Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
-            None => planned,
-        }
-    }
-
     /// From inside the gap: the enclosure of all first contacts is the new set.
     fn first(&self, height: &MpBall, phase: &MpBall, velocity: &MpBall) -> Result<Arrival, Undecided> {
         let (height, phase, velocity) = (height.clone(), phase.clone(), velocity.clone());
@@ -141,7 +141,7 @@ impl PreciseMotion {
 
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
     fn step(&self, wall: Wall, set: &PreciseSet, sin_cos: &(MpBall, MpBall)) -> Result<Arrival, Undecided> {
-        let bits = self.bits_for(set, self.index);
+        let bits = bits_for(&self.plan, set, self.index);
         let pair = self.pair.map(|x| x.rounded(bits));
         let (phase, before) = set.balls();
         let doubles = &self.doubles;
@@ -159,7 +159,7 @@ impl PreciseMotion {
         let isolated = isolate_first(doubles, &start, all, &centre)?;
         let contact = isolated.contact(wall);
         let narrow = Undecided::precision(&contact);
-        let next_bits = self.bits_for(set, self.index + 1);
+        let next_bits = bits_for(&self.plan, set, self.index + 1);
         let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, next_bits).ok_or(narrow)?;
         let passage = Passage {
             time: contact.time,

@@ -4,13 +4,11 @@
 
 use super::Settings;
 use super::clock::Phase;
-use super::origin::Origin;
+use super::course::Course;
+use super::motion::Motion;
 use super::plan::{Growth, Plan};
-use super::precise::PreciseMotion;
 use super::shortfall::Shortfall;
-use crate::exact::Exact;
-use crate::number::{Ball, LEAST_BITS};
-use crate::pair::{Reduced, ball};
+use crate::number::LEAST_BITS;
 
 /// Impacts that are planned for at once; of longer orbits first a quarter of a quarter, so that impacts appear soon.
 ///
@@ -22,8 +20,7 @@ const FARTHEST: u64 = 1 << 22;
 /// The exact orbit, and how it was tried before.
 #[derive(Debug)]
 pub(super) struct Raise {
-    pair: Reduced<Exact>,
-    origin: Origin<Exact>,
+    course: Course,
     impacts: Option<u64>,
     /// How long the orbit is to last, in turns.
     turns: f64,
@@ -36,30 +33,18 @@ pub(super) struct Raise {
 }
 
 impl Raise {
-    pub fn new(
-        pair: Reduced<Exact>,
-        origin: Origin<Exact>,
-        turns: i64,
-        until: Option<Phase>,
-        settings: &Settings,
-    ) -> Self {
+    pub fn new(course: Course, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
         let turns = until.map_or(f64::INFINITY, |until| until.turns.saturating_sub(turns) as f64 + 1.0);
         let asked = f64::from(settings.digits) * 10f64.log2();
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
-        Self { pair, origin, impacts, turns, asked, most, plan: None, before: None }
+        Self { course, impacts, turns, asked, most, plan: None, before: None }
     }
 
     /// The motion from the start in more precision; `None` when that would not help.
     ///
     /// The motion fell short on the way to the impact after `index`, with a set of `accuracy` bits: the one before
     /// that impact where a verdict is missing, the one after it where it is too wide.
-    pub fn again(
-        &mut self,
-        pair: &Reduced<Ball>,
-        shortfall: Shortfall,
-        index: u64,
-        accuracy: f64,
-    ) -> Option<PreciseMotion> {
+    pub fn again(&mut self, shortfall: Shortfall, index: u64, accuracy: f64) -> Option<Box<dyn Motion>> {
         // More precision that did not make the set narrower is not what is missing.
         let in_width = matches!(shortfall, Shortfall::Width(_));
         let stuck =
@@ -67,8 +52,8 @@ impl Raise {
         // Doubles may be lucky: only what multiprecision did before counts.
         self.before = self.plan.is_some().then_some((index, in_width, accuracy));
         let plan = match self.plan.take() {
-            None => self.look_ahead(pair, 0)?,
-            Some(plan) if index >= plan.horizon() => self.look_ahead(pair, index)?,
+            None => self.look_ahead(0)?,
+            Some(plan) if index >= plan.horizon() => self.look_ahead(index)?,
             Some(mut plan) => {
                 let missing = match shortfall {
                     // Where some are missing here, more may be farther on.
@@ -85,16 +70,15 @@ impl Raise {
             }
         };
         self.plan = Some(plan.clone());
-        Some(PreciseMotion::new(&self.pair, pair, &self.origin, plan))
+        Some(self.course.precise(plan))
     }
 
     /// Plans beyond impact `index` from a floating run.
-    fn look_ahead(&self, pair: &Reduced<Ball>, index: u64) -> Option<Plan> {
-        let origin = self.origin.map(ball).ok()?;
+    fn look_ahead(&self, index: u64) -> Option<Plan> {
         let run = || {
-            let (mut growth, mut left) = (Growth::new(pair, &origin), self.turns);
+            let (mut growth, mut left) = (Growth::new(&self.course), self.turns);
             std::iter::from_fn(move || {
-                let (bits, turns) = growth.next_impact()?;
+                let (bits, turns) = growth.as_mut()?.next_impact()?;
                 left -= turns;
                 (left > 0.0).then_some(bits)
             })

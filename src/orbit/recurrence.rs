@@ -1,7 +1,6 @@
-//! Motions that repeat exactly: a second release from the same wall (Lemma Z3).
+//! Motions that repeat exactly: a second release of one kind (Lemmas Z3, H9).
 
 use super::event::{Period, Progress};
-use crate::pair::Wall;
 
 /// Events that are kept to be repeated; longer periods are computed anew each time.
 const KEPT: usize = 1 << 16;
@@ -9,8 +8,8 @@ const KEPT: usize = 1 << 16;
 /// What has happened since the first release from a wall.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recurrence {
-    /// The first release from each wall: its turns, the impacts listed before it, and the events kept up to it.
-    first: [Option<(i64, u64, usize)>; 2],
+    /// The first release of each kind: its turns, the impacts listed before it, and the events kept up to it.
+    first: Vec<Option<(i64, u64, usize)>>,
     /// Since the first release from any wall.
     events: Vec<Progress>,
     period: Option<Period>,
@@ -27,16 +26,18 @@ impl Recurrence {
 
     /// Keeps an event that was computed.
     pub fn keep(&mut self, event: &Progress) {
-        if self.first != [None; 2] && self.period.is_none() && self.events.len() <= KEPT {
+        if !self.first.is_empty() && self.period.is_none() && self.events.len() <= KEPT {
             self.events.push(event.clone());
         }
     }
 
-    /// Notes a release after `impacts` impacts, which was kept.
-    pub fn release(&mut self, wall: Wall, turns: i64, impacts: u64) {
-        let first = &mut self.first[usize::from(wall == Wall::Right)];
-        match *first {
-            None => *first = Some((turns, impacts, self.events.len())),
+    /// Notes a release after `impacts` impacts, which was kept; after two of one kind the motion is the same.
+    pub fn release(&mut self, kind: usize, turns: i64, impacts: u64) {
+        if self.first.len() <= kind {
+            self.first.resize(kind + 1, None);
+        }
+        match self.first[kind] {
+            None => self.first[kind] = Some((turns, impacts, self.events.len())),
             Some((since, before, kept)) if self.period.is_none() => {
                 self.period = Some(Period { cycles: turns.abs_diff(since), impacts: impacts - before });
                 self.events.drain(..kept.min(self.events.len()));

@@ -90,12 +90,10 @@ impl Orbit {
     #[cfg(feature = "multiprecision")]
     pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
         let Some(raise) = &mut self.raise else { return false };
-        let Some(motion) =
-            raise.again(&self.pair, shortfall, self.cursor.index - self.start.index, self.motion.accuracy())
-        else {
+        let Some(motion) = raise.again(shortfall, self.cursor.index - self.start.index, self.motion.accuracy()) else {
             return false;
         };
-        self.motion = Box::new(motion);
+        self.motion = motion;
         self.cursor = self.start;
         true
     }

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
+use super::course::Course;
 use super::origin::{Location, Origin};
 use crate::exact::{Exact, ExactError};
 use crate::pair::{Reduced, Wall};
@@ -22,8 +23,13 @@ pub(super) struct Still {
 ///
 /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
 /// box stands still, and at quarter turns, where sine and cosine are exact.
-pub(super) fn still(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Option<Still> {
-    stays_inside(pair, origin).ok().flatten()
+pub(super) fn still(course: &Course) -> Option<Still> {
+    match &course.several {
+        None => stays_inside(&course.exact, &course.origin).ok().flatten(),
+        Some(several) => {
+            several.stays_inside(&course.origin).ok()?.then_some(Still { grazes_left: false, grazes_right: false })
+        }
+    }
 }
 
 fn stays_inside(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Still>, ExactError> {
@@ -69,7 +75,7 @@ impl Still {
 }
 
 /// Sine and cosine of a phase that is exactly a number of quarter turns.
-fn quarter_turn(phase: &Exact) -> Option<(Exact, Exact)> {
+pub(super) fn quarter_turn(phase: &Exact) -> Option<(Exact, Exact)> {
     let quarters = phase.as_rational()? * BigInt::from(4);
     let quarter = quarters.is_integer().then(|| quarters.to_integer())?;
     let quarter = (quarter % BigInt::from(4)).to_i64()?.rem_euclid(4) as usize;

@@ -32,6 +32,7 @@ impl Certificate {
             return Err(Doubt::False("only an orbit that is unique, physical and stable is an attractor".into()));
         }
         let open = |message: &str| Doubt::Open(message.into());
+        self.pair().harmonic("an attractor").map_err(|error| open(&error.to_string()))?;
         let states = self.states().ok_or_else(|| open("the impacts are beyond doubles"))?;
         let problem = |word: &_, cycles| {
             let is_it = *word == claim.word && u64::from(cycles) == claim.cycles;

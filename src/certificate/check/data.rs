@@ -71,9 +71,12 @@ impl Data {
         let (mut tones, mut whole) = (Vec::new(), BigInt::ZERO);
         for (k, harmonic) in pair.excitation().harmonics().iter().enumerate() {
             let (phase, turns) = phase(harmonic, start)?;
-            let rate = match k {
-                0 => None,
-                _ => Some(within("excitation.frequency", frequency, harmonic.frequency().checked_div(frequency))?),
+            let rate = match (k, harmonic.frequency().fraction_of(frequency)) {
+                (0, _) => None,
+                (_, Some(fraction)) => Some(Exact::from_rational(fraction)),
+                (_, None) => {
+                    Some(within("excitation.frequency", frequency, harmonic.frequency().checked_div(frequency))?)
+                }
             };
             if k == 0 {
                 whole = turns;

@@ -117,3 +117,6 @@ impl Certificate {
         (wanted as u32).min(MOST_BITS)
     }
 }
+
+#[cfg(test)]
+mod tests;

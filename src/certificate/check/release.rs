@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 use super::affine::Affine;
 use super::contact::{Doubt, zero};
 use super::rest::Rest;
-use super::shaking::{Shaking, Term, Wave};
+use super::shaking::Shaking;
 use super::step::Departure;
 use super::walk::{Walk, compare};
 use crate::certificate::Claim;
@@ -33,8 +33,8 @@ impl Walk<'_> {
     pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let root = self.turning(rest).ok_or_else(|| Doubt::Open("no release is proved".into()))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
-        let released = self.released(&root)?;
-        let still = Affine::fixed(Real::zero(self.bits));
+        // How the release depends on the data hardly matters: what lands depends on it by p - E''(0) h = 0.
+        let [released, still] = [root.clone(), Real::zero(self.bits)].map(|x| Affine::fixed(x).recentred());
         self.departure = Departure::on_wall(&self.parameters, rest.wall, released, still);
         self.departure.start.is_release = true;
         self.last = Some(rest.wall);
@@ -60,21 +60,6 @@ impl Walk<'_> {
         Some(zero(bracket.at(self.bits), |s| set.acceleration(s), |part| set.jerk(part)))
     }
 
-    /// The release as a function of the data, by implicit differentiation of `E'' = 0`.
-    fn released(&self, root: &Real) -> Result<Affine, Doubt> {
-        let origin = Real::zero(self.bits);
-        let set = self.parameters.shaking(&origin, Affine::hull);
-        let middle = self.parameters.shaking(&origin, |x| x.centre.clone());
-        let jerk = set.jerk(root);
-        let over = |x: &Real| x.over(&-jerk.clone()).ok_or_else(|| Doubt::Open("no release is proved".into()));
-        let centre = zero(root.clone(), |s| middle.acceleration(s), |part| set.jerk(part));
-        let waves = set.waves.iter().zip(&self.parameters.terms);
-        let slopes = waves.flat_map(|(wave, term)| term.turns(wave, root));
-        let slopes = slopes.map(|(x, slope)| Ok((over(&slope)?, x))).collect::<Result<Vec<_>, _>>()?;
-        let slopes: Vec<_> = slopes.iter().map(|(slope, x)| (slope, *x)).collect();
-        Ok(Affine::of(centre, &slopes).recentred())
-    }
-
     /// The period, if a release at `root` is proved to be `before` whole common periods of all harmonics later.
     ///
     /// What is a zero of the acceleration at one of them is one at the other, and where the acceleration has no extremum
@@ -90,23 +75,6 @@ impl Walk<'_> {
         let is_same = periods.is_positive() && (jerk.is_positive() || jerk.is_negative());
         let cycles = (common * periods).to_u64().filter(|_| is_same)?;
         Some(Period { cycles, impacts: self.impacts - before.impacts })
-    }
-}
-
-impl Term {
-    /// How `-E''` at `s` after the origin, where `wave` is, depends on what of the harmonic is not known exactly.
-    fn turns(&self, wave: &Wave, s: &Real) -> Vec<(&Affine, Real)> {
-        let (sin, cos) = wave.sin_cos(s);
-        let Self { amplitude, phase, rate } = self;
-        let mut slopes =
-            vec![(amplitude, wave.rated(sin.clone(), 2)), (phase, wave.rated(cos.clone() * &wave.amplitude, 2))];
-        if let Some(rate) = rate {
-            let twice = sin.clone() + &sin;
-            let slope = wave.rated(twice, 1) + &wave.rated(cos * s, 2);
-            slopes.push((rate, slope * &wave.amplitude));
-        }
-        slopes.retain(|(x, _)| !x.is_fixed());
-        slopes
     }
 }
 

@@ -24,7 +24,7 @@ pub(in crate::certificate) struct Walk<'c> {
     pub(super) certificate: &'c Certificate,
     pub(super) data: &'c Data,
     pub parameters: Parameters,
-    pub(super) clock: Clock,
+    pub clock: Clock,
     /// The whole half turns dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
     pub departure: Departure,
@@ -169,7 +169,12 @@ impl<'c> Walk<'c> {
         let never = self.still.as_ref().is_some_and(|still| !still.grazes());
         let period = self.still.as_ref().map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
         let (is_true, message) = match self.certificate.outcome() {
-            "periodic" => (period.is_some() && period == self.certificate.period(), "the period is not proved"),
+            "periodic" => match period {
+                Some(Period { cycles, impacts }) if period != self.certificate.period() => {
+                    return Err(Doubt::False(format!("the period is {impacts} impacts in {cycles} cycles")));
+                }
+                found => (found.is_some(), "the period is not proved"),
+            },
             "rests-forever" => {
                 let stays = self.rest.is_some() && self.parameters.is_still();
                 (stays, "the ball is not proved to rest for ever")

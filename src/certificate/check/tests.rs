@@ -1,0 +1,269 @@
+//! Certificates of several harmonics: those of one harmonic `A sin(th)` are true of `A sin(th + pi/3) + A sin(th - pi/3)`, and
+//! one is another program's.
+
+use serde_json::{Value, json};
+
+use super::{Data, Verdict};
+use crate::Scene;
+use crate::certificate::tests::found_again;
+use crate::certificate::{Certificate, Conclusion, Event, arithmetic, head, write_json};
+use crate::exact::Enclosure;
+use crate::orbit::{Arithmetic, Progress, Settings};
+
+/// The orbit JSON of a scene of one harmonic, with all its events.
+fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {
+    let scene = Scene::parse(&format!(
+        "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = \"pi\" }}\n\
+         pair = {{ gap = 9.42497, restitution = {restitution} }}\nstart = {{ time = 0, {start} }}\nrun = {{ impacts = {impacts} }}",
+    ))
+    .unwrap();
+    let settings = Settings { arithmetic: Arithmetic::Interval, attractor: false, ..scene.settings() };
+    let mut orbit = scene.orbit(settings).unwrap();
+    let mut events: Vec<Event> = Vec::new();
+    loop {
+        let progress = orbit.advance();
+        if let Progress::Ended = progress {
+            break;
+        }
+        events.extend(Event::of(&orbit, &progress, events.last().map_or(0, |event| event.index)));
+    }
+    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
+    let head = head(scene.pair(), scene.start(), Arithmetic::Interval, arithmetic(&orbit));
+    let mut text = Vec::new();
+    write_json(&mut text, &head, &conclusion, &events).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+/// The harmonic as two; of what is claimed to be one point, a release, it is claimed that it is within `10^-12` of it.
+fn split(document: &Value) -> Value {
+    let mut split = document.clone();
+    let excitation = &mut split["scene"]["excitation"];
+    excitation["amplitude"] = json!([excitation["amplitude"][0], excitation["amplitude"][0]]);
+    excitation["frequency"] = json!(["pi", "pi"]);
+    excitation["phase"] = json!(["4*pi/3", "2*pi/3"]);
+    for event in split["events"].as_array_mut().unwrap() {
+        if event["event"] == "release" {
+            let time: u32 = event["time"][0].as_str().unwrap().parse().unwrap();
+            event["time"] = json!([format!("{}.999999999999", time - 1), format!("{time}.000000000001")]);
+        }
+    }
+    split
+}
+
+fn verdict(document: &Value) -> Verdict {
+    Certificate::parse(&document.to_string()).unwrap().check(|_| {}).unwrap()
+}
+
+/// The verdict of a copy with another value at a path.
+fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
+    let mut copy = document.clone();
+    *copy.pointer_mut(path).expect(path) = value;
+    verdict(&copy)
+}
+
+fn event(document: &Value, name: &str) -> usize {
+    document["events"].as_array().unwrap().iter().position(|event| event["event"] == name).expect(name)
+}
+
+/// Bounds of time and velocity of the first impacts of [`proved`], from the right wall on by turns; from
+/// `python validation/arb/simulate.py SCENE --impacts 6 --digits 14`, which encloses them in Arb's balls.
+const PROVED: [[&str; 4]; 6] = [
+    ["0.77621049727600641226", "0.77621049727600641227", "6.09718066506500039728", "6.09718066506500039729"],
+    ["1.24268949131571683583", "1.24268949131571683584", "-8.83515431394829045518", "-8.83515431394829045517"],
+    ["1.78671025839332870884", "1.78671025839332870885", "6.51313642915364352458", "6.51313642915364352459"],
+    ["2.42748250247211105387", "2.42748250247211105388", "-5.95067562297451543682", "-5.95067562297451543681"],
+    ["2.97489106279952938255", "2.97489106279952938256", "8.63000619818686017919", "8.63000619818686017920"],
+    ["3.55525578060025564714", "3.55525578060025564715", "-8.66998377411411345750", "-8.66998377411411345749"],
+];
+
+/// Paths to the data of [`proved`] and their values.
+const DATA: [(&str, &str); 13] = [
+    ("/scene/excitation/amplitude/0", "1"),
+    ("/scene/excitation/amplitude/1", "0.7"),
+    ("/scene/excitation/amplitude/2", "0.4"),
+    ("/scene/excitation/frequency/0", "pi"),
+    ("/scene/excitation/frequency/1", "sqrt(2)*pi"),
+    ("/scene/excitation/frequency/2", "pi/3"),
+    ("/scene/excitation/phase/0", "0.3"),
+    ("/scene/excitation/phase/1", "1"),
+    ("/scene/excitation/phase/2", "2"),
+    ("/scene/gap", "3"),
+    ("/scene/restitution", "0.6"),
+    ("/scene/start/time", "0.25"),
+    ("/scene/start/velocity", "-4"),
+];
+
+/// The certificate of an orbit under three harmonics, two of them incommensurate, with data put into other words.
+fn proved(word: impl Fn(usize, &str) -> String) -> Value {
+    let event = |(i, [t0, t1, v0, v1]): (usize, &[&str; 4])| {
+        let (wall, mapping) = if i % 2 == 0 { ("right", "P2") } else { ("left", "P1") };
+        json!({
+            "event": "impact", "index": i + 1, "mapping": mapping, "wall": wall, "time": [t0, t1], "velocity": [v0, v1],
+        })
+    };
+    let mut document = json!({
+        "schema": "impact-pair/orbit/1", "certified": true, "outcome": {"kind": "impacts-reached"},
+        "scene": {
+            "excitation": {"amplitude": [0, 0, 0], "frequency": [0, 0, 0], "phase": [0, 0, 0]},
+            "gap": 0, "restitution": 0, "start": {"time": 0, "wall": "left", "velocity": 0},
+        },
+        "events": PROVED.iter().enumerate().map(event).collect::<Vec<_>>(),
+    });
+    for (i, (path, value)) in DATA.iter().enumerate() {
+        *document.pointer_mut(path).expect(path) = json!(word(i, value));
+    }
+    document
+}
+
+/// A path to an entry of an event.
+fn entry(event: usize, key: &str) -> String {
+    format!("/events/{event}/{key}")
+}
+
+#[test]
+fn the_orbit_of_a_sum_is_confirmed_and_nothing_else() {
+    let document = split(&certificate("2", "wall = \"left\", velocity = -12.56636", "0.5", 12));
+    assert_eq!(document["events"].as_array().unwrap().len(), 12);
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    for (path, value) in [
+        ("/scene/excitation/phase/1", json!("2.0944")),
+        ("/scene/excitation/amplitude/0", json!("2.0001")),
+        ("/scene/excitation/frequency/1", json!("3.1416")),
+        ("/scene/gap", json!("9.42")),
+        ("/events/5/wall", json!(if document["events"][5]["wall"] == "left" { "right" } else { "left" })),
+    ] {
+        assert!(matches!(spoiled(&document, path, value), Verdict::Refuted(_)), "{path}");
+    }
+    // A bound past the truth, by a unit of its last place or two.
+    for (path, end) in [("time", 0), ("time", 1), ("velocity", 0), ("velocity", 1)] {
+        let path = entry(11, path);
+        let bounds = document.pointer(&path).unwrap().as_array().unwrap();
+        let other = &bounds[1 - end];
+        let mut claimed = bounds.clone();
+        claimed[end] = other.clone();
+        assert!(!matches!(spoiled(&document, &path, json!(claimed)), Verdict::Confirmed { .. }), "{path}");
+    }
+}
+
+#[test]
+fn the_orbit_that_another_program_proved_is_confirmed_for_these_data_only() {
+    let document = proved(|_, value| value.to_owned());
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    for (path, value) in DATA {
+        let other = json!(format!("{value} + 1e-17"));
+        assert!(matches!(spoiled(&document, path, other), Verdict::Refuted(_)), "{path}");
+    }
+}
+
+/// The sets found for the two ends of a datum lie inside those found for all of it, `whole`, and, if `is_tight`, reach nearly
+/// as far.
+fn assert_sets(whole: &[(Enclosure, Enclosure)], ends: [&[(Enclosure, Enclosure)]; 2], datum: usize, is_tight: bool) {
+    for (i, (times, velocities)) in whole.iter().enumerate() {
+        let [(t0, v0), (t1, v1)] = ends.map(|end| &end[i]);
+        for (set, a, b) in [(times, t0, t1), (velocities, v0, v1)] {
+            let hull = a.hull(b);
+            assert!(set.contains_enclosure(&hull), "datum {datum}, impact {i}: {set:?} {hull:?}");
+            // Twice, for derivatives that are 0 nearby.
+            assert!(!is_tight || set.width() <= hull.width().scaled(1), "datum {datum}, impact {i}: {set:?} {hull:?}");
+        }
+    }
+}
+
+/// Sets hold the orbits of their members (Lemma V2), and little else where only one datum is not known.
+#[test]
+fn sets_under_a_sum_depend_on_each_datum_as_their_members() {
+    for datum in 0..DATA.len() {
+        let with =
+            |word: &str| found_again(&proved(|i, x| if i == datum { word.replace('x', x) } else { x.to_owned() }));
+        let (whole, ends) = (with("[x, x + 1e-12]"), [with("x"), with("x + 1e-12")]);
+        assert_eq!(whole.len(), PROVED.len());
+        // These are several data: rates, phases, velocities in lengths a radian, and the times of phases.
+        let is_one = !["frequency", "time", "phase/1"].iter().any(|several| DATA[datum].0.contains(several));
+        assert_sets(&whole, ends.each_ref().map(Vec::as_slice), datum, is_one);
+    }
+}
+
+#[test]
+fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
+    let document = split(&certificate("1", "wall = \"left\", velocity = -0.5", "0.3", 40));
+    let [rest, release] = [event(&document, "rest"), event(&document, "release")];
+    assert_eq!((&document["outcome"]["kind"], release), (&json!("periodic"), rest + 1));
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    let late = json!(["2.999999999999", "3.000000000001"]);
+    assert!(matches!(spoiled(&document, &entry(release, "time"), late), Verdict::Refuted(_)));
+    assert!(matches!(spoiled(&document, &entry(rest, "wall"), json!("right")), Verdict::Refuted(_)));
+    assert!(matches!(spoiled(&document, &entry(rest, "time"), json!(["0.9", "0.91"])), Verdict::Refuted(_)));
+    assert!(matches!(spoiled(&document, &entry(release, "event"), json!("rest")), Verdict::Refuted(_)));
+    for key in ["cycles", "impacts"] {
+        let path = format!("/outcome/period/{key}");
+        assert!(matches!(spoiled(&document, &path, json!(1)), Verdict::Refuted(_)), "{key}");
+    }
+}
+
+/// Each member has its own release, at another time.
+#[test]
+fn releases_depend_on_each_datum_as_their_members() {
+    let mut document = split(&certificate("1", "wall = \"left\", velocity = -0.5", "0.3", 40));
+    let [rest, release] = [event(&document, "rest"), event(&document, "release")];
+    document["events"].as_array_mut().unwrap().truncate(release + 4);
+    // Wide enough for all members.
+    document["events"][rest]["time"] = json!(["0.2", "0.25"]);
+    document["events"][release]["time"] = json!(["0.9", "1.1"]);
+    for datum in 0..6 {
+        let with = |word: &str| {
+            let mut document = document.clone();
+            let word = |i: usize, x: &str| if i == datum { word.replace('x', x) } else { x.to_owned() };
+            document["scene"]["excitation"] = json!({
+                "amplitude": [word(0, "1"), word(1, "1")], "frequency": [word(2, "(pi - 1e-9)"), word(3, "pi")],
+                "phase": [word(4, "4*pi/3"), word(5, "2*pi/3")],
+            });
+            found_again(&document)
+        };
+        let (whole, ends) = (with("[x, x + 1e-24]"), [with("x"), with("x + 1e-24")]);
+        assert_eq!(whole.len(), release - 1 + 3);
+        assert_sets(&whole[rest..], ends.each_ref().map(|end| &end[rest..]), datum, true);
+    }
+}
+
+#[test]
+fn only_commensurate_harmonics_have_a_common_period() {
+    let common_turns = |frequencies: [&str; 3]| {
+        let document = json!({
+            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "impacts-reached"},
+            "scene": {
+                "excitation": {"amplitude": ["1", "1", "1"], "frequency": frequencies, "phase": ["0", "0", "0"]},
+                "gap": "4", "restitution": "0.5", "start": {"time": "0", "position": "0", "velocity": "0"},
+            },
+        });
+        let certificate = Certificate::parse(&document.to_string()).unwrap();
+        Data::new(certificate.pair(), certificate.start()).unwrap().common_turns().map(|turns| turns.to_string())
+    };
+    assert_eq!(common_turns(["2*pi/3", "pi/2", "pi"]).as_deref(), Some("6"));
+    assert_eq!(common_turns(["sqrt(2)/5", "2*sqrt(2)", "sqrt(2)"]).as_deref(), Some("10"));
+    assert_eq!(common_turns(["1", "sqrt(2)", "2"]), None);
+    assert_eq!(common_turns(["1", "[0.3, 0.4]", "2"]), None);
+}
+
+#[test]
+fn what_never_touches_a_wall_is_confirmed_and_nothing_else() {
+    let document = |amplitudes: [&str; 2], frequencies: [&str; 2], position: &str, velocity: &str| {
+        json!({
+            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts"},
+            "scene": {
+                "excitation": {"amplitude": amplitudes, "frequency": frequencies, "phase": ["pi/2", "-pi/2"]},
+                "gap": "4", "restitution": "0.5",
+                "start": {"time": "0", "position": position, "velocity": velocity},
+            },
+        })
+    };
+    let [incommensurate, in_step] = [["1", "sqrt(2)"], ["1", "3"]];
+    let confirmed = |document: Value| matches!(verdict(&document), Verdict::Confirmed { .. });
+    let amplitudes = ["1", "1/2"];
+    // y + E = y(0) + 1/2 is at most 1/2 where E gets as far as 3/2.
+    assert!(confirmed(document(amplitudes, incommensurate, "-1e-6", "0")));
+    assert!(!confirmed(document(amplitudes, incommensurate, "1e-6", "0")));
+    assert!(!confirmed(document(amplitudes, incommensurate, "-1e-6", "1e-30")));
+    // E = cos t - cos(3 t)/2 gets only 1.07583 far.
+    assert!(confirmed(document(amplitudes, in_step, "0.42416", "0")));
+    assert!(matches!(verdict(&document(amplitudes, in_step, "0.42418", "0")), Verdict::Refuted(_)));
+}

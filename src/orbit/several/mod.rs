@@ -1,0 +1,155 @@
+//! Orbits under several harmonics: the motions of [`super::motion`] and [`super::precise`] for a sum.
+
+mod float;
+mod interval;
+#[cfg(feature = "multiprecision")]
+mod precise;
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+use num_bigint::BigInt;
+
+use super::origin::{Location, Origin};
+#[cfg(feature = "multiprecision")]
+use super::plan::Plan;
+use super::still::quarter_turn;
+use crate::error::Error;
+use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
+use crate::number::Ball;
+use crate::pair::{ImpactPair, Reduced, Wall, within};
+use crate::several::{Band, Harmonics, Launch, Phased, Spectrum, Zero, accumulation, release};
+pub(super) use float::FloatMotion;
+pub(super) use interval::IntervalMotion;
+#[cfg(feature = "multiprecision")]
+pub(super) use precise::PreciseMotion;
+
+/// The harmonics of a course, and where it starts in their phases.
+#[derive(Clone, Debug)]
+pub(in crate::orbit) struct Several {
+    spectrum: Arc<Spectrum>,
+    harmonics: Arc<Harmonics<Ball>>,
+    band: Arc<Band>,
+    /// Whole turns of the origin.
+    turns: i64,
+    /// The release that is the origin.
+    release: Option<Zero>,
+    /// Releases so far, all different.
+    known: Vec<Zero>,
+}
+
+impl Several {
+    /// The harmonics of `pair`, a start `turns` turns after the clock's origin; `None` of a single one.
+    pub fn new(pair: &ImpactPair, origin: &BigInt, turns: i64) -> Result<Option<Self>, Error> {
+        let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
+        let harmonics = Harmonics::<Ball>::new(&spectrum, f64::MANTISSA_DIGITS);
+        if !(harmonics.rates.fourth < LARGEST) {
+            let amplitude = pair.excitation().reference().amplitude();
+            within("excitation.amplitude", amplitude, Ok(amplitude.clone()))?;
+            return Err(Error::too_large("excitation.amplitude", amplitude));
+        }
+        let band = Band::new(&harmonics, spectrum.period);
+        let (spectrum, harmonics, band) = (Arc::new(spectrum), Arc::new(harmonics), Arc::new(band));
+        Ok(Some(Self { spectrum, harmonics, band, turns, release: None, known: Vec::new() }))
+    }
+
+    /// The sums of `A_k/d` and of the greatest speeds.
+    pub fn sums(&self) -> Result<Reduced<Exact>, ExactError> {
+        self.spectrum.sums()
+    }
+
+    /// How long chatter can last that begins with a bounce at such a state, if that is proved.
+    pub fn accumulation(&self, pair: &Reduced<Ball>, wall: Wall, turns: i64, phase: Ball, after: Ball) -> Option<f64> {
+        accumulation(&self.harmonics, pair.restitution, wall, turns, phase, after)
+    }
+
+    /// When a ball that rests on a wall since a phase is released.
+    pub fn release_after(&self, wall: Wall, turns: i64, phase: f64) -> Option<Zero> {
+        release(&self.spectrum, &self.harmonics, wall, turns, phase)
+    }
+
+    /// The number of a release, the same for all that are whole common periods apart (Lemma H9).
+    pub fn number_of(&mut self, zero: &Zero) -> usize {
+        let period = self.spectrum.period.and_then(|period| i64::try_from(period).ok());
+        let is_known = |known: &Zero| {
+            let turns = known.turns.checked_sub(zero.turns);
+            period.zip(turns).is_some_and(|(period, turns)| turns % period == 0) && known.is_same(zero)
+        };
+        let number = self.known.iter().position(is_known).unwrap_or(self.known.len());
+        if number == self.known.len() {
+            self.known.push(zero.clone());
+        }
+        number
+    }
+
+    /// Encloses the phase of a release, less the whole turns, in so many bits.
+    pub fn enclosure(&self, zero: &Zero, bits: u32) -> Option<Enclosure> {
+        zero.enclosure(&self.spectrum, bits)
+    }
+
+    /// Goes on from a release, whose phase is known to so many bits.
+    pub fn leave(&mut self, zero: Zero, bits: u32) -> Origin<Exact> {
+        let enclosure = self.enclosure(&zero, bits).expect("it was enclosed when the ball came to rest");
+        let end = |x: &Dyadic| Exact::from_rational(x.to_rational());
+        let phase = Exact::interval(&end(enclosure.lo()), &end(enclosure.hi())).expect("bounds are in order");
+        let place = Location::Wall(zero.wall);
+        (self.turns, self.release) = (zero.turns, Some(zero));
+        Origin { place, phase, velocity: Exact::from(0) }
+    }
+
+    /// Whether the origin is a release.
+    fn is_release(&self) -> bool {
+        self.release.is_some()
+    }
+
+    /// Sines and cosines at the origin where they are exactly known: those of quarter turns.
+    fn waves<N: Phased>(&self, origin: &Origin<Exact>, bits: u32) -> Option<Vec<(N, N)>> {
+        let phases = self.spectrum.phases(&origin.phase).ok()?;
+        let wave = |phase: &Exact| match quarter_turn(phase) {
+            Some((sin, cos)) => (N::enclose(&sin, bits), N::enclose(&cos, bits)),
+            None => N::enclose(phase, bits).wave(),
+        };
+        (self.turns == 0).then(|| phases.iter().map(wave).collect())
+    }
+
+    /// Whether the motion from the origin is proved to touch no wall, ever: without drift, and with room for all harmonics.
+    ///
+    /// Like Lemma Z4, from phases at quarter turns, where the drift is exactly known.
+    pub fn stays_inside(&self, origin: &Origin<Exact>) -> Result<bool, ExactError> {
+        let Location::Inside(height) = &origin.place else { return Ok(false) };
+        let waves: Option<Vec<_>> = self.spectrum.phases(&origin.phase)?.iter().map(quarter_turn).collect();
+        let Some(waves) = waves.filter(|_| self.turns == 0) else { return Ok(false) };
+        let turn = Exact::pi() * Exact::from(2);
+        let (mut drift, mut middle, mut swing) = (origin.velocity.clone(), height.clone(), Exact::from(0));
+        for (term, (sin, cos)) in self.spectrum.terms.iter().zip(&waves) {
+            let beta = term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn)?;
+            drift = drift.checked_add(&beta.checked_mul(cos)?)?;
+            middle = middle.checked_add(&term.alpha.checked_mul(sin)?)?;
+            swing = swing.checked_add(&term.alpha)?;
+        }
+        let is_positive = |x: &Exact| x.sign() == Some(Ordering::Greater);
+        let (below, above) = (middle.checked_sub(&swing)?, Exact::from(1).checked_sub(&middle.checked_add(&swing)?)?);
+        Ok(drift.sign() == Some(Ordering::Equal) && is_positive(&below) && is_positive(&above))
+    }
+
+    pub fn float(&self, pair: &Reduced<Ball>, origin: &Origin<Ball>) -> FloatMotion {
+        FloatMotion::new(self, pair, origin)
+    }
+
+    pub fn interval(&self, pair: &Reduced<Ball>, exact: &Origin<Exact>, origin: &Origin<Ball>) -> IntervalMotion {
+        IntervalMotion::new(self, pair, exact, origin)
+    }
+
+    #[cfg(feature = "multiprecision")]
+    pub fn precise(&self, pair: &Reduced<Ball>, origin: &Origin<Exact>, plan: Plan) -> PreciseMotion {
+        PreciseMotion::new(self, pair, origin, plan)
+    }
+}
+
+/// `2^400`: larger rates could overflow in the course of a flight.
+const LARGEST: f64 = 2.582_249_878_086_908_6e120;
+
+/// The start of a flight from a wall.
+fn from_wall<N: Phased>(wall: Wall, turns: i64, phase: N, velocity: N, is_release: bool) -> Launch<N> {
+    Launch { wall: Some(wall), height: N::from_f64(0.0), turns, phase, velocity, is_release }
+}

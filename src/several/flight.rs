@@ -1,0 +1,186 @@
+//! A flight under several harmonics: equations (10)-(13) with the sum (1).
+//!
+//! As in [`crate::flight`], but not mirrored: `z` is the height above the left wall, in gaps, and a flight may start on
+//! either. `h` turns after the start, `c = z'(0) + sum beta_k cos th_k0`:
+//!
+//! ```text
+//! z = z0 + c h - sum alpha_k (sin th_k1 - sin th_k0),  z' = c - sum beta_k cos th_k1,  z'' = sum swing_k sin th_k1
+//! ```
+//!
+//! Near a departure from a wall the same without cancellation: each harmonic's versine, excess and sine of its own turn
+//! `2 pi (W_k/W) h` add up to `z - z0 = z'(0) h + sum alpha_k (cos th_k0 excess_k + sin th_k0 versine_k)`.
+
+use super::harmonics::{Harmonics, Phased, Sums};
+use crate::number::kernel::Departure;
+use crate::pair::Wall;
+
+/// A time since the start of a flight: whole turns and the rest, an exact number.
+#[derive(Clone, Debug)]
+pub(crate) struct Instant<N> {
+    pub turns: i64,
+    pub rest: N,
+}
+
+impl<N: Phased> Instant<N> {
+    /// So many turns after the start, as fine as `like`.
+    pub fn new(turns: f64, like: &N) -> Self {
+        let whole = turns.round();
+        Self { turns: whole as i64, rest: like.like(turns - whole) }
+    }
+
+    /// About so much later: an exact time.
+    pub fn later(&self, step: &N) -> Self {
+        let rest = self.rest.later(step);
+        let whole = rest.bounds().0.round();
+        if whole == 0.0 {
+            return Self { turns: self.turns, rest };
+        }
+        // Exact, up to the rounding that makes it another exact time.
+        Self { turns: self.turns.saturating_add(whole as i64), rest: rest.later(&rest.like(-whole)) }
+    }
+
+    /// An upper bound of the time from `earlier` to here.
+    pub fn since(&self, earlier: &Self) -> f64 {
+        let rest = (self.rest.clone() - earlier.rest.clone()).bounds().1;
+        ((self.turns - earlier.turns) as f64 + rest).next_up()
+    }
+
+    /// As a number.
+    pub fn time(&self) -> N {
+        match self.turns {
+            0 => self.rest.clone(),
+            turns => N::from_f64(turns as f64) + self.rest.clone(),
+        }
+    }
+}
+
+/// Where a flight starts: after the impact, for a start on a wall.
+#[derive(Clone, Debug)]
+pub(crate) struct Launch<N> {
+    /// `None` inside the gap.
+    pub wall: Option<Wall>,
+    /// Above the left wall, inside the gap.
+    pub height: N,
+    /// Whole turns and the rest of the phase.
+    pub turns: i64,
+    pub phase: N,
+    /// `z'`
+    pub velocity: N,
+    /// The acceleration is exactly 0 there: the ball was pressed against the wall before.
+    pub is_release: bool,
+}
+
+impl<N> Launch<N> {
+    /// The same in another arithmetic.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Launch<M> {
+        Launch {
+            wall: self.wall,
+            height: f(&self.height),
+            turns: self.turns,
+            phase: f(&self.phase),
+            velocity: f(&self.velocity),
+            is_release: self.is_release,
+        }
+    }
+}
+
+/// One flight, or all the flights of a set.
+#[derive(Clone, Debug)]
+pub(crate) struct Flight<'h, N: Phased> {
+    pub harmonics: &'h Harmonics<N>,
+    pub launch: Launch<N>,
+    /// Sines and cosines at the start.
+    waves: Vec<(N, N)>,
+    /// `c`
+    pub drift: N,
+    /// `z0 + sum alpha_k sin th_k0`: what `z + sum alpha_k sin th_k - c h` is at all times.
+    pub offset: N,
+    /// `z''` and `z'''` at the start.
+    pub acceleration: N,
+    pub jerk: N,
+}
+
+/// What the formulas give at a time: distances from both walls, `z'` and `z''`.
+#[derive(Clone, Debug)]
+pub(crate) struct State<N> {
+    pub left: N,
+    pub right: N,
+    pub velocity: N,
+    pub acceleration: N,
+}
+
+/// Departures take at most so many turns.
+const SHORT: f64 = 0.124;
+
+impl<'h, N: Phased> Flight<'h, N> {
+    /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
+    pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<Vec<(N, N)>>) -> Self {
+        let zero = N::from_f64(0.0);
+        let waves =
+            waves.unwrap_or_else(|| harmonics.waves(launch.turns, &launch.phase).map(|(_, wave)| wave).collect());
+        let (mut sine, mut cosine, mut swing, mut jerk) = (zero.clone(), zero.clone(), zero.clone(), zero);
+        for (term, (sin, cos)) in harmonics.terms.iter().zip(&waves) {
+            sine = term.alpha.clone().mul_add(sin.clone(), sine);
+            cosine = term.beta.clone().mul_add(cos.clone(), cosine);
+            // What is exactly nothing adds exactly nothing, so that a start at a release is seen.
+            if !sin.is_zero() {
+                swing = term.swing.clone().mul_add(sin.clone(), swing);
+            }
+            let rate = term.swing.clone() * term.ratio.clone() * term.ratio.turn();
+            jerk = rate.mul_add(cos.clone(), jerk);
+        }
+        let height = match launch.wall {
+            None => launch.height.clone(),
+            Some(Wall::Left) => N::from_f64(0.0),
+            Some(Wall::Right) => N::from_f64(1.0),
+        };
+        let acceleration = if launch.is_release { N::from_f64(0.0) } else { swing };
+        let (drift, offset) = (launch.velocity.clone() + cosine, height + sine);
+        Self { harmonics, waves, drift, offset, acceleration, jerk, launch }
+    }
+
+    /// The state at a time after the start.
+    #[inline]
+    pub fn state(&self, at: &Instant<N>) -> State<N> {
+        if let Some(wall) = self.launch.wall
+            && at.turns == 0
+            && at.rest.bounds().1 <= SHORT
+            && let Some(state) = self.departure(wall, &at.rest)
+        {
+            return state;
+        }
+        let rest = self.launch.phase.clone() + at.rest.clone();
+        let Sums { sine, cosine, swing } = self.harmonics.sums(self.launch.turns.saturating_add(at.turns), &rest);
+        let left = self.drift.clone().mul_add(at.time(), self.offset.clone()) - sine;
+        State {
+            right: N::from_f64(1.0) - left.clone(),
+            left,
+            velocity: self.drift.clone() - cosine,
+            acceleration: swing,
+        }
+    }
+
+    /// The state so long after the departure from a wall, without cancellation.
+    fn departure(&self, wall: Wall, time: &N) -> Option<State<N>> {
+        let zero = N::from_f64(0.0);
+        let mut moved = self.launch.velocity.clone() * time.clone();
+        let (mut speed, mut turned) = (zero.clone(), zero);
+        for (term, (sin, cos)) in self.harmonics.terms.iter().zip(&self.waves) {
+            let Departure { versine, excess, sine } = (term.ratio.clone() * time.clone()).short()?;
+            let of_height = cos.clone() * excess + sin.clone() * versine.clone();
+            moved = term.alpha.clone().mul_add(of_height, moved);
+            speed = term.beta.clone().mul_add(cos.clone() * versine.clone() + sin.clone() * sine.clone(), speed);
+            turned = term.swing.clone().mul_add(cos.clone() * sine - sin.clone() * versine, turned);
+        }
+        let (left, right) = match wall {
+            Wall::Left => (moved.clone(), N::from_f64(1.0) - moved),
+            Wall::Right => (N::from_f64(1.0) + moved.clone(), -moved),
+        };
+        Some(State {
+            left,
+            right,
+            velocity: self.launch.velocity.clone() + speed,
+            acceleration: self.acceleration.clone() + turned,
+        })
+    }
+}

@@ -1,0 +1,99 @@
+//! Past a contact that may be a graze, under several harmonics: Lemma G1 with the bounds of Lemma H4.
+
+use rug::Float;
+
+use super::flight::{Flight, Instant, Launch};
+use super::harmonics::{Harmonics, Phased, Rates};
+use super::reach::{Band, Reach};
+use super::scan::{Doubt, Scan};
+use super::view::Side;
+use crate::contact::multiprecision::Passed;
+use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::pair::Wall;
+
+/// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.
+pub(crate) fn pass(
+    harmonics: &Harmonics<MpBall>,
+    (band, balls): (&Band, &Harmonics<Ball>),
+    launch: Launch<MpBall>,
+) -> Option<Passed> {
+    let all = Flight::new(harmonics, launch.clone(), None);
+    let centre = Flight::new(harmonics, launch.map(Phased::centre_of), None);
+    let scan = Scan::new(&all, &centre);
+    let Err(Doubt::Graze { wall, free, at }) = scan.first(&mut Reach::new(band, balls)) else { return None };
+    let bottom = scan.bottom(at);
+    let rates = &harmonics.rates;
+    let state = all.state(&bottom);
+    let side = state.side(wall);
+    let before = bottom.since(&free).max(0.0);
+    let touch = Touch::new(&state.room(wall).mag(), &side, rates, before)?;
+    let mut step = 0.25 * side.bend.0 / rates.third;
+    for _ in 0..8 {
+        if let Some(passed) = touch.go_on(&all, wall, &bottom, &side, step) {
+            return Some(passed);
+        }
+        step *= 0.5;
+    }
+    None
+}
+
+/// A touch that may be: how long it may last, and what its impact may change.
+struct Touch {
+    window: Magnitude,
+    /// of the velocity
+    change: Magnitude,
+}
+
+impl Touch {
+    /// A flight that is convex for `before` turns up to its bottom, which may lie so deep in the wall.
+    fn new(depth: &Magnitude, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
+        let bend = side.least_bend(rates, before);
+        if !(bend > 0.0) {
+            return None;
+        }
+        let bound = |x: f64| Magnitude::new(x, 0);
+        let rate = bound(side.rate.0.abs().max(side.rate.1.abs()));
+        // The lowest height, and when: the bottom is not exactly where the velocity vanishes.
+        let excess = *depth + (rate * rate).over(bound(bend));
+        let double = excess + excess;
+        let window = double.over(bound(bend)).sqrt() + rate.over(bound(bend));
+        let speed = (double * bound(rates.second)).sqrt();
+        // The impact takes away the speed and adds at most as much.
+        Some(Self { window: window + window, change: speed + speed })
+    }
+
+    /// The box of both continuations `step` after the bottom, if both are on their way across the gap there.
+    fn go_on(
+        &self,
+        all: &Flight<'_, MpBall>,
+        wall: Wall,
+        bottom: &Instant<MpBall>,
+        side: &Side,
+        step: f64,
+    ) -> Option<Passed> {
+        let rates = &all.harmonics.rates;
+        if !(side.least_bend(rates, step) > 0.0) || Magnitude::new(step, 0) < self.window {
+            return None;
+        }
+        let bits = all.launch.phase.bits();
+        let at = bottom.later(&bottom.rest.like(step));
+        let state = all.state(&at);
+        let start = &all.launch.phase;
+        let sum = start.clone() + at.rest.clone();
+        let phase = Float::with_val(bits, sum.mid());
+        // The time from the start of each flight to that phase differs from `at` by so much.
+        let apart = start.rad() + (MpBall::exact(phase.clone()) - sum).mag();
+        let second = Magnitude::new(rates.second, 0);
+        let since = Magnitude::new(step, 0) + self.window + self.window;
+        let velocity = state.velocity.widened(self.change + second * apart);
+        let height = state.left.widened(self.change * since + velocity.mag() * apart);
+        let room = |x: &MpBall| x.bounds().0 > 0.0;
+        let is_inside = room(&height) && room(&(MpBall::from_f64_bits(1.0, bits) - height.clone()));
+        if !(is_inside && room(&velocity.clone().signed(wall.sign()))) {
+            return None;
+        }
+        let whole = phase.clone().round().to_f64();
+        let touched = start.clone() + bottom.time().widened(self.window);
+        Some(Passed { wall, at: touched, turns: at.turns as f64 + whole, phase: phase - whole, height, velocity })
+    }
+}

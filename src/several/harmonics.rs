@@ -1,0 +1,336 @@
+//! Several harmonics in any arithmetic: their phases at any turn, and what bounds the motion.
+
+use super::spectrum::{Spectrum, Term};
+use crate::exact::{Enclosure, Exact};
+use crate::number::{Ball, Wave, up};
+#[cfg(feature = "multiprecision")]
+use crate::number::{MpBall, Number};
+
+/// A number in which flights under several harmonics are computed.
+pub(crate) trait Phased: Wave {
+    /// The phase of a harmonic as a function of whole turns of the fastest.
+    type Counter: Clone + std::fmt::Debug + Send + Sync;
+
+    /// The counter of phases `ratio n + shift`.
+    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> Self::Counter;
+    /// `ratio n + shift`, less whole turns.
+    fn phase_at(counter: &Self::Counter, turns: i64) -> Self;
+    /// Encloses an exact number; a double takes the nearest.
+    fn enclose(x: &Exact, bits: u32) -> Self;
+    /// A lower and an upper bound.
+    fn bounds(&self) -> (f64, f64);
+    /// Whether it is exactly 0.
+    fn is_zero(&self) -> bool {
+        self.bounds() == (0.0, 0.0)
+    }
+    /// The centre, exactly.
+    fn centre_of(&self) -> Self;
+    /// An exact number near `self + step`, both exact.
+    fn later(&self, step: &Self) -> Self;
+    /// An exact number near `self / divisor`, of the centres; `None` where that has no size.
+    fn ratio_to(&self, divisor: &Self) -> Option<Self>;
+    /// An exact number near the square root of the centre, which is not negative.
+    fn root_of(&self) -> Self;
+    /// Exactly `x`, as fine as `self`.
+    fn like(&self, x: f64) -> Self;
+}
+
+/// A fraction of a turn in units of `2^-128` turns: sums and multiples wrap around as phases do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ticks {
+    ratio: u128,
+    shift: u128,
+    /// Radii of both, in turns: 0 but for intervals; `2^-127` more is allowed for each turn.
+    radii: (f64, f64),
+}
+
+/// A double far below every phase, above the error of as many ticks as there can be turns.
+const TICK: f64 = 1.0 / (1_u64 << 63) as f64;
+
+impl Ticks {
+    fn new(ratio: &Exact, shift: &Exact) -> Self {
+        let ticks = |x: &Exact| {
+            let enclosure = x.enclose(320);
+            let middle = enclosure.lo().to_rational() + enclosure.hi().to_rational();
+            let scaled = middle * num_rational::BigRational::from_integer(num_bigint::BigInt::from(1) << 127);
+            let whole = scaled.floor().to_integer();
+            let modulus = num_bigint::BigInt::from(1) << 128;
+            let wrapped = num_integer::Integer::mod_floor(&whole, &modulus);
+            let ticks = u128::try_from(wrapped).expect("less than the modulus");
+            (ticks, if x.is_point() { 0.0 } else { enclosure.mid_rad().1 })
+        };
+        let ((ratio, of_ratio), (shift, of_shift)) = (ticks(ratio), ticks(shift));
+        Self { ratio, shift, radii: (of_ratio, of_shift) }
+    }
+
+    /// The phase in `[-1/2, 1/2]`, to nearest.
+    #[inline]
+    fn phase(&self, turns: i64) -> f64 {
+        let ticks = self.ratio.wrapping_mul(turns as u128).wrapping_add(self.shift);
+        // The upper half is within 2^-64 of it, and is rounded once.
+        ((ticks >> 64) as i64) as f64 * (1.0 / 18_446_744_073_709_551_616.0)
+    }
+
+    /// Bounds its error: that of the ticks, `2^-63` turns at most, a rounding, and the intervals.
+    #[inline]
+    fn error(&self, turns: i64) -> f64 {
+        let (of_ratio, of_shift) = self.radii;
+        let intervals = if of_ratio == 0.0 { of_shift } else { up(of_ratio * (turns as f64).abs() + of_shift) };
+        up(intervals + (2f64.powi(-55) + TICK))
+    }
+}
+
+impl Phased for f64 {
+    type Counter = Ticks;
+
+    fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
+        Ticks::new(ratio, shift)
+    }
+    #[inline]
+    fn phase_at(counter: &Ticks, turns: i64) -> f64 {
+        counter.phase(turns)
+    }
+    fn enclose(x: &Exact, _: u32) -> f64 {
+        x.enclose(64).mid_rad().0
+    }
+    #[inline]
+    fn bounds(&self) -> (f64, f64) {
+        (*self, *self)
+    }
+    #[inline]
+    fn centre_of(&self) -> f64 {
+        *self
+    }
+    #[inline]
+    fn later(&self, step: &f64) -> f64 {
+        self + step
+    }
+    #[inline]
+    fn ratio_to(&self, divisor: &f64) -> Option<f64> {
+        let ratio = self / divisor;
+        ratio.is_finite().then_some(ratio)
+    }
+    #[inline]
+    fn root_of(&self) -> f64 {
+        self.sqrt()
+    }
+    #[inline]
+    fn like(&self, x: f64) -> f64 {
+        x
+    }
+}
+
+impl Phased for Ball {
+    type Counter = Ticks;
+
+    fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
+        Ticks::new(ratio, shift)
+    }
+    #[inline]
+    fn phase_at(counter: &Ticks, turns: i64) -> Ball {
+        Ball::new(counter.phase(turns), counter.error(turns))
+    }
+    fn enclose(x: &Exact, _: u32) -> Ball {
+        let (mid, rad) = x.enclose(120).mid_rad();
+        Ball::new(mid, rad)
+    }
+    #[inline]
+    fn bounds(&self) -> (f64, f64) {
+        if self.rad() == 0.0 {
+            return (self.mid(), self.mid());
+        }
+        ((self.mid() - self.rad()).next_down(), (self.mid() + self.rad()).next_up())
+    }
+    #[inline]
+    fn centre_of(&self) -> Ball {
+        Ball::exact(self.mid())
+    }
+    #[inline]
+    fn later(&self, step: &Ball) -> Ball {
+        Ball::exact(self.mid() + step.mid())
+    }
+    #[inline]
+    fn ratio_to(&self, divisor: &Ball) -> Option<Ball> {
+        self.mid().ratio_to(&divisor.mid()).map(Ball::exact)
+    }
+    #[inline]
+    fn root_of(&self) -> Ball {
+        Ball::exact(self.mid().sqrt())
+    }
+    #[inline]
+    fn like(&self, x: f64) -> Ball {
+        Ball::exact(x)
+    }
+}
+
+/// Bits that turns can take: phases are told with so many more.
+#[cfg(feature = "multiprecision")]
+const TURN_BITS: u32 = 64;
+
+#[cfg(feature = "multiprecision")]
+impl Phased for MpBall {
+    type Counter = (MpBall, MpBall);
+
+    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
+        let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);
+        (wide(ratio), wide(shift))
+    }
+    fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
+        let turns = MpBall::exact(rug::Float::with_val(TURN_BITS, turns));
+        let phase = turns.mul_add(ratio.clone(), shift.clone());
+        let whole = MpBall::exact(phase.mid().clone().round());
+        let bits = phase.bits() - TURN_BITS;
+        (phase - whole).rounded(bits)
+    }
+    fn enclose(x: &Exact, bits: u32) -> MpBall {
+        enclosing(x, bits)
+    }
+    fn bounds(&self) -> (f64, f64) {
+        self.to_ball().bounds()
+    }
+    fn centre_of(&self) -> MpBall {
+        MpBall::exact(self.mid().clone())
+    }
+    fn later(&self, step: &MpBall) -> MpBall {
+        let bits = self.bits().max(step.bits());
+        MpBall::exact(rug::Float::with_val(bits, self.mid() + step.mid()))
+    }
+    fn ratio_to(&self, divisor: &MpBall) -> Option<MpBall> {
+        let bits = self.bits().max(divisor.bits());
+        let ratio = rug::Float::with_val(bits, self.mid() / divisor.mid());
+        ratio.is_finite().then(|| MpBall::exact(ratio))
+    }
+    fn root_of(&self) -> MpBall {
+        MpBall::exact(rug::Float::with_val(self.bits(), self.mid().sqrt_ref()))
+    }
+    fn like(&self, x: f64) -> MpBall {
+        MpBall::from_f64_bits(x, self.bits())
+    }
+}
+
+#[cfg(feature = "multiprecision")]
+pub(super) fn enclosing(x: &Exact, bits: u32) -> MpBall {
+    MpBall::enclosing(&x.enclose(bits + 8), bits)
+}
+
+/// The harmonics in an arithmetic.
+#[derive(Clone, Debug)]
+pub(crate) struct Harmonics<N: Phased> {
+    pub terms: Vec<Partial<N>>,
+    pub rates: Rates,
+}
+
+/// One of them.
+#[derive(Clone, Debug)]
+pub(crate) struct Partial<N: Phased> {
+    /// `A_k / d`
+    pub alpha: N,
+    /// `2 pi alpha W_k / W`: its greatest speed, in gaps a turn.
+    pub beta: N,
+    /// `2 pi beta W_k / W`: its greatest acceleration.
+    pub swing: N,
+    /// `W_k / W`
+    pub ratio: N,
+    /// Its phase at whole turns.
+    pub counter: N::Counter,
+}
+
+/// Upper bounds, at all times, of what the harmonics do, in gaps and turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rates {
+    /// of `|E|/d`, `|z''|`, `|z'''|` and `|z''''|`.
+    pub shift: f64,
+    pub second: f64,
+    pub third: f64,
+    pub fourth: f64,
+}
+
+/// Sums over the harmonics at one time: what is left of `E`, `E'` and `E''` without units.
+///
+/// `z = const + c h - sine`, `z' = c - cosine`, `z'' = swing`. **Equations** (10)-(12) under (1)
+#[derive(Clone, Debug)]
+pub(crate) struct Sums<N> {
+    /// `sum alpha_k sin th_k`
+    pub sine: N,
+    /// `sum beta_k cos th_k`
+    pub cosine: N,
+    /// `sum swing_k sin th_k`
+    pub swing: N,
+}
+
+impl<N: Phased> Harmonics<N> {
+    /// Encloses the harmonics in `bits` bits, where the arithmetic has a choice.
+    pub fn new(spectrum: &Spectrum, bits: u32) -> Self {
+        let partial = |term: &Term| {
+            let (alpha, ratio) = (N::enclose(&term.alpha, bits), N::enclose(&term.ratio, bits));
+            let beta = alpha.clone() * ratio.clone() * alpha.turn();
+            let swing = beta.clone() * ratio.clone() * alpha.turn();
+            Partial { alpha, beta, swing, ratio, counter: N::counter(&term.ratio, &term.shift, bits) }
+        };
+        Self { terms: spectrum.terms.iter().map(partial).collect(), rates: Rates::new(spectrum) }
+    }
+
+    /// Sine and cosine of each harmonic, `rest` after a number of whole turns.
+    pub fn waves<'h>(&'h self, turns: i64, rest: &'h N) -> impl Iterator<Item = (&'h Partial<N>, (N, N))> {
+        self.terms.iter().map(move |term| {
+            let phase = term.ratio.clone().mul_add(rest.clone(), N::phase_at(&term.counter, turns));
+            (term, phase.wave())
+        })
+    }
+
+    /// The sums at that time.
+    #[inline]
+    pub fn sums(&self, turns: i64, rest: &N) -> Sums<N> {
+        let zero = N::from_f64(0.0);
+        let mut sums = Sums { sine: zero.clone(), cosine: zero.clone(), swing: zero };
+        for (term, (sin, cos)) in self.waves(turns, rest) {
+            sums.sine = term.alpha.clone().mul_add(sin.clone(), sums.sine);
+            sums.cosine = term.beta.clone().mul_add(cos, sums.cosine);
+            sums.swing = term.swing.clone().mul_add(sin, sums.swing);
+        }
+        sums
+    }
+
+    /// `z'''` at that time: `sum 2 pi (W_k/W) swing_k cos th_k`.
+    pub fn jerk(&self, turns: i64, rest: &N) -> N {
+        self.waves(turns, rest).fold(N::from_f64(0.0), |sum, (term, (_, cos))| {
+            let rate = term.swing.clone() * term.ratio.clone() * term.ratio.turn();
+            rate.mul_add(cos, sum)
+        })
+    }
+}
+
+#[cfg(feature = "multiprecision")]
+impl Harmonics<MpBall> {
+    /// The same with centres of `bits` bits.
+    pub fn rounded(&self, bits: u32) -> Self {
+        let term = |term: &Partial<MpBall>| {
+            let (ratio, shift) = &term.counter;
+            Partial {
+                alpha: term.alpha.rounded(bits),
+                beta: term.beta.rounded(bits),
+                swing: term.swing.rounded(bits),
+                ratio: term.ratio.rounded(bits),
+                counter: (ratio.rounded(bits + TURN_BITS), shift.rounded(bits + TURN_BITS)),
+            }
+        };
+        Self { terms: self.terms.iter().map(term).collect(), rates: self.rates }
+    }
+}
+
+impl Rates {
+    fn new(spectrum: &Spectrum) -> Self {
+        let magnitude = |x: Enclosure| x.mag().to_f64_up();
+        let mut rates = Self { shift: 0.0, second: 0.0, third: 0.0, fourth: 0.0 };
+        for term in &spectrum.terms {
+            let (alpha, rate) =
+                (magnitude(term.alpha.enclose(64)), up(6.283_185_307_179_587 * magnitude(term.ratio.enclose(64))));
+            rates.shift = up(rates.shift + alpha);
+            let second = up(up(alpha * rate) * rate);
+            rates.second = up(rates.second + second);
+            rates.third = up(rates.third + up(second * rate));
+            rates.fourth = up(rates.fourth + up(up(second * rate) * rate));
+        }
+        rates
+    }
+}

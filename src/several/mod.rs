@@ -1,0 +1,25 @@
+//! Several harmonics: flights, first contacts, chatter, rest and release under the excitation of equation (1).
+//!
+//! One harmonic has its extrema in closed form ([`crate::contact`]); a sum has not. Its derivatives are bounded at all
+//! times, though: so a flight is proved free of contacts piece by piece (`scan`), each as long as a cubic bound stays
+//! between the walls, and jumps ahead where no wall is in reach (`reach`). Time is in turns of the fastest harmonic,
+//! length in gaps. The lemmas H1-H9 are in `docs/proofs.md`.
+
+mod flight;
+#[cfg(feature = "multiprecision")]
+mod graze;
+mod harmonics;
+mod reach;
+mod rest;
+mod scan;
+mod spectrum;
+mod view;
+
+pub(crate) use flight::{Flight, Instant, Launch};
+#[cfg(feature = "multiprecision")]
+pub(crate) use graze::pass;
+pub(crate) use harmonics::{Harmonics, Phased};
+pub(crate) use reach::{Band, Reach};
+pub(crate) use rest::{Zero, accumulation, release};
+pub(crate) use scan::{Doubt, Found, Scan};
+pub(crate) use spectrum::Spectrum;

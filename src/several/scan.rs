@@ -1,0 +1,338 @@
+//! The first contact of flights under several harmonics, isolated from left to right: Lemmas H2-H6 of `docs/proofs.md`.
+//!
+//! A state and bounds of the third derivative prove a piece of time after it free of contacts; the next state is taken
+//! where that proof ends. Pieces are as long as the motion is far from the walls, so their number grows with the number
+//! of near approaches. Floating point only proposes: where to look for a contact and where for an extremum near a wall.
+
+use super::flight::{Flight, Instant, State};
+use super::harmonics::{Phased, Rates};
+use super::reach::Reach;
+use super::view::Side;
+use crate::contact::{Reason, Undecided};
+use crate::number::{Ball, up};
+use crate::pair::Wall;
+
+/// The contact that is first for every flight of a set.
+#[derive(Debug)]
+pub(crate) struct Found<N> {
+    pub wall: Wall,
+    /// Each flight touches it within `reach` of this time after its start.
+    pub at: Instant<N>,
+    pub reach: f64,
+    /// `|z'|` is at least this there, for each of them.
+    pub least: f64,
+    /// Over the set and that time.
+    pub velocity: Ball,
+    pub acceleration: Ball,
+    /// The flight of the centre touches it within this of `at`.
+    pub centre_reach: f64,
+    /// Its velocity at `at`.
+    pub centre_velocity: N,
+}
+
+/// Why there is none.
+#[derive(Debug)]
+pub(crate) enum Doubt<N> {
+    /// A wall may be touched with no velocity, about then; up to `free` it is proved not to be.
+    Graze { wall: Wall, free: Instant<N>, at: Instant<N> },
+    /// The direction of the departure is not certain.
+    Departure,
+    /// The ball does not leave its wall.
+    Rest,
+    /// Longer than is followed.
+    Budget,
+}
+
+/// What an extremum near a wall turns out to be.
+#[derive(Debug)]
+enum Valley<N> {
+    /// The wall is not touched up to there.
+    Past(Instant<N>),
+    /// It is touched before.
+    Contact(Box<Found<N>>),
+    /// It may be touched with no velocity.
+    Graze { wall: Wall, bottom: Instant<N> },
+    /// Nothing is proved of it.
+    Unclear,
+}
+
+/// Pieces that are taken at most.
+const PIECES: u32 = 1 << 20;
+/// Pieces in a row that are shorter than [`SHORT_PIECE`] times the flight so far.
+const SHORT_PIECES: u32 = 256;
+const SHORT_PIECE: f64 = 1.0 / (1 << 20) as f64;
+/// Steps of Newton's method at most.
+const STEPS: u32 = 64;
+const WALLS: [Wall; 2] = [Wall::Left, Wall::Right];
+
+/// The search for the first contact of all the flights of a set.
+pub(crate) struct Scan<'f, 'h, N: Phased> {
+    all: &'f Flight<'h, N>,
+    centre: &'f Flight<'h, N>,
+    rates: &'h Rates,
+}
+
+impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
+    /// The flights `all`, and the one that starts at their centre.
+    pub fn new(all: &'f Flight<'h, N>, centre: &'f Flight<'h, N>) -> Self {
+        Self { all, centre, rates: &all.harmonics.rates }
+    }
+
+    /// The first contact, proved; far ahead where `reach` shows that no wall can be near.
+    pub fn first(&self, reach: &mut Reach<'_>) -> Result<Found<N>, Doubt<N>> {
+        let like = &self.all.launch.phase;
+        let mut at = Instant::new(0.0, &like.centre_of());
+        if self.all.launch.wall.is_some() {
+            let departure = self.departure()?;
+            at = at.later(&like.like(departure));
+        }
+        let mut short_pieces = 0;
+        for _ in 0..PIECES {
+            let state = self.all.state(&at);
+            let sides = WALLS.map(|wall| state.side(wall));
+            if let Some(side) = sides.iter().find(|side| !(side.room.0 > 0.0)) {
+                let wall = if std::ptr::eq(side, &sides[0]) { Wall::Left } else { Wall::Right };
+                return Err(Doubt::Graze { wall, free: at.clone(), at });
+            }
+            for (wall, side) in WALLS.into_iter().zip(&sides) {
+                if let Some(found) = self.arrival(wall, side, &at) {
+                    return Ok(found);
+                }
+            }
+            let step = self.step(&at, &sides);
+            // Where an extremum near a wall ends the piece, it is looked at.
+            let valley = WALLS.into_iter().zip(&sides).find(|(_, side)| {
+                let turning = side.turning();
+                turning.is_some_and(|turning| step < turning && side.least_bend(self.rates, 1.25 * turning) > 0.0)
+            });
+            let next = match valley.map(|(wall, side)| self.valley(wall, side, &at)) {
+                Some(Valley::Past(bottom)) => bottom,
+                Some(Valley::Contact(found)) => return Ok(*found),
+                Some(Valley::Graze { wall, bottom }) => return Err(Doubt::Graze { wall, free: at, at: bottom }),
+                Some(Valley::Unclear) | None => at.later(&like.like(step)),
+            };
+            let time = next.time().bounds();
+            short_pieces = if next.since(&at) < SHORT_PIECE * time.1 { short_pieces + 1 } else { 0 };
+            if !(next.since(&at) > 0.0) || short_pieces > SHORT_PIECES {
+                let nearest = if sides[0].room.0 < sides[1].room.0 { Wall::Left } else { Wall::Right };
+                return Err(Doubt::Graze { wall: nearest, free: at.clone(), at });
+            }
+            at = match reach.jump(self.all, time.0) {
+                Some(later) if later > time.1 + 0.5 => Instant::new(later, like),
+                _ => next,
+            };
+        }
+        Err(Doubt::Budget)
+    }
+
+    /// How long the ball is proved to be off its wall after the start, at least (Lemma H3).
+    fn departure(&self) -> Result<f64, Doubt<N>> {
+        let start = &self.all.launch;
+        let sign = start.wall.map_or(1.0, Wall::sign);
+        let inward = |x: &N| x.clone().signed(sign).bounds();
+        let [rate, bend, jerk] = [inward(&start.velocity), inward(&self.all.acceleration), inward(&self.all.jerk)];
+        let zero = (0.0, 0.0);
+        let most = self.longest();
+        // The height over its first power that does not vanish, a polynomial in the time and its remainder.
+        let (first, second, rest) = match (rate, bend) {
+            (rate, _) if rate.0 > 0.0 => (rate.0, 0.5 * bend.0, self.rates.third / 6.0),
+            (rate, bend) if is(rate, zero) && bend.0 > 0.0 => (0.5 * bend.0, -self.rates.third / 6.0, 0.0),
+            (rate, bend) if is(rate, zero) && is(bend, zero) && jerk.0 > 0.0 => {
+                (jerk.0 / 6.0, -self.rates.fourth / 24.0, 0.0)
+            }
+            (rate, bend) if is(rate, zero) && bend.1 < 0.0 => return Err(Doubt::Rest),
+            (rate, bend) if is(rate, zero) && is(bend, zero) && jerk.1 < 0.0 => return Err(Doubt::Rest),
+            _ => return Err(Doubt::Departure),
+        };
+        let far = Side { room: (1.0, 1.0), rate: (-rate.1, -rate.0), bend: (-bend.1, -bend.0) };
+        let mut time = far.reach(self.rates, most);
+        for _ in 0..STEPS {
+            let size = first + time * (second.abs() + time * rest);
+            let least = first + time * (second - time * rest) - 16.0 * crate::number::UNIT * size;
+            if least > 0.0 && far.is_free(self.rates, time) {
+                // Short of where the height may be 0 again.
+                return Ok(0.75 * time);
+            }
+            time *= 0.5;
+        }
+        Err(Doubt::Departure)
+    }
+
+    /// Longer than any piece can be proved free: the third derivative alone may cross the gap.
+    fn longest(&self) -> f64 {
+        (12.0 / self.rates.third).cbrt()
+    }
+
+    /// How far both walls are proved not to be touched (Lemma H2).
+    fn step(&self, at: &Instant<N>, sides: &[Side; 2]) -> f64 {
+        let most = self.longest();
+        let mut step = sides[0].reach(self.rates, most);
+        step = sides[1].reach(self.rates, step.max(0.0));
+        let like = &self.all.launch.phase;
+        for _ in 0..STEPS {
+            let time = at.later(&like.like(step)).since(at);
+            if sides.iter().all(|side| side.is_free(self.rates, time)) {
+                return step;
+            }
+            step *= 0.7;
+        }
+        0.0
+    }
+
+    /// The contact with a wall that the ball is proved to approach all the way (Lemma H5).
+    fn arrival(&self, wall: Wall, side: &Side, at: &Instant<N>) -> Option<Found<N>> {
+        let ahead = side.arrival()?;
+        if !side.approaches(self.rates, 1.0625 * ahead) {
+            return None;
+        }
+        let like = &self.all.launch.phase;
+        let found = self.close_in(wall, at.later(&like.like(ahead)))?;
+        let time = up(found.at.since(at) + found.reach);
+        side.approaches(self.rates, time).then_some(found)
+    }
+
+    /// What an extremum near a wall turns out to be (Lemma H4).
+    fn valley(&self, wall: Wall, side: &Side, at: &Instant<N>) -> Valley<N> {
+        let like = &self.all.launch.phase;
+        let Some(ahead) = side.turning() else { return Valley::Unclear };
+        let bottom = self.bottom(at.later(&like.like(ahead)));
+        let time = bottom.since(at);
+        let lowest = self.all.state(&bottom).side(wall);
+        // Convex from here to there.
+        let bend = lowest.least_bend(self.rates, time);
+        if !(bend > 0.0 && at.since(&bottom) < 0.0) {
+            return Valley::Unclear;
+        }
+        let rate = lowest.rate.0.abs().max(lowest.rate.1.abs());
+        if lowest.room.0 - up(up(rate * rate) / bend) > 0.0 {
+            return Valley::Past(bottom);
+        }
+        if !(lowest.room.1 < 0.0) {
+            return Valley::Graze { wall, bottom };
+        }
+        // The contact is on the way down.
+        let state = self.centre.state(&bottom);
+        let depth = state.room(wall).clone().signed(-1.0);
+        let curve = state.acceleration.clone().signed(0.5 * wall.sign());
+        let before = depth.ratio_to(&curve).map(|square| -square.root_of());
+        let found = before.and_then(|before| self.close_in(wall, bottom.later(&before)));
+        match found.filter(|found| self.is_on_the_way_down(wall, found, at)) {
+            Some(found) => Valley::Contact(Box::new(found)),
+            None => Valley::Graze { wall, bottom },
+        }
+    }
+
+    /// Whether a contact comes after `at`, with a motion that is convex from there on and falls at its end.
+    fn is_on_the_way_down(&self, wall: Wall, found: &Found<N>, at: &Instant<N>) -> bool {
+        let arrival = self.all.state(&found.at).side(wall);
+        let span = up(found.at.since(at) + found.reach);
+        let is_falling = arrival.least_bend(self.rates, span) > 0.0 && arrival.approaches(self.rates, found.reach);
+        is_falling && at.since(&found.at) < -found.reach
+    }
+
+    /// A zero of the velocity near a time, to the precision of the flight.
+    pub fn bottom(&self, near: Instant<N>) -> Instant<N> {
+        self.newton(near, |state| {
+            let step = state.velocity.ratio_to(&state.acceleration)?;
+            Some((step, is_noise(&state.velocity)))
+        })
+    }
+
+    /// Newton's method on the flight of the centre: `step` gives what to go back, and whether it is noise.
+    fn newton(&self, near: Instant<N>, step: impl Fn(&State<N>) -> Option<(N, bool)>) -> Instant<N> {
+        let (mut at, mut before) = (near, f64::INFINITY);
+        for _ in 0..STEPS {
+            let Some((back, is_done)) = step(&self.centre.state(&at)) else { return at };
+            let size = magnitude(&back);
+            if is_done || !(size < 0.75 * before) {
+                return at;
+            }
+            at = at.later(&-back);
+            before = size;
+        }
+        at
+    }
+
+    /// Brackets the contact of all flights near a time: exactly one, on that wall (Lemma H5).
+    fn close_in(&self, wall: Wall, near: Instant<N>) -> Option<Found<N>> {
+        let at = self.newton(near, |state| {
+            let room = state.room(wall);
+            let newton = room.clone().signed(wall.sign()).ratio_to(&state.velocity)?;
+            // The second order of Newton's step, in doubles.
+            let (n, velocity, bend) = (low(&newton), low(&state.velocity), low(&state.acceleration));
+            let factor = 0.5 * n * bend / velocity;
+            let factor = if factor.abs() < 0.25 { factor } else { 0.0 };
+            let back = newton.clone() + (newton.like(factor) * newton);
+            Some((back.centre_of(), is_noise(room)))
+        });
+        let (all, centre) = (self.all.state(&at), self.centre.state(&at));
+        let side = all.side(wall);
+        let (reach, least) = self.bracket(&side)?;
+        let error = magnitude(centre.room(wall));
+        let ball = |(low, high): (f64, f64), more: f64| {
+            let middle = 0.5 * (low + high);
+            Ball::new(middle, up(up((high - middle).max(middle - low)) + more))
+        };
+        let turned = up(self.rates.second * reach);
+        Some(Found {
+            wall,
+            reach,
+            least,
+            velocity: ball(all.velocity.bounds(), turned),
+            acceleration: ball(all.acceleration.bounds(), up(self.rates.third * reach)),
+            centre_reach: up(error / least),
+            centre_velocity: centre.velocity,
+            at,
+        })
+    }
+
+    /// Within which time of a state each flight touches the wall, and its least speed there.
+    fn bracket(&self, side: &Side) -> Option<(f64, f64)> {
+        let error = side.room.0.abs().max(side.room.1.abs());
+        let speed = -side.rate.1;
+        let bend = side.bend.0.abs().max(side.bend.1.abs());
+        // Twice what the speed here makes of it.
+        let widest = up(2.0 * error / speed);
+        let least = (speed - up(up(bend + up(self.rates.third * widest)) * widest)).next_down();
+        let reach = up(error / least);
+        (least > 0.0 && reach <= widest).then_some((reach, least))
+    }
+}
+
+/// Whether a number is as near to 0 as its arithmetic can tell.
+fn is_noise<N: Phased>(x: &N) -> bool {
+    let (low, high) = x.bounds();
+    low <= 0.0 && high >= 0.0
+}
+
+fn is(a: (f64, f64), b: (f64, f64)) -> bool {
+    a == b
+}
+
+fn low<N: Phased>(x: &N) -> f64 {
+    x.bounds().0
+}
+
+/// An upper bound of the absolute values.
+fn magnitude<N: Phased>(x: &N) -> f64 {
+    let (low, high) = x.bounds();
+    low.abs().max(high.abs())
+}
+
+impl<N: Phased> Doubt<N> {
+    /// The doubt as the orbit tells it.
+    pub fn undecided(&self, start: Option<Wall>) -> Undecided {
+        let (reason, wall, time) = match self {
+            Self::Graze { wall, at, .. } => (Reason::Graze, Some(*wall), Some(ball(&at.time()))),
+            Self::Departure | Self::Rest => (Reason::Graze, start, Some(Ball::exact(0.0))),
+            Self::Budget => (Reason::Budget, None, None),
+        };
+        Undecided { reason, wall, time, lasting: matches!(self, Self::Rest | Self::Budget) }
+    }
+}
+
+fn ball<N: Phased>(x: &N) -> Ball {
+    let (low, high) = x.bounds();
+    let middle = 0.5 * (low + high);
+    Ball::new(middle, up((high - middle).max(middle - low)))
+}

@@ -1,0 +1,132 @@
+//! Several harmonics without units, exactly.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive};
+
+use crate::error::Error;
+use crate::exact::{Exact, ExactError};
+use crate::pair::{ImpactPair, Reduced, within};
+
+/// The harmonics of a pair, time in turns of the fastest and length in gaps.
+///
+/// At the phase `u` of the fastest (`W t + tau = 2 pi u`) that of harmonic `k` is `ratio u + shift` turns.
+#[derive(Clone, Debug)]
+pub(crate) struct Spectrum {
+    pub terms: Vec<Term>,
+    pub restitution: Exact,
+    /// Turns after which all phases are the same, when the frequencies are proved to be commensurate.
+    pub period: Option<u64>,
+}
+
+/// One of them.
+#[derive(Clone, Debug)]
+pub(crate) struct Term {
+    /// `A_k / d`
+    pub alpha: Exact,
+    /// `W_k / W`
+    pub ratio: Exact,
+    /// The phase at `u = 0`, in turns.
+    pub shift: Exact,
+}
+
+impl Spectrum {
+    /// The harmonics of `pair`, phases counted from the turn `origin`; `None` of a single one.
+    ///
+    /// # Errors
+    /// When a value is beyond what exact expressions hold.
+    pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
+        let excitation = pair.excitation();
+        if excitation.only().is_some() {
+            return Ok(None);
+        }
+        let fastest = excitation.reference();
+        let turn = Exact::pi() * Exact::from(2);
+        let mut common = Some(BigInt::one());
+        let mut terms = Vec::new();
+        for harmonic in excitation.harmonics() {
+            let fraction = harmonic.frequency().fraction_of(fastest.frequency());
+            common = common.zip(fraction.as_ref()).map(|(common, fraction)| common.lcm(fraction.denom()));
+            let ratio = match fraction {
+                Some(fraction) => Exact::from_rational(fraction),
+                None => {
+                    let frequency = harmonic.frequency();
+                    within("excitation.frequency", frequency, frequency.checked_div(fastest.frequency()))?
+                }
+            };
+            let shift = || -> Result<Exact, ExactError> {
+                let own = harmonic.phase().checked_div(&turn)?;
+                let before = fastest.phase().checked_div(&turn)?.checked_sub(&Exact::from(origin.clone()))?;
+                whole_turns_off(own.checked_sub(&ratio.checked_mul(&before)?)?)
+            };
+            let shift = within("excitation.phase", harmonic.phase(), shift())?;
+            let alpha =
+                within("excitation.amplitude", harmonic.amplitude(), harmonic.amplitude().checked_div(pair.gap()))?;
+            terms.push(Term { alpha, ratio, shift });
+        }
+        let period = common.and_then(|common| common.to_u64());
+        Ok(Some(Self { terms, restitution: pair.restitution().clone(), period }))
+    }
+
+    /// What bounds the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
+    ///
+    /// # Errors
+    /// When a sum is beyond what exact expressions hold.
+    pub fn sums(&self) -> Result<Reduced<Exact>, ExactError> {
+        let zero = Exact::from(0);
+        let sum = |of: &dyn Fn(&Term) -> Result<Exact, ExactError>| {
+            self.terms.iter().try_fold(zero.clone(), |sum, term| sum.checked_add(&of(term)?))
+        };
+        let turn = Exact::pi() * Exact::from(2);
+        Ok(Reduced {
+            alpha: sum(&|term| Ok(term.alpha.clone()))?,
+            beta: sum(&|term| term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn))?,
+            restitution: self.restitution.clone(),
+        })
+    }
+
+    /// The phases of all harmonics, in turns, at the phase `u` of the fastest.
+    ///
+    /// # Errors
+    /// When one is beyond what exact expressions hold.
+    pub fn phases(&self, u: &Exact) -> Result<Vec<Exact>, ExactError> {
+        self.terms.iter().map(|term| whole_turns_off(term.ratio.checked_mul(u)?.checked_add(&term.shift)?)).collect()
+    }
+}
+
+/// The same phase near 0.
+fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
+    let near = match phase.as_rational() {
+        Some(fraction) => fraction.round().to_integer(),
+        None => phase.enclose(160).lo().to_rational().round().to_integer(),
+    };
+    phase.checked_sub(&Exact::from(near))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Excitation, Harmonic};
+
+    fn spectrum(frequencies: &[&str]) -> Spectrum {
+        let value = |text: &str| text.parse::<Exact>().unwrap();
+        let terms = frequencies.iter().map(|w| Harmonic::new(value("2"), value(w), value("pi/3")).unwrap());
+        let pair = ImpactPair::new(Excitation::new(terms.collect()).unwrap(), value("4"), value("0.5")).unwrap();
+        Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap()
+    }
+
+    #[test]
+    fn commensurate_frequencies_have_a_period_in_turns_of_the_fastest() {
+        assert_eq!(spectrum(&["pi", "3*pi"]).period, Some(3));
+        assert_eq!(spectrum(&["2*sqrt(2)", "3*sqrt(2)", "sqrt(2)/5"]).period, Some(15));
+        assert_eq!(spectrum(&["1", "sqrt(2)"]).period, None);
+    }
+
+    #[test]
+    fn phases_are_those_of_equation_1() {
+        // At turn 7 of 3 pi with tau = pi/3 the time is (7 - 1/6) 2/3, and pi t + pi/3 is 2 pi (7/3 + 1/9), 4/9 beyond two turns.
+        let of_one_turn = spectrum(&["pi", "3*pi"]).phases(&Exact::from(0)).unwrap();
+        assert_eq!(of_one_turn[0].as_rational().unwrap().to_string(), "0");
+        assert_eq!(of_one_turn[1].as_rational().unwrap().to_string(), "4/9");
+    }
+}

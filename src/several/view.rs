@@ -1,0 +1,180 @@
+//! What is seen of a state in double-precision bounds, and how far it is proved to stay off the walls.
+
+use super::flight::State;
+use super::harmonics::{Phased, Rates};
+use crate::number::{UNIT, up};
+use crate::pair::Wall;
+
+/// Bounds of a state, told from one wall: the distance from it and its two derivatives.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side {
+    pub room: (f64, f64),
+    pub rate: (f64, f64),
+    pub bend: (f64, f64),
+}
+
+impl<N: Phased> State<N> {
+    /// The distance from a wall, in the arithmetic of the flight.
+    pub fn room(&self, wall: Wall) -> &N {
+        match wall {
+            Wall::Left => &self.left,
+            Wall::Right => &self.right,
+        }
+    }
+
+    /// The state as seen from a wall.
+    #[inline]
+    pub fn side(&self, wall: Wall) -> Side {
+        let inward = |(low, high): (f64, f64)| match wall {
+            Wall::Left => (low, high),
+            Wall::Right => (-high, -low),
+        };
+        let (rate, bend) = (inward(self.velocity.bounds()), inward(self.acceleration.bounds()));
+        Side { room: self.room(wall).bounds(), rate, bend }
+    }
+}
+
+/// `r + v s + a s^2/2 - S s^3/6` from below, for the lower bounds of a side: Lemma H2 of `docs/proofs.md`.
+#[derive(Clone, Copy, Debug)]
+struct Cubic {
+    room: f64,
+    rate: f64,
+    bend: f64,
+    third: f64,
+}
+
+impl Cubic {
+    /// Its value, to nearest.
+    #[inline]
+    fn value(&self, s: f64) -> f64 {
+        ((-self.third * s * (1.0 / 6.0) + 0.5 * self.bend) * s + self.rate) * s + self.room
+    }
+
+    /// Its slope, to nearest.
+    #[inline]
+    fn slope(&self, s: f64) -> f64 {
+        (-0.5 * self.third * s + self.bend) * s + self.rate
+    }
+
+    /// A lower bound of its value.
+    #[inline]
+    fn least(&self, s: f64) -> f64 {
+        let size = self.room.abs() + s * (self.rate.abs() + s * (self.bend.abs() + s * self.third));
+        self.value(s) - 16.0 * UNIT * size
+    }
+
+    /// Where it turns from falling to rising, about.
+    #[inline]
+    fn valley(&self) -> Option<f64> {
+        if !(self.rate < 0.0 && self.bend > 0.0) {
+            return None;
+        }
+        let discriminant = self.bend.mul_add(self.bend, 2.0 * self.third * self.rate);
+        (discriminant >= 0.0).then(|| -2.0 * self.rate / (self.bend + discriminant.sqrt()))
+    }
+
+    /// Whether it is positive on all of `[0, s]` (Lemma H2).
+    fn is_positive(&self, s: f64) -> bool {
+        if !(self.room > 0.0 && self.least(s) > 0.0) {
+            return false;
+        }
+        // With `bend <= 0` or `rate >= 0` the least value is at an end.
+        if self.rate >= 0.0 || self.bend <= 0.0 {
+            return true;
+        }
+        // Convex up to here and concave beyond: the slope is greatest here.
+        let inflection = up(self.bend / self.third);
+        if self.falls_to(inflection) || (s <= inflection && self.falls_to(s)) {
+            return true;
+        }
+        // A tangent bounds the convex part.
+        let Some(valley) = self.valley() else { return false };
+        let valley = valley.min(inflection);
+        let slope = self.slope(valley).abs() + self.slack(valley);
+        self.least(valley) - up(slope * inflection) > 0.0
+    }
+
+    /// Whether it falls at `s`, and so at all times before if it is convex there.
+    fn falls_to(&self, s: f64) -> bool {
+        self.slope(s) + self.slack(s) < 0.0
+    }
+
+    /// Bounds the rounding errors of the slope.
+    fn slack(&self, s: f64) -> f64 {
+        16.0 * UNIT * (self.rate.abs() + s * (self.bend.abs() + s * self.third))
+    }
+
+    /// How far it stays positive, about, and at most `most`.
+    fn reach(&self, most: f64) -> f64 {
+        if let Some(valley) = self.valley()
+            && valley < most
+            && self.value(valley) <= 0.0
+        {
+            // From the left of the first root of a convex fall Newton stays left.
+            let mut s = 0.0;
+            for _ in 0..4 {
+                s -= self.value(s) / self.slope(s);
+            }
+            return s.min(valley);
+        }
+        let mut s = most;
+        for _ in 0..4 {
+            let (value, slope) = (self.value(s), self.slope(s));
+            if value > 0.0 || slope >= 0.0 {
+                break;
+            }
+            s = (s - value / slope).max(0.0);
+        }
+        0.98 * s
+    }
+}
+
+impl Side {
+    fn cubic(&self, rates: &Rates) -> Cubic {
+        Cubic { room: self.room.0, rate: self.rate.0, bend: self.bend.0, third: rates.third }
+    }
+
+    /// Whether the wall is not touched for `time` turns (Lemma H2).
+    #[inline]
+    pub fn is_free(&self, rates: &Rates, time: f64) -> bool {
+        self.cubic(rates).is_positive(time)
+    }
+
+    /// For how long that may be provable, at most `most`.
+    #[inline]
+    pub fn reach(&self, rates: &Rates, most: f64) -> f64 {
+        self.cubic(rates).reach(most)
+    }
+
+    /// Whether the ball goes toward the wall for `time` turns: `z'` told inward is at most `v + a s + S s^2/2`.
+    #[inline]
+    pub fn approaches(&self, rates: &Rates, time: f64) -> bool {
+        // Convex in `s`: greatest at an end.
+        let end = (0.5 * rates.third * time + self.bend.1) * time + self.rate.1;
+        let size = self.rate.1.abs() + time * (self.bend.1.abs() + time * rates.third);
+        self.rate.1 < 0.0 && end + 16.0 * UNIT * size < 0.0
+    }
+
+    /// A lower bound of the bend, told inward, less than `time` turns away.
+    #[inline]
+    pub fn least_bend(&self, rates: &Rates, time: f64) -> f64 {
+        (self.bend.0 - up(rates.third * time)).next_down()
+    }
+
+    /// About when the wall is reached if the bend stays as it is.
+    #[inline]
+    pub fn arrival(&self) -> Option<f64> {
+        let middle = |(low, high): (f64, f64)| 0.5 * (low + high);
+        let (room, rate, bend) = (middle(self.room), middle(self.rate), middle(self.bend));
+        let discriminant = rate.mul_add(rate, -2.0 * bend * room);
+        (discriminant >= 0.0 && room > 0.0).then(|| 2.0 * room / (discriminant.sqrt() - rate)).filter(|s| *s > 0.0)
+    }
+
+    /// About when the approach ends if the bend stays as it is.
+    #[inline]
+    pub fn turning(&self) -> Option<f64> {
+        let middle = |(low, high): (f64, f64)| 0.5 * (low + high);
+        let (rate, bend) = (middle(self.rate), middle(self.bend));
+        (rate < 0.0 && bend > 0.0).then(|| -rate / bend)
+    }
+}
