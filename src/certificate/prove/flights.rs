@@ -71,7 +71,8 @@ fn unknown(excitation: &Excitation, phase: &Real) -> [f64; 2] {
     for harmonic in &excitation.harmonics()[1..] {
         let share = of(harmonic.amplitude()).over(&of(reference.amplitude())).expect("the box is shaken");
         let ratio = of(harmonic.frequency()).over(&of(reference.frequency())).expect("the frequency is positive");
-        let turned = ratio.clone() * &(phase.clone() - &of(reference.phase())) + &of(harmonic.phase());
+        // As the proof computes it.
+        let turned = ratio.clone() * phase + &(of(harmonic.phase()) - &(ratio.clone() * &of(reference.phase())));
         let parts = [share.clone(), share * &ratio];
         for (unknown, part) in unknown.iter_mut().zip(&parts) {
             *unknown += half_width(part) + float(part) * half_width(&turned);
