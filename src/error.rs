@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use crate::exact::Exact;
 use crate::orbit::BITS;
+use crate::scene::Key;
 
 /// A question that cannot be asked: the message names the key, the value and what is accepted.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -107,6 +108,19 @@ impl Error {
     pub(crate) fn over(text: &str) -> Self {
         let accepted = "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency";
         Self::new(Kind::Range, format!("the range is \"{text}\", but accepted are {accepted}"))
+    }
+
+    pub(crate) fn key_to_vary(text: &str) -> Self {
+        let keys = Key::ALL.map(Key::name).join(", ");
+        Self::new(Kind::Range, format!("the key is \"{text}\", but accepted are {keys}"))
+    }
+
+    pub(crate) fn grid(text: &str, accepted: &str) -> Self {
+        Self::new(Kind::Range, format!("the grid is \"{text}\", but accepted is {accepted}"))
+    }
+
+    pub(crate) fn position_on_wall(position: &Exact) -> Self {
+        Self::range("start.position", position, "the scene starts on a wall (give it a start.position instead)")
     }
 
     pub(crate) fn arithmetic(text: &str) -> Self {

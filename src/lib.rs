@@ -12,6 +12,7 @@
 //! | (1), (9) | displacement of the box, one harmonic or several | [`Excitation`], [`Harmonic`], [`excitation::displacement_velocity_acceleration`] |
 //! | fig. 1, (14) | gap, walls | [`ImpactPair`], [`pair::Wall`] |
 //! | (10)-(13) | motion between impacts | [`flight::Flight`] |
+//! | (10)-(13), figs 12-17 | where the ball is between impacts | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
 //! | (15) | impact law | [`pair::Reduced::rebound`] |
 //! | (14), (A.2), (A.4), (A.6) | the first contact, certified | [`contact::first_contact`] |
 //! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |
@@ -23,6 +24,7 @@
 //! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
 //! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
+//! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
 //!
@@ -74,6 +76,7 @@ mod error;
 pub mod exact;
 pub mod excitation;
 pub mod flight;
+pub mod lyapunov;
 pub mod mapping;
 pub mod number;
 pub mod orbit;
@@ -82,6 +85,7 @@ pub mod periodic;
 pub mod rest;
 pub mod scene;
 mod several;
+pub mod sweep;
 pub mod switch_plane;
 pub mod two_impact;
 

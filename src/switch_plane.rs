@@ -4,9 +4,8 @@
 //! `(x, x')` and as `(t mod 2 pi/W, x')` (22), (23), with `x = y + E(t)` the absolute displacement.
 
 use crate::exact::Enclosure;
-use crate::excitation::displacement_velocity_acceleration;
 use crate::number::Number;
-use crate::pair::{Reduced, Wall};
+use crate::pair::Wall;
 
 /// An impact in all the coordinates of the switch-planes, velocities just before the impact.
 ///
@@ -25,10 +24,9 @@ pub struct SwitchPoint {
     pub absolute_velocity: Enclosure,
 }
 
-/// `x/d` and `x'` in gaps a turn, of an impact on `wall` at the phase of the given sine and cosine.
+/// `x/d` and `x'` in gaps a turn, of an impact on `wall` while the box is at `E/d` with `E'`.
 ///
 /// **Equations** (22), (23), without units.
-pub fn absolute<N: Number + Copy>(pair: &Reduced<N>, wall: Wall, sin_cos: (N, N), velocity: N) -> (N, N) {
-    let (shift, speed, _) = displacement_velocity_acceleration(pair.alpha, sin_cos);
+pub fn absolute<N: Number + Copy>((shift, speed): (N, N), wall: Wall, velocity: N) -> (N, N) {
     (shift - N::from_f64(0.5 * wall.sign()), velocity + speed)
 }

@@ -14,37 +14,31 @@ use impact_pair::periodic::bifurcation::{Over, Wanted};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
 
+use crate::audit::arguments as audit;
+use crate::plot::arguments as plot;
+use crate::sweep::arguments as sweep;
 use crate::two_impact::arguments as two_impact;
+use crate::version;
 
 /// Verified numerics for the horizontal impact pair: every impact proved
 #[derive(Debug, Parser)]
-#[command(name = "impact-pair", version = VERSION, max_term_width = 100, after_help = EXIT_CODES)]
+#[command(name = "impact-pair", version, long_version = version::text(), max_term_width = 100)]
+#[command(after_help = EXIT_CODES, after_long_help = HELP)]
 pub struct Cli {
     #[command(subcommand)]
     pub verb: Verb,
 }
 
-macro_rules! version {
-    ($bits:literal, $fma:literal) => {
-        concat!(
-            env!("CARGO_PKG_VERSION"),
-            "\narithmetics: auto, float, interval (53 bits, rounded to nearest, error bounds proved)",
-            $bits,
-            "\ntarget CPU features: fma ",
-            $fma
-        )
-    };
-}
-
-const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
-const VERSION: &str = match (cfg!(feature = "multiprecision"), FUSED) {
-    (true, true) => version!(", BITS (MPFR)", "yes"),
-    (true, false) => version!(", BITS (MPFR)", "no"),
-    (false, true) => version!("", "yes"),
-    (false, false) => version!("", "no"),
-};
-
 const EXIT_CODES: &str = "\
+Exit code: 0 all that was asked is certified; 1 some of it is not (the output still holds all that is); \
+2 usage, bad input, I/O";
+
+const HELP: &str = "\
+Examples:
+  impact-pair run scenes/figure-14.toml
+  impact-pair run scenes/figure-14.toml --impacts 1000 --digits 30 --format csv --output impacts.csv
+  impact-pair help run
+
 Exit code: 0 all that was asked is certified; 1 some of it is not (the output still holds all that is); \
 2 usage, bad input, I/O";
 
@@ -65,13 +59,26 @@ pub enum Verb {
     /// Write a Coq file whose theorem says what an orbit JSON says
     #[command(after_help = PROVE_EXIT_CODES, after_long_help = PROVE_HELP)]
     Prove(ProveArguments),
+    /// Certify an orbit at each point of a grid of parameters or initial data: bifurcation diagrams, exponents, basins
+    #[command(after_help = sweep::EXIT_CODES, after_long_help = sweep::HELP)]
+    Sweep(sweep::SweepArguments),
     /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
     #[command(after_help = TRADE_EXIT_CODES, after_long_help = TRADE_HELP)]
     Trade(TradeArguments),
+    /// Draw the figures of a scene, of certified orbits, as SVG or PNG
+    #[command(after_help = EXIT_CODES, after_long_help = plot::HELP)]
+    Plot(plot::PlotArguments),
     /// Find the motions with two impacts in N cycles: closed forms (61)-(73), all others, first contacts, stability
     #[command(after_help = two_impact::EXIT_CODES, after_long_help = two_impact::HELP)]
     TwoImpact(two_impact::TwoImpactArguments),
+    /// Judge another simulator's list of impacts: inside, outside, missed, false; where it leaves the certified orbit
+    #[command(after_help = audit::EXIT_CODES, after_long_help = audit::HELP)]
+    Audit(audit::AuditArguments),
+    /// Print the manual page, or write those of all verbs into a folder
+    #[command(after_long_help = MAN_HELP)]
+    Man(ManArguments),
     /// Print a completion script for a shell
+    #[command(after_long_help = COMPLETIONS_HELP)]
     Completions {
         /// The shell
         shell: Shell,
@@ -79,6 +86,11 @@ pub enum Verb {
 }
 
 const RUN_HELP: &str = "\
+Examples:
+  impact-pair run scenes/figure-14.toml
+  impact-pair run scenes/figure-14.toml --until 20*pi --digits 40 --format csv --output impacts.csv
+  impact-pair run scenes/chatter.toml --arithmetic interval --format jsonl
+
 Scene: a TOML file with [excitation] amplitude, frequency, phase; [pair] gap, restitution; [start] time, velocity and \
 wall or position; and, if you like, title and [run] impacts, until, digits. Numbers are exact decimals, strings are \
 expressions such as \"3*pi\" or intervals such as \"[9.42, 9.43]\".
@@ -137,7 +149,10 @@ impl RunArguments {
 }
 
 const PERIODIC_HELP: &str = "\
-Example: impact-pair periodic scenes/figure-15.toml --word RRLLL --cycles 1
+Examples:
+  impact-pair periodic scenes/figure-15.toml --word RRLLL --cycles 1
+  impact-pair periodic scenes/figure-13.toml --word \"P2 P1\" --cycles 1 --digits 30 --format json
+  impact-pair periodic scenes/figure-13.toml --word RL --cycles 1 --all
 
 Each orbit listed is proved to be the only one in its bounds. Physical: no flight touches a wall before it ends. Stable: \
 both eigenvalues of the period's Jacobian lie inside the unit circle; unstable: one lies outside. Without --all the \
@@ -185,7 +200,9 @@ impl PeriodicArguments {
 }
 
 const BIFURCATION_HELP: &str = "\
-Example: impact-pair bifurcations SCENE --word RL --cycles 1 --over amplitude=0.3..0.499 --digits 20
+Examples:
+  impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over amplitude=0.3..0.499
+  impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over gap=1.02..1.1
 
 Orbits of the word are looked for at values spread over the range; their branches are followed through folds, and so are \
 those that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly one such bifurcation \
@@ -250,7 +267,10 @@ const CHECK_EXIT_CODES: &str = "\
 Exit code: 0 every claim is proved again; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O";
 
 const CHECK_HELP: &str = "\
-Example: impact-pair run scenes/figure-14.toml --format json | impact-pair check -
+Examples:
+  impact-pair run scenes/figure-14.toml --format json | impact-pair check -
+  impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl
+  impact-pair check orbit.jsonl
 
 Each flight is followed anew from the exact data of the certificate's own scene: in physical units, by halving, in one \
 arithmetic of integers whose precision rises until every claimed bound is decided. A claim is confirmed when what is \
@@ -271,7 +291,9 @@ const PROVE_EXIT_CODES: &str = "\
 Exit code: 0 the file proves all impacts asked for; 1 fewer of them; 2 usage, bad input, I/O";
 
 const PROVE_HELP: &str = "\
-Example: impact-pair run scenes/figure-14.toml --format json | impact-pair prove - --output Figure14.v
+Examples:
+  impact-pair run scenes/figure-14.toml --format json | impact-pair prove - --output Figure14.v
+  impact-pair run scenes/figure-12.toml --format json | impact-pair prove - --impacts 10
 
 The theorem: for every start and all parameters that the scene allows there is exactly one sequence of impacts, each the \
 first contact after the one before, on the listed walls, at times and velocities within the printed bounds. It covers \
@@ -296,12 +318,31 @@ pub struct ProveArguments {
     pub quiet: bool,
 }
 
+const MAN_HELP: &str = "\
+Examples:
+  impact-pair man > impact-pair.1
+  impact-pair man --output man";
+
+#[derive(Args, Debug)]
+pub struct ManArguments {
+    /// Write a page for the program and one for each verb into DIR, which is made if it is not there
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+const COMPLETIONS_HELP: &str = "\
+Examples:
+  impact-pair completions bash > impact-pair.bash
+  impact-pair completions zsh > _impact-pair";
+
 const TRADE_EXIT_CODES: &str = "\
 Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
 measured); 2 usage, bad input, I/O";
 
 const TRADE_HELP: &str = "\
-Example: impact-pair trade scenes/figure-14.toml --impacts 2000 --plot trade.svg
+Examples:
+  impact-pair trade scenes/figure-14.toml --impacts 200
+  impact-pair trade scenes/figure-12.toml --impacts 100 --format json --plot trade.svg
 
 The rungs: float; interval; 64, 128, 256, ... bits until one reaches all the impacts, two more bring none, or --max-bits; \
 auto to 3, 9, 15, 30 and 100 digits. A build without multiprecision has float, interval and auto.
@@ -335,7 +376,7 @@ pub struct TradeArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the rungs: the time of an impact over the certified digits
-    #[arg(long, value_name = "FILE.svg", value_parser = svg)]
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
     pub plot: Option<PathBuf>,
     /// No notes and no progress on stderr
     #[arg(long, short)]
@@ -387,22 +428,12 @@ pub fn digits() -> RangedI64ValueParser<u32> {
 }
 
 /// Reads a number of bits.
-fn bits() -> RangedI64ValueParser<u32> {
+pub fn bits() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
 }
 
 /// Reads a single exact number.
-fn point(text: &str) -> Result<Exact, String> {
+pub fn point(text: &str) -> Result<Exact, String> {
     let number = Exact::parse(text).map_err(|error| error.to_string())?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
-}
-
-/// Reads the name of a picture.
-pub fn svg(path: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(path);
-    if path.extension().is_some_and(|ending| ending == "svg") {
-        Ok(path)
-    } else {
-        Err("accepted is a name that ends in .svg".into())
-    }
 }

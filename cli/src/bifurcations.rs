@@ -107,5 +107,6 @@ fn conclusion(over: &Over, diagram: &Diagram) -> String {
     let count = diagram.points.len();
     let points = format!("{count} bifurcation{} proved", if count == 1 { "" } else { "s" });
     let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
-    format!("{certified}{points}; others are not excluded (branches are found and followed in floats)")
+    let hint = if diagram.is_certified() { "" } else { "; try a narrower --over, or more --max-bits" };
+    format!("{certified}{points}; others are not excluded (branches are found and followed in floats){hint}")
 }

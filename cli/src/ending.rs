@@ -36,6 +36,13 @@ impl Ending<'_> {
             (Arithmetic::Interval | Arithmetic::Bits(_), _) if reason.is_some() || self.wide.is_some() => {
                 Some("try --arithmetic auto")
             }
+            // Of point data more bits make every enclosure narrower.
+            (Arithmetic::Auto, Some(Reason::Width)) if cfg!(feature = "multiprecision") => {
+                Some("narrower intervals in the scene lead further")
+            }
+            (Arithmetic::Auto, None) if self.wide.is_some() => {
+                Some("try fewer --digits, or narrower intervals in the scene")
+            }
             _ => None,
         }
     }

@@ -1,21 +1,27 @@
 //! Command line of impact-pair: certified orbits of the horizontal impact pair.
 
 mod arguments;
+mod audit;
 mod bifurcations;
 mod check;
 mod ending;
 mod follow;
 mod heading;
 mod listing;
+mod man;
 mod output;
 mod periodic;
+mod picture;
+mod plot;
 mod progress;
 mod prove;
 mod run;
 mod scene;
+mod sweep;
 mod table;
 mod trade;
 mod two_impact;
+mod version;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -42,8 +48,12 @@ fn main() -> ExitCode {
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
+        Verb::Plot(arguments) => plot::plot(&arguments),
+        Verb::Sweep(arguments) => sweep::sweep(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
+        Verb::Audit(arguments) => audit::audit(&arguments),
+        Verb::Man(arguments) => man::man(&arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

@@ -118,7 +118,7 @@ fn conclusion(census: &Census) -> String {
         said += &format!("; {open} with something undecided");
     }
     if wide > 0 {
-        said += &format!("; {wide} wider than asked");
+        said += &format!("; {wide} wider than asked (try fewer --digits or more --max-bits)");
     }
     format!("{}: {said}", if census.is_certified() { "certified" } else { "not all certified" })
 }

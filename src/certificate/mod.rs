@@ -20,6 +20,7 @@ pub use check::{Finding, Verdict};
 pub use conclusion::Conclusion;
 pub use document::{ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json};
 pub use event::{Bounds, Event, Kind};
+pub(crate) use periodic::phase_in_radians;
 pub use periodic::{PERIODIC_SCHEMA, PeriodicDocument};
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};

@@ -42,7 +42,7 @@ impl<'d> PeriodicDocument<'d> {
 
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, turns: &Enclosure, bits: u32) -> Enclosure {
-        phase(turns, bits)
+        phase_in_radians(turns, bits)
     }
 
     /// A velocity \[length/time\] given in gaps a turn.
@@ -81,7 +81,7 @@ impl<'d> PeriodicDocument<'d> {
 }
 
 /// The phase `W t + tau` \[rad\] of one in turns, its lower bound in `[0, 2 pi)`.
-pub(super) fn phase(turns: &Enclosure, bits: u32) -> Enclosure {
+pub(crate) fn phase_in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     let bits = bits + 64;
     let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), bits);
     let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
@@ -91,7 +91,7 @@ pub(super) fn phase(turns: &Enclosure, bits: u32) -> Enclosure {
 fn impact_json(impact: &PeriodicImpact, bits: u32, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
     json!({
         "wall": impact.wall.name(),
-        "phase": decimal_bounds(&phase(&impact.phase, bits)),
+        "phase": decimal_bounds(&phase_in_radians(&impact.phase, bits)),
         "velocity": decimal_bounds(&velocity(&impact.velocity)),
     })
 }

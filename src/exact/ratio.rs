@@ -68,7 +68,8 @@ impl Product {
                 self.multiply(b, -power);
             }
             _ => {
-                let text = x.text();
+                // Of one value written in two ways, `1*sqrt(2)` and `sqrt(2)`, the expression.
+                let text = Exact { node: x.node.clone(), written: None }.text();
                 match self.factors.iter_mut().find(|(factor, _)| *factor == text) {
                     Some((_, known)) => *known += power,
                     None => self.factors.push((text, power)),
@@ -92,6 +93,7 @@ mod tests {
         assert_eq!(ratio("-sqrt(5)/pi", "2*sqrt(5)/pi"), some("-1/2"));
         assert_eq!(ratio("6*(1 + sqrt(2))", "(1 + sqrt(2))*4"), some("3/2"));
         assert_eq!(ratio("sqrt(2)*sqrt(3)", "sqrt(3)*sqrt(2)*7"), some("1/7"));
+        assert_eq!(ratio("(1/2)*sqrt(2)", "(1)*sqrt(2)"), some("1/2"));
         assert_eq!(ratio("sqrt(2)*sqrt(2)", "sqrt(2)"), None);
         assert_eq!(ratio("[1, 2]", "[1, 2]"), None);
         assert_eq!(ratio("0", "3"), some("0"));

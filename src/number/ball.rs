@@ -31,6 +31,12 @@ pub(crate) fn up(radius: f64) -> f64 {
     radius * (1.0 + 8.0 * UNIT)
 }
 
+/// Whether `x` is greater than 0: no NaN is.
+#[inline(always)]
+pub(crate) fn is_positive(x: f64) -> bool {
+    x > 0.0
+}
+
 /// The power of two at or below `|x|` (0 below the normal range): rounding to `x` errs by at most `UNIT` times it.
 ///
 /// Half a unit in the last place; `UNIT * x.abs()` costs the same and is up to twice as wide.

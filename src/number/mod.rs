@@ -6,6 +6,7 @@
 
 mod ball;
 pub mod kernel;
+mod logarithm;
 #[cfg(feature = "multiprecision")]
 mod magnitude;
 #[cfg(feature = "multiprecision")]
@@ -17,14 +18,15 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::exact::Enclosure;
 
 pub use ball::Ball;
-pub(crate) use ball::{UNIT, binade, up};
+pub(crate) use ball::{UNIT, binade, is_positive, up};
 use kernel::Departure;
+pub use logarithm::logarithm;
 #[cfg(feature = "multiprecision")]
 pub use magnitude::Magnitude;
 #[cfg(feature = "multiprecision")]
 pub(crate) use multiprecision::magnitude;
 #[cfg(feature = "multiprecision")]
-pub use multiprecision::{LEAST_BITS, MpBall};
+pub use multiprecision::{LEAST_BITS, MpBall, mpfr_version};
 
 /// What the formulas of the paper need of a number: ring operations and a fused product and sum.
 pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {

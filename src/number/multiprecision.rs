@@ -10,6 +10,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use gmp_mpfr_sys::mpfr::{VERSION_MAJOR, VERSION_MINOR, VERSION_PATCHLEVEL};
 use num_bigint::{BigInt, Sign};
 use rug::float::{Constant, Round};
 use rug::integer::Order;
@@ -35,6 +36,11 @@ use crate::exact::{Dyadic, Enclosure};
 pub struct MpBall {
     mid: Float,
     rad: Magnitude,
+}
+
+/// The version of MPFR that this build has, such as `4.2.2`.
+pub fn mpfr_version() -> String {
+    format!("{VERSION_MAJOR}.{VERSION_MINOR}.{VERSION_PATCHLEVEL}")
 }
 
 /// The least bits a centre has.

@@ -70,11 +70,10 @@ impl Orbit {
         let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
         let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
         let is_still = self.pair.beta == Ball::exact(0.0);
-        let Cursor { turns, phase, .. } = self.cursor;
-        let time = match (is_still, &self.course.several) {
+        let time = match (is_still, &self.given.several) {
             (true, _) => (after == Ball::exact(0.0)).then_some(0.0)?,
-            (false, None) => rest::accumulation(&self.pair, wall, phase, after)?,
-            (false, Some(several)) => several.accumulation(&self.pair, wall, turns, phase, after)?,
+            (false, None) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
+            (false, Some(several)) => several.accumulation(&self.pair, &self.cursor, wall, after)?,
         };
         self.rest(wall, time, is_still)
     }
@@ -95,7 +94,7 @@ impl Orbit {
         }
         let at_start = self.cursor.index == self.start.index;
         let enclosed = match self.motion.enclosures() {
-            _ if at_start => self.course.origin.phase.enclose(self.shown),
+            _ if at_start => self.given.origin.phase.enclose(self.shown),
             Some((phase, _)) => phase.rounded(self.shown),
             None => finite(phase),
         };
@@ -112,7 +111,7 @@ impl Orbit {
 
     /// When a ball that rests since a phase leaves its wall: the turns, and a zero of the pressure under several harmonics.
     fn release_of(&self, wall: Wall, turns: i64, phase: f64) -> Option<(Release, Option<Zero>)> {
-        let Some(several) = &self.course.several else {
+        let Some(several) = &self.given.several else {
             let (ahead, phase) = rest::release(wall, phase);
             let phase = Enclosure::from_f64_bounds(phase, phase)?;
             return Some((Release { wall, turns: turns.saturating_add(ahead), phase }, None));
@@ -136,17 +135,17 @@ impl Orbit {
             return self.finish(Outcome::TimeReached);
         }
         let event = self.hand_out(Progress::Release(release));
-        let number = match (&mut self.course.several, &zero) {
+        let number = match (&mut self.given.several, &zero) {
             (Some(several), Some(zero)) => several.number_of(zero),
             _ => usize::from(wall == Wall::Right),
         };
         self.recurrence.release(number, turns, self.listed);
-        self.course.leave(wall, mid, zero, self.shown);
+        self.given.leave(wall, mid, zero, self.shown);
         let velocity = Ball::exact(0.0);
         self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
         self.cursor = self.start;
         self.bits = self.bits();
-        self.motion = self.course.motion(self.settings.arithmetic).expect("the arithmetic was there at the start");
+        self.motion = self.given.motion(self.settings.arithmetic).expect("the arithmetic was there at the start");
         self.look_ahead();
         event
     }

@@ -47,10 +47,10 @@ impl Orbit {
             return None;
         }
         // Of several harmonics no problem is stated.
-        if self.course.several.is_some() {
+        if self.given.several.is_some() {
             return None;
         }
-        let problem = |word: &_, cycles| Problem::of(self.course.exact.clone(), self.pair, word, cycles).ok();
+        let problem = |word: &_, cycles| Problem::of(self.given.exact.clone(), self.pair, word, cycles).ok();
         find_attractor(&self.recent.in_order(), self.settings.digits.min(DIGITS), problem)
     }
 }

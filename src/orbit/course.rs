@@ -1,99 +1,190 @@
-//! What is followed, exactly, and from where: in any arithmetic.
+//! Where the ball is between the events of an orbit: what figures draw.
 
-use super::Arithmetic;
-use super::clock::Clock;
-use super::motion::{FloatMotion, IntervalMotion, Motion, Swinging};
-use super::origin::{Location, Origin};
-#[cfg(feature = "multiprecision")]
-use super::plan::Plan;
-#[cfg(feature = "multiprecision")]
-use super::precise::PreciseMotion;
-use super::several::Several;
-use super::start::Start;
-use crate::error::Error;
-use crate::exact::Exact;
+use super::event::finite;
+use super::origin::Location;
+use super::{Impact, Orbit, Release};
+use crate::exact::Enclosure;
 use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced, Wall, ball, within};
-use crate::several::Zero;
+use crate::pair::Wall;
 
-/// A pair without units and a start.
-#[derive(Clone, Debug)]
-pub(super) struct Course {
-    /// Under several harmonics `alpha` and `beta` are the sums of theirs.
-    pub exact: Reduced<Exact>,
-    pub pair: Reduced<Ball>,
-    /// The orbit's start, or the last release.
-    pub origin: Origin<Exact>,
-    pub several: Option<Several>,
+/// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
+///
+/// **Equations** (11), (12): `y = offset + c h - E`, `y' = c - E'`, `h` after the phase it is told from.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    /// Whole turns since the clock's origin where the flight is told from, and the rest of its phase.
+    turns: i64,
+    phase: Ball,
+    offset: Ball,
+    /// `c`
+    drift: Ball,
 }
 
-impl Course {
-    /// The exact course of `pair` from `start`, and the whole turns of its phase since the clock's origin.
-    pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<(i64, Self), Error> {
-        let (turns, origin) = Origin::new(pair, start, clock)?;
-        let several = Several::new(pair, clock.origin(), turns)?;
-        let (exact, reduced) = match &several {
-            None => (pair.exact()?, pair.reduced()?),
-            Some(several) => {
-                let amplitude = pair.excitation().reference().amplitude();
-                let sums = within("excitation.amplitude", amplitude, several.sums())?;
-                let enclose = |x: &Exact| ball("excitation.amplitude", x);
-                let (alpha, beta) = (enclose(&sums.alpha)?, enclose(&sums.beta)?);
-                let reduced = Reduced { alpha, beta, restitution: ball("pair.restitution", &sums.restitution)? };
-                (sums, reduced)
-            }
+/// Where the ball is at some time, in both frames.
+///
+/// **Enclosure**: each coordinate holds that of the true motion. **Units**: time \[time\], length \[length\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoursePoint {
+    /// `t`
+    pub time: Enclosure,
+    /// `y`, relative to the box. **Equation** (11)
+    pub displacement: Enclosure,
+    /// `y'`. **Equation** (12)
+    pub velocity: Enclosure,
+    /// `x = y + E(t)`
+    pub absolute_displacement: Enclosure,
+    /// `x' = y' + E'(t)`
+    pub absolute_velocity: Enclosure,
+}
+
+impl Orbit {
+    /// The flight from the start, and its phase: whole turns and the rest. To be asked before the orbit goes on.
+    pub fn first_course(&self) -> (Course, i64, Ball) {
+        let origin = self.given.origin_ball().expect("the orbit started with these numbers");
+        let (turns, phase) = (self.start.turns, origin.phase);
+        let course = match origin.place {
+            Location::Wall(wall) => self.leaving(wall, turns, phase, self.pair.rebound_of(origin.velocity)),
+            Location::Inside(height) => self.course(turns, phase, height - Ball::exact(0.5), origin.velocity),
         };
-        Ok((turns, Self { exact, pair: reduced, origin, several }))
+        (course, turns, phase)
     }
 
-    /// The origin in doubles.
-    pub fn origin_ball(&self) -> Result<Origin<Ball>, Error> {
-        self.origin.map(ball)
+    /// The flight that an impact begins. **Equation** (15)
+    pub fn course_after(&self, impact: &Impact) -> Course {
+        self.leaving(impact.wall, impact.turns, impact.phase, self.pair.rebound_of(impact.velocity))
     }
 
-    /// Goes on from a release with no velocity at this phase; under several harmonics from a zero of the pressure, which
-    /// is known to so many bits.
-    pub fn leave(&mut self, wall: Wall, phase: f64, zero: Option<Zero>, bits: u32) {
-        let exact = |x: f64| Exact::from_f64(x).expect("a finite number");
-        self.origin = match (&mut self.several, zero) {
-            (Some(several), Some(zero)) => several.leave(zero, bits),
-            _ => Origin { place: Location::Wall(wall), phase: exact(phase), velocity: exact(0.0) },
-        };
+    /// The flight that ends with an impact, told backwards from it: it holds whatever a graze before it may have done.
+    pub fn course_before(&self, impact: &Impact) -> Course {
+        self.leaving(impact.wall, impact.turns, impact.phase, impact.velocity)
     }
 
-    /// The first motion from the origin that is tried in an arithmetic.
-    pub fn motion(&self, arithmetic: Arithmetic) -> Result<Box<dyn Motion>, Error> {
-        let origin = self.origin_ball()?;
-        Ok(match (arithmetic, &self.several) {
-            (Arithmetic::Float, None) => Box::new(FloatMotion::new(&self.pair, &origin)),
-            (Arithmetic::Float, Some(several)) => Box::new(several.float(&self.pair, &origin)),
-            (Arithmetic::Auto | Arithmetic::Interval, None) => Box::new(IntervalMotion::new(&self.pair, &origin)),
-            (Arithmetic::Auto | Arithmetic::Interval, Some(several)) => {
-                Box::new(several.interval(&self.pair, &self.origin, &origin))
-            }
-            #[cfg(feature = "multiprecision")]
-            (Arithmetic::Bits(bits), _) => self.precise(Plan::constant(bits)),
-            #[cfg(not(feature = "multiprecision"))]
-            (Arithmetic::Bits(bits), _) => return Err(Error::arithmetic(&bits.to_string())),
+    /// The flight that begins with a release, with no velocity.
+    pub fn course_from(&self, release: &Release) -> Course {
+        let (mid, rad) = release.phase.mid_rad();
+        self.leaving(release.wall, release.turns, Ball::new(mid, rad), Ball::exact(0.0))
+    }
+
+    /// The flight from a wall.
+    fn leaving(&self, wall: Wall, turns: i64, phase: Ball, velocity: Ball) -> Course {
+        self.course(turns, phase, Ball::exact(-0.5 * wall.sign()), velocity)
+    }
+
+    /// The flight from a height `y` in gaps.
+    fn course(&self, turns: i64, phase: Ball, height: Ball, velocity: Ball) -> Course {
+        let (shift, speed) = self.shaking(turns, phase);
+        Course { turns, phase, offset: height + shift, drift: velocity + speed }
+    }
+
+    /// The point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
+    pub fn course_point(&self, course: &Course, turns: i64, phase: Ball) -> Option<CoursePoint> {
+        let (displacement, velocity) = self.along(course, turns, phase);
+        self.point(turns, phase, displacement, velocity)
+    }
+
+    /// The ball on its wall, just before and just after an impact. **Equation** (15)
+    pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
+        let Impact { wall, turns, phase, velocity, .. } = *impact;
+        let on_wall = |velocity| self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), velocity);
+        Some([on_wall(velocity)?, on_wall(self.pair.rebound_of(velocity))?])
+    }
+
+    /// The point of the motion at that phase while the ball rests on `wall`.
+    pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
+        self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), Ball::exact(0.0))
+    }
+
+    /// From turns and gaps to the units of the scene.
+    fn point(&self, turns: i64, phase: Ball, displacement: Ball, velocity: Ball) -> Option<CoursePoint> {
+        let (shift, speed) = self.shaking(turns, phase);
+        let clock = &self.clock;
+        Some(CoursePoint {
+            time: clock.time(turns, &phase.enclosure()?),
+            displacement: clock.length(&displacement.enclosure()?),
+            velocity: clock.velocity(&velocity.enclosure()?),
+            absolute_displacement: clock.length(&(displacement + shift).enclosure()?),
+            absolute_velocity: clock.velocity(&(velocity + speed).enclosure()?),
         })
     }
 
-    /// The motion from the origin in as many bits as planned.
-    #[cfg(feature = "multiprecision")]
-    pub fn precise(&self, plan: Plan) -> Box<dyn Motion> {
-        match &self.several {
-            None => Box::new(PreciseMotion::new(&self.exact, &self.pair, &self.origin, plan)),
-            Some(several) => Box::new(several.precise(&self.pair, &self.origin, plan)),
+    /// Half the gap `d/2`: where the walls are \[length\].
+    pub fn wall_displacement(&self) -> Enclosure {
+        self.clock.length(&finite(Ball::exact(0.5)))
+    }
+
+    /// `y` in gaps and `y'` in gaps a turn, of the whole set of states. **Equations** (11), (12)
+    fn along(&self, course: &Course, turns: i64, phase: Ball) -> (Ball, Ball) {
+        let Course { turns: from, phase: start, offset, drift } = *course;
+        let (shift, speed) = self.shaking(turns, phase);
+        // Exact below 2^53: flights are at most 2^52 turns long.
+        let time = Ball::exact(turns.saturating_sub(from) as f64) + (phase - start);
+        (offset + drift * time - shift, drift - speed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Enclosure;
+    use crate::scene::Scene;
+
+    fn meets(a: &Enclosure, b: &Enclosure) -> bool {
+        a.intersection(b).is_some()
+    }
+
+    fn orbit(arithmetic: &str) -> Orbit {
+        let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).unwrap();
+        scene.orbit(crate::orbit::Settings { arithmetic: arithmetic.parse().unwrap(), ..scene.settings() }).unwrap()
+    }
+
+    #[test]
+    fn each_flight_leads_from_impact_to_impact() {
+        let mut orbit = orbit("interval");
+        let (mut course, _, _) = orbit.first_course();
+        for _ in 0..60 {
+            let impact = orbit.next().unwrap();
+            let (time, velocity) = orbit.bounds(&impact);
+            let wall = orbit.wall_displacement();
+            let wall = if impact.wall == Wall::Right { wall } else { wall.negated() };
+            let switch = orbit.switch_point(&impact);
+            let [before, after] = orbit.impact_points(&impact).unwrap();
+            assert!(before.displacement == wall && before.velocity == velocity && after.displacement == wall);
+            let half = Enclosure::from_f64_bounds(-0.5, -0.5).unwrap();
+            assert!(meets(&after.velocity, &velocity.mul(&half, 200)));
+            let left = orbit.course_point(&orbit.course_after(&impact), impact.turns, impact.phase).unwrap();
+            assert!(meets(&after.velocity, &left.velocity));
+            for course in [course, orbit.course_before(&impact)] {
+                let point = orbit.course_point(&course, impact.turns, impact.phase).unwrap();
+                assert!(meets(&point.time, &time) && meets(&point.displacement, &wall), "impact {}", impact.index);
+                assert!(meets(&point.velocity, &velocity), "impact {}", impact.index);
+                assert!(meets(&point.absolute_displacement, &switch.displacement));
+                assert!(meets(&point.absolute_velocity, &switch.absolute_velocity));
+                let (low, high) = point.displacement.to_f64_bounds();
+                assert!(high - low < 1e-3, "impact {}: {low} {high}", impact.index);
+            }
+            course = orbit.course_after(&impact);
         }
     }
 
-    /// The floating motion from the origin; `None` beyond doubles.
-    #[cfg(feature = "multiprecision")]
-    pub fn run(&self) -> Option<Box<dyn Swinging>> {
-        let origin = self.origin_ball().ok()?;
-        Some(match &self.several {
-            None => Box::new(FloatMotion::new(&self.pair, &origin)),
-            Some(several) => Box::new(several.float(&self.pair, &origin)),
-        })
+    #[test]
+    fn between_impacts_the_ball_is_inside_the_gap() {
+        let mut orbit = orbit("interval");
+        let (mut course, mut turns, phase) = orbit.first_course();
+        let mut from = phase.mid();
+        for _ in 0..40 {
+            let impact = orbit.next().unwrap();
+            let to = (impact.turns - turns) as f64 + impact.phase.mid();
+            for step in 1..16 {
+                let at = from + (to - from) * f64::from(step) / 16.0;
+                let whole = at.round();
+                let phase = Ball::exact(at - whole);
+                let forward = orbit.course_point(&course, turns + whole as i64, phase).unwrap();
+                let backward = orbit.course_point(&orbit.course_before(&impact), turns + whole as i64, phase).unwrap();
+                assert!(meets(&forward.displacement, &backward.displacement));
+                let (low, high) = forward.displacement.to_f64_bounds();
+                assert!(low > -4.712485 && high < 4.712485, "impact {}: {low} {high}", impact.index);
+            }
+            (course, turns, from) = (orbit.course_after(&impact), impact.turns, impact.phase.mid());
+        }
     }
 }

@@ -5,8 +5,10 @@ mod attraction;
 mod clock;
 mod course;
 mod event;
+mod given;
 mod motion;
 mod origin;
+mod passage;
 #[cfg(feature = "multiprecision")]
 mod plan;
 #[cfg(feature = "multiprecision")]
@@ -22,6 +24,7 @@ mod start;
 mod still;
 
 pub use clock::Clock;
+pub use course::{Course, CoursePoint};
 pub use event::{Graze, Impact, Outcome, Period, Progress, Release, Rest};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
@@ -31,6 +34,7 @@ pub use start::{Place, Start};
 use crate::contact::Contact;
 use crate::error::Error;
 use crate::exact::Enclosure;
+use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall};
@@ -40,8 +44,8 @@ use crate::several::Zero;
 use crate::switch_plane::{SwitchPoint, absolute};
 use attraction::Recent;
 use clock::Phase;
-use course::Course;
 use event::finite;
+use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
@@ -75,7 +79,7 @@ use still::Still;
 #[derive(Debug)]
 pub struct Orbit {
     /// What is followed, from the orbit's start or the last release.
-    course: Course,
+    given: Given,
     pair: Reduced<Ball>,
     clock: Clock,
     motion: Box<dyn Motion>,
@@ -116,7 +120,7 @@ pub struct Orbit {
 
 /// How far the motion has come.
 #[derive(Clone, Copy, Debug)]
-struct Cursor {
+pub(super) struct Cursor {
     index: u64,
     /// The wall of the last impact.
     wall: Option<Wall>,
@@ -141,20 +145,20 @@ impl Orbit {
             _ => settings.digits.saturating_mul(10) / 3 + 64,
         };
         let clock = Clock::new(pair, &start.time, shown)?;
-        let (turns, course) = Course::new(pair, start, &clock)?;
-        let reduced = course.pair;
-        let origin = course.origin_ball().map_err(|error| match error.key() {
+        let (turns, given) = Given::new(pair, start, &clock)?;
+        let reduced = given.pair;
+        let origin = given.origin_ball().map_err(|error| match error.key() {
             Some("start.velocity") => Error::too_large("start.velocity", &start.velocity),
             _ => error,
         })?;
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
-        let motion = course.motion(settings.arithmetic)?;
+        let motion = given.motion(settings.arithmetic)?;
         let (phase, velocity, wall) = (origin.phase, origin.velocity, origin.wall());
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let mut orbit = Self {
-            course,
+            given,
             pair: reduced,
             clock,
             motion,
@@ -189,9 +193,9 @@ impl Orbit {
         if self.settings.arithmetic == Arithmetic::Auto {
             let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts));
             let settings = Settings { impacts: left, ..self.settings.clone() };
-            self.raise = Some(Raise::new(self.course.clone(), self.start.turns, self.until, &settings));
+            self.raise = Some(Raise::new(self.given.clone(), self.start.turns, self.until, &settings));
         }
-        self.still = still::still(&self.course).filter(|_| self.settings.arithmetic != Arithmetic::Float);
+        self.still = still::still(&self.given).filter(|_| self.settings.arithmetic != Arithmetic::Float);
         self.is_aside |= self.still.is_some();
     }
 
@@ -234,7 +238,8 @@ impl Orbit {
 
     /// The impact as a point of its switch-plane. **Equations** (18)-(23)
     pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
-        let (displacement, velocity) = absolute(&self.pair, impact.wall, impact.phase.sin_cos(), impact.velocity);
+        let shaking = self.shaking(impact.turns, impact.phase);
+        let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
         let (time, relative_velocity) = impact.enclosures();
         SwitchPoint {
             wall: impact.wall,
@@ -242,6 +247,17 @@ impl Orbit {
             relative_velocity: self.clock.velocity(&relative_velocity),
             displacement: self.clock.length(&finite(displacement)),
             absolute_velocity: self.clock.velocity(&finite(velocity)),
+        }
+    }
+
+    /// `E/d` and `E'` in gaps a turn.
+    fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
+        match &self.given.several {
+            None => {
+                let (shift, speed, _) = displacement_velocity_acceleration(self.pair.alpha, phase.sin_cos());
+                (shift, speed)
+            }
+            Some(several) => several.shaking(turns, phase),
         }
     }
 
@@ -320,7 +336,7 @@ impl Orbit {
     #[inline]
     fn may_rest(&self) -> bool {
         let Some(wall) = self.cursor.wall else { return false };
-        if self.course.several.is_some() {
+        if self.given.several.is_some() {
             // A rest is told once the chatter left is shorter than the digits show.
             let least = self.widths[0].linear.max(f64::MIN_POSITIVE);
             return self.cursor.index == self.listed && (self.cursor.velocity.mid() * self.haste).abs() <= least;

@@ -55,6 +55,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
 }
 
 /// A floating motion that knows how the box pushes.
+#[cfg(feature = "multiprecision")]
 pub(super) trait Swinging: Motion {
     /// `y''` at the last contact, or at the start, in gaps a turn squared.
     fn swing(&self) -> f64;
@@ -131,6 +132,7 @@ impl Motion for FloatMotion {
     }
 }
 
+#[cfg(feature = "multiprecision")]
 impl Swinging for FloatMotion {
     fn swing(&self) -> f64 {
         self.next.wall.inward(self.next.acceleration_at(self.next.sin))

@@ -9,7 +9,7 @@
 
 use std::sync::Arc;
 
-use super::course::Course;
+use super::given::Given;
 use super::motion::Swinging;
 use super::origin::Location;
 use crate::mapping::jacobian_between;
@@ -112,14 +112,14 @@ pub(super) struct Growth {
 
 impl Growth {
     /// `None` for a start beyond doubles.
-    pub fn new(course: &Course) -> Option<Self> {
-        let (run, origin) = (course.run()?, course.origin_ball().ok()?);
-        let scale = super::motion::scale(&course.pair, origin.velocity);
+    pub fn new(given: &Given) -> Option<Self> {
+        let (run, origin) = (given.run()?, given.origin_ball().ok()?);
+        let scale = super::motion::scale(&given.pair, origin.velocity);
         let last = match origin.place {
             Location::Wall(_) => Some((origin.velocity.mid(), run.swing())),
             Location::Inside(_) => None,
         };
-        Some(Self { restitution: course.pair.restitution.mid(), run, last, tangent: [1.0, 1.0], scale })
+        Some(Self { restitution: given.pair.restitution.mid(), run, last, tangent: [1.0, 1.0], scale })
     }
 
     /// Goes on to the next impact: the bits it eats, and the turns that passed.

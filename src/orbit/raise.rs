@@ -4,7 +4,7 @@
 
 use super::Settings;
 use super::clock::Phase;
-use super::course::Course;
+use super::given::Given;
 use super::motion::Motion;
 use super::plan::{Growth, Plan};
 use super::shortfall::Shortfall;
@@ -20,7 +20,7 @@ const FARTHEST: u64 = 1 << 22;
 /// The exact orbit, and how it was tried before.
 #[derive(Debug)]
 pub(super) struct Raise {
-    course: Course,
+    given: Given,
     impacts: Option<u64>,
     /// How long the orbit is to last, in turns.
     turns: f64,
@@ -33,11 +33,11 @@ pub(super) struct Raise {
 }
 
 impl Raise {
-    pub fn new(course: Course, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
+    pub fn new(given: Given, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
         let turns = until.map_or(f64::INFINITY, |until| until.turns.saturating_sub(turns) as f64 + 1.0);
         let asked = f64::from(settings.digits) * 10f64.log2();
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
-        Self { course, impacts, turns, asked, most, plan: None, before: None }
+        Self { given, impacts, turns, asked, most, plan: None, before: None }
     }
 
     /// The motion from the start in more precision; `None` when that would not help.
@@ -70,13 +70,13 @@ impl Raise {
             }
         };
         self.plan = Some(plan.clone());
-        Some(self.course.precise(plan))
+        Some(self.given.precise(plan))
     }
 
     /// Plans beyond impact `index` from a floating run.
     fn look_ahead(&self, index: u64) -> Option<Plan> {
         let run = || {
-            let (mut growth, mut left) = (Growth::new(&self.course), self.turns);
+            let (mut growth, mut left) = (Growth::new(&self.given), self.turns);
             std::iter::from_fn(move || {
                 let (bits, turns) = growth.as_mut()?.next_impact()?;
                 left -= turns;

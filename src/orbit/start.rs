@@ -9,9 +9,9 @@ use crate::pair::{ImpactPair, Wall, within};
 /// The initial data of an orbit, exact or intervals of values; a box of data is a set of starts.
 #[derive(Clone, Debug)]
 pub struct Start {
-    pub(super) time: Exact,
-    pub(super) velocity: Exact,
-    pub(super) place: Place,
+    pub(crate) time: Exact,
+    pub(crate) velocity: Exact,
+    pub(crate) place: Place,
 }
 
 /// Where the ball is at the start.

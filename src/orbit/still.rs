@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
-use super::course::Course;
+use super::given::Given;
 use super::origin::{Location, Origin};
 use crate::exact::{Exact, ExactError};
 use crate::pair::{Reduced, Wall};
@@ -23,11 +23,11 @@ pub(super) struct Still {
 ///
 /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
 /// box stands still, and at quarter turns, where sine and cosine are exact.
-pub(super) fn still(course: &Course) -> Option<Still> {
-    match &course.several {
-        None => stays_inside(&course.exact, &course.origin).ok().flatten(),
+pub(super) fn still(given: &Given) -> Option<Still> {
+    match &given.several {
+        None => stays_inside(&given.exact, &given.origin).ok().flatten(),
         Some(several) => {
-            several.stays_inside(&course.origin).ok()?.then_some(Still { grazes_left: false, grazes_right: false })
+            several.stays_inside(&given.origin).ok()?.then_some(Still { grazes_left: false, grazes_right: false })
         }
     }
 }

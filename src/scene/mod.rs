@@ -7,6 +7,7 @@
 //! `position`. `title` and `[run]` are not.
 
 mod section;
+mod vary;
 
 use std::ops::RangeInclusive;
 
@@ -18,6 +19,7 @@ use crate::excitation::{Excitation, Harmonic};
 use crate::orbit::{Arithmetic, Orbit, Settings, Start};
 use crate::pair::{ImpactPair, Wall};
 use section::{Entry, Section, line_of, quoted};
+pub use vary::Key;
 
 /// The digits that can be asked for.
 pub const DIGITS: RangeInclusive<u32> = 1..=400;

@@ -8,7 +8,7 @@ use super::reach::{Band, Reach};
 use super::scan::{Doubt, Scan};
 use super::view::Side;
 use crate::contact::multiprecision::Passed;
-use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::number::{Ball, Magnitude, MpBall, Number, is_positive};
 use crate::pair::Wall;
 
 /// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.
@@ -48,7 +48,7 @@ impl Touch {
     /// A flight that is convex for `before` turns up to its bottom, which may lie so deep in the wall.
     fn new(depth: &Magnitude, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
         let bend = side.least_bend(rates, before);
-        if !(bend > 0.0) {
+        if !is_positive(bend) {
             return None;
         }
         let bound = |x: f64| Magnitude::new(x, 0);
@@ -72,7 +72,7 @@ impl Touch {
         step: f64,
     ) -> Option<Passed> {
         let rates = &all.harmonics.rates;
-        if !(side.least_bend(rates, step) > 0.0) || Magnitude::new(step, 0) < self.window {
+        if !is_positive(side.least_bend(rates, step)) || Magnitude::new(step, 0) < self.window {
             return None;
         }
         let bits = all.launch.phase.bits();

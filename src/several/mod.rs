@@ -15,11 +15,13 @@ mod scan;
 mod spectrum;
 mod view;
 
-pub(crate) use flight::{Flight, Instant, Launch};
+#[cfg(feature = "multiprecision")]
+pub(crate) use flight::Instant;
+pub(crate) use flight::{Flight, Launch};
 #[cfg(feature = "multiprecision")]
 pub(crate) use graze::pass;
 pub(crate) use harmonics::{Harmonics, Phased};
 pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};
-pub(crate) use spectrum::Spectrum;
+pub(crate) use spectrum::{Spectrum, phases_at};

@@ -8,7 +8,7 @@ use super::flight::Instant;
 use super::harmonics::{Harmonics, Phased};
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
-use crate::number::{Ball, UNIT, up};
+use crate::number::{Ball, UNIT, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::Wall;
@@ -25,7 +25,7 @@ pub(crate) fn accumulation(
 ) -> Option<f64> {
     let (speed, rebound) = (velocity.mag(), restitution.mag());
     let (least, most) = pressure(harmonics, wall, turns, &phase).bounds();
-    if !(least > 0.0) {
+    if !is_positive(least) {
         return None;
     }
     if speed == 0.0 {
@@ -35,7 +35,7 @@ pub(crate) fn accumulation(
     let window = up(up(4.0 * speed) / (least * (1.0 - rebound)).next_down());
     let change = up(harmonics.rates.third * window);
     let (least, most) = ((least - change).next_down(), up(most + change));
-    if !(rebound < 1.0 && least > 0.0) {
+    if !(is_positive(1.0 - rebound) && is_positive(least)) {
         return None;
     }
     let ratio = up(rebound * up((most / least).sqrt()));
@@ -69,7 +69,8 @@ const STEPS: u32 = 1 << 16;
 #[cfg(feature = "multiprecision")]
 const BITS: [u32; 3] = [128, 512, 2048];
 
-/// The first change of the pressure's sign after a phase at which the wall is pressed; `None` where none is proved.
+/// The first change of the pressure's sign after a phase at which the wall is pressed, or from which on it is; `None`
+/// where none is proved.
 pub(crate) fn release(
     spectrum: &Spectrum,
     harmonics: &Harmonics<Ball>,
@@ -98,9 +99,14 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
         |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
     let value = |at: &Instant<N>| pressure(harmonics, wall, turns.saturating_add(at.turns), &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
+    // The pressure that begins here is growing for so long.
+    let (low, _) = slope(&at);
+    if value(&at).bounds().0 <= 0.0 && low > 0.0 {
+        at = at.later(&at.rest.like(low / fourth));
+    }
     for _ in 0..STEPS {
         let ((p, _), (low, high)) = (value(&at).bounds(), slope(&at));
-        if !(p > 0.0) {
+        if !is_positive(p) {
             return None;
         }
         let ahead = p / -low;
@@ -129,7 +135,7 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
         let next = at.later(&at.rest.like(step));
         let time = next.since(&at);
         let size = p + time * (low.abs() + time * fourth);
-        if !(time > 0.0 && p + time * (low - 0.5 * fourth * time) - 16.0 * UNIT * size > 0.0) {
+        if !(is_positive(time) && is_positive(p + time * (low - 0.5 * fourth * time) - 16.0 * UNIT * size)) {
             return None;
         }
         at = next;
@@ -151,7 +157,7 @@ fn bracket<N: Phased>(
         let (low, high) = p.bounds();
         let back = p.ratio_to(&at.rest.like(0.5 * (slope(&at).0 + slope(&at).1)))?;
         let size = back.bounds().0.abs();
-        if (low <= 0.0 && high >= 0.0) || !(size < 0.75 * before) {
+        if (low <= 0.0 && high >= 0.0) || !is_positive(0.75 * before - size) {
             let error = low.abs().max(high.abs());
             let steepness = -slope(&at).1;
             let widest = up(2.0 * error / steepness);

@@ -9,7 +9,7 @@ use super::harmonics::{Phased, Rates};
 use super::reach::Reach;
 use super::view::Side;
 use crate::contact::{Reason, Undecided};
-use crate::number::{Ball, up};
+use crate::number::{Ball, UNIT, is_positive, up};
 use crate::pair::Wall;
 
 /// The contact that is first for every flight of a set.
@@ -20,6 +20,7 @@ pub(crate) struct Found<N> {
     pub at: Instant<N>,
     pub reach: f64,
     /// `|z'|` is at least this there, for each of them.
+    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     pub least: f64,
     /// Over the set and that time.
     pub velocity: Ball,
@@ -34,6 +35,7 @@ pub(crate) struct Found<N> {
 #[derive(Debug)]
 pub(crate) enum Doubt<N> {
     /// A wall may be touched with no velocity, about then; up to `free` it is proved not to be.
+    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     Graze { wall: Wall, free: Instant<N>, at: Instant<N> },
     /// The direction of the departure is not certain.
     Departure,
@@ -90,8 +92,8 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         for _ in 0..PIECES {
             let state = self.all.state(&at);
             let sides = WALLS.map(|wall| state.side(wall));
-            if let Some(side) = sides.iter().find(|side| !(side.room.0 > 0.0)) {
-                let wall = if std::ptr::eq(side, &sides[0]) { Wall::Left } else { Wall::Right };
+            let touched = WALLS.into_iter().zip(&sides).find(|(_, side)| !is_positive(side.room.0));
+            if let Some((wall, _)) = touched {
                 return Err(Doubt::Graze { wall, free: at.clone(), at });
             }
             for (wall, side) in WALLS.into_iter().zip(&sides) {
@@ -113,7 +115,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             };
             let time = next.time().bounds();
             short_pieces = if next.since(&at) < SHORT_PIECE * time.1 { short_pieces + 1 } else { 0 };
-            if !(next.since(&at) > 0.0) || short_pieces > SHORT_PIECES {
+            if !is_positive(next.since(&at)) || short_pieces > SHORT_PIECES {
                 let nearest = if sides[0].room.0 < sides[1].room.0 { Wall::Left } else { Wall::Right };
                 return Err(Doubt::Graze { wall: nearest, free: at.clone(), at });
             }
@@ -146,9 +148,13 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         };
         let far = Side { room: (1.0, 1.0), rate: (-rate.1, -rate.0), bend: (-bend.1, -bend.0) };
         let mut time = far.reach(self.rates, most);
+        if second < 0.0 {
+            // Bounces may be as short as they like.
+            time = time.min(-0.875 * first / second);
+        }
         for _ in 0..STEPS {
             let size = first + time * (second.abs() + time * rest);
-            let least = first + time * (second - time * rest) - 16.0 * crate::number::UNIT * size;
+            let least = first + time * (second - time * rest) - 16.0 * UNIT * size;
             if least > 0.0 && far.is_free(self.rates, time) {
                 // Short of where the height may be 0 again.
                 return Ok(0.75 * time);
@@ -200,14 +206,14 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let lowest = self.all.state(&bottom).side(wall);
         // Convex from here to there.
         let bend = lowest.least_bend(self.rates, time);
-        if !(bend > 0.0 && at.since(&bottom) < 0.0) {
+        if !(is_positive(bend) && at.since(&bottom) < 0.0) {
             return Valley::Unclear;
         }
         let rate = lowest.rate.0.abs().max(lowest.rate.1.abs());
         if lowest.room.0 - up(up(rate * rate) / bend) > 0.0 {
             return Valley::Past(bottom);
         }
-        if !(lowest.room.1 < 0.0) {
+        if !is_positive(-lowest.room.1) {
             return Valley::Graze { wall, bottom };
         }
         // The contact is on the way down.
@@ -244,7 +250,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         for _ in 0..STEPS {
             let Some((back, is_done)) = step(&self.centre.state(&at)) else { return at };
             let size = magnitude(&back);
-            if is_done || !(size < 0.75 * before) {
+            if is_done || !is_positive(0.75 * before - size) {
                 return at;
             }
             at = at.later(&-back);

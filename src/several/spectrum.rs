@@ -6,6 +6,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::error::Error;
 use crate::exact::{Exact, ExactError};
+use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, Reduced, within};
 
 /// The harmonics of a pair, time in turns of the fastest and length in gaps.
@@ -84,14 +85,18 @@ impl Spectrum {
             restitution: self.restitution.clone(),
         })
     }
+}
 
-    /// The phases of all harmonics, in turns, at the phase `u` of the fastest.
-    ///
-    /// # Errors
-    /// When one is beyond what exact expressions hold.
-    pub fn phases(&self, u: &Exact) -> Result<Vec<Exact>, ExactError> {
-        self.terms.iter().map(|term| whole_turns_off(term.ratio.checked_mul(u)?.checked_add(&term.shift)?)).collect()
-    }
+/// The phases of all harmonics of `pair` at a time, in turns, less whole ones: exact where expressions show it.
+///
+/// # Errors
+/// When one is beyond what exact expressions hold.
+pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, ExactError> {
+    let turn = Exact::pi() * Exact::from(2);
+    let phase = |harmonic: &Harmonic| {
+        whole_turns_off(harmonic.frequency().checked_mul(time)?.checked_add(harmonic.phase())?.checked_div(&turn)?)
+    };
+    pair.excitation().harmonics().iter().map(phase).collect()
 }
 
 /// The same phase near 0.
@@ -106,7 +111,7 @@ fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Excitation, Harmonic};
+    use crate::Excitation;
 
     fn spectrum(frequencies: &[&str]) -> Spectrum {
         let value = |text: &str| text.parse::<Exact>().unwrap();
@@ -124,9 +129,15 @@ mod tests {
 
     #[test]
     fn phases_are_those_of_equation_1() {
-        // At turn 7 of 3 pi with tau = pi/3 the time is (7 - 1/6) 2/3, and pi t + pi/3 is 2 pi (7/3 + 1/9), 4/9 beyond two turns.
-        let of_one_turn = spectrum(&["pi", "3*pi"]).phases(&Exact::from(0)).unwrap();
-        assert_eq!(of_one_turn[0].as_rational().unwrap().to_string(), "0");
-        assert_eq!(of_one_turn[1].as_rational().unwrap().to_string(), "4/9");
+        let value = |text: &str| text.parse::<Exact>().unwrap();
+        let term = |w: &str| Harmonic::new(value("2"), value(w), value("pi/3")).unwrap();
+        let excitation = Excitation::new(vec![term("pi"), term("3*pi")]).unwrap();
+        let pair = ImpactPair::new(excitation, value("4"), value("0.5")).unwrap();
+        let spectrum = Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap();
+        // At turn 7 of 3 pi with tau = pi/3 the time is (7 - 1/6) 2/3, and pi t + pi/3 is 2 pi (7/3 + 1/9).
+        let phases = phases_at(&pair, &value("(7 - 1/6)*2/3")).unwrap();
+        let texts = |x: &[Exact]| x.iter().map(|x| x.as_rational().unwrap().to_string()).collect::<Vec<_>>();
+        assert_eq!(texts(&phases), ["0", "4/9"]);
+        assert_eq!(texts(&spectrum.terms.iter().map(|term| term.shift.clone()).collect::<Vec<_>>()), ["0", "4/9"]);
     }
 }

@@ -123,9 +123,10 @@ impl Cubic {
             if value > 0.0 || slope >= 0.0 {
                 break;
             }
-            s = (s - value / slope).max(0.0);
+            s -= value / slope;
         }
-        0.98 * s
+        // Newton may fall short across an inflection; then the ball goes toward the wall.
+        0.98 * if s > 0.0 { s } else { -self.room / self.rate }
     }
 }
 

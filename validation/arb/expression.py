@@ -22,9 +22,7 @@ def ball(value):
 
 def evaluate(text):
     """The value of an expression, a fraction or a ball that holds it."""
-    reader = _Reader(text)
-    value = reader.sum()
-    reader.expect(None)
+    value = Reader(text).whole()
     if isinstance(value, arb) and not value.is_finite():
         raise ExpressionError(f"{text!r} is not a finite number")
     return value
@@ -37,8 +35,11 @@ def decimal(text):
     return fmpq(int(whole + part)) * fmpq(10) ** (int(exponent or 0) - len(part))
 
 
-class _Reader:
-    """One pass from left to right; each method reads one level of the grammar."""
+class Reader:
+    """One pass from left to right; each method reads one level of the grammar.
+
+    `literal`, `pi` and `call` say what the values are.
+    """
 
     def __init__(self, text):
         self.text = text
@@ -62,6 +63,20 @@ class _Reader:
         if self.peek() != token:
             raise ExpressionError(f"{self.text!r}: found {self.peek() or 'the end'!r}, expected {token or 'the end'!r}")
         self.take()
+
+    def whole(self):
+        value = self.sum()
+        self.expect(None)
+        return value
+
+    def literal(self, text):
+        return decimal(text)
+
+    def pi(self):
+        return arb.pi()
+
+    def call(self, function, value):
+        return FUNCTIONS[function](ball(value))
 
     def sum(self):
         value = self.product()
@@ -97,7 +112,7 @@ class _Reader:
         if isinstance(exponent, arb) or exponent.q != 1:
             raise ExpressionError(f"{self.text!r}: an exponent is an integer")
         if exponent < 0:
-            return self.quotient(fmpq(1), base ** -int(exponent.p))
+            return self.quotient(self.literal("1"), base ** -int(exponent.p))
         return base ** int(exponent.p)
 
     def atom(self):
@@ -107,12 +122,12 @@ class _Reader:
             self.expect(")")
             return value
         if token == "pi":
-            return arb.pi()
+            return self.pi()
         if token in FUNCTIONS:
             self.expect("(")
-            value = FUNCTIONS[token](ball(self.sum()))
+            value = self.call(token, self.sum())
             self.expect(")")
             return value
         if token is None or not (token[0].isdigit() or token[0] == "."):
             raise ExpressionError(f"{self.text!r}: found {token or 'the end'!r}, expected a value")
-        return decimal(token)
+        return self.literal(token)

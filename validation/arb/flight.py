@@ -31,11 +31,28 @@ def between(a, b):
     return a.union(b)
 
 
-class Flight:
-    """All flights that leave `wall` (None: the inside of the gap) from states in the balls t0, z0, u."""
+def narrow(value, slope, bracket, enough=0):
+    """The bracket of a root, narrowed by interval Newton for as long as that helps and it is wider than enough.
 
-    def __init__(self, motion, wall, t0, z0, u):
-        self.motion, self.wall, self.t0, self.z0, self.u = motion, wall, t0, z0, u
+    By the mean value theorem m - f(m)/f'(S) holds every root that S holds. As f' has one sign on S, it lies on one
+    side of m, so each round halves the bracket at least, until f(m) is lost in its own radius.
+    """
+    while True:
+        middle = bracket.mid()
+        narrower = bracket.intersection(middle - value(middle) / slope(bracket))
+        if not 3 * narrower.rad() < 2 * bracket.rad() or narrower.rad() <= enough:
+            return narrower
+        bracket = narrower
+
+
+class Flight:
+    """All flights that leave `wall` (None: the inside of the gap) from states in the balls t0, z0, u.
+
+    `released`: only the one is meant that leaves at the release in the ball t0, where u = 0 and z'' = 0.
+    """
+
+    def __init__(self, motion, wall, t0, z0, u, released=False):
+        self.motion, self.wall, self.t0, self.z0, self.u, self.released = motion, wall, t0, z0, u, released
         self.e0, e1, self.e2 = motion.excitation(t0)
         self.c = u + e1
 
@@ -83,6 +100,7 @@ class Flight:
 
         The root s = 0 is divided out: this is the Taylor form of z at the wall, with z'' over [0, b]. At a release it
         is divided out three times: u = 0 and z''(0) = 0, so z(s) - z(0) = z'''/6 s^3 with z''' somewhere on (0, s).
+        That is so for one of the flights from a ball of release times, so that for the others the end decides.
         """
         if self.wall is None:
             return arb(0), width
@@ -95,14 +113,15 @@ class Flight:
             z2 = inward * self.derivatives(part)[2]
             slope = u + z2 * part / 2
             leaves = slope > 0 or z2 > 0 or self.is_release() and inward * self.third(part) > 0
-            if leaves and slope * part < self.motion.gap:
+            inside = not self.released or 0 < self.height(width) < self.motion.gap
+            if leaves and inside and slope * part < self.motion.gap:
                 return width, width
             width = width / 2
         raise Undecided("the ball does not leave the wall")
 
     def is_release(self):
-        """Whether u and z''(0) are 0, exactly."""
-        return self.wall is not None and self.u == 0 and self.e2 == 0
+        """Whether u and z''(0) are 0, exactly: seen in the balls, or known of one flight of the set."""
+        return self.released or self.wall is not None and self.u == 0 and self.e2 == 0
 
     def third(self, s):
         """z'''(s)."""
@@ -112,11 +131,14 @@ class Flight:
         """CLEAR, the wall of the only contact in (a, b], or None, given that z(a) is inside the gap.
 
         Mean value and Taylor form on the part, or, where z' has a proved sign, the height at its end. On parts of more
-        than a period, where E takes all its values, (12) as it stands.
+        than a period, where E takes all its values, (12) as it stands; with several harmonics that of the fastest may
+        take all of them, and the sum of the others not.
         """
         part, gap = between(a, b), self.motion.gap
-        if b - a > self.motion.period():
-            return CLEAR if 0 < self.height(part) < gap else None
+        if b - a > self.motion.period() and 0 < self.height(part) < gap:
+            return CLEAR
+        if b - a > self.motion.longest():
+            return None
         _, z1, z2 = self.derivatives(part)
         if z1 > 0 or z1 < 0:
             end = self.height(b)
@@ -131,19 +153,9 @@ class Flight:
         return CLEAR if inside else None
 
     def contract(self, wall, a, b):
-        """The bracket [a, b] of one contact, narrowed by interval Newton for as long as that helps.
-
-        By the mean value theorem m - z(m)/z'(S) holds every contact that S holds. As z' has one sign on [a, b], it
-        lies on one side of m, so each round halves the bracket at least, until z(m) is lost in its own radius.
-        """
-        bracket, level = between(a, b), self.level(wall)
-        while True:
-            middle = bracket.mid()
-            newton = middle - (self.height(middle) - level) / self.velocity(bracket)
-            narrower = bracket.intersection(newton)
-            if not 3 * narrower.rad() < 2 * bracket.rad():
-                return narrower
-            bracket = narrower
+        """The bracket [a, b] of one contact, narrowed."""
+        level = self.level(wall)
+        return narrow(lambda s: self.height(s) - level, self.velocity, between(a, b))
 
     def land(self, wall, bracket):
         """(t1, v1), balls around the contact of these flights, which is the only one in the bracket.

@@ -2,15 +2,16 @@
 from collections import namedtuple
 from fractions import Fraction
 
-from flint import ctx
+from flint import arb, ctx, fmpq
 
 from compare import Disagreement, bounds, judge_quantity, judge_row
+from release import pressure
 from simulate import exact
 
 # Impacts and then, unless the listing ends before, a rest and its release; grazed: a graze is listed after the impacts.
 Stretch = namedtuple("Stretch", "impacts rest release grazed", defaults=(False,))
-# A release that was listed: impacts before it, its wall and its half turns.
-Listed = namedtuple("Listed", "impacts wall half_turns")
+# A release that was listed: impacts before it, and the `Origin` of the next leg.
+Listed = namedtuple("Listed", "impacts origin")
 # How much more a bound on the remaining time of a chatter may be than that time.
 GENEROUS = Fraction(11, 10)
 # How many times farther away than a chatter is long.
@@ -27,12 +28,13 @@ class Verdict:
         self.releases, self.proved_end = [], None
 
     def period(self):
-        """(cycles, impacts) between the first two releases from one wall, or None."""
-        first = {}
-        for release in self.releases:
-            before = first.setdefault(release.wall, release)
-            if before is not release:
-                return (release.half_turns - before.half_turns) // 2, release.impacts - before.impacts
+        """(cycles, impacts) between the first two releases from one wall whose phases are the same, or None."""
+        for number, release in enumerate(self.releases):
+            for before in self.releases[:number]:
+                if release.origin.wall == before.origin.wall:
+                    cycles = release.origin.cycles_since(before.origin)
+                    if cycles is not None:
+                        return cycles, release.impacts - before.impacts
         return None
 
 
@@ -119,18 +121,14 @@ def judge_cut(stretch, origin, proved, limit, is_sharp):
 def is_mid_press(origin, proved, limit):
     """The pressure hardly changes in the time `limit`: its beginning and its end are many times farther away."""
     with ctx.workprec(proved.bits):
-        cycle = exact(origin.timeline.scene.motion().period().mid())
-        release = origin.next(proved.rest).time(proved.bits)
-        ahead = exact((release - origin.shifted(proved.rest.time, proved.bits)).mid())
-    return MID_PRESS * limit < min(ahead, cycle / 2 - ahead)
+        around = arb(proved.rest.time.mid(), arb(fmpq(limit.numerator, limit.denominator)) * MID_PRESS)
+        return pressure(origin.scene.motion(), proved.rest.wall, around) > 0
 
 
 def remaining(listed, origin, proved):
     """The times from the start and from each listed impact to the rest; None from a start inside the gap."""
     with ctx.workprec(proved.bits):
-        start = 0
-        if origin.wall is None:
-            start = None if origin.timeline.scene.start()[0] is None else origin.time(proved.bits)
+        start = None if origin.scene.start()[0] is None else origin.began(proved.bits)
         times = [start] + [impact.time for impact in proved.impacts[:listed]]
         return [None if time is None else exact((proved.rest.time - time).mid()) for time in times]
 
@@ -180,16 +178,21 @@ def judge_rest(stretch, origin, proved, verdict, limit, is_sharp):
         origin = origin.next(proved.rest)
         if stretch.release is not None:
             judge_still(stretch.release, "release", origin.wall, origin.time(proved.bits))
-            verdict.releases.append(Listed(verdict.impacts, origin.wall, origin.half_turns))
+            verdict.releases.append(Listed(verdict.impacts, origin))
     except Disagreement as error:
         raise Disagreement(f"after impact {verdict.impacts}: {error}") from None
     return origin
 
 
 def judge_period(verdict, outcome):
-    """The outcome says `periodic`, and with which period, exactly when the listing has shown it."""
+    """The outcome says `periodic`, and with which period, exactly when the listing has shown it.
+
+    Where the frequencies of several harmonics are multiples of a root it need not be said.
+    """
     period = verdict.period()
     said = outcome.get("period", {})
     found = (said.get("cycles"), said.get("impacts")) if outcome["kind"] == "periodic" else None
+    if found is None and period is not None and verdict.releases[0].origin.timeline.scene.has_roots():
+        return
     if found != period:
         raise Disagreement(f"period (cycles, impacts): found {found}, proved {period}")

@@ -13,10 +13,16 @@ def opposite(text):
     return f"-({text})"
 
 
+def half_turned(phase):
+    """The phase half a turn on."""
+    return f"({phase}) + pi"
+
+
 def mirror(tables):
     """Left and right changed: y and y' negated, and E by tau + pi."""
     excitation, first = dict(tables["excitation"]), dict(tables["start"])
-    excitation["phase"] = f"({excitation['phase']}) + pi"
+    phase = excitation["phase"]
+    excitation["phase"] = [half_turned(each) for each in phase] if isinstance(phase, list) else half_turned(phase)
     for key in ("position", "velocity"):
         if key in first:
             first[key] = opposite(first[key])

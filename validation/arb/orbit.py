@@ -48,16 +48,20 @@ def along_longer(columns, r):
 
 
 class States:
-    """The set c + Q r of states (time, velocity before the impact) on a wall; `bits` is the coarse precision."""
+    """The set c + Q r of states (time, velocity before the impact) on a wall; `bits` is the coarse precision.
 
-    def __init__(self, wall, centre, rotation, r, bits):
+    `released`: the one state that is meant is a release.
+    """
+
+    def __init__(self, wall, centre, rotation, r, bits, released=False):
         self.wall, self.centre, self.rotation, self.r, self.bits = wall, centre, rotation, r, bits
+        self.released = released
 
     @classmethod
-    def of_balls(cls, wall, time, velocity, bits):
+    def of_balls(cls, wall, time, velocity, bits, released=False):
         """The smallest such set around two balls."""
         r = [arb(0, time.rad()), arb(0, velocity.rad())]
-        return cls(wall, (time.mid(), velocity.mid()), (arb(1), arb(0)), r, bits)
+        return cls(wall, (time.mid(), velocity.mid()), (arb(1), arb(0)), r, bits, released)
 
     def balls(self):
         """Time and velocity of all states of the set, around the centre in full precision."""
@@ -95,7 +99,7 @@ class Walk:
         """The states at the start and None, or, from inside the gap, at the first contact and that impact."""
         wall, time, height, velocity = scene.start()
         if wall is not None:
-            return States.of_balls(wall, time, velocity, self.coarse_bits), None
+            return States.of_balls(wall, time, velocity, self.coarse_bits, scene.at_release), None
         flight = Flight(self.fine, None, time, height, velocity)
         wall, bracket = flight.first_contact()
         time, velocity = flight.land(wall, bracket)
@@ -107,16 +111,16 @@ class Walk:
         Wall and bracket are proved for all of the set in coarse precision; the centre lands in full precision.
         """
         with ctx.workprec(self.coarse_bits):
-            flights = leave(self.rough, states.wall, *states.coarse())
+            flights = leave(self.rough, states.wall, *states.coarse(), states.released)
             wall, bracket = flights.first_contact()
             jacobian = flights.jacobian(bracket)
         landing = leave(self.fine, states.wall, *states.centre).land(wall, bracket)
         return states.image(jacobian, wall, landing)
 
 
-def leave(motion, wall, time, velocity):
+def leave(motion, wall, time, velocity, released=False):
     """The flights after an impact; (15) turns the velocity before it into the one after it."""
-    return Flight(motion, wall, time, arb(0) if wall == LEFT else motion.gap, -motion.restitution * velocity)
+    return Flight(motion, wall, time, arb(0) if wall == LEFT else motion.gap, -motion.restitution * velocity, released)
 
 
 def orbit_at(scene, impacts, digits, bits, coarse_bits, settle=None):

@@ -1,4 +1,4 @@
-"""What is to be judged, in five parts, each a list of jobs; a job is judged in a process of its own."""
+"""What is to be judged, in six parts, each a list of jobs; a job is judged in a process of its own."""
 from collections import Counter, namedtuple
 
 from compare import Disagreement, describe, judge, run_binary
@@ -8,6 +8,9 @@ from extreme_scenes import extreme_scenes
 from intervals import interval_scenes, judge_interval_scene
 from judging import judge_scene
 from random_scenes import is_calm, scenes, toml
+from several_check import judge_untold, judge_written
+from several_corners import several_corners, untold_corners, written
+from several_scenes import several_scenes
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
 DIGITS = 9
@@ -17,11 +20,14 @@ IN_DOUBLES = 60
 # `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.
 Job = namedtuple("Job", "part name judge arguments scene")
 # How much of everything is judged; 200 impacts of a scene unless it says otherwise.
-Amount = namedtuple("Amount", "figures long resting resting_impacts extremes extreme_impacts intervals")
-FULL = Amount(200, 2000, 60, 200, 200, 60, 40)
-QUICK = Amount(60, 0, 10, 100, 30, 30, 8)
+Amount = namedtuple(
+    "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts intervals"
+)
+FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 40)
+QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 8)
 INTERVAL_IMPACTS = 20
-PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", "interval scenes"]
+SEVERAL = "several harmonics"
+PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, "interval scenes"]
 
 
 def way(number):
@@ -54,24 +60,52 @@ def scene_jobs(part, all_tables, impacts):
     """Random scenes."""
     for number, tables in enumerate(all_tables):
         name = f"{part} {number}, digits and arithmetic {way(number)}"
-        yield Job(part, name, judge_random, (tables, impacts, *way(number)), toml(tables))
+        yield Job(part, name, judge_random, (tables, impacts, *way(number), part != SEVERAL), toml(tables))
 
 
-def judge_random(tables, impacts, digits, arithmetic, binary):
+def judge_random(tables, impacts, digits, arithmetic, may_be_calm, binary):
     """The tally, with a count of the scenes of which most must come to rest."""
     _, tally = judge_scene(tables, binary, impacts, digits, arithmetic)
     if arithmetic == "auto":
         tally["undecided by auto"] = tally["undecided"]
-    if is_calm(tables):
+    if may_be_calm and is_calm(tables):
         tally.update(calm=1, calm_resting=tally["resting"])
     return tally, ""
+
+
+def in_words(outcome, tally):
+    """What was found."""
+    found = ", ".join(f"{tally[kind]} {kind}" for kind in ("impacts", "rests", "grazes") if tally[kind])
+    return f"{outcome}: {found or 'as it must be'}; {tally['spoiled']} spoiled copies were refused"
 
 
 def judge_one_corner(corner, binary):
     """The tally, and what was found in words."""
     tally = judge_corner(corner, binary)
-    found = ", ".join(f"{tally[kind]} {kind}" for kind in ("impacts", "rests", "grazes") if tally[kind])
-    return tally, f"{corner.outcome}: {found or 'as it must be'}; {tally['spoiled']} spoiled copies were refused"
+    return tally, in_words(corner.outcome, tally)
+
+
+def several_jobs(amount, seed):
+    """Random scenes with several harmonics, corner cases, and motions written in more than one way."""
+    yield from scene_jobs(SEVERAL, several_scenes(amount.several, seed), amount.several_impacts)
+    for corner in several_corners():
+        yield Job(SEVERAL, corner.name, judge_one_corner, (corner,), toml(corner.tables))
+    for corner in untold_corners():
+        yield Job(SEVERAL, corner.name, judge_one_untold, (corner,), toml(corner.tables))
+    for motion in written():
+        yield Job(SEVERAL, motion.name, judge_one_written, (motion,), toml(motion.tables))
+
+
+def judge_one_untold(corner, binary):
+    """The tally, and what was found in words."""
+    tally = judge_untold(corner, binary)
+    return tally, in_words("undecided" if tally["undecided"] else corner.outcome, tally)
+
+
+def judge_one_written(motion, binary):
+    """The tally, and what was found in words."""
+    tally = judge_written(motion, binary)
+    return tally, in_words(f"the same written in {tally['written']} other ways", tally)
 
 
 def judge_one_interval(scene, binary):
@@ -87,6 +121,7 @@ def jobs(amount, seed, parts):
     found += [
         Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables)) for corner in corners()
     ]
+    found += several_jobs(amount, seed)
     found += [
         Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))
         for scene in interval_scenes(amount.intervals, seed)

@@ -5,11 +5,17 @@ import subprocess
 from compare import Disagreement, read_rows
 from simulate import HEADER
 
+# Seconds after which the program under test is stopped.
+PATIENCE = 120
+
 
 def run(binary, text, arguments, form):
     """The lines that the program under test prints."""
     command = [binary, "run", "-", "--quiet", *arguments, "--format", form]
-    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        raise Disagreement(f"{' '.join(command[1:])}: no end after {PATIENCE} seconds") from None
     if done.returncode not in (0, 1):
         raise Disagreement(f"{' '.join(command[1:])}: exit code {done.returncode}: {done.stderr.strip()}")
     return done.stdout.splitlines()

@@ -1,4 +1,5 @@
 """Random scenes, many of which chatter, rest and are released."""
+import json
 import random
 
 from expression import evaluate
@@ -82,10 +83,15 @@ def is_calm(tables):
     return float(evaluate(tables["pair"]["restitution"])) <= 0.3 or ratio(tables) < 0.1
 
 
+def written(value):
+    """A value or a list of them as strings of TOML."""
+    return json.dumps(value if isinstance(value, list) else str(value))
+
+
 def toml(tables):
     """The scene file."""
     lines = []
     for table, values in tables.items():
-        lines += [f"[{table}]", *(f'{key} = "{value}"' for key, value in values.items())]
+        lines += [f"[{table}]", *(f"{key} = {written(value)}" for key, value in values.items())]
         lines.append("")
     return "\n".join(lines)

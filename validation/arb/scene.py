@@ -3,6 +3,7 @@ import tomllib
 
 from flint import arb
 
+from commensurate import common_measure, half_turns
 from expression import ball, evaluate
 
 LEFT, RIGHT = "left", "right"
@@ -15,12 +16,16 @@ class SceneError(ValueError):
 class Scene:
     """The texts of a scene file, kept as written; `motion` and `start` turn them into balls."""
 
+    # Whether the start is a release known as a root of E'' only: no velocity and, though no ball shows it, no pressure.
+    at_release = False
+
     def __init__(self, tables):
         self.tables = tables
         motion = self.motion()
         if not (motion.gap > 0 and 0 <= motion.restitution <= 1):
             raise SceneError("a scene needs gap > 0 and 0 <= restitution <= 1")
-        if not all(value >= 0 for value in self.numbers("amplitude")) or not all(w > 0 for _, w, _ in motion.terms):
+        amplitudes, frequencies = self.numbers("amplitude"), self.numbers("frequency")
+        if not all(value >= 0 for value in amplitudes) or not all(w > 0 for w in frequencies):
             raise SceneError("a scene needs amplitudes >= 0 and frequencies > 0")
 
     @classmethod
@@ -38,22 +43,52 @@ class Scene:
     def number(self, table, key):
         return ball(evaluate(str(self.text(table, key))))
 
-    def numbers(self, key):
+    def texts(self, key):
+        """What is written for the terms of the excitation, one or a list."""
         value = self.text("excitation", key)
-        return [ball(evaluate(str(entry))) for entry in (value if isinstance(value, list) else [value])]
+        return [str(entry) for entry in (value if isinstance(value, list) else [value])]
 
-    def motion(self):
-        """The parameters as balls of the current precision."""
-        amplitudes, frequencies, phases = (self.numbers(key) for key in ("amplitude", "frequency", "phase"))
+    def numbers(self, key):
+        return [ball(evaluate(text)) for text in self.texts(key)]
+
+    def harmonics(self):
+        """(A, W, tau) of each term as texts, without those of amplitude 0: they are no part of the excitation."""
+        amplitudes, frequencies, phases = (self.texts(key) for key in ("amplitude", "frequency", "phase"))
         if len(phases) == 1:
             phases *= len(amplitudes)
         if not len(amplitudes) == len(frequencies) == len(phases):
             raise SceneError("amplitude, frequency and phase are lists of different lengths")
         terms = list(zip(amplitudes, frequencies, phases))
-        if self.tables["excitation"]["phase"] == "pi":
-            # As exact as it can be said: at time 0 the phase is a release or the beginning of a press.
-            terms = [(-amplitude, frequency, arb(0)) for amplitude, frequency, _ in terms]
+        return [term for term in terms if evaluate(term[0]) != 0] or terms[:1]
+
+    def motion(self):
+        """The parameters as balls of the current precision."""
+        terms = []
+        for amplitude, frequency, phase in self.harmonics():
+            size, angle, turns = ball(evaluate(amplitude)), ball(evaluate(phase)), half_turns(phase)
+            if turns is not None:
+                # As exact as it can be said: at time 0 this phase is a release or the beginning of a press.
+                size, angle = -size if turns % 2 else size, arb(0)
+            terms.append((size, ball(evaluate(frequency)), angle))
         return Motion(terms, self.number("pair", "gap"), self.number("pair", "restitution"))
+
+    def common_period(self):
+        """(T, n): the period of the excitation as a ball, and how many cycles of the fastest harmonic it holds.
+
+        None if the frequencies are not seen to be commensurate.
+        """
+        frequencies = [frequency for _, frequency, _ in self.harmonics()]
+        measure = common_measure(frequencies)
+        if measure is None:
+            return None
+        period = 2 * arb.pi() / (measure * ball(evaluate(frequencies[0])))
+        fastest = max((ball(evaluate(frequency)) for frequency in frequencies), key=lambda w: w.mid())
+        return period, int((period * fastest / (2 * arb.pi())).unique_fmpz())
+
+    def has_roots(self):
+        """Whether there are several harmonics, and a root in one of their frequencies."""
+        frequencies = [frequency for _, frequency, _ in self.harmonics()]
+        return len(frequencies) > 1 and any("sqrt" in frequency for frequency in frequencies)
 
     def start(self):
         """(wall, time, height, velocity) of the start as balls; the wall is None inside the gap.
@@ -102,6 +137,10 @@ class Motion:
     def period(self):
         """The shortest period 2 pi/W of the excitation, about."""
         return 2 * arb.pi() / max((frequency.mid() for _, frequency, _ in self.terms))
+
+    def longest(self):
+        """The longest period 2 pi/W, about."""
+        return 2 * arb.pi() / min((frequency.mid() for _, frequency, _ in self.terms))
 
     def speed(self):
         """The largest of the speeds A W, about; 1 if nothing moves."""

@@ -14,14 +14,16 @@ from multiprocessing import Pool
 
 from compare import Disagreement
 from flight import Undecided
-from parts import FULL, PARTS, QUICK, jobs
+from parts import FULL, PARTS, QUICK, SEVERAL, jobs
 from report import write_report
 
 PROCESSES = 2
 # Of the resting scenes with small e or small A/d, so many must come to rest, or the scenes are badly drawn.
 RESTING = 0.6
 # So many scenes may end before all was compared: undecided, in doubles above all, or beyond this proof.
-CUT_SHORT = {"resting scenes": 0.2, "extreme scenes": 0.1}
+CUT_SHORT = {"resting scenes": 0.2, "extreme scenes": 0.1, SEVERAL: 0.1}
+# Of all scenes with several harmonics so many must come to rest.
+SEVERAL_RESTING = 0.4
 
 
 def judge_job(task):
@@ -62,6 +64,9 @@ def check_shares(totals):
     calm = totals.get("resting scenes", Counter())
     if calm["calm_resting"] < RESTING * calm["calm"]:
         yield f"only {calm['calm_resting']} of {calm['calm']} scenes of small A/d or e come to rest"
+    several = totals.get(SEVERAL, Counter())
+    if several["resting"] < SEVERAL_RESTING * several["scenes"]:
+        yield f"only {several['resting']} of {several['scenes']} scenes with several harmonics come to rest"
 
 
 def main():
@@ -76,7 +81,8 @@ def main():
     asked = parser.parse_args()
     amount = QUICK if asked.quick else FULL
     if asked.scenes is not None:
-        amount = amount._replace(resting=asked.scenes, extremes=asked.scenes, intervals=asked.scenes)
+        kinds = ("resting", "extremes", "several", "intervals")
+        amount = amount._replace(**dict.fromkeys(kinds, asked.scenes))
     began = time.monotonic()
     totals, remarks, failures = judge_all(jobs(amount, asked.seed, asked.part), asked.binary, asked.show)
     for thin in check_shares(totals):

@@ -6,17 +6,18 @@ from flint import arb, ctx
 
 from anchors import ANCHORS, EDGES, crossing
 from compare import Disagreement
-from controls import printed
 from flight import Flight, Undecided
 from listing import chatter_limit, judge, judge_period
 from mirror import mirror, reflected
 from program import as_row
 from random_scenes import scenes, toml
-from rest import Rest, accumulation, release_after
+from release import release_after
+from rest import Rest, accumulation
 from rest_controls import check_rest_controls
 from judging import check_never
 from scene import LEFT, RIGHT, Motion, Scene
-from simulate import decimals, exact
+from simulate import exact
+from stand_in import listed
 from timeline import Timeline
 
 
@@ -30,37 +31,6 @@ def box(**changes):
     for table, values in tables.items():
         values.update({key: value for key, value in changes.items() if key in values})
     return Scene(tables)
-
-
-def listed(scene, digits, impacts):
-    """What a correct program would list, made from the proved legs."""
-    timeline = Timeline(scene, digits)
-    origin, count, rows = timeline.begin(), 0, []
-    limit = chatter_limit(scene, digits)
-    while count < impacts:
-        proved = origin.prove(impacts - count, True)
-        for impact in proved.impacts:
-            if count == impacts:
-                break
-            count += 1
-            placed = impact._replace(index=count, time=origin.shifted(impact.time, proved.bits))
-            rows += printed([placed], arb(10) ** -digits / 9)
-            if proved.rest and exact((proved.rest.time - impact.time).mid()) <= limit:
-                break
-        if count < impacts or proved.rest and not proved.impacts:
-            if proved.rest is None:
-                break
-            rows.append(still("rest", proved.rest.wall, origin.shifted(proved.rest.time, proved.bits), digits))
-            origin = origin.next(proved.rest)
-            rows.append(still("release", origin.wall, origin.time(proved.bits), 60))
-    return rows, timeline
-
-
-def still(kind, wall, time, digits):
-    """The row of a rest or a release."""
-    empty = dict.fromkeys(("index", "mapping", "velocity_lower", "velocity_upper"), "")
-    lower, upper = decimals(time + arb(0, arb(10) ** -digits / 9), 70)
-    return {"event": kind, "wall": wall, "time_lower": lower, "time_upper": upper, **empty}
 
 
 class Rests(unittest.TestCase):

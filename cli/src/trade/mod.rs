@@ -7,7 +7,7 @@ mod labels;
 mod ladder;
 mod measure;
 mod plot;
-mod size;
+pub mod size;
 mod table;
 
 use std::io::{self, IsTerminal, Write};
@@ -20,6 +20,7 @@ use impact_pair::orbit::Settings;
 use crate::Answer;
 use crate::arguments::{TradeArguments, TradeFormat};
 use crate::output::Output;
+use crate::picture::encoded;
 use crate::progress::{Progress, interruption};
 use crate::scene;
 use judge::Judgement;
@@ -84,9 +85,10 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
 }
 
 fn draw(trade: &Trade<'_>, mut picture: Output, path: Option<&Path>) -> Result<()> {
-    let failed = || format!("cannot draw {}", path.unwrap_or(Path::new("the plot")).display());
-    let svg = plot::svg(trade).with_context(failed)?;
-    picture.write_all(svg.as_bytes()).with_context(failed)?;
+    let path = path.unwrap_or(Path::new("the plot"));
+    let failed = || format!("cannot draw {}", path.display());
+    let bytes = plot::svg(trade).and_then(|svg| encoded(svg, path)).with_context(failed)?;
+    picture.write_all(&bytes).with_context(failed)?;
     picture.commit()
 }
 

@@ -1,11 +1,9 @@
 //! The work-precision plot: what an impact costs over the digits that are certain, as SVG.
 
-use std::error::Error as StdError;
-
-use anyhow::{Result, anyhow};
+use anyhow::Result;
 use impact_pair::certificate::PROGRAM;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::text_anchor::HPos;
 
 use super::Trade;
 use super::axis::{self, Digits};
@@ -14,6 +12,7 @@ use super::labels::{self, Area, Label};
 use super::ladder::Rung;
 use super::measure::Measured;
 use crate::heading;
+use crate::picture::{self, BLUE, Canvas, Drawn, GREEN, VERMILION, greek, words};
 
 const SIZE: (u32, u32) = (900, 620);
 const FONT: i32 = 15;
@@ -39,12 +38,11 @@ impl Kind {
         }
     }
 
-    /// Of the colours that Okabe and Ito (2008) chose for all eyes.
     fn colour(self) -> RGBColor {
         match self {
-            Self::Float => RGBColor(0xd5, 0x5e, 0x00),
-            Self::Doubles => RGBColor(0x00, 0x72, 0xb2),
-            Self::Multiprecision => RGBColor(0x00, 0x9e, 0x73),
+            Self::Float => VERMILION,
+            Self::Doubles => BLUE,
+            Self::Multiprecision => GREEN,
         }
     }
 
@@ -96,22 +94,18 @@ impl Mark {
 }
 
 pub fn svg(trade: &Trade<'_>) -> Result<String> {
-    let mut text = String::new();
-    draw(trade, &mut text).map_err(|error| anyhow!("{error}"))?;
-    Ok(text)
+    picture::svg(SIZE, 1, |root| draw(trade, root))
 }
 
-fn draw(trade: &Trade<'_>, text: &mut String) -> Result<(), Box<dyn StdError>> {
+fn draw(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let mut marks: Vec<Mark> = trade.rungs.iter().filter_map(|rung| Mark::of(rung, trade)).collect();
     let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
     let beyond = BEYOND * finite.fold(10.0, f64::max);
     for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
         (mark.digits, mark.label) = (beyond, format!("{}, exact", mark.label));
     }
-    let root = SVGBackend::with_string(text, SIZE).into_drawing_area();
-    root.fill(&WHITE)?;
-    caption(trade, &root)?;
-    legend(&marks, &root)?;
+    caption(trade, root)?;
+    legend(&marks, root)?;
     let (_, below) = root.split_vertically(CAPTION + LEGEND);
 
     let digits = Digits::around(marks.iter().map(|mark| mark.digits));
@@ -158,7 +152,7 @@ fn draw(trade: &Trade<'_>, text: &mut String) -> Result<(), Box<dyn StdError>> {
         })
         .collect();
     for ((mark, area), label) in marks.iter().zip(labels::place(&boxes, &frame)).zip(&boxes) {
-        lead(&root, mark.kind, label.marker, &area)?;
+        lead(root, mark.kind, label.marker, &area)?;
         // Flush with the end that is nearer, since the width is a guess.
         let (x, side) = match label.marker.0 {
             marker if marker > area.right => (area.right, HPos::Right),
@@ -169,9 +163,8 @@ fn draw(trade: &Trade<'_>, text: &mut String) -> Result<(), Box<dyn StdError>> {
         root.draw(&Text::new(mark.label.clone(), at, words(FONT, &mark.kind.colour(), side)))?;
     }
     for (mark, &point) in marks.iter().zip(&points) {
-        symbol(&root, mark.kind, mark.is_complete, point)?;
+        symbol(root, mark.kind, mark.is_complete, point)?;
     }
-    root.present()?;
     Ok(())
 }
 
@@ -179,16 +172,8 @@ fn draw(trade: &Trade<'_>, text: &mut String) -> Result<(), Box<dyn StdError>> {
 const CAPTION: u32 = 70;
 const LEGEND: u32 = 52;
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
-
-/// The words of a scene as they are set in print.
-fn greek(words: &str) -> String {
-    let letters = [("tau", "τ"), ("*pi", "π"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−")];
-    letters.iter().fold(words.to_owned(), |words, (ascii, greek)| words.replace(ascii, greek))
-}
-
 /// Title, parameters, start, and what was asked.
-fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
     let parameters = greek(&format!("{}; {}", heading::parameters(scene), heading::start(scene)));
@@ -200,7 +185,7 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Result<(), Box<dyn StdError>
 }
 
 /// What the symbols say: their kinds, and whether they reach the end.
-fn legend(marks: &[Mark], root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+fn legend(marks: &[Mark], root: &Canvas<'_>) -> Drawn {
     let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
     let width = |text: &str| (LETTER * f64::from(FONT) * text.chars().count() as f64) as i32;
     let (mut x, y) = (24, CAPTION as i32 + 14);
@@ -224,7 +209,7 @@ fn legend(marks: &[Mark], root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
 }
 
 /// The marker of a kind; hollow where the orbit ends early. The crosses of `float` have no inside.
-fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) -> Result<(), Box<dyn StdError>> {
+fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) -> Drawn {
     let style = |colour: RGBColor| ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: 2 };
     let (line, inside) = (style(kind.colour()), if is_complete { kind.colour() } else { WHITE }.filled());
     match kind {
@@ -243,15 +228,11 @@ fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) 
 }
 
 /// The line from a marker to a label that stands apart.
-fn lead(root: &Canvas<'_>, kind: Kind, marker: (f64, f64), label: &Area) -> Result<(), Box<dyn StdError>> {
+fn lead(root: &Canvas<'_>, kind: Kind, marker: (f64, f64), label: &Area) -> Drawn {
     let foot = label.nearest(marker);
     if (foot.0 - marker.0).hypot(foot.1 - marker.1) > labels::LEADER {
         let pixel = |(x, y): (f64, f64)| (x.round() as i32, y.round() as i32);
         root.draw(&PathElement::new([pixel(marker), pixel(foot)], kind.colour().mix(0.5)))?;
     }
     Ok(())
-}
-
-fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
-    TextStyle::from(("sans-serif", size).into_font()).color(colour).pos(Pos::new(side, VPos::Center))
 }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use impact_pair::Scene;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
+use impact_pair::{Harmonic, Scene};
 
 /// What a logarithm here may be off by, absolutely and in proportion: each is a few roundings of doubles.
 const SLACK: (f64, f64) = (1e-9, 1e-14);
@@ -77,6 +77,9 @@ pub struct Unit {
 }
 
 impl Unit {
+    /// The unit of the scene itself.
+    pub const ONE: Self = Self { low: 0.0, high: 0.0 };
+
     /// The unit that lies in `x`; `None` if it may be zero.
     fn new(x: &Enclosure) -> Option<Self> {
         let (low, high) = (outward(log10(&x.mig(), -1.0), -1.0), outward(log10(&x.mag(), 1.0), 1.0));
@@ -125,18 +128,37 @@ impl fmt::Display for Speed {
 
 impl Units {
     pub fn of(scene: &Scene) -> Self {
+        let Scales { period, velocity, speed } = Scales::of(scene);
+        let unit = |scale: &Enclosure| Unit::new(scale).expect("scales are positive");
+        Self { time: unit(&period), velocity: unit(&velocity), speed }
+    }
+}
+
+/// What digits are relative to, enclosed: both greater than 0.
+#[derive(Clone, Debug)]
+pub struct Scales {
+    /// The period of the excitation, `2 pi / W` \[time\].
+    pub period: Enclosure,
+    /// `A W`, under several harmonics their sum, or the gap a turn where A may be zero \[length/time\].
+    pub velocity: Enclosure,
+    /// Which of the two it is.
+    pub speed: Speed,
+}
+
+impl Scales {
+    pub fn of(scene: &Scene) -> Self {
         let (pair, enclose) = (scene.pair(), |x: &Exact| x.enclose(BITS));
         let frequency = enclose(pair.excitation().reference().frequency());
         let turn = enclose(&(Exact::pi() * Exact::from(2)));
         let period = turn.div(&frequency, BITS).expect("W > 0 is checked with the scene");
-        let speed = enclose(pair.excitation().reference().amplitude()).mul(&frequency, BITS);
-        let gap = enclose(pair.gap()).div(&period, BITS).expect("a period is positive");
-        let positive = "W > 0 and d > 0 are checked with the scene";
-        let (velocity, speed) = match Unit::new(&speed) {
-            Some(velocity) => (velocity, Speed::Excitation),
-            None => (Unit::new(&gap).expect(positive), Speed::Gap),
-        };
-        Self { time: Unit::new(&period).expect(positive), velocity, speed }
+        let greatest = |harmonic: &Harmonic| enclose(harmonic.amplitude()).mul(&enclose(harmonic.frequency()), BITS);
+        let speeds = pair.excitation().harmonics().iter().map(greatest);
+        let fastest = speeds.reduce(|sum, speed| sum.add(&speed, BITS)).expect("an excitation has a harmonic");
+        if !fastest.mig().is_zero() {
+            return Self { period, velocity: fastest, speed: Speed::Excitation };
+        }
+        let gap_a_turn = enclose(pair.gap()).div(&period, BITS).expect("a period is positive");
+        Self { period, velocity: gap_a_turn, speed: Speed::Gap }
     }
 }
 

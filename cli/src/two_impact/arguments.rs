@@ -14,8 +14,10 @@ Exit code: 0 nothing is left open; 1 something is undecided (the output lists it
 input, I/O";
 
 pub const HELP: &str = "\
-Examples: impact-pair two-impact scenes/figure-13.toml --cycles 1..4
-          impact-pair two-impact scenes/figure-10.toml --manifold frequency=5..60:400 --cycles 1..7 --plot figure-10.svg
+Examples:
+  impact-pair two-impact scenes/figure-13.toml --cycles 1..4
+  impact-pair two-impact scenes/figure-13.toml --solve-for amplitude --format json
+  impact-pair two-impact scenes/figure-10.toml --manifold frequency=5..60:400 --plot figure-10.svg
 
 Two of A, d and |v| are given, by --solve-for. velocity: A and d are the scene's, and all motions with two impacts in N \
 cycles are found, equispaced by (66), (67) or (70), (71), and the others, N odd or even, through (62), (63), isolated \
@@ -58,7 +60,7 @@ pub struct TwoImpactArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the manifold
-    #[arg(long, value_name = "FILE.svg", value_parser = crate::arguments::svg, requires = "manifold")]
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
     /// No notes on stderr
     #[arg(long, short)]

@@ -15,6 +15,7 @@ use impact_pair::pair::Wall;
 use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown, manifolds, periodic};
 
 use crate::output::Output;
+use crate::picture::encoded;
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
 
@@ -109,7 +110,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         let mut picture = Output::open(Some(path))?;
         let failed = || format!("cannot draw {}", path.display());
         let svg = plot::svg(scene, axis, &curves).with_context(failed)?;
-        picture.write_all(svg.as_bytes()).with_context(failed)?;
+        picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
         picture.commit()?;
     }
     Ok(Exit::Complete)

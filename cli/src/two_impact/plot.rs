@@ -1,18 +1,16 @@
 //! The manifolds of figures 10 and 11 as SVG.
 
-use std::error::Error as StdError;
-
-use anyhow::{Result, anyhow};
+use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::certificate::PROGRAM;
 use impact_pair::exact::Enclosure;
 use impact_pair::two_impact::{Axis, Manifold, Mark, Part, Stability};
 use plotters::prelude::*;
 use plotters::series::DashedLineSeries;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::text_anchor::HPos;
 
-/// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
-const SCALE: i32 = 4;
+use crate::picture::{self, BLUE, Canvas, Drawn, GREY, SCALE, VERMILION, signed};
+
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (900, 640);
 const FONT: i32 = 15 * SCALE;
@@ -22,7 +20,7 @@ const LEGEND: i32 = 62 * SCALE;
 /// Amplitudes beyond so many gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
 
-/// What is proved of a part, by colour and width: of the colours that Okabe and Ito (2008) chose for all eyes.
+/// What is proved of a part, by colour and width.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Stable,
@@ -41,9 +39,9 @@ impl Kind {
 
     fn style(self) -> ShapeStyle {
         let (colour, width) = match self {
-            Self::Stable => (RGBColor(0x00, 0x72, 0xb2), 4 * SCALE),
-            Self::Unstable => (RGBColor(0xd5, 0x5e, 0x00), 2 * SCALE),
-            Self::Unphysical => (RGBColor(0x99, 0x99, 0x99), SCALE),
+            Self::Stable => (BLUE, 4 * SCALE),
+            Self::Unstable => (VERMILION, 2 * SCALE),
+            Self::Unphysical => (GREY, SCALE),
         };
         colour.stroke_width(width as u32)
     }
@@ -65,23 +63,16 @@ struct Stretch {
 }
 
 pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold]) -> Result<String> {
-    let mut text = String::new();
-    draw(scene, axis, curves, &mut text).map_err(|error| anyhow!("{error}"))?;
-    let (width, height) = SIZE;
-    let drawn = |size: u32| size * SCALE as u32;
-    let size = |width: u32, height: u32| format!("<svg width=\"{width}\" height=\"{height}\"");
-    Ok(text.replacen(&size(drawn(width), drawn(height)), &size(width, height), 1))
+    picture::svg(SIZE, SCALE, |root| draw(scene, axis, curves, root))
 }
 
 fn middle(x: &Enclosure) -> f64 {
     x.mid_rad().0
 }
 
-fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], text: &mut String) -> Result<(), Box<dyn StdError>> {
-    let root = SVGBackend::with_string(text, (SIZE.0 * SCALE as u32, SIZE.1 * SCALE as u32)).into_drawing_area();
-    root.fill(&WHITE)?;
-    caption(scene, axis, &root)?;
-    legend(&root)?;
+fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], root: &Canvas<'_>) -> Drawn {
+    caption(scene, axis, root)?;
+    legend(root)?;
     let (_, below) = root.split_vertically(CAPTION + LEGEND);
     let all = || curves.iter().flat_map(|curve| &curve.points);
     let ends = all().map(|point| middle(&point.at)).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
@@ -129,7 +120,7 @@ fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], text: &mut String) -> Re
     let shown: Vec<_> = curves.iter().map(|curve| (curve.cycles, visible(curve))).collect();
     for (mark, place) in shown.iter().flat_map(|(_, points)| points) {
         if let Some(mark) = mark {
-            symbol(&root, *mark, *place)?;
+            symbol(root, *mark, *place)?;
         }
     }
     // Names stand at the ends that have more room.
@@ -147,7 +138,6 @@ fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], text: &mut String) -> Re
             if is_last { ((x + 5 * SCALE, y), HPos::Left) } else { ((x + 8 * SCALE, y - 9 * SCALE), HPos::Left) };
         root.draw(&Text::new(format!("N = {cycles}"), place, words(FONT, side)))?;
     }
-    root.present()?;
     Ok(())
 }
 
@@ -182,14 +172,8 @@ fn stretches(curve: &Manifold, highest: f64) -> Vec<Stretch> {
     all
 }
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
-
-fn signed(x: f64) -> String {
-    format!("{x}").replace('-', "−")
-}
-
 /// Title, parameters and program.
-fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Drawn {
     let (pair, start) = (scene.pair(), scene.start());
     let given = match axis {
         Axis::Frequency => format!("v = {}", start.velocity()),
@@ -206,7 +190,7 @@ fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Result<(), Box<dyn S
 }
 
 /// What lines and symbols say.
-fn legend(root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
+fn legend(root: &Canvas<'_>) -> Drawn {
     let upper = CAPTION + 16 * SCALE;
     for (kind, x) in [(Kind::Stable, 24), (Kind::Unstable, 240), (Kind::Unphysical, 446)] {
         root.draw(&PathElement::new([(x * SCALE, upper), ((x + 34) * SCALE, upper)], kind.style()))?;
@@ -224,7 +208,7 @@ fn legend(root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
 }
 
 /// The symbol of a mark; where `sin th0 = 0` the line itself changes.
-fn symbol(root: &Canvas<'_>, mark: Mark, (x, y): (i32, i32)) -> Result<(), Box<dyn StdError>> {
+fn symbol(root: &Canvas<'_>, mark: Mark, (x, y): (i32, i32)) -> Drawn {
     let (line, half) = (BLACK.stroke_width(SCALE as u32), 9 * SCALE / 2);
     match mark {
         Mark::Level => {}
@@ -240,5 +224,5 @@ fn symbol(root: &Canvas<'_>, mark: Mark, (x, y): (i32, i32)) -> Result<(), Box<d
 }
 
 fn words<'a>(size: i32, side: HPos) -> TextStyle<'a> {
-    TextStyle::from(("sans-serif", size).into_font()).color(&BLACK).pos(Pos::new(side, VPos::Center))
+    picture::words(size, &BLACK, side)
 }

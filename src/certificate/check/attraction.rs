@@ -9,7 +9,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::contact::Doubt;
 use crate::certificate::attraction::Attraction;
-use crate::certificate::periodic::{PeriodicDocument, phase};
+use crate::certificate::periodic::{PeriodicDocument, phase_in_radians};
 use crate::certificate::{Certificate, Claim, ClaimKind};
 use crate::exact::{Enclosure, Exact, decimal_digits};
 use crate::number::Ball;
@@ -93,7 +93,7 @@ impl Certificate {
             if *wall != found.wall {
                 return Err(Doubt::False("an impact of the orbit is on the other wall".into()));
             }
-            inside("phase", &near(phase(&found.phase, *bits), claimed_phase), claimed_phase)?;
+            inside("phase", &near(phase_in_radians(&found.phase, *bits), claimed_phase), claimed_phase)?;
             inside("velocity", &document.velocity(&found.velocity, *bits), claimed_velocity)?;
         }
         let numbers = [trace, determinant, &one.re, &one.im, &other.re, &other.im];

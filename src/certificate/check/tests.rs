@@ -12,11 +12,15 @@ use crate::orbit::{Arithmetic, Progress, Settings};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
 fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {
-    let scene = Scene::parse(&format!(
+    orbit(&format!(
         "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = \"pi\" }}\n\
          pair = {{ gap = 9.42497, restitution = {restitution} }}\nstart = {{ time = 0, {start} }}\nrun = {{ impacts = {impacts} }}",
     ))
-    .unwrap();
+}
+
+/// The orbit JSON of a scene, with all its events.
+fn orbit(scene: &str) -> Value {
+    let scene = Scene::parse(scene).unwrap();
     let settings = Settings { arithmetic: Arithmetic::Interval, attractor: false, ..scene.settings() };
     let mut orbit = scene.orbit(settings).unwrap();
     let mut events: Vec<Event> = Vec::new();
@@ -172,13 +176,13 @@ fn assert_sets(whole: &[(Enclosure, Enclosure)], ends: [&[(Enclosure, Enclosure)
 /// Sets hold the orbits of their members (Lemma V2), and little else where only one datum is not known.
 #[test]
 fn sets_under_a_sum_depend_on_each_datum_as_their_members() {
-    for datum in 0..DATA.len() {
+    for (datum, (path, _)) in DATA.iter().enumerate() {
         let with =
             |word: &str| found_again(&proved(|i, x| if i == datum { word.replace('x', x) } else { x.to_owned() }));
         let (whole, ends) = (with("[x, x + 1e-12]"), [with("x"), with("x + 1e-12")]);
         assert_eq!(whole.len(), PROVED.len());
         // These are several data: rates, phases, velocities in lengths a radian, and the times of phases.
-        let is_one = !["frequency", "time", "phase/1"].iter().any(|several| DATA[datum].0.contains(several));
+        let is_one = !["frequency", "time", "phase/1"].iter().any(|several| path.contains(several));
         assert_sets(&whole, ends.each_ref().map(Vec::as_slice), datum, is_one);
     }
 }
@@ -198,6 +202,14 @@ fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
         let path = format!("/outcome/period/{key}");
         assert!(matches!(spoiled(&document, &path, json!(1)), Verdict::Refuted(_)), "{key}");
     }
+}
+
+/// There are two releases from a wall in a common period, and a second one of each kind only after a while.
+#[test]
+fn the_period_ends_with_a_release_at_the_same_phase_of_all_harmonics() {
+    let document = orbit(include_str!("../../../validation/certificates/scenes/dead-impacts.toml"));
+    assert_eq!(document["outcome"]["period"], json!({"cycles": 3, "impacts": 6}));
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
 }
 
 /// Each member has its own release, at another time.

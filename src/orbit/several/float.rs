@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use super::super::motion::{Motion, Swinging, carry};
+#[cfg(feature = "multiprecision")]
+use super::super::motion::Swinging;
+use super::super::motion::{Motion, carry};
 use super::super::origin::{Location, Origin};
 use super::{Several, from_wall};
 use crate::contact::{Contact, Undecided};
@@ -58,6 +60,7 @@ impl Motion for FloatMotion {
     }
 }
 
+#[cfg(feature = "multiprecision")]
 impl Swinging for FloatMotion {
     fn swing(&self) -> f64 {
         self.harmonics.sums(self.next.turns, &self.next.phase).swing

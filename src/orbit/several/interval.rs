@@ -9,7 +9,6 @@ use super::{Several, from_wall};
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, SetContact, Undecided};
-use crate::exact::Exact;
 use crate::mapping::jacobian_between;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
@@ -38,7 +37,7 @@ enum State {
 }
 
 impl IntervalMotion {
-    pub fn new(several: &Several, pair: &Reduced<Ball>, exact: &Origin<Exact>, origin: &Origin<Ball>) -> Self {
+    pub fn new(several: &Several, pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
         let Origin { phase, velocity, .. } = *origin;
         let state = match origin.place {
             Location::Wall(wall) => {
@@ -48,7 +47,7 @@ impl IntervalMotion {
             Location::Inside(height) => State::Inside { height, phase, velocity },
         };
         // Of a phase that is rounded the centre is another.
-        let waves = if phase.rad() == 0.0 { several.waves(exact, f64::MANTISSA_DIGITS) } else { None };
+        let waves = if phase.rad() == 0.0 { several.waves(f64::MANTISSA_DIGITS) } else { None };
         Self { several: several.clone(), pair: *pair, turns: several.turns, state, waves }
     }
 
@@ -87,17 +86,10 @@ impl IntervalMotion {
 
     /// From inside the gap: the enclosure of all first contacts is the new set.
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(SetContact, StateSet), Undecided> {
-        let launch = |height, phase, velocity| Launch {
-            wall: None,
-            height,
-            turns: self.turns,
-            phase,
-            velocity,
-            is_release: false,
-        };
-        let exact = |x: Ball| Ball::exact(x.mid());
-        let centre = launch(exact(height), exact(phase), exact(velocity));
-        let (image, _) = self.contact(launch(height, phase, velocity), centre)?;
+        let turns = self.turns;
+        let all = Launch { wall: None, height, turns, phase, velocity, is_release: false };
+        let centre = all.map(|x| Ball::exact(x.mid()));
+        let (image, _) = self.contact(all, centre)?;
         let contact = image.all;
         Ok((image, StateSet::new(contact.phase, contact.velocity, scale(&self.pair, contact.velocity))))
     }

@@ -10,21 +10,23 @@ use std::sync::Arc;
 
 use num_bigint::BigInt;
 
+use super::Cursor;
 use super::origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
+use super::start::Start;
 use super::still::quarter_turn;
 use crate::error::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
-use crate::number::Ball;
+use crate::number::{Ball, is_positive};
 use crate::pair::{ImpactPair, Reduced, Wall, within};
-use crate::several::{Band, Harmonics, Launch, Phased, Spectrum, Zero, accumulation, release};
+use crate::several::{Band, Flight, Harmonics, Launch, Phased, Spectrum, Zero, accumulation, phases_at, release};
 pub(super) use float::FloatMotion;
 pub(super) use interval::IntervalMotion;
 #[cfg(feature = "multiprecision")]
 pub(super) use precise::PreciseMotion;
 
-/// The harmonics of a course, and where it starts in their phases.
+/// The harmonics of a pair, and where it starts in their phases.
 #[derive(Clone, Debug)]
 pub(in crate::orbit) struct Several {
     spectrum: Arc<Spectrum>,
@@ -32,6 +34,8 @@ pub(in crate::orbit) struct Several {
     band: Arc<Band>,
     /// Whole turns of the origin.
     turns: i64,
+    /// The phases of all harmonics at the start.
+    phases: Vec<Exact>,
     /// The release that is the origin.
     release: Option<Zero>,
     /// Releases so far, all different.
@@ -39,18 +43,18 @@ pub(in crate::orbit) struct Several {
 }
 
 impl Several {
-    /// The harmonics of `pair`, a start `turns` turns after the clock's origin; `None` of a single one.
-    pub fn new(pair: &ImpactPair, origin: &BigInt, turns: i64) -> Result<Option<Self>, Error> {
+    /// The harmonics of `pair` at a start `turns` turns after the clock's origin; `None` of a single one.
+    pub fn new(pair: &ImpactPair, origin: &BigInt, start: &Start, turns: i64) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
         let harmonics = Harmonics::<Ball>::new(&spectrum, f64::MANTISSA_DIGITS);
-        if !(harmonics.rates.fourth < LARGEST) {
+        if !is_positive(LARGEST - harmonics.rates.fourth) {
             let amplitude = pair.excitation().reference().amplitude();
-            within("excitation.amplitude", amplitude, Ok(amplitude.clone()))?;
             return Err(Error::too_large("excitation.amplitude", amplitude));
         }
+        let phases = within("start.time", start.time(), phases_at(pair, start.time()))?;
         let band = Band::new(&harmonics, spectrum.period);
         let (spectrum, harmonics, band) = (Arc::new(spectrum), Arc::new(harmonics), Arc::new(band));
-        Ok(Some(Self { spectrum, harmonics, band, turns, release: None, known: Vec::new() }))
+        Ok(Some(Self { spectrum, harmonics, band, turns, phases, release: None, known: Vec::new() }))
     }
 
     /// The sums of `A_k/d` and of the greatest speeds.
@@ -59,13 +63,29 @@ impl Several {
     }
 
     /// How long chatter can last that begins with a bounce at such a state, if that is proved.
-    pub fn accumulation(&self, pair: &Reduced<Ball>, wall: Wall, turns: i64, phase: Ball, after: Ball) -> Option<f64> {
+    pub fn accumulation(&self, pair: &Reduced<Ball>, contact: &Cursor, wall: Wall, after: Ball) -> Option<f64> {
+        let Cursor { turns, phase, index, .. } = *contact;
+        let is_still = after == Ball::exact(0.0);
+        if index == 0 && is_still && self.is_pressed_from_the_start(wall) {
+            return Some(0.0);
+        }
         accumulation(&self.harmonics, pair.restitution, wall, turns, phase, after)
     }
 
     /// When a ball that rests on a wall since a phase is released.
     pub fn release_after(&self, wall: Wall, turns: i64, phase: f64) -> Option<Zero> {
         release(&self.spectrum, &self.harmonics, wall, turns, phase)
+    }
+
+    /// `E/d` and `E'` in gaps a turn, at a phase after whole turns.
+    pub fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
+        let sums = self.harmonics.sums(turns, &phase);
+        (sums.sine, sums.cosine)
+    }
+
+    /// `y''` in gaps a turn squared.
+    pub fn swing(&self, turns: i64, phase: Ball) -> Ball {
+        self.harmonics.sums(turns, &phase).swing
     }
 
     /// The number of a release, the same for all that are whole common periods apart (Lemma H9).
@@ -102,14 +122,22 @@ impl Several {
         self.release.is_some()
     }
 
-    /// Sines and cosines at the origin where they are exactly known: those of quarter turns.
-    fn waves<N: Phased>(&self, origin: &Origin<Exact>, bits: u32) -> Option<Vec<(N, N)>> {
-        let phases = self.spectrum.phases(&origin.phase).ok()?;
+    /// Sines and cosines at the start, exact at quarter turns; `None` from a release on.
+    fn waves<N: Phased>(&self, bits: u32) -> Option<Vec<(N, N)>> {
         let wave = |phase: &Exact| match quarter_turn(phase) {
             Some((sin, cos)) => (N::enclose(&sin, bits), N::enclose(&cos, bits)),
             None => N::enclose(phase, bits).wave(),
         };
-        (self.turns == 0).then(|| phases.iter().map(wave).collect())
+        self.release.is_none().then(|| self.phases.iter().map(wave).collect())
+    }
+
+    /// Whether a ball that lies on a wall at the start, where the pressure is exactly 0, is proved to be pressed from then on.
+    fn is_pressed_from_the_start(&self, wall: Wall) -> bool {
+        let zero = Ball::exact(0.0);
+        let launch = from_wall(wall, self.turns, zero, zero, false);
+        let flight = Flight::new(&self.harmonics, launch, self.waves(f64::MANTISSA_DIGITS));
+        let jerk = wall.inward(flight.jerk).bounds();
+        self.release.is_none() && flight.acceleration == zero && jerk.1 < 0.0
     }
 
     /// Whether the motion from the origin is proved to touch no wall, ever: without drift, and with room for all harmonics.
@@ -117,8 +145,8 @@ impl Several {
     /// Like Lemma Z4, from phases at quarter turns, where the drift is exactly known.
     pub fn stays_inside(&self, origin: &Origin<Exact>) -> Result<bool, ExactError> {
         let Location::Inside(height) = &origin.place else { return Ok(false) };
-        let waves: Option<Vec<_>> = self.spectrum.phases(&origin.phase)?.iter().map(quarter_turn).collect();
-        let Some(waves) = waves.filter(|_| self.turns == 0) else { return Ok(false) };
+        let waves: Option<Vec<_>> = self.phases.iter().map(quarter_turn).collect();
+        let Some(waves) = waves.filter(|_| self.release.is_none()) else { return Ok(false) };
         let turn = Exact::pi() * Exact::from(2);
         let (mut drift, mut middle, mut swing) = (origin.velocity.clone(), height.clone(), Exact::from(0));
         for (term, (sin, cos)) in self.spectrum.terms.iter().zip(&waves) {
@@ -127,17 +155,17 @@ impl Several {
             middle = middle.checked_add(&term.alpha.checked_mul(sin)?)?;
             swing = swing.checked_add(&term.alpha)?;
         }
-        let is_positive = |x: &Exact| x.sign() == Some(Ordering::Greater);
+        let is_above_0 = |x: &Exact| x.sign() == Some(Ordering::Greater);
         let (below, above) = (middle.checked_sub(&swing)?, Exact::from(1).checked_sub(&middle.checked_add(&swing)?)?);
-        Ok(drift.sign() == Some(Ordering::Equal) && is_positive(&below) && is_positive(&above))
+        Ok(drift.sign() == Some(Ordering::Equal) && is_above_0(&below) && is_above_0(&above))
     }
 
     pub fn float(&self, pair: &Reduced<Ball>, origin: &Origin<Ball>) -> FloatMotion {
         FloatMotion::new(self, pair, origin)
     }
 
-    pub fn interval(&self, pair: &Reduced<Ball>, exact: &Origin<Exact>, origin: &Origin<Ball>) -> IntervalMotion {
-        IntervalMotion::new(self, pair, exact, origin)
+    pub fn interval(&self, pair: &Reduced<Ball>, origin: &Origin<Ball>) -> IntervalMotion {
+        IntervalMotion::new(self, pair, origin)
     }
 
     #[cfg(feature = "multiprecision")]

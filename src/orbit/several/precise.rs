@@ -77,7 +77,7 @@ impl PreciseMotion {
             }
             Location::Inside(height) => State::Inside { height: enclose(height), phase: phase.clone(), velocity },
         };
-        let waves = if phase.rad().is_zero() { several.waves(origin, bits) } else { None };
+        let waves = if phase.rad().is_zero() { several.waves(bits) } else { None };
         let restitution = several.restitution_in(bits);
         let (several, pair, turns) = (several.clone(), *pair, several.turns);
         Self { several, harmonics, restitution, pair, plan, index: 0, turns, state, waves }

@@ -1,0 +1,186 @@
+//! What `audit` is asked on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
+use impact_pair::scene::{DIGITS, Run};
+
+/// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
+const BEYOND: u32 = 3;
+
+pub const EXIT_CODES: &str = "\
+Exit code: 0 all agree; 1 something disagrees or is undecided; 2 usage, bad input, I/O";
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair audit scenes/figure-14.toml events.csv
+  impact-pair audit scenes/figure-14.toml sol.txt --wall-column 3 --no-velocity --tolerance 1e-6
+  impact-pair run scenes/figure-14.toml --arithmetic float --format json |
+    impact-pair audit scenes/figure-14.toml - --format json --output audit.json
+
+The list: text with commas, semicolons, tabs or blanks between columns, with a header, with one in a comment (# or %), or with \
+none: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object of arrays, JSON Lines, the orbit JSON. \
+Walls are left and right, L and R, -1 and +1, or positions near -d/2 and +d/2. Velocities are y' just before the impact, \
+with their sign. Numbers are read exactly. The certified orbit goes as far as the list, whatever [run] says.
+
+What is said of a row, or of a certified impact that is on none:
+  inside          certified, and in time and velocity no farther from the bounds than the tolerance
+  outside         certified, and in one of them proved to be farther
+  missed          certified before the end of the list, and on no row
+  false           proved not to happen
+  in the chatter  on its wall, no faster, and after the last impact of a chatter that can be told from its end to the
+                  tolerance: infinitely many impacts lie there, and none of them is asked for
+  undecided       after the last impact that could be certified
+The start and grazes may be listed or not; of a graze wall and time are judged.
+
+A row may be an impact if it lies on its wall, and nearest to it of all impacts or within the tolerance. As many rows as \
+possible are matched, in the order of the list; of several rows for one impact the nearest in time is taken. The list has \
+left the orbit at the first missed or false impact from which on, counted to any later one, fewer than half are inside, \
+if both kinds come then. What follows is another orbit.
+
+Double precision, judged in the same way. Exact from rounded data: the certified orbit of the scene with each number \
+rounded to the nearest double; from where it is outside, no simulator that reads the scene in doubles is right but by \
+chance, however well it computes. --arithmetic float: impact-pair's own orbit in plain doubles; of others it proves nothing.
+
+Exit code: 0 all agree (all rows are inside or in the chatter, nothing is missed); 1 something disagrees or is \
+undecided; 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct AuditArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// The list to judge (CSV, TSV, other text, or JSON), or - for stdin
+    pub events: PathBuf,
+    /// How far a time may be off, in periods 2 pi/W, and a velocity, in A W; from 0 to 1
+    #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance)]
+    pub tolerance: Exact,
+    /// Judge up to this time: what is listed later is left out, what is certified before is asked for [default: the last
+    /// time listed]
+    #[arg(long, value_name = "T", value_parser = crate::arguments::point, allow_hyphen_values = true)]
+    pub until: Option<Exact>,
+    /// The column of times, by its name or its number from 1 [default: time or t, or the first one]
+    #[arg(long, value_name = "NAME|N")]
+    time_column: Option<String>,
+    /// The column of walls [default: wall or side, or the second one]
+    #[arg(long, value_name = "NAME|N")]
+    wall_column: Option<String>,
+    /// The column of velocities [default: velocity or v, or the third one, if there is one]
+    #[arg(long, value_name = "NAME|N")]
+    velocity_column: Option<String>,
+    /// Judge times and walls only
+    #[arg(long, conflicts_with = "velocity_column")]
+    no_velocity: bool,
+    /// Digits that the certified orbit is enclosed to, relative as --tolerance [default: three more than the tolerance has]
+    #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
+    digits: Option<u32>,
+    /// Bits that the certified orbit takes at most
+    #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::arguments::bits())]
+    max_bits: u32,
+    /// How the judgement is written
+    #[arg(long, value_enum, default_value_t)]
+    pub format: AuditFormat,
+    /// The table lists every event, not only the first ones that disagree
+    #[arg(long)]
+    pub all: bool,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// How an audit is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum AuditFormat {
+    /// For people: the first disagreements, and a summary
+    #[default]
+    Table,
+    /// One document with every event, schema impact-pair/audit/1
+    Json,
+}
+
+/// Where the list has what.
+#[derive(Clone, Debug)]
+pub struct Columns {
+    pub time: Column,
+    pub wall: Column,
+    /// `None`: velocities are not judged.
+    pub velocity: Option<Column>,
+}
+
+/// What a column is called.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// The flag that says so.
+    pub flag: &'static str,
+    /// Its usual names.
+    pub names: &'static [&'static str],
+    /// The name or the number given.
+    pub given: Option<String>,
+}
+
+impl Column {
+    /// The names it may have: the one given, or the usual ones.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let usual = if self.given.is_some() { &[] } else { self.names };
+        self.given.as_deref().into_iter().chain(usual.iter().copied())
+    }
+}
+
+impl AuditArguments {
+    /// Where the list has what.
+    pub fn columns(&self) -> Columns {
+        let column = |flag, names, given: &Option<String>| Column { flag, names, given: given.clone() };
+        let velocity = column("--velocity-column", &["velocity", "v"], &self.velocity_column);
+        Columns {
+            time: column("--time-column", &["time", "t"], &self.time_column),
+            wall: column("--wall-column", &["wall", "side"], &self.wall_column),
+            velocity: (!self.no_velocity).then_some(velocity),
+        }
+    }
+
+    /// How the orbit that judges is computed, up to `until`.
+    pub fn settings(&self, until: Exact) -> Settings {
+        let arithmetic = if cfg!(feature = "multiprecision") { Arithmetic::Auto } else { Arithmetic::Interval };
+        let digits = self.digits.unwrap_or_else(|| finer(&self.tolerance));
+        let run = Run { impacts: None, until: Some(until), digits: Some(digits) };
+        Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
+    }
+}
+
+/// The digits that do for a tolerance.
+fn finer(tolerance: &Exact) -> u32 {
+    let (_, size) = tolerance.enclose(64).to_f64_bounds();
+    let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) };
+    (digits as u32 + BEYOND).clamp(*DIGITS.start(), *DIGITS.end())
+}
+
+/// Reads a tolerance.
+fn tolerance(text: &str) -> Result<Exact, String> {
+    let tolerance = crate::arguments::point(text)?;
+    let (low, high) = tolerance.enclose(64).to_f64_bounds();
+    if low >= 0.0 && high <= 1.0 { Ok(tolerance) } else { Err("accepted is a number from 0 to 1".into()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_truth_is_finer_than_the_tolerance() {
+        let digits = |text: &str| finer(&tolerance(text).unwrap());
+        assert_eq!([digits("1e-9"), digits("2e-9"), digits("1"), digits("0.5")], [12, 12, 3, 4]);
+        assert_eq!(digits("0"), 12);
+        assert!(digits("1e-5000") > 300);
+    }
+
+    #[test]
+    fn a_tolerance_is_a_number_from_0_to_1() {
+        for text in ["-1e-9", "2", "[0, 1]", "small", "nan"] {
+            assert!(tolerance(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! How far double precision can be trusted on this scene: two orbits in doubles, judged as any other list.
+//!
+//! The first is the exact orbit of the scene's data rounded to doubles: where it is proved to be outside, no simulator that reads
+//! the scene in doubles can be right but by chance, however well it computes. The second is impact-pair's own float orbit: it
+//! shows what rounding on the way adds; of other orbits in doubles it proves nothing.
+
+use std::ops::ControlFlow;
+
+use anyhow::Result;
+use impact_pair::Scene;
+use impact_pair::certificate;
+use impact_pair::exact::{Enclosure, Exact, decimal_bounds, decimal_f64};
+use impact_pair::orbit::{Arithmetic, Outcome, Settings};
+use num_rational::BigRational;
+use serde_json::Value;
+
+use super::judge::Judgement;
+use super::list::{Listed, Number};
+use super::tolerance::Tolerance;
+use super::truth::{Site, SiteKind, Truth};
+use super::verdict::Verdict;
+use crate::follow::follow_impacts;
+use crate::progress::Progress;
+
+/// Bits of a number that is rounded to a double.
+const BITS: u32 = 256;
+
+/// What is found of both.
+pub struct Doubles {
+    /// The exact orbit of the rounded data; `None` for intervals, or if it could not be certified that far.
+    pub data: Option<Parting>,
+    /// The float orbit; `None` when interrupted.
+    pub float: Option<Parting>,
+}
+
+/// Where an orbit parts from the truth, by impacts of the truth up to the end of the list.
+#[derive(Clone, Copy, Debug)]
+pub struct Parting {
+    /// The first impact that it does not agree in.
+    pub disagrees: Option<(u64, Verdict)>,
+    /// The first impact of another orbit.
+    pub leaves: Option<u64>,
+}
+
+impl Doubles {
+    /// Judges both up to the last certified impact before `end`.
+    pub fn judge(
+        scene: &Scene,
+        settings: &Settings,
+        truth: &Truth,
+        end: &BigRational,
+        tolerance: &Tolerance,
+    ) -> Result<Self> {
+        let of_list = |site: &&Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
+        let last = truth.sites.iter().rfind(of_list).map_or(0, |site| site.index);
+        // One more than the truth has: a chatter in doubles need not end.
+        let settings = Settings { impacts: Some(last + 1), ..settings.clone() };
+        let part = |rows: Vec<Listed>| {
+            let judgement = Judgement::new(truth, &rows, end, tolerance);
+            let first = judgement.first_disagreement();
+            let disagrees = first.map(|finding| (judgement.impact(finding, truth), finding.verdict));
+            let leaves = judgement.departure.map(|departure| departure.impact);
+            Parting {
+                disagrees: disagrees.filter(|&(impact, _)| impact <= last),
+                leaves: leaves.filter(|&impact| impact <= last),
+            }
+        };
+        let float = Settings { arithmetic: Arithmetic::Float, ..settings.clone() };
+        let data = rounded(scene).map(|scene| list(&scene, settings)).transpose()?.flatten();
+        Ok(Self { data: data.map(part), float: list(scene, float)?.map(part) })
+    }
+}
+
+/// The impacts of an orbit as a list; `None` when it is interrupted or undecided.
+fn list(scene: &Scene, settings: Settings) -> Result<Option<Vec<Listed>>> {
+    let mut orbit = scene.orbit(settings)?;
+    let mut rows = Vec::new();
+    let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
+        let (time, velocity) = orbit.bounds(&impact);
+        let place = format!("impact {}", impact.index);
+        rows.push(Listed { place, wall: impact.wall, time: number(&time), velocity: Some(number(&velocity)) });
+        ControlFlow::Continue(())
+    });
+    debug_assert!(ended.is_continue(), "nothing breaks it off");
+    Ok(match orbit.outcome() {
+        None | Some(Outcome::Undecided { .. }) => None,
+        Some(_) => Some(rows),
+    })
+}
+
+fn number(x: &Enclosure) -> Number {
+    Number { low: x.lo().to_rational(), high: x.hi().to_rational(), written: decimal_f64(x.mid_rad().0) }
+}
+
+/// The scene with each number of its data rounded to the nearest double; `None` if it has intervals, or the rounded numbers
+/// are no scene.
+fn rounded(scene: &Scene) -> Option<Scene> {
+    let data = certificate::scene(scene.pair(), scene.start());
+    let (excitation, start) = (table(&data["excitation"])?, table(&data["start"])?);
+    let [gap, restitution] = [entry(&data["gap"])?, entry(&data["restitution"])?];
+    let text = format!(
+        "excitation = {{ {excitation} }}\npair = {{ gap = {gap}, restitution = {restitution} }}\nstart = {{ {start} }}\n"
+    );
+    Scene::parse(&text).ok()
+}
+
+/// The entries of a table of the scene, in TOML.
+fn table(table: &Value) -> Option<String> {
+    let entries = table.as_object()?.iter().map(|(key, value)| Some(format!("{key} = {}", entry(value)?)));
+    Some(entries.collect::<Option<Vec<_>>>()?.join(", "))
+}
+
+/// A value of the scene, in TOML: a wall, a number rounded to a double, or a list of these.
+fn entry(value: &Value) -> Option<String> {
+    match value {
+        Value::Array(terms) => Some(format!("[{}]", terms.iter().map(entry).collect::<Option<Vec<_>>>()?.join(", "))),
+        Value::String(wall) if ["left", "right"].contains(&wall.as_str()) => Some(format!("\"{wall}\"")),
+        Value::String(text) => Some(format!("\"{}\"", nearest_double(text)?.text())),
+        _ => None,
+    }
+}
+
+/// The double nearest to a number, exactly.
+fn nearest_double(text: &str) -> Option<Exact> {
+    // More than 70 digits: only a number that near to the middle of two doubles could be rounded to the wrong one.
+    let exact = Exact::parse(text).ok().filter(Exact::is_point)?;
+    let [lower, _] = decimal_bounds(&exact.enclose(BITS));
+    Exact::from_f64(lower.parse().ok()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn data_are_rounded_to_the_nearest_doubles() {
+        let double = |text: &str| nearest_double(text).unwrap().as_rational().unwrap().clone();
+        let exactly = |x: f64| Exact::from_f64(x).unwrap().as_rational().unwrap().clone();
+        for (text, x) in
+            [("9.42497", 9.42497), ("pi", std::f64::consts::PI), ("-0.1", -0.1), ("0.5", 0.5), ("2/3", 2.0 / 3.0)]
+        {
+            assert_eq!(double(text), exactly(x), "{text}");
+        }
+        assert!(nearest_double("[1, 2]").is_none());
+    }
+
+    #[test]
+    fn a_scene_is_rounded_as_a_whole() {
+        let scene = |amplitude: &str, place: &str| {
+            let text = format!(
+                "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = 0 }}\n\
+                 pair = {{ gap = 9.42497, restitution = 0.5 }}\nstart = {{ time = 0, {place}, velocity = -12.56636 }}"
+            );
+            Scene::parse(&text).unwrap()
+        };
+        for place in ["wall = \"left\"", "position = 0.1"] {
+            let rounded = rounded(&scene("8", place)).unwrap();
+            let frequency = rounded.pair().excitation().frequency();
+            assert_eq!(frequency.as_rational(), Exact::from_f64(std::f64::consts::PI).unwrap().as_rational());
+            assert_eq!(rounded.pair().gap().as_rational(), Exact::from_f64(9.42497).unwrap().as_rational());
+        }
+        assert!(rounded(&scene("\"[7.9, 8]\"", "wall = \"left\"")).is_none());
+    }
+}

@@ -1,0 +1,315 @@
+//! The judgement: what each row and each certified impact is, and where the list leaves the orbit.
+
+use impact_pair::exact::{Dyadic, Enclosure};
+use num_rational::BigRational;
+
+use super::align::{Alignment, align};
+use super::list::Listed;
+use super::tolerance::Tolerance;
+use super::truth::{Rest, Site, SiteKind, Truth};
+use super::verdict::{Reason, Verdict};
+
+/// A row, a certified impact, or both.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    pub verdict: Verdict,
+    pub row: Option<usize>,
+    /// The contact that it is; of a false row the nearest one.
+    pub site: Option<usize>,
+    /// How far the row is off, if it is the contact.
+    pub errors: Option<Errors>,
+}
+
+/// Enclosures of the distances to the truth.
+#[derive(Clone, Debug)]
+pub struct Errors {
+    /// \[time\]
+    pub time: Enclosure,
+    /// \[length/time\]; `None` if there is none to compare.
+    pub velocity: Option<Enclosure>,
+}
+
+/// Where a list leaves the orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Departure {
+    /// The place among the findings.
+    pub finding: usize,
+    /// The first impact of the truth that the list does not follow.
+    pub impact: u64,
+    /// The first row that follows another orbit; `None` if there is none left.
+    pub row: Option<usize>,
+}
+
+/// What is found of a list.
+pub struct Judgement {
+    /// In the order of the list, with missed impacts in between.
+    pub findings: Vec<Finding>,
+    pub departure: Option<Departure>,
+}
+
+impl Judgement {
+    /// Judges the rows by what is certified up to the time `end`.
+    pub fn new(truth: &Truth, rows: &[Listed], end: &BigRational, tolerance: &Tolerance) -> Self {
+        let judge = Judge::new(truth, rows, tolerance);
+        let candidates: Vec<Vec<usize>> = (0..rows.len()).map(|row| judge.candidates(row)).collect();
+        let alignment = align(&candidates, truth.sites.len(), |a, b, site| judge.is_nearer(a, b, site));
+        let mut findings = Vec::new();
+        let mut next = 0;
+        for (row, listed) in rows.iter().enumerate() {
+            let until = match alignment.site_of[row] {
+                Some(site) => site,
+                // Missed impacts come before a false row that is later.
+                None => judge.unmatched_before(next, &alignment, &listed.time.low),
+            };
+            findings.extend((next..until).filter_map(|site| judge.missed(site, &alignment, end)));
+            next = next.max(until);
+            match alignment.site_of[row] {
+                Some(site) => {
+                    findings.push(judge.compared(row, site));
+                    next = site + 1;
+                }
+                None => findings.push(judge.unmatched(row, &candidates[row], &alignment)),
+            }
+        }
+        findings.extend((next..truth.sites.len()).filter_map(|site| judge.missed(site, &alignment, end)));
+        let departure = departure(&findings, &truth.sites);
+        Self { findings, departure }
+    }
+
+    /// How many findings have a verdict.
+    pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
+        self.findings.iter().filter(|finding| is(finding.verdict)).count()
+    }
+
+    /// The impact that a finding is about: of a false row the one that it is taken for or nearest to.
+    pub fn impact(&self, finding: &Finding, truth: &Truth) -> u64 {
+        finding.site.map_or(0, |site| truth.sites[site].index)
+    }
+
+    /// The first one that disagrees.
+    pub fn first_disagreement(&self) -> Option<&Finding> {
+        self.findings.iter().find(|finding| finding.verdict.disagrees())
+    }
+}
+
+/// The rows and the truth, with what is looked up often.
+struct Judge<'a> {
+    truth: &'a Truth,
+    rows: &'a [Listed],
+    tolerance: &'a Tolerance,
+    times: Vec<Enclosure>,
+    /// The middles of the contacts' times, and the times where the nearest contact changes.
+    middles: Vec<BigRational>,
+    boundaries: Vec<BigRational>,
+}
+
+impl<'a> Judge<'a> {
+    fn new(truth: &'a Truth, rows: &'a [Listed], tolerance: &'a Tolerance) -> Self {
+        let times = rows.iter().map(|row| row.time.enclose(tolerance.bits)).collect();
+        let middles = truth.sites.iter().map(Site::middle).collect();
+        Self { truth, rows, tolerance, times, middles, boundaries: truth.boundaries() }
+    }
+
+    /// The contact nearest in time.
+    fn nearest(&self, row: usize) -> Option<usize> {
+        let before = self.boundaries.partition_point(|boundary| boundary < &self.rows[row].time.low);
+        (!self.truth.sites.is_empty()).then_some(before)
+    }
+
+    /// The contacts on its wall that a row may be: the nearest one, and all within the tolerance; the start only then.
+    fn candidates(&self, row: usize) -> Vec<usize> {
+        let around = self.tolerance.around_time(&self.times[row]);
+        let (from, to) = (around.lo().to_rational(), around.hi().to_rational());
+        let first = self.middles.partition_point(|middle| middle < &from);
+        let near = first..self.middles.partition_point(|middle| middle <= &to);
+        let is_start = |site: usize| self.truth.sites[site].kind == SiteKind::Start;
+        let nearest = self.nearest(row).filter(|&site| !near.contains(&site));
+        let nearest = nearest.filter(|&site| !is_start(site) && !self.is_beyond(row, site));
+        let (lower, upper) = (nearest.filter(|&site| site < near.start), nearest.filter(|&site| site >= near.end));
+        let all = lower.into_iter().chain(near).chain(upper);
+        all.filter(|&site| self.truth.sites[site].wall == self.rows[row].wall).collect()
+    }
+
+    /// Whether a row may well be a contact after the last certified one.
+    fn is_beyond(&self, row: usize, site: usize) -> bool {
+        let is_open = self.truth.doubtful_from.is_some() && site + 1 == self.truth.sites.len();
+        // As far as the last contact's half of the flight that led to it.
+        let half = site.checked_sub(1).map(|before| &self.middles[site] - &self.boundaries[before]);
+        is_open
+            && self.rows[row].time.low
+                > half.map_or_else(|| self.middles[site].clone(), |half| &self.middles[site] + half)
+    }
+
+    fn is_nearer(&self, one: usize, other: usize, site: usize) -> bool {
+        let distance = |row: usize| {
+            let time = &self.rows[row].time;
+            let twice = &time.low + &time.high - &self.middles[site] - &self.middles[site];
+            if twice < BigRational::from_integer(0.into()) { -twice } else { twice }
+        };
+        distance(one) < distance(other)
+    }
+
+    /// The first contact from `next` on that is matched or is not before this time.
+    fn unmatched_before(&self, next: usize, alignment: &Alignment, time: &BigRational) -> usize {
+        let is_earlier = |&site: &usize| alignment.row_of[site].is_none() && &self.middles[site] < time;
+        (next..self.middles.len()).take_while(is_earlier).last().map_or(next, |last| last + 1)
+    }
+
+    fn missed(&self, site: usize, alignment: &Alignment, end: &BigRational) -> Option<Finding> {
+        let Site { kind, time, .. } = &self.truth.sites[site];
+        let is_missed =
+            alignment.row_of[site].is_none() && *kind == SiteKind::Impact && &time.hi().to_rational() <= end;
+        is_missed.then_some(Finding { verdict: Verdict::Missed, row: None, site: Some(site), errors: None })
+    }
+
+    /// The verdict on a row that is this contact.
+    fn compared(&self, row: usize, site: usize) -> Finding {
+        let (tolerance, Site { time, velocity, .. }) = (self.tolerance, &self.truth.sites[site]);
+        let errors = Errors {
+            time: tolerance.distance(&self.times[row], time),
+            velocity: self
+                .velocity(row)
+                .zip(velocity.as_ref())
+                .map(|(listed, truth)| tolerance.distance(&listed, truth)),
+        };
+        let is_outside = tolerance.is_outside_in_time(&errors.time)
+            || errors.velocity.as_ref().is_some_and(|velocity| tolerance.is_outside_in_velocity(velocity));
+        let verdict = if is_outside { Verdict::Outside } else { Verdict::Inside };
+        Finding { verdict, row: Some(row), site: Some(site), errors: Some(errors) }
+    }
+
+    fn velocity(&self, row: usize) -> Option<Enclosure> {
+        self.rows[row].velocity.as_ref().map(|velocity| velocity.enclose(self.tolerance.bits))
+    }
+
+    /// The verdict on a row that is no contact.
+    fn unmatched(&self, row: usize, candidates: &[usize], alignment: &Alignment) -> Finding {
+        let (nearest, time) = (self.nearest(row), &self.times[row]);
+        let is_in_doubt = self.truth.doubtful_from.as_ref().is_some_and(|from| time.hi() >= from.lo());
+        let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
+        let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
+        let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));
+        let (verdict, site) = match rest {
+            Some((site, rest)) if self.is_in_chatter(row, site, rest) => (Verdict::InChatter, Some(site)),
+            Some((site, _)) => (Verdict::False(Reason::Rest), Some(site)),
+            None if is_in_doubt => (Verdict::Undecided, None),
+            None => {
+                let taken = candidates.iter().copied().find(|&site| alignment.row_of[site].is_some());
+                let is_on_wall = |site: usize| self.truth.sites[site].wall == self.rows[row].wall;
+                let reason = match (taken, candidates, nearest) {
+                    (Some(_), _, _) => Reason::Twice,
+                    (None, [_, ..], _) => Reason::Order,
+                    (None, [], Some(site)) if !is_on_wall(site) => Reason::Wall,
+                    (None, [], _) => Reason::None,
+                };
+                (Verdict::False(reason), taken.or(nearest))
+            }
+        };
+        Finding { verdict, row: Some(row), site, errors: None }
+    }
+
+    /// Whether a time comes after the contact and not after the release of the rest that follows it.
+    fn is_within(&self, time: &Enclosure, site: usize, rest: &Rest) -> bool {
+        let is_before_its_end = match (&rest.until, &self.truth.doubtful_from) {
+            (Some(until), _) => time.hi() <= until.hi(),
+            (None, None) => true,
+            // Nobody knows for how long it rests.
+            (None, Some(_)) => time.lo() <= self.tolerance.around_time(&rest.from).hi(),
+        };
+        time.lo() > self.truth.sites[site].time.hi() && is_before_its_end
+    }
+
+    /// Whether a row lies in the chatter that ends in this rest: on its wall, no later than it by more than the tolerance,
+    /// and with a velocity between that of the impact before and none.
+    fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
+        let Site { wall, velocity, .. } = &self.truth.sites[site];
+        let (time, end) = (&self.times[row], self.tolerance.around_time(&rest.from));
+        let is_fast = self.velocity(row).zip(velocity.as_ref()).is_some_and(|(listed, first)| {
+            let slower = first.hull(&Enclosure::point(Dyadic::zero()));
+            self.tolerance.is_outside_in_velocity(&self.tolerance.distance(&listed, &slower))
+        });
+        rest.is_accumulation && self.rows[row].wall == *wall && time.lo() <= end.hi() && !is_fast
+    }
+}
+
+/// The first missed or false finding from which on, counted to any later one, fewer than half are inside, if both kinds
+/// come from there on: a list that only lacks or only adds impacts is on the orbit still.
+fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
+    let score = |verdict: Verdict| match verdict {
+        Verdict::Inside => 1,
+        Verdict::Outside | Verdict::Missed | Verdict::False(_) => -1,
+        Verdict::InChatter | Verdict::Undecided => 0,
+    };
+    let mut first = None;
+    // The greatest sum of scores from here on, and what is yet to come.
+    let mut greatest = i64::MIN;
+    let (mut misses, mut invents) = (false, false);
+    for (at, Finding { verdict, .. }) in findings.iter().enumerate().rev() {
+        greatest = score(*verdict) + greatest.max(0);
+        misses |= *verdict == Verdict::Missed;
+        invents |= matches!(verdict, Verdict::False(_));
+        if matches!(verdict, Verdict::Missed | Verdict::False(_)) && greatest < 0 && misses && invents {
+            first = Some(at);
+        }
+    }
+    first.map(|finding| {
+        let before = findings[..finding].iter().rev().filter(|f| f.verdict != Verdict::InChatter);
+        let last = before.filter(|f| !matches!(f.verdict, Verdict::False(_))).find_map(|f| f.site);
+        let row = findings[finding..].iter().find_map(|finding| finding.row);
+        Departure { finding, impact: last.map_or(0, |site| sites[site].index) + 1, row }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use impact_pair::pair::Wall;
+
+    /// `i`: inside, `o`: outside, `m`: missed, `f`: false, `c`: in the chatter; a site for each but the false ones.
+    fn departure_of(verdicts: &str) -> Option<(usize, u64)> {
+        let verdict = |letter| match letter {
+            'i' => Verdict::Inside,
+            'o' => Verdict::Outside,
+            'm' => Verdict::Missed,
+            'f' => Verdict::False(Reason::None),
+            _ => Verdict::InChatter,
+        };
+        let zero = Enclosure::point(Dyadic::zero());
+        let mut sites = Vec::new();
+        let finding = |letter| {
+            let verdict = verdict(letter);
+            let is_site = matches!(verdict, Verdict::Inside | Verdict::Outside | Verdict::Missed);
+            let index = sites.len() as u64 + 1;
+            let site = Site {
+                kind: SiteKind::Impact,
+                index,
+                wall: Wall::Left,
+                time: zero.clone(),
+                velocity: None,
+                rest: None,
+            };
+            is_site.then(|| sites.push(site));
+            Finding { verdict, row: None, site: is_site.then(|| sites.len() - 1), errors: None }
+        };
+        let findings: Vec<Finding> = verdicts.chars().map(finding).collect();
+        departure(&findings, &sites).map(|departure| (departure.finding, departure.impact))
+    }
+
+    #[test]
+    fn a_list_that_goes_on_as_before_has_not_left() {
+        for verdicts in
+            ["", "iiii", "iimii", "iifii", "iifmii", "iiiif", "iiiim", "mmmm", "ooooo", "iimcccc", "iimiifiii"]
+        {
+            assert_eq!(departure_of(verdicts), None, "{verdicts}");
+        }
+    }
+
+    #[test]
+    fn a_list_leaves_where_it_is_inside_no_more() {
+        assert_eq!(departure_of("iiifmoofmof"), Some((3, 4)));
+        assert_eq!(departure_of("iiomoofmof"), Some((3, 4)));
+        // Before, one impact was left out; after, one is inside by chance.
+        assert_eq!(departure_of("iimiiiiifmoomifofmoo"), Some((8, 9)));
+        assert_eq!(departure_of("fmo"), Some((0, 1)));
+    }
+}

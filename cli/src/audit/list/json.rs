@@ -1,0 +1,126 @@
+//! Lists in JSON: an array of objects, an object of arrays, JSON Lines, and the orbit JSON of impact-pair itself.
+//!
+//! Numbers are taken as they are written, never through a double.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, anyhow, bail};
+use serde_json::Deserializer;
+use serde_json::value::RawValue;
+
+use super::super::arguments::{Column, Columns};
+use super::{Listed, Number, Walls, read_wall, shortened};
+
+type Object<'j> = BTreeMap<String, &'j RawValue>;
+
+pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>> {
+    let values: Result<Vec<&RawValue>, _> = Deserializer::from_str(text).into_iter().collect();
+    let values = values.context("no JSON")?;
+    let rows = match values.as_slice() {
+        [one] if one.get().starts_with('[') => objects("", &list(one)?)?,
+        [one] => match object("the document", one)? {
+            document if document.contains_key("events") => objects("events", &list(document["events"])?)?,
+            document => by_columns(&document, columns)?,
+        },
+        lines => objects("", lines)?,
+    };
+    // Of an orbit JSON the impacts; in JSON Lines its first and last line are no events.
+    let is_ours = rows.first().is_some_and(|(_, row)| row.contains_key("schema"));
+    let is_impact = |row: &Object<'_>| match row.get("event") {
+        Some(event) => event.get() == "\"impact\"",
+        None => !is_ours,
+    };
+    let rows: Vec<Listed> = rows
+        .iter()
+        .filter(|(_, row)| is_impact(row))
+        .map(|(place, row)| event(place, row, columns, walls))
+        .collect::<Result<_>>()?;
+    if rows.is_empty() {
+        bail!("the list has no events: accepted is at least one");
+    }
+    Ok(rows)
+}
+
+fn list(value: &RawValue) -> Result<Vec<&RawValue>> {
+    serde_json::from_str(value.get())
+        .map_err(|_| anyhow!("`{}` is no list, but accepted is an array", shortened(value.get())))
+}
+
+fn object<'j>(place: &str, value: &'j RawValue) -> Result<Object<'j>> {
+    serde_json::from_str(value.get())
+        .map_err(|_| anyhow!("{place} is `{}`, but accepted is an object", shortened(value.get())))
+}
+
+fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<'j>)>> {
+    let row = |(i, value): (usize, &&'j RawValue)| {
+        let place = format!("{name}[{i}]");
+        object(&place, value).map(|row| (place, row))
+    };
+    rows.iter().enumerate().map(row).collect()
+}
+
+/// The rows of an object of arrays.
+fn by_columns<'j>(document: &Object<'j>, columns: &Columns) -> Result<Vec<(String, Object<'j>)>> {
+    let wanted = [Some(&columns.time), Some(&columns.wall), columns.velocity.as_ref()];
+    let mut rows: Vec<(String, Object<'j>)> = Vec::new();
+    for (number, column) in wanted.into_iter().flatten().enumerate() {
+        let Some((name, values)) = column.names().find_map(|name| document.get_key_value(name)) else { continue };
+        let values = list(values).with_context(|| name.clone())?;
+        if number == 0 {
+            rows = (0..values.len()).map(|i| (format!("[{i}]"), Object::new())).collect();
+        }
+        if values.len() != rows.len() {
+            bail!("{name} has {} values, but the column before has {}", values.len(), rows.len());
+        }
+        for ((_, row), value) in rows.iter_mut().zip(values) {
+            row.insert(name.clone(), value);
+        }
+    }
+    if rows.is_empty() {
+        let known: Vec<&str> = columns.time.names().collect();
+        bail!("the object has no {}: say which one it is by {} NAME", known.join(" or "), columns.time.flag);
+    }
+    Ok(rows)
+}
+
+fn event(place: &str, row: &Object<'_>, columns: &Columns, walls: &Walls) -> Result<Listed> {
+    let find = |column: &Column| column.names().find_map(|name| row.get_key_value(name));
+    let need = |column: &Column| {
+        let known: Vec<&str> = column.names().collect();
+        find(column).ok_or_else(|| {
+            anyhow!("{place} has no {}: say which one it is by {} NAME", known.join(" or "), column.flag)
+        })
+    };
+    let (key, time) = need(&columns.time)?;
+    let time = number(&format!("{place}.{key}"), time)?;
+    let (_, wall) = need(&columns.wall)?;
+    let wall = read_wall(place, &unquoted(wall), walls)?;
+    let velocity = match &columns.velocity {
+        Some(column) if column.given.is_some() => Some(need(column)?),
+        Some(column) => find(column).filter(|(_, value)| value.get() != "null"),
+        None => None,
+    };
+    let velocity = velocity.map(|(key, value)| number(&format!("{place}.{key}"), value)).transpose()?;
+    Ok(Listed { place: place.to_owned(), wall, time, velocity })
+}
+
+/// A number, a decimal in a string, or a list of two bounds.
+fn number(place: &str, value: &RawValue) -> Result<Number> {
+    let decimal = |value: &RawValue| Number::decimal(&unquoted(value));
+    let bounds = || {
+        let bounds: [&RawValue; 2] = serde_json::from_str(value.get()).ok()?;
+        let [low, high] = bounds.map(decimal);
+        Number::between([low?, high?])
+    };
+    decimal(value).or_else(bounds).ok_or_else(|| {
+        let written = shortened(value.get());
+        anyhow!(
+            "{place} is `{written}`, but accepted is a finite decimal number, or a list of a lower and an upper bound"
+        )
+    })
+}
+
+/// A string without its quotes, anything else as it is written.
+fn unquoted(value: &RawValue) -> String {
+    serde_json::from_str(value.get()).unwrap_or_else(|_| value.get().to_owned())
+}

@@ -1,0 +1,145 @@
+//! Lists in text: CSV, TSV, semicolons or blanks between columns, with a header, a commented one, or none.
+
+use anyhow::{Result, bail};
+use csv::{ReaderBuilder, StringRecord, Trim};
+
+use super::super::arguments::{Column, Columns};
+use super::{Listed, Walls, listed, shortened};
+
+/// Lines that begin so are no data.
+const COMMENTS: [char; 2] = ['#', '%'];
+
+pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>> {
+    let mut comment = None;
+    let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim())).filter(|(_, line)| !line.is_empty());
+    let first = lines.by_ref().find(|(_, line)| {
+        let said = line.strip_prefix(COMMENTS);
+        comment = said.or(comment);
+        said.is_none()
+    });
+    let Some((number, first)) = first else { bail!("the list has no events: accepted is at least one") };
+    let separator = Separator::of(first);
+    let fields = separator.fields(first);
+    let is_header = fields.iter().all(|field| field.parse::<f64>().is_err());
+    let header = match is_header {
+        true => Header::Line(fields.clone()),
+        false => Header::of_comment(comment, &separator),
+    };
+    let places = Places::find(columns, &header, fields.len())?;
+    let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
+    let data = (!is_header).then_some((number, first)).into_iter().chain(data);
+    let rows: Vec<Listed> =
+        data.map(|(number, line)| places.row(number, &separator.fields(line), walls)).collect::<Result<_>>()?;
+    if rows.is_empty() {
+        bail!("the list has no events below its header: accepted is at least one");
+    }
+    Ok(rows)
+}
+
+/// What stands between columns.
+enum Separator {
+    Byte(u8),
+    Blanks,
+}
+
+impl Separator {
+    fn of(line: &str) -> Self {
+        let byte = [';', '\t', ','].into_iter().find(|&byte| line.contains(byte));
+        byte.map_or(Self::Blanks, |byte| Self::Byte(byte as u8))
+    }
+
+    fn fields(&self, line: &str) -> Vec<String> {
+        let &Self::Byte(byte) = self else { return line.split_whitespace().map(str::to_owned).collect() };
+        let mut reader = ReaderBuilder::new();
+        reader.has_headers(false).delimiter(byte).trim(Trim::All).flexible(true);
+        let mut record = StringRecord::new();
+        // A line in memory: nothing can fail, and it is not empty.
+        let _ = reader.from_reader(line.as_bytes()).read_record(&mut record);
+        // A quote after a blank is none to it.
+        record.iter().map(|field| field.trim_matches('"').to_owned()).collect()
+    }
+}
+
+/// What the columns are called.
+enum Header {
+    Line(Vec<String>),
+    /// The last comment before the data, as `numpy.savetxt` writes it.
+    Comment(Vec<String>),
+    None,
+}
+
+impl Header {
+    fn of_comment(comment: Option<&str>, separator: &Separator) -> Self {
+        comment
+            .map_or(Self::None, |comment| Self::Comment(separator.fields(comment.trim_start_matches(COMMENTS).trim())))
+    }
+
+    fn names(&self) -> &[String] {
+        match self {
+            Self::Line(names) | Self::Comment(names) => names,
+            Self::None => &[],
+        }
+    }
+}
+
+/// Where the columns stand.
+struct Places {
+    time: usize,
+    wall: usize,
+    velocity: Option<usize>,
+}
+
+impl Places {
+    fn find(columns: &Columns, header: &Header, width: usize) -> Result<Self> {
+        let (time, wall) = (find(&columns.time, header, width, 0)?, find(&columns.wall, header, width, 1)?);
+        let velocity = match &columns.velocity {
+            None => None,
+            Some(column) if column.given.is_some() => Some(find(column, header, width, 2)?),
+            Some(column) => match (named(column.names, header), header) {
+                (Some(place), _) => Some(place),
+                (None, Header::Line(_)) => None,
+                (None, _) => (width > 2 && time != 2 && wall != 2).then_some(2),
+            },
+        };
+        Ok(Self { time, wall, velocity })
+    }
+
+    fn row(&self, number: usize, fields: &[String], walls: &Walls) -> Result<Listed> {
+        let field = |name: &str, place: usize| match fields.get(place) {
+            Some(field) => Ok(field.as_str()),
+            None => bail!("line {number} is `{}`, but {name} is in column {}", shortened(&fields.join(" ")), place + 1),
+        };
+        let (time, wall) = (field("time", self.time)?, field("wall", self.wall)?);
+        let velocity = self.velocity.map(|place| field("velocity", place)).transpose()?;
+        listed(format!("line {number}"), [time, wall], velocity.filter(|text| !text.is_empty()), walls)
+    }
+}
+
+/// The place of a column: by the name or the number given, by its usual names, or where it stands if there is no header.
+fn find(column: &Column, header: &Header, width: usize, usual: usize) -> Result<usize> {
+    let Column { flag, names, given } = column;
+    let Some(given) = given else {
+        return match (named(names, header), header) {
+            (Some(place), _) => Ok(place),
+            (None, Header::Line(header)) => bail!(
+                "the header `{}` has no column {}: say which one it is by {flag} NAME or {flag} NUMBER",
+                shortened(&header.join(",")),
+                names.join(" or "),
+            ),
+            (None, _) => Ok(usual),
+        };
+    };
+    let number = given.parse().ok().filter(|number| (1..=width).contains(number));
+    match named(&[given.as_str()], header).or(number.map(|number: usize| number - 1)) {
+        Some(place) => Ok(place),
+        None => {
+            let names = header.names();
+            let names = if names.is_empty() { String::new() } else { format!("one of {} or ", names.join(", ")) };
+            bail!("{flag} is `{}`, but accepted is {names}a number from 1 to {width}", shortened(given))
+        }
+    }
+}
+
+fn named(names: &[&str], header: &Header) -> Option<usize> {
+    header.names().iter().position(|known| names.iter().any(|name| name.eq_ignore_ascii_case(known)))
+}

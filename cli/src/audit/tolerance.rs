@@ -1,0 +1,54 @@
+//! How far off is too far: distances to the truth, and what is proved of them.
+
+use impact_pair::Scene;
+use impact_pair::exact::{Dyadic, Enclosure, Exact};
+
+use crate::trade::size::Scales;
+
+/// The tolerance of a scene.
+pub struct Tolerance {
+    /// Relative, as it is asked for.
+    pub relative: Exact,
+    pub scales: Scales,
+    /// An upper bound of what a time may be off \[time\], and a velocity \[length/time\].
+    time: Dyadic,
+    velocity: Dyadic,
+    /// Bits that numbers are compared in.
+    pub bits: u32,
+}
+
+impl Tolerance {
+    /// Bits beyond those of the digits: for large times, and so that roundings do not matter.
+    pub const GUARD: u32 = 256;
+
+    /// The tolerance relative to the scene's period and velocity, for enclosures of so many digits.
+    pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Self {
+        let scales = Scales::of(scene);
+        let bits = digits.saturating_mul(10) / 3 + Self::GUARD;
+        let allowed = |scale: &Enclosure| relative.enclose(bits).mul(scale, bits).hi().clone();
+        let (time, velocity) = (allowed(&scales.period), allowed(&scales.velocity));
+        Self { relative: relative.clone(), scales, time, velocity, bits }
+    }
+
+    /// Encloses the distance of the points of both.
+    pub fn distance(&self, one: &Enclosure, other: &Enclosure) -> Enclosure {
+        let difference = one.sub(other, self.bits);
+        Enclosure::new(difference.mig(), difference.mag()).expect("the least is at most the greatest")
+    }
+
+    /// Whether a distance in time is proved to be greater than the tolerance.
+    pub fn is_outside_in_time(&self, distance: &Enclosure) -> bool {
+        distance.lo() > &self.time
+    }
+
+    /// The same for a velocity.
+    pub fn is_outside_in_velocity(&self, distance: &Enclosure) -> bool {
+        distance.lo() > &self.velocity
+    }
+
+    /// The interval with what a time may be off on both sides.
+    pub fn around_time(&self, time: &Enclosure) -> Enclosure {
+        let most = Enclosure::point(self.time.clone());
+        time.add(&most.hull(&most.negated()), self.bits)
+    }
+}

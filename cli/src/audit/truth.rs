@@ -1,0 +1,178 @@
+//! What a list is judged by: the certified orbit, and its grazes, chatters and rests.
+
+use std::ops::ControlFlow;
+
+use impact_pair::certificate::{Bounds, Conclusion, Event, Kind, arithmetic};
+use impact_pair::exact::{Enclosure, Exact};
+use impact_pair::orbit::{Outcome, Place, Settings};
+use impact_pair::pair::Wall;
+use impact_pair::{Error, Scene};
+use num_rational::BigRational;
+use serde_json::Value;
+
+use super::tolerance::Tolerance;
+use crate::follow::follow;
+use crate::progress::Progress;
+
+/// A contact that a list may have, in order of time.
+#[derive(Clone, Debug)]
+pub struct Site {
+    pub kind: SiteKind,
+    /// The impact's number; for others that of the last impact.
+    pub index: u64,
+    pub wall: Wall,
+    /// \[time\]
+    pub time: Enclosure,
+    /// `y'` just before \[length/time\]; of a graze nothing is said.
+    pub velocity: Option<Enclosure>,
+    /// The rest that comes next, before any other contact.
+    pub rest: Option<Rest>,
+}
+
+/// Whether a contact has to be listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SiteKind {
+    Impact,
+    /// The impact that the orbit starts with: need not be.
+    Start,
+    /// Need not be.
+    Graze,
+}
+
+impl Site {
+    /// The middle of the time's enclosure.
+    pub fn middle(&self) -> BigRational {
+        middle(&self.time.lo().to_rational(), &self.time.hi().to_rational())
+    }
+}
+
+/// The ball on its wall.
+#[derive(Clone, Debug)]
+pub struct Rest {
+    pub from: Enclosure,
+    /// `None`: for ever, or to the end.
+    pub until: Option<Enclosure>,
+    /// After infinitely many impacts.
+    pub is_accumulation: bool,
+}
+
+/// The certified orbit, as far as it is needed.
+pub struct Truth {
+    pub sites: Vec<Site>,
+    /// From when on nothing is certified; `None` if all that was asked for is.
+    pub doubtful_from: Option<Enclosure>,
+    pub conclusion: Conclusion,
+    /// What computed it, as the orbit JSON says it.
+    pub computed: Value,
+    /// The first impact whose enclosure is wider than the digits asked for.
+    pub wide: Option<u64>,
+}
+
+impl Truth {
+    /// Follows the orbit of the scene; when interrupted, as far as it came.
+    pub fn follow(
+        scene: &Scene,
+        settings: Settings,
+        tolerance: &Tolerance,
+        progress: &Progress,
+    ) -> Result<Self, Error> {
+        let mut orbit = scene.orbit(settings)?;
+        let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
+        let mut last: Option<Event> = None;
+        let ended: ControlFlow<()> = follow(&mut orbit, progress, |orbit, step| {
+            let index = last.as_ref().map_or(0, |event| event.index);
+            if let Some(event) = Event::of(orbit, &step, index) {
+                note(&mut sites, &event, tolerance);
+                last = Some(event);
+            }
+            ControlFlow::Continue(())
+        });
+        debug_assert!(ended.is_continue(), "nothing breaks it off");
+        let doubtful_from = match orbit.outcome() {
+            Some(Outcome::Undecided { time: (from, _), .. }) => Some(from.clone()),
+            Some(_) => None,
+            None => Some(
+                last.as_ref()
+                    .map_or_else(|| scene.start().time().enclose(tolerance.bits), |event| enclosure(&event.time)),
+            ),
+        };
+        Ok(Self {
+            sites,
+            doubtful_from,
+            conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
+            computed: arithmetic(&orbit),
+            wide: orbit.first_wide(),
+        })
+    }
+
+    /// The times at which one contact stops being the nearest one and the next begins to be; a rest between is halved.
+    pub fn boundaries(&self) -> Vec<BigRational> {
+        let boundary = |pair: &[Site]| {
+            let [one, next] = pair else { unreachable!("windows of two") };
+            match one.rest.as_ref().and_then(|rest| Some((&rest.from, rest.until.as_ref()?))) {
+                Some((from, until)) => middle(&from.hi().to_rational(), &until.lo().to_rational()),
+                None => middle(&one.middle(), &next.middle()),
+            }
+        };
+        self.sites.windows(2).map(boundary).collect()
+    }
+}
+
+/// The impact that the orbit starts with, if it starts on a wall.
+fn start(scene: &Scene, bits: u32) -> Option<Site> {
+    let start = scene.start();
+    let Place::Wall(wall) = *start.place() else { return None };
+    let enclose = |x: &Exact| x.enclose(bits);
+    let (time, velocity) = (enclose(start.time()), Some(enclose(start.velocity())));
+    Some(Site { kind: SiteKind::Start, index: 0, wall, time, velocity, rest: None })
+}
+
+/// Adds an event of the orbit.
+fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
+    let (index, wall, time) = (event.index, event.wall, enclosure(&event.time));
+    match &event.kind {
+        Kind::Impact { velocity, .. } => {
+            let velocity = Some(enclosure(velocity));
+            sites.push(Site { kind: SiteKind::Impact, index, wall, time, velocity, rest: None });
+        }
+        Kind::Graze => sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None }),
+        Kind::Rest { is_accumulation } => {
+            if *is_accumulation {
+                leave_out_tail(sites, &time, tolerance);
+            }
+            // A rest comes after a contact, were it that of the start.
+            if let Some(last) = sites.last_mut() {
+                last.rest = Some(Rest { from: time, until: None, is_accumulation: *is_accumulation });
+            }
+        }
+        Kind::Release => {
+            if let Some(rest) = sites.last_mut().and_then(|last| last.rest.as_mut()) {
+                rest.until = Some(time);
+            }
+        }
+    }
+}
+
+/// Leaves out the last impacts of a chatter: those not proved to be earlier than its end by more than the tolerance.
+///
+/// To the tolerance they are one with the infinitely many that are not listed.
+fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance) {
+    while let [.., before, last] = sites.as_slice()
+        && last.kind == SiteKind::Impact
+        && before.wall == last.wall
+        && before.rest.is_none()
+        && !tolerance.is_outside_in_time(&tolerance.distance(end, &last.time))
+    {
+        sites.pop();
+    }
+}
+
+/// What is certified of a number.
+fn enclosure(bounds: &Bounds) -> Enclosure {
+    let (Bounds::Certified(x) | Bounds::Float(x)) = bounds;
+    x.clone()
+}
+
+fn middle(one: &BigRational, other: &BigRational) -> BigRational {
+    (one + other) / BigRational::from_integer(2.into())
+}

@@ -1,0 +1,143 @@
+//! Linear axes with round ticks, and those of angles.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::ops::Range;
+
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+
+/// What stays free beyond the data, in parts of the axis.
+const MARGIN: f64 = 0.05;
+/// Ticks on an axis, about.
+const TICKS: f64 = 6.0;
+const QUARTERS: [&str; 5] = ["0", "π/2", "π", "3π/2", "2π"];
+
+/// A linear axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    range: Range<f64>,
+    labels: Labels,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Labels {
+    /// Multiples of a step, with so many decimals.
+    Step(f64, usize),
+    /// Quarters of a turn.
+    Angle,
+}
+
+impl Axis {
+    /// From `low` to `high`; where these are one number, some room around it.
+    pub fn over(low: f64, high: f64) -> Self {
+        let room = if high > low { 0.0 } else { low.abs().max(1.0) };
+        let range = low - room..high + room;
+        let (step, decimals) = step((range.end - range.start) / TICKS);
+        Self { range, labels: Labels::Step(step, decimals) }
+    }
+
+    /// Holds all these, and has free room beyond them; at least a tenth of the greatest of them long, lest the tail of
+    /// a spiral look like a motion.
+    pub fn around(values: impl Iterator<Item = f64>) -> Self {
+        // Below the normal doubles there is no room for ticks, beyond the finite ones none for anything.
+        let values = values.filter(|x| x.is_finite()).map(|x| if x.is_subnormal() { 0.0 } else { x });
+        let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        if low > high {
+            return Self::over(-1.0, 1.0);
+        }
+        let lacking = (0.1 * low.abs().max(high.abs()) - (high - low)).max(0.0) / 2.0;
+        let room = lacking + MARGIN * (high - low);
+        Self::over(low - room, high + room)
+    }
+
+    /// Angles in `[0, 2 pi]`.
+    pub fn angle() -> Self {
+        Self { range: 0.0..TAU, labels: Labels::Angle }
+    }
+}
+
+/// The least of 1, 2, 5, 10, ... times a power of ten that is not less, and its decimals.
+fn step(least: f64) -> (f64, usize) {
+    let exponent = least.log10().floor() as i32;
+    let decade = 10f64.powi(exponent);
+    let (times, exponent) = match least / decade {
+        part if part <= 1.0 => (1.0, exponent),
+        part if part <= 2.0 => (2.0, exponent),
+        part if part <= 5.0 => (5.0, exponent),
+        _ => (10.0, exponent.saturating_add(1)),
+    };
+    (times * decade, exponent.min(0).unsigned_abs() as usize)
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, &value: &f64, (left, right): (i32, i32)) -> i32 {
+        let part = (value - self.range.start) / (self.range.end - self.range.start);
+        left.saturating_add((f64::from(right - left) * part).round() as i32)
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        match self.labels {
+            Labels::Step(step, _) => {
+                let (first, last) = ((self.range.start / step).ceil() as i64, (self.range.end / step).floor() as i64);
+                (first..=last).map(|k| k as f64 * step).collect()
+            }
+            Labels::Angle => (0..5).map(|quarter| f64::from(quarter) * FRAC_PI_2).collect(),
+        }
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, &value: &f64) -> String {
+        match self.labels {
+            Labels::Step(_, decimals) => {
+                let text = format!("{value:.decimals$}");
+                if text.chars().any(|digit| ('1'..='9').contains(&digit)) {
+                    text.replace('-', "−")
+                } else {
+                    "0".into()
+                }
+            }
+            Labels::Angle => QUARTERS[(value / FRAC_PI_2).round() as usize].into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis) -> Vec<String> {
+        axis.key_points(10).iter().map(|value| axis.format_ext(value)).collect()
+    }
+
+    #[test]
+    fn ticks_are_round_and_inside() {
+        assert_eq!(labels(&Axis::over(0.0, 0.7)), ["0", "0.2", "0.4", "0.6"]);
+        assert_eq!(labels(&Axis::over(-4.7, 4.7)), ["−4", "−2", "0", "2", "4"]);
+        assert_eq!(labels(&Axis::over(-9000.0, 9000.0)), ["−5000", "0", "5000"]);
+        assert_eq!(labels(&Axis::angle()), QUARTERS);
+        assert_eq!(Axis::over(0.0, 10.0).map(&2.5, (100, 500)), 200);
+    }
+
+    #[test]
+    fn an_axis_holds_its_data_and_is_never_too_fine() {
+        let axis = Axis::around([-3.0, 5.0].into_iter()).range();
+        assert!(axis.start < -3.0 && axis.end > 5.0 && axis.end < 6.0);
+        let axis = Axis::around([12.5663, 12.5664].into_iter()).range();
+        assert!(axis.end - axis.start > 1.2 && axis.contains(&12.5663));
+        assert!(!Axis::around(std::iter::empty()).range().is_empty());
+        for odd in
+            [[0.0, 0.0], [-5e-324, 5e-324], [f64::NEG_INFINITY, f64::INFINITY], [f64::MIN, f64::MAX], [1e300, 1e300]]
+        {
+            let axis = Axis::around(odd.into_iter());
+            assert!(labels(&axis).len() < 20, "{axis:?}");
+            axis.map(&f64::INFINITY, (100, 500));
+        }
+    }
+}

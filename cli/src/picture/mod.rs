@@ -1,0 +1,63 @@
+//! What all pictures share: the canvas, colours, words, axes, and the file they end in.
+
+mod axis;
+mod dots;
+mod file;
+mod hull;
+mod lines;
+
+use std::error::Error as StdError;
+
+use anyhow::{Result, anyhow};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+pub use axis::Axis;
+pub use dots::{Dots, Shape};
+pub use file::{encoded, path};
+pub use hull::hull;
+pub use lines::simplified;
+
+/// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
+pub const SCALE: i32 = 4;
+/// How wide a letter is on average, in sizes of its font: what a reader's fonts do is not known here.
+pub const LETTER: f64 = 0.47;
+
+/// The colours, three of those that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the
+/// same again.
+pub const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
+pub const VERMILION: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
+pub const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
+pub const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
+
+pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+pub type Drawn = Result<(), Box<dyn StdError>>;
+
+/// The SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
+pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn) -> Result<String> {
+    let mut text = String::new();
+    let drawn = (size.0 * scale as u32, size.1 * scale as u32);
+    {
+        let root = SVGBackend::with_string(&mut text, drawn).into_drawing_area();
+        let all = root.fill(&WHITE).map_err(Box::from).and_then(|()| draw(&root));
+        all.and_then(|()| root.present().map_err(Box::from)).map_err(|error: Box<dyn StdError>| anyhow!("{error}"))?;
+    }
+    let head = |(width, height): (u32, u32)| format!("<svg width=\"{width}\" height=\"{height}\"");
+    Ok(text.replacen(&head(drawn), &head(size), 1))
+}
+
+/// Words of this size, up to this side of their place and centred on its height.
+pub fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
+    TextStyle::from(("sans-serif", size).into_font()).color(colour).pos(Pos::new(side, VPos::Center))
+}
+
+/// The words of a scene as they are set in print.
+pub fn greek(words: &str) -> String {
+    let letters = [("tau", "τ"), ("*pi", "π"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−")];
+    letters.iter().fold(words.to_owned(), |words, (ascii, greek)| words.replace(ascii, greek))
+}
+
+/// A number with the sign of print.
+pub fn signed(x: f64) -> String {
+    format!("{x}").replace('-', "−")
+}

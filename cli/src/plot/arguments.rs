@@ -1,0 +1,145 @@
+//! What `plot` is asked on the command line.
+
+use std::path::PathBuf;
+
+use clap::{ArgGroup, Args, ValueEnum};
+use impact_pair::Scene;
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
+
+use crate::arguments::{bits, digits, point};
+
+pub const HELP: &str = "\
+Examples: impact-pair plot scenes/figure-14.toml --all --output figure-14.svg
+          impact-pair plot scenes/figure-13.toml --panel a --panel c --cycles 12 --output figure-13.png
+
+Panels are those of the paper's figures 12-17; their letters a to h name them, too. Between impacts the motion is drawn by \
+its closed form, (11) and (12). All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a \
+band or a box around its middle. From where nothing is proved on, time panels are hatched. A float run is drawn in \
+another colour, and says that nothing is certified.
+
+Exit code: 0 all that is drawn is certified (or float, which certifies nothing); 1 the orbit became undecided, was \
+interrupted, or is wider than --digits (the picture holds all that is certified, and says so); 2 usage, bad input, I/O.";
+
+/// What is drawn where nothing says how many impacts: sections need many points.
+const SECTION_IMPACTS: u64 = 4000;
+
+#[derive(Args, Debug)]
+#[command(group(ArgGroup::new("shown").required(true).args(["panels", "all"])))]
+pub struct PlotArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// A panel to draw; several times for a sheet of them
+    #[arg(long = "panel", value_enum, value_name = "NAME")]
+    panels: Vec<Panel>,
+    /// All eight panels on one sheet, as in the paper
+    #[arg(long)]
+    all: bool,
+    /// Excitation cycles that the time panels show
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub cycles: u32,
+    /// Excitation cycles that the phase planes show
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub orbit_cycles: u32,
+    /// Stop after so many impacts [default: 4000 for switch-planes and sections, else as many as the cycles need]
+    #[arg(long, value_name = "N")]
+    impacts: Option<u64>,
+    /// Stop at this time, a number or an expression such as 100*pi
+    #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
+    until: Option<Exact>,
+    /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W
+    /// [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
+    /// certified in doubles, whatever the widths; or certified in so many BITS, whatever the widths
+    #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
+    arithmetic: Arithmetic,
+    /// Bits that auto takes at most
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+    /// The picture, which appears whole or not at all; its ending says what it is
+    #[arg(long, short, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
+    pub output: PathBuf,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// A panel of the paper's figures 12-17.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Panel {
+    /// (a) y over t
+    #[value(alias = "a")]
+    Displacement,
+    /// (b) y' over t
+    #[value(alias = "b")]
+    Velocity,
+    /// (c) y' over y
+    #[value(alias = "c")]
+    PhasePlane,
+    /// (d) x' over x, with x = y + E(t)
+    #[value(alias = "d")]
+    AbsolutePhasePlane,
+    /// (e) impacts on both walls, y' over W t mod 2 pi, (18)-(21)
+    #[value(alias = "e")]
+    SwitchPlane,
+    /// (f) impacts on both walls, x' over x, (22)
+    #[value(alias = "f")]
+    AbsoluteSwitchPlane,
+    /// (g) impacts on the left wall, y' over W t mod 2 pi: the Poincaré section of Sigma-
+    #[value(alias = "g")]
+    SectionLeft,
+    /// (h) impacts on the right wall: the Poincaré section of Sigma+
+    #[value(alias = "h")]
+    SectionRight,
+}
+
+impl Panel {
+    /// Whether it shows impacts alone.
+    pub fn is_section(self) -> bool {
+        self >= Self::SwitchPlane
+    }
+}
+
+impl PlotArguments {
+    /// The panels asked for, each once, in the order of the paper if all are.
+    pub fn panels(&self) -> Vec<Panel> {
+        if self.all {
+            return Panel::value_variants().to_vec();
+        }
+        let mut panels = Vec::new();
+        for &panel in &self.panels {
+            if !panels.contains(&panel) {
+                panels.push(panel);
+            }
+        }
+        panels
+    }
+
+    /// Cycles over which curves are drawn: of phase planes more than of time panels.
+    pub fn curve_cycles(&self) -> u32 {
+        let most = self.panels().into_iter().map(|panel| match panel {
+            Panel::Displacement | Panel::Velocity => self.cycles,
+            Panel::PhasePlane | Panel::AbsolutePhasePlane => self.orbit_cycles,
+            _ => 0,
+        });
+        most.max().unwrap_or(0)
+    }
+
+    /// How far the orbit is followed; `end` is when the curves end.
+    pub fn settings(&self, scene: &Scene, end: impl FnOnce(u32) -> Option<Exact>) -> Settings {
+        let asked = self.impacts.is_some() || self.until.is_some();
+        let many = self.panels().into_iter().any(Panel::is_section);
+        let (impacts, until) = match (asked, many) {
+            (true, _) => (self.impacts, self.until.clone()),
+            (false, true) => (Some(SECTION_IMPACTS), None),
+            (false, false) => match end(self.curve_cycles()) {
+                Some(end) => (None, Some(end)),
+                None => (Some(SECTION_IMPACTS), None),
+            },
+        };
+        let digits = self.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
+        Settings { impacts, until, digits, arithmetic: self.arithmetic, max_bits: self.max_bits, attractor: true }
+    }
+}

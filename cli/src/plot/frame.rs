@@ -1,0 +1,173 @@
+//! What each panel shows: its name, axes, and what of the trace lies on them.
+
+use std::f64::consts::TAU;
+
+use impact_pair::pair::Wall;
+
+use super::arguments::Panel;
+use super::trace::{Crossing, Part, Point, Span, Stroke, Trace};
+use crate::picture::Axis;
+
+/// Free room beyond the walls, in parts of the gap.
+const BEYOND_THE_WALLS: f64 = 0.08;
+
+/// A panel of a trace: its axes and what is drawn on them.
+pub struct Frame<'t> {
+    pub panel: Panel,
+    trace: &'t Trace,
+    /// Turns since the start up to which curves are drawn, and the axis of time goes.
+    end: f64,
+}
+
+impl Panel {
+    /// The letter of the paper.
+    pub fn letter(self) -> char {
+        (b'a' + self as u8) as char
+    }
+
+    /// What the paper calls it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Displacement => "time–displacement",
+            Self::Velocity => "time–velocity",
+            Self::PhasePlane => "phase plane, relative",
+            Self::AbsolutePhasePlane => "phase plane, absolute",
+            Self::SwitchPlane => "switch-planes, relative",
+            Self::AbsoluteSwitchPlane => "switch-planes, absolute",
+            Self::SectionLeft => "Poincaré section of Σ−, the left wall",
+            Self::SectionRight => "Poincaré section of Σ+, the right wall",
+        }
+    }
+
+    /// The quantities on its axes, with their units.
+    pub fn quantities(self) -> [&'static str; 2] {
+        match self {
+            Self::Displacement => ["t [time]", "y [length]"],
+            Self::Velocity => ["t [time]", "y′ [length/time]"],
+            Self::PhasePlane => ["y [length]", "y′ [length/time]"],
+            Self::AbsolutePhasePlane => ["x = y + E(t) [length]", "x′ [length/time]"],
+            Self::SwitchPlane | Self::SectionLeft | Self::SectionRight => {
+                ["Ωt mod 2π [rad]", "y′ before the impact [length/time]"]
+            }
+            Self::AbsoluteSwitchPlane => ["x [length]", "x′ before the impact [length/time]"],
+        }
+    }
+
+    /// Whether time runs along it.
+    pub fn is_of_time(self) -> bool {
+        matches!(self, Self::Displacement | Self::Velocity)
+    }
+}
+
+impl<'t> Frame<'t> {
+    /// The panel with curves of so many cycles.
+    pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
+        // Where nothing more is proved the rest of what was asked is shown as open.
+        let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
+        Self { panel, trace, end }
+    }
+
+    /// Where a state is on this panel.
+    pub fn place(&self, point: &Point) -> [Span; 2] {
+        match self.panel {
+            Panel::Displacement => [point.time, point.displacement],
+            Panel::Velocity => [point.time, point.velocity],
+            Panel::PhasePlane => [point.displacement, point.velocity],
+            _ => [point.absolute.0, point.absolute.1],
+        }
+    }
+
+    /// The curves shown, those of impacts' jumps among them.
+    pub fn strokes(&self) -> impl Iterator<Item = (&'t Stroke, Vec<[Span; 2]>)> {
+        let strokes = if self.panel.is_section() { &[] } else { self.trace.strokes.as_slice() };
+        strokes.iter().map(|stroke| {
+            let shown = stroke.points.iter().filter(|point| point.at <= self.end);
+            (stroke, shown.map(|point| self.place(point)).collect())
+        })
+    }
+
+    /// The impacts shown.
+    pub fn crossings(&self) -> impl Iterator<Item = (Wall, [Span; 2])> {
+        let shown = move |crossing: &&Crossing| match self.panel {
+            Panel::SwitchPlane | Panel::AbsoluteSwitchPlane => true,
+            Panel::SectionLeft => crossing.wall == Wall::Left,
+            Panel::SectionRight => crossing.wall == Wall::Right,
+            _ => false,
+        };
+        self.trace.crossings.iter().filter(shown).map(|crossing| {
+            let place = match self.panel {
+                Panel::AbsoluteSwitchPlane => [crossing.absolute.0, crossing.absolute.1],
+                _ => [crossing.phase, crossing.velocity],
+            };
+            (crossing.wall, place)
+        })
+    }
+
+    /// A place on an axis of angles, in two parts where it goes beyond a whole turn.
+    pub fn wrapped(&self, place: [Span; 2]) -> impl Iterator<Item = [Span; 2]> {
+        let [angle, other] = place;
+        let is_angle = self.panel.is_section() && self.panel != Panel::AbsoluteSwitchPlane;
+        let beyond = (is_angle && angle.high > TAU).then(|| {
+            let high = (angle.high - TAU).min(TAU);
+            [Span { low: 0.0, middle: 0.5 * high, high }, other]
+        });
+        [place].into_iter().chain(beyond)
+    }
+
+    /// Grazes, rests and releases shown.
+    pub fn marks(&self) -> impl Iterator<Item = (super::trace::Kind, [Span; 2])> {
+        let marks = if self.panel.is_section() { &[] } else { self.trace.marks.as_slice() };
+        marks.iter().filter(|mark| mark.point.at <= self.end).map(|mark| (mark.kind, self.place(&mark.point)))
+    }
+
+    /// Where the walls are, on the axis they are on.
+    pub fn walls(&self) -> Option<(usize, [Span; 2])> {
+        let wall = self.trace.wall;
+        let walls = [wall.negated(), wall];
+        match self.panel {
+            Panel::Displacement => Some((1, walls)),
+            Panel::PhasePlane => Some((0, walls)),
+            _ => None,
+        }
+    }
+
+    /// From when to when nothing is proved \[time\].
+    pub fn open(&self) -> Option<(f64, f64)> {
+        let (from, to) = (self.trace.known, self.end);
+        (self.panel.is_of_time() && self.trace.is_open && from < to).then(|| (self.time(from), self.time(to)))
+    }
+
+    /// The last state that is proved, where time does not show it.
+    pub fn last(&self) -> Option<[Span; 2]> {
+        let is_cut =
+            !self.trace.is_open || self.panel.is_of_time() || self.panel.is_section() || self.trace.known > self.end;
+        let mut lines = self.trace.strokes.iter().filter(|stroke| stroke.part != Part::Either);
+        let last = lines.next_back().and_then(|stroke| stroke.points.last());
+        last.filter(|_| !is_cut).map(|point| self.place(point))
+    }
+
+    fn time(&self, turns: f64) -> f64 {
+        turns.mul_add(self.trace.period, self.trace.start)
+    }
+
+    /// The axes: all that is shown lies on them.
+    pub fn axes(&self) -> [Axis; 2] {
+        let all = |axis: usize| {
+            let curves = self.strokes().flat_map(move |(_, points)| points.into_iter().map(move |place| place[axis]));
+            let crossings = self.crossings().map(move |(_, place)| place[axis]);
+            Axis::around(curves.chain(crossings).flat_map(|span| [span.low, span.high]))
+        };
+        let time = || Axis::over(self.time(0.0), self.time(self.end));
+        let gap = || {
+            let half = (1.0 + 2.0 * BEYOND_THE_WALLS) * self.trace.wall.high;
+            Axis::over(-half, half)
+        };
+        match self.panel {
+            Panel::Displacement => [time(), gap()],
+            Panel::Velocity => [time(), all(1)],
+            Panel::PhasePlane => [gap(), all(1)],
+            Panel::SwitchPlane | Panel::SectionLeft | Panel::SectionRight => [Axis::angle(), all(1)],
+            Panel::AbsolutePhasePlane | Panel::AbsoluteSwitchPlane => [all(0), all(1)],
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! `impact-pair plot SCENE`: the panels of the paper's figures 12-17, of certified orbits.
+
+pub mod arguments;
+mod frame;
+mod panel;
+mod recorder;
+mod sheet;
+mod symbols;
+#[cfg(test)]
+mod tests;
+mod trace;
+
+use std::io::{self, IsTerminal, Write};
+use std::ops::ControlFlow;
+
+use anyhow::{Context, Result};
+use impact_pair::certificate::{Conclusion, Event, arithmetic, is_certified};
+
+use crate::Answer;
+use crate::ending::Ending;
+use crate::follow::follow;
+use crate::output::Output;
+use crate::picture::encoded;
+use crate::progress::{Progress, interruption};
+use crate::scene;
+use arguments::PlotArguments;
+use panel::Style;
+use recorder::Recorder;
+use sheet::Sheet;
+
+pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
+    let scene = scene::read(&arguments.scene)?;
+    scene::keep(&arguments.scene, Some(&arguments.output))?;
+    let settings = arguments.settings(&scene, |cycles| recorder::end_of(&scene, cycles));
+    let mut orbit = scene.orbit(settings.clone()).with_context(|| scene::name(&arguments.scene))?;
+
+    // From here on Ctrl-C keeps what is certified.
+    interruption();
+    let mut out = Output::open(Some(&arguments.output))?;
+    let visible = !arguments.quiet && io::stderr().is_terminal();
+    let progress = Progress::new(settings.impacts, visible);
+    let mut recorder = Recorder::new(&orbit, arguments.curve_cycles());
+    let mut last: Option<Event> = None;
+    let _ = follow(&mut orbit, &progress, |orbit, step| {
+        recorder.record(orbit, &step);
+        let index = last.as_ref().map_or(0, |event| event.index);
+        last = Event::of(orbit, &step, index).or(last.take());
+        ControlFlow::<()>::Continue(())
+    });
+    progress.clear();
+    let impacts = last.as_ref().map_or(0, |event| event.index);
+    let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
+    let ending = Ending { conclusion, computed: arithmetic(&orbit), wide: orbit.first_wide(), settings: &settings };
+    let trace = recorder.finish(&orbit, &settings, impacts);
+    let style = Style { is_certified: is_certified(settings.arithmetic) };
+    let sheet = Sheet { scene: &scene, trace: &trace, arguments, style, verdict: ending.to_string() };
+    let failed = || format!("cannot draw {}", arguments.output.display());
+    let bytes = sheet.svg().and_then(|svg| encoded(svg, &arguments.output)).with_context(failed)?;
+    out.write_all(&bytes).with_context(failed)?;
+    out.commit()?;
+    if !arguments.quiet {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "{ending}");
+    }
+    Ok(if ending.is_complete() { Answer::Complete } else { Answer::Incomplete })
+}

@@ -1,0 +1,226 @@
+//! Follows an orbit event by event and records what figures draw of it.
+
+use impact_pair::exact::{Enclosure, Exact};
+use impact_pair::number::Ball;
+use impact_pair::orbit::{Course, Impact, Orbit, Outcome, Progress, Settings};
+use impact_pair::pair::Wall;
+
+use super::trace::{Crossing, Kind, Mark, Part, Point, Span, Stroke, Trace};
+
+/// Points of a flight: in a turn, and at least.
+const IN_A_TURN: f64 = 96.0;
+const IN_A_HOP: u32 = 32;
+
+/// A phase: whole turns since the clock's origin and the rest.
+type Phase = (i64, Ball);
+
+/// What the ball does.
+#[derive(Clone, Copy, Debug)]
+enum Now {
+    Flies(Course),
+    Rests(Wall),
+}
+
+/// Records one orbit.
+#[derive(Debug)]
+pub struct Recorder {
+    trace: Trace,
+    /// Turns since the start up to which curves are drawn.
+    window: f64,
+    start: Phase,
+    /// The last event, the state after it where that is an impact, what the ball does since, and whether it has
+    /// grazed a wall since the last impact.
+    last: Phase,
+    after: Option<Point>,
+    now: Now,
+    has_grazed: bool,
+}
+
+/// When `cycles` have passed since the start \[time\]; `None` where that is beyond what exact numbers hold.
+pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
+    let turns = Exact::pi().checked_mul(&Exact::from(2 * i64::from(cycles))).ok()?;
+    let lasting = turns.checked_div(scene.pair().excitation().reference().frequency()).ok()?;
+    let end = scene.start().time().checked_add(&lasting).ok()?;
+    if end.is_point() { Some(end) } else { end.upper() }
+}
+
+impl Recorder {
+    /// For an orbit that has not gone on yet, and the curves of so many cycles.
+    pub fn new(orbit: &Orbit, cycles: u32) -> Self {
+        let (course, turns, phase) = orbit.first_course();
+        let wall = Span::from(&orbit.wall_displacement());
+        let time = |phase: f64| {
+            let rest = Enclosure::from_f64_bounds(phase, phase).expect("a finite number");
+            Span::from(&orbit.clock().time(turns, &rest)).middle
+        };
+        let trace = Trace {
+            strokes: Vec::new(),
+            marks: Vec::new(),
+            crossings: Vec::new(),
+            wall,
+            start: time(phase.mid()),
+            period: time(1.0) - time(0.0),
+            known: 0.0,
+            is_open: false,
+        };
+        let start = (turns, phase);
+        Self {
+            trace,
+            window: f64::from(cycles),
+            start,
+            last: start,
+            after: None,
+            now: Now::Flies(course),
+            has_grazed: false,
+        }
+    }
+
+    /// Turns since the start.
+    fn at(&self, (turns, phase): Phase) -> f64 {
+        turns.saturating_sub(self.start.0) as f64 + (phase.mid() - self.start.1.mid())
+    }
+
+    /// The phase of so many turns since the start.
+    fn phase(&self, at: f64) -> Phase {
+        let turns = self.start.1.mid() + at;
+        (self.start.0.saturating_add(turns.round() as i64), Ball::exact(turns - turns.round()))
+    }
+
+    /// Records the next event.
+    pub fn record(&mut self, orbit: &Orbit, event: &Progress) {
+        match event {
+            Progress::Impact(impact) => self.impact(orbit, impact),
+            Progress::Graze(graze) => {
+                let (middle, radius) = graze.phase.mid_rad();
+                self.touch(orbit, Kind::Graze, (graze.turns, Ball::new(middle, radius)));
+                self.has_grazed = true;
+            }
+            Progress::Rest(rest) => {
+                let (middle, radius) = rest.phase.mid_rad();
+                let phase = (rest.turns, Ball::new(middle, radius));
+                self.now = Now::Rests(rest.wall);
+                if rest.is_accumulation {
+                    // The last bounces are too small to be told from the wall.
+                    self.after = None;
+                    self.sweep(orbit, Part::Chatter, phase, None);
+                    self.last = phase;
+                }
+                self.touch(orbit, Kind::Rest, phase);
+            }
+            Progress::Release(release) => {
+                let (middle, radius) = release.phase.mid_rad();
+                self.touch(orbit, Kind::Release, (release.turns, Ball::new(middle, radius)));
+                self.now = Now::Flies(orbit.course_from(release));
+            }
+            Progress::Retraced(_) | Progress::Ended => {}
+        }
+    }
+
+    fn impact(&mut self, orbit: &Orbit, impact: &Impact) {
+        let phase = (impact.turns, impact.phase);
+        if self.has_grazed {
+            self.now = Now::Flies(orbit.course_before(impact));
+        }
+        let at = self.at(phase);
+        let ends =
+            orbit.impact_points(impact).map(|ends| ends.map(|point| Point::new(at, &point, self.trace.wall.high)));
+        self.sweep(orbit, Part::Flight, phase, ends.map(|[before, _]| before));
+        if let Some(ends) = ends
+            && at <= self.window
+        {
+            self.trace.strokes.push(Stroke { part: Part::Jump, points: ends.to_vec() });
+            let either = self.either(orbit, impact);
+            self.trace.strokes.extend(either);
+        }
+        self.trace.crossings.push(Crossing::new(orbit, impact, self.trace.period));
+        (self.now, self.has_grazed) = (Now::Flies(orbit.course_after(impact)), false);
+        (self.last, self.after) = (phase, ends.map(|[_, after]| after));
+    }
+
+    /// Where the ball may be in the second half of the time of an impact if it has not come yet, and in the first half
+    /// if it has.
+    fn either(&self, orbit: &Orbit, impact: &Impact) -> Option<Stroke> {
+        let half = 0.5 * impact.phase.rad();
+        let over = |course: &Course, from_middle: f64| {
+            // Half of the ball, and what the sum may have been rounded by.
+            let middle = impact.phase.mid() + from_middle;
+            let phase = Ball::new(middle, half).widened(middle.abs() * f64::EPSILON);
+            let point = orbit.course_point(course, impact.turns, phase)?;
+            Some(Point::new(self.at((impact.turns, impact.phase)), &point, self.trace.wall.high))
+        };
+        let Now::Flies(before) = &self.now else { return None };
+        let points = vec![over(before, half)?, over(&orbit.course_after(impact), -half)?];
+        (half > 0.0).then_some(Stroke { part: Part::Either, points })
+    }
+
+    /// An event with no velocity.
+    fn touch(&mut self, orbit: &Orbit, kind: Kind, phase: Phase) {
+        self.follow(orbit, phase);
+        let point = self.point(orbit, phase).filter(|point| point.at <= self.window);
+        self.trace.marks.extend(point.map(|point| Mark { kind, point }));
+        (self.last, self.after) = (phase, None);
+    }
+
+    /// Where the ball is.
+    fn point(&self, orbit: &Orbit, phase: Phase) -> Option<Point> {
+        let point = match &self.now {
+            Now::Flies(course) => orbit.course_point(course, phase.0, phase.1),
+            Now::Rests(wall) => orbit.rest_point(*wall, phase.0, phase.1),
+        };
+        point.map(|point| Point::new(self.at(phase), &point, self.trace.wall.high))
+    }
+
+    /// What the ball does up to an event.
+    fn follow(&mut self, orbit: &Orbit, to: Phase) {
+        let part = match self.now {
+            Now::Flies(_) => Part::Flight,
+            Now::Rests(_) => Part::Rest,
+        };
+        self.sweep(orbit, part, to, None);
+    }
+
+    /// Records the motion up to a phase, where it is at `end` if that is given.
+    fn sweep(&mut self, orbit: &Orbit, part: Part, to: Phase, end: Option<Point>) {
+        let (first, last) = (self.at(self.last), self.at(to));
+        self.trace.known = self.trace.known.max(last);
+        if first >= self.window || first >= last {
+            return;
+        }
+        let is_cut = last > self.window;
+        let end = match end.filter(|_| !is_cut) {
+            Some(end) => Some(end),
+            None => self.point(orbit, if is_cut { self.phase(self.window) } else { to }),
+        };
+        let inner = inner(first, last.min(self.window)).into_iter().filter_map(|at| self.point(orbit, self.phase(at)));
+        let start = self.after.or_else(|| self.point(orbit, self.last));
+        let points = start.into_iter().chain(inner).chain(end).collect();
+        self.trace.strokes.push(Stroke { part, points });
+    }
+
+    /// What is known after the last event.
+    pub fn finish(mut self, orbit: &Orbit, settings: &Settings, impacts: u64) -> Trace {
+        match orbit.outcome() {
+            None | Some(Outcome::Undecided { .. }) => self.trace.is_open = true,
+            Some(_) if settings.impacts == Some(impacts) => {}
+            Some(_) => {
+                let until = settings
+                    .until
+                    .as_ref()
+                    .map(|until| (Span::from(&until.enclose(64)).middle - self.trace.start) / self.trace.period);
+                let end = self.phase(until.map_or(self.window, |until| until.min(self.window)));
+                self.follow(orbit, end);
+            }
+        }
+        self.trace
+    }
+}
+
+/// Times between two others: of the grid that the time panels end on, or of a finer one for a hop.
+fn inner(first: f64, last: f64) -> Vec<f64> {
+    if (last - first) * IN_A_TURN < f64::from(IN_A_HOP) {
+        let step = (last - first) / f64::from(IN_A_HOP);
+        return (1..IN_A_HOP).map(|k| f64::from(k).mul_add(step, first)).collect();
+    }
+    let from = (first * IN_A_TURN).floor() as i64 + 1;
+    (from..).map(|k| k as f64 / IN_A_TURN).take_while(|at| *at < last).collect()
+}

@@ -1,0 +1,139 @@
+//! An orbit as figures draw it: sampled flights, jumps, rests, marks and crossings of the switch-planes.
+
+use std::f64::consts::TAU;
+
+use impact_pair::exact::Enclosure;
+use impact_pair::orbit::{CoursePoint, Orbit};
+use impact_pair::pair::Wall;
+
+/// What a coordinate is proved to lie between, and what it most likely is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    pub low: f64,
+    pub middle: f64,
+    pub high: f64,
+}
+
+impl Span {
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self { low: f(self.low), middle: f(self.middle), high: f(self.high) }
+    }
+
+    /// Mirrored at 0.
+    pub fn negated(self) -> Self {
+        Self { low: -self.high, middle: -self.middle, high: -self.low }
+    }
+}
+
+impl From<&Enclosure> for Span {
+    fn from(x: &Enclosure) -> Self {
+        let (low, high) = x.to_f64_bounds();
+        Self { low, middle: low + 0.5 * (high - low), high }
+    }
+}
+
+/// The motion at some time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Turns since the start.
+    pub at: f64,
+    pub time: Span,
+    /// `y` and `y'`
+    pub displacement: Span,
+    pub velocity: Span,
+    /// `x` and `x'`
+    pub absolute: (Span, Span),
+}
+
+impl Point {
+    /// A state so many turns after the start, with the walls at most so far from the middle.
+    pub fn new(at: f64, point: &CoursePoint, wall: f64) -> Self {
+        Self {
+            at,
+            time: (&point.time).into(),
+            // The ball is in the gap.
+            displacement: Span::from(&point.displacement).map(|y| y.clamp(-wall, wall)),
+            velocity: (&point.velocity).into(),
+            absolute: ((&point.absolute_displacement).into(), (&point.absolute_velocity).into()),
+        }
+    }
+}
+
+/// A part of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Between two events.
+    Flight,
+    /// The velocity before and after an impact.
+    Jump,
+    /// While an impact may have come or not: the flights before and after it. Enclosures without a line.
+    Either,
+    /// Infinitely many bounces, each smaller than the digits asked for.
+    Chatter,
+    /// On a wall.
+    Rest,
+}
+
+/// A part of the motion in points.
+#[derive(Clone, Debug)]
+pub struct Stroke {
+    pub part: Part,
+    pub points: Vec<Point>,
+}
+
+/// An event that is no impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    Graze,
+    Rest,
+    Release,
+}
+
+/// Where such an event is.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark {
+    pub kind: Kind,
+    pub point: Point,
+}
+
+/// An impact as a point of its switch-plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    pub wall: Wall,
+    /// `W t mod 2 pi` \[rad\]; the lower end lies in `[0, 2 pi)`.
+    pub phase: Span,
+    /// `y'` just before the impact.
+    pub velocity: Span,
+    /// `x` and `x'` just before the impact.
+    pub absolute: (Span, Span),
+}
+
+impl Crossing {
+    /// The impact of `orbit`, whose period is `period` \[time\].
+    pub fn new(orbit: &Orbit, impact: &impact_pair::orbit::Impact, period: f64) -> Self {
+        let point = orbit.switch_point(impact);
+        let phase = Span::from(&point.time).map(|time| time * TAU / period);
+        // The product may be rounded up to a whole turn.
+        let phase = if phase.low < TAU { phase } else { phase.map(|phase| (phase - TAU).max(0.0)) };
+        let absolute = ((&point.displacement).into(), (&point.absolute_velocity).into());
+        Self { wall: point.wall, phase, velocity: (&point.relative_velocity).into(), absolute }
+    }
+}
+
+/// All that is drawn of an orbit.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    pub strokes: Vec<Stroke>,
+    pub marks: Vec<Mark>,
+    pub crossings: Vec<Crossing>,
+    /// `d/2`
+    pub wall: Span,
+    /// \[time\]
+    pub start: f64,
+    /// `2 pi/W` \[time\]
+    pub period: f64,
+    /// Turns since the start up to where the motion is known, or asked for.
+    pub known: f64,
+    /// Nothing is proved from there on.
+    pub is_open: bool,
+}

@@ -1,0 +1,146 @@
+//! What `sweep` is asked on the command line.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::{Args, ValueEnum};
+use impact_pair::orbit::Arithmetic;
+use impact_pair::sweep::Axis;
+
+pub const EXIT_CODES: &str = "\
+Exit code: 0 all that was asked is certified at every point; 1 at some points it is not, or the sweep was interrupted; \
+2 usage, bad input, I/O";
+
+pub const HELP: &str = "\
+Examples: impact-pair sweep scenes/figure-14.toml --over amplitude=1..10:1000 --output diagram.csv --plot diagram.svg
+          impact-pair sweep scenes/cascade.toml --over start.phase=0..2*pi:200 --over start.velocity=-6..0:150 --summary \
+--output basins.csv --plot basins.svg
+          impact-pair sweep SCENE --over amplitude=1..10:1000 --shard 1/3 --output one.jsonl
+          impact-pair sweep --merge one.jsonl two.jsonl three.jsonl --format csv --output diagram.csv
+
+KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or start.velocity. Points \
+are exact and evenly spread, both ends among them; of two axes the second one runs through faster.
+
+Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly from a release \
+on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved of the future (it may be chaotic, \
+it may be slow); undecided, with the reason and all that was certified before. Exponent: the logarithm of the \
+spectral norm of the derivative over the impacts after the transient, in turns and gaps a turn, for each of them and for each cycle; -inf \
+after a rest.
+
+With --output FILE all finished points are in FILE.partial until FILE appears; after Ctrl-C or a crash --resume goes on from \
+there. The output has the same bytes for any number of threads, interrupted or not, in shards or not.
+
+Exit code: 0 all that was asked is certified at every point; 1 at some points it is not, or the sweep was interrupted; 2 usage, \
+bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct SweepArguments {
+    /// Scene file (TOML), or - for stdin
+    #[arg(required_unless_present = "merge")]
+    pub scene: Option<PathBuf>,
+    /// What varies, one key or two
+    #[arg(long, value_name = "KEY=LO..HI:COUNT", required_unless_present = "merge", allow_hyphen_values = true)]
+    pub over: Vec<Axis>,
+    /// Impacts that are passed over first, certified as well
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u64).range(0..=MOST_IMPACTS))]
+    pub transient: u64,
+    /// Impacts after them
+    #[arg(long, value_name = "M", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=MOST_IMPACTS))]
+    pub impacts: u64,
+    /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W; finer than
+    /// any picture
+    #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::arguments::digits())]
+    pub digits: u32,
+    /// What computes: as in run
+    #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
+    pub arithmetic: Arithmetic,
+    /// Bits that auto takes at most; more than 100,000 chaotic impacts need, and no point takes minutes to stay undecided
+    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::arguments::bits())]
+    pub max_bits: u32,
+    /// Write no impacts, only what is said of each point
+    #[arg(long)]
+    pub summary: bool,
+    /// Threads that compute [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub threads: Option<u16>,
+    /// Compute only the points of shard I of N; written as jsonl
+    #[arg(long, value_name = "I/N", conflicts_with = "plot")]
+    pub shard: Option<Shard>,
+    /// Put shards together
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = MADE_ANEW)]
+    pub merge: Vec<PathBuf>,
+    /// Go on with what is in FILE.partial, if there is one
+    #[arg(long, requires = "output")]
+    pub resume: bool,
+    /// How the points are written [default: csv, of a shard jsonl]
+    #[arg(long, value_enum)]
+    pub format: Option<SweepFormat>,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Draw the bifurcation diagram, or of two keys the map of outcomes
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
+    pub plot: Option<PathBuf>,
+    /// What the diagram shows over the parameter
+    #[arg(long, value_enum, default_value_t, requires = "plot")]
+    pub show: Show,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Impacts that can be asked for.
+const MOST_IMPACTS: u64 = 1_000_000_000;
+/// What shards have been told already.
+const MADE_ANEW: [&str; 10] =
+    ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
+
+/// How the points of a sweep are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SweepFormat {
+    /// A line an impact and a line a point, bounds in columns
+    Csv,
+    /// JSON Lines, schema impact-pair/sweep/1: the head, a point a line
+    Jsonl,
+    /// Apache Parquet: the columns of csv, bounds as doubles rounded outward
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+/// The vertical axis of a diagram.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Show {
+    /// W t + tau of each impact
+    #[default]
+    Phase,
+    /// y' before each impact
+    Velocity,
+}
+
+/// One of several parts of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// From 1.
+    pub number: u64,
+    pub of: u64,
+}
+
+impl Shard {
+    /// Whether a point is one of this part's: neighbours, which cost alike, go to different parts.
+    pub fn holds(self, point: u64) -> bool {
+        point % self.of == self.number - 1
+    }
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers = || {
+            let (number, of) = text.split_once('/')?;
+            let (number, of) = (number.parse().ok()?, of.parse().ok()?);
+            (1..=of).contains(&number).then_some(Self { number, of })
+        };
+        numbers().ok_or_else(|| "accepted is I/N with I from 1 to N, such as 1/3".into())
+    }
+}

@@ -1,0 +1,97 @@
+//! A sweep as a table: the columns that CSV and Parquet share, and what each row holds.
+
+use super::record::{Bounds, Head, Impact, Record};
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Whole,
+    Text,
+    Truth,
+    /// An exact number as written: text in CSV, bounds in Parquet.
+    Exact,
+    /// Two columns, `_lower` and `_upper`.
+    Bounds,
+}
+
+/// What a row has in a column.
+#[derive(Clone, Copy, Debug)]
+pub enum Cell<'r> {
+    Nothing,
+    Whole(u64),
+    Text(&'r str),
+    Truth(bool),
+    Exact(&'r str),
+    Bounds(&'r Bounds),
+}
+
+/// The columns of a sweep, in order.
+pub fn columns(head: &Head) -> Vec<(String, Kind)> {
+    let rest = [
+        ("record", Kind::Text),
+        ("index", Kind::Whole),
+        ("wall", Kind::Text),
+        ("phase", Kind::Bounds),
+        ("velocity", Kind::Bounds),
+        ("outcome", Kind::Text),
+        ("reason", Kind::Text),
+        ("complete", Kind::Truth),
+        ("bits", Kind::Whole),
+        ("impacts", Kind::Whole),
+        ("wide_from", Kind::Whole),
+        ("impacts_per_cycle", Kind::Bounds),
+        ("exponent", Kind::Bounds),
+        ("exponent_per_cycle", Kind::Bounds),
+        ("exponent_reason", Kind::Text),
+        ("word", Kind::Text),
+        ("period_impacts", Kind::Whole),
+        ("period_cycles", Kind::Whole),
+        ("attracted_from", Kind::Whole),
+    ];
+    // A dot would be a path in Parquet.
+    let keys = head.over.iter().map(|over| (over.key.replace('.', "_"), Kind::Exact));
+    let rest = rest.into_iter().map(|(name, kind)| (name.to_owned(), kind));
+    [("point".to_owned(), Kind::Whole)].into_iter().chain(keys).chain(rest).collect()
+}
+
+/// The rows of a point: its states, then what is said of it all, with the first impact of its attractor.
+pub fn rows(record: &Record) -> impl Iterator<Item = Vec<Cell<'_>>> {
+    record.states.iter().map(|state| row(record, Some(state))).chain([row(record, None)])
+}
+
+fn row<'r>(record: &'r Record, state: Option<&'r Impact>) -> Vec<Cell<'r>> {
+    let text = |text: &'r Option<String>| text.as_deref().map_or(Cell::Nothing, Cell::Text);
+    let whole = |number: Option<u64>| number.map_or(Cell::Nothing, Cell::Whole);
+    let bounds = |bounds: &'r Option<Bounds>| bounds.as_ref().map_or(Cell::Nothing, Cell::Bounds);
+    let mut cells = vec![Cell::Whole(record.point)];
+    cells.extend(record.values.iter().map(|value| Cell::Exact(value)));
+    let period = record.period.as_ref();
+    let place = state.or(period.and_then(|period| period.first.as_ref()));
+    let impact = |of: fn(&'r Impact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
+    cells.push(Cell::Text(if state.is_some() { "state" } else { "point" }));
+    cells.push(whole(state.map(|state| state.index)));
+    cells.push(impact(|impact| Cell::Text(&impact.wall)));
+    cells.push(impact(|impact| Cell::Bounds(&impact.phase)));
+    cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
+    if state.is_some() {
+        cells.extend([Cell::Nothing; 14]);
+        return cells;
+    }
+    cells.extend([
+        Cell::Text(&record.outcome),
+        text(&record.reason),
+        Cell::Truth(record.complete),
+        Cell::Whole(record.bits.into()),
+        Cell::Whole(record.impacts),
+        whole(record.wide_from),
+        bounds(&record.impacts_per_cycle),
+        bounds(&record.exponent.per_impact),
+        bounds(&record.exponent.per_cycle),
+        text(&record.exponent.reason),
+        period.map_or(Cell::Nothing, |period| text(&period.word)),
+        whole(period.map(|period| period.impacts)),
+        whole(period.map(|period| period.cycles)),
+        whole(period.and_then(|period| period.from)),
+    ]);
+    cells
+}

@@ -1,0 +1,184 @@
+//! The points that are finished, on disk: a head, then a record a line, in the order in which they were finished.
+//!
+//! A journal beside the output outlives the program; a line that a crash has torn is forgotten. A shard is a journal as well.
+
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+
+use super::record::{Head, Record};
+
+/// Where the record of a point is.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    offset: u64,
+    bytes: usize,
+}
+
+/// A file of records, and where each of them is.
+pub struct Journal {
+    pub head: Head,
+    file: File,
+    places: BTreeMap<u64, Place>,
+    end: u64,
+    /// Beside an output; otherwise it is gone with the program.
+    path: Option<PathBuf>,
+}
+
+/// The name of the journal of an output that is a file to be.
+fn beside(output: &Path) -> Option<PathBuf> {
+    // Nothing is put beside a device, or a pipe.
+    let is_special = fs::metadata(output).is_ok_and(|existing| !existing.is_file());
+    if output.as_os_str() == "-" || is_special {
+        return None;
+    }
+    // A link stands for what it points at, as for the output itself.
+    let mut name = OsString::from(fs::canonicalize(output).unwrap_or_else(|_| output.to_owned()));
+    name.push(".partial");
+    Some(name.into())
+}
+
+impl Journal {
+    /// The journal of a sweep: a new one, or to `resume` that of an earlier sweep into the same output.
+    pub fn open(head: Head, output: Option<&Path>, resume: bool) -> Result<Self> {
+        let Some(path) = output.and_then(beside) else {
+            return Self::begin(head, tempfile::tempfile().context("cannot open a temporary file")?, None);
+        };
+        let shown = path.display().to_string();
+        if path.exists() {
+            if !resume {
+                bail!("{shown} holds an unfinished sweep: go on with it by --resume, or remove it");
+            }
+            let file = OpenOptions::new().read(true).write(true).open(&path);
+            let file = file.with_context(|| format!("cannot open {shown}"))?;
+            return Self::resumed(head, file, path).with_context(|| shown.clone());
+        }
+        let file = OpenOptions::new().read(true).write(true).create_new(true).open(&path);
+        Self::begin(head, file.with_context(|| format!("cannot write {shown}"))?, Some(path))
+    }
+
+    /// A new journal.
+    fn begin(head: Head, file: File, path: Option<PathBuf>) -> Result<Self> {
+        let line = head.line();
+        let mut journal = Self { head, file, places: BTreeMap::new(), end: 0, path };
+        journal.write(&line).context("cannot write the head of the sweep")?;
+        Ok(journal)
+    }
+
+    /// An earlier sweep's journal, which must be about the same; a torn end is cut off.
+    fn resumed(head: Head, file: File, path: PathBuf) -> Result<Self> {
+        if file.metadata()?.len() == 0 {
+            return Self::begin(head, file, Some(path));
+        }
+        let found = Self::scan(file, true)?;
+        if found.head != head {
+            bail!("it is of another sweep, or of another version: {}", difference(&found.head, &head));
+        }
+        found.file.set_len(found.end).context("cannot cut off what is torn")?;
+        Ok(Self { path: Some(path), ..found })
+    }
+
+    /// A shard, as it was written.
+    pub fn read(path: &Path) -> Result<Self> {
+        let shown = path.display().to_string();
+        let file = File::open(path).with_context(|| format!("cannot read {shown}"))?;
+        Self::scan(file, false).context(shown)
+    }
+
+    /// Reads all of a file; a line that does not end may be one that a crash has torn.
+    fn scan(file: File, may_be_torn: bool) -> Result<Self> {
+        let mut lines = BufReader::new(file);
+        let mut line = String::new();
+        lines.read_line(&mut line).context("line 1")?;
+        let head = Head::read(line.trim_end())?;
+        let (mut places, mut end) = (BTreeMap::new(), line.len() as u64);
+        for number in 2u64.. {
+            line.clear();
+            let bytes = lines.read_line(&mut line).with_context(|| format!("line {number}"))?;
+            if bytes == 0 || (may_be_torn && !line.ends_with('\n')) {
+                break;
+            }
+            let record = Record::read(&line).with_context(|| format!("line {number} is no record of a point"))?;
+            let is_own = record.point < head.points
+                && head.shard.is_none_or(|[number, of]| super::arguments::Shard { number, of }.holds(record.point));
+            if !is_own || record.values.len() != head.over.len() {
+                bail!("line {number}: point {} is none of this sweep, or of this shard", record.point);
+            }
+            if places.insert(record.point, Place { offset: end, bytes: line.trim_end().len() }).is_some() {
+                bail!("line {number}: point {} is there twice", record.point);
+            }
+            end += bytes as u64;
+        }
+        Ok(Self { head, file: lines.into_inner(), places, end, path: None })
+    }
+
+    /// How many points are in it.
+    pub fn points(&self) -> u64 {
+        self.places.len() as u64
+    }
+
+    pub fn holds(&self, point: u64) -> bool {
+        self.places.contains_key(&point)
+    }
+
+    /// The points of the sweep, or of the shard, that are not in it.
+    pub fn missing(&self) -> Vec<u64> {
+        self.head.own().filter(|&point| !self.holds(point)).collect()
+    }
+
+    /// Adds the record of a point; from now on a crash does not lose it.
+    pub fn add(&mut self, point: u64, line: &str) -> io::Result<()> {
+        let place = Place { offset: self.end, bytes: line.len() };
+        self.write(line)?;
+        self.places.insert(point, place);
+        Ok(())
+    }
+
+    fn write(&mut self, line: &str) -> io::Result<()> {
+        self.file.seek(SeekFrom::Start(self.end))?;
+        let text = format!("{line}\n");
+        self.file.write_all(text.as_bytes())?;
+        self.end += text.len() as u64;
+        Ok(())
+    }
+
+    /// The line of a point that is in it.
+    pub fn line(&mut self, point: u64) -> Result<String> {
+        let Place { offset, bytes } = self.places[&point];
+        self.file.seek(SeekFrom::Start(offset))?;
+        let mut line = vec![0; bytes];
+        self.file.read_exact(&mut line).context("cannot read back a finished point")?;
+        Ok(String::from_utf8(line)?)
+    }
+
+    /// Where it stays when the program ends.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Removes it: the output is there.
+    pub fn finish(self) -> Result<()> {
+        match &self.path {
+            Some(path) => fs::remove_file(path).with_context(|| format!("cannot remove {}", path.display())),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The first thing that two sweeps differ in.
+pub fn difference(one: &Head, other: &Head) -> String {
+    let entries = |head: &Head| match serde_json::to_value(head) {
+        Ok(serde_json::Value::Object(entries)) => entries,
+        _ => serde_json::Map::new(),
+    };
+    let (one, other) = (entries(one), entries(other));
+    let keys = one.keys().chain(other.keys());
+    let null = serde_json::Value::Null;
+    let get = |entries: &serde_json::Map<_, _>, key: &String| entries.get(key).unwrap_or(&null).clone();
+    let differ = keys.map(|key| (key, get(&one, key), get(&other, key))).find(|(_, a, b)| a != b);
+    differ.map_or_else(String::new, |(key, a, b)| format!("{key} is {a} in the one and {b} in the other"))
+}

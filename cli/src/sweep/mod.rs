@@ -1,0 +1,214 @@
+//! `impact-pair sweep SCENE --over KEY=LO..HI:COUNT`: bifurcation diagrams, exponents and basins over a grid.
+
+pub mod arguments;
+mod columns;
+mod journal;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod plot;
+mod record;
+mod work;
+mod write;
+
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail};
+use impact_pair::Scene;
+use impact_pair::orbit::Settings;
+use impact_pair::sweep::{Asked, Grid};
+
+use crate::Answer;
+use crate::output::Output;
+use crate::picture::encoded;
+use crate::picture::encoded;
+use crate::progress::interruption;
+use crate::scene;
+use arguments::{SweepArguments, SweepFormat};
+use journal::{Journal, difference};
+use record::Head;
+use work::Work;
+use write::Sweep;
+
+pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
+    keep_files_apart(arguments)?;
+    match &arguments.scene {
+        Some(path) => compute(arguments, path),
+        None => merge(arguments),
+    }
+}
+
+/// Refuses to write one file over another one.
+fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
+    let outputs = [arguments.output.as_deref(), arguments.plot.as_deref()];
+    for input in arguments.scene.iter().chain(&arguments.merge) {
+        outputs.iter().try_for_each(|output| scene::keep(input, *output))?;
+    }
+    if let [Some(output), Some(plot)] = outputs
+        && (output == plot || scene::is_same_file(output, plot))
+    {
+        bail!("cannot write {}: --output and --plot name the same file", plot.display());
+    }
+    Ok(())
+}
+
+/// The format asked for, or the one that suits.
+fn format(arguments: &SweepArguments) -> Result<SweepFormat> {
+    let usual = if arguments.shard.is_some() { SweepFormat::Jsonl } else { SweepFormat::Csv };
+    let format = arguments.format.unwrap_or(usual);
+    if arguments.shard.is_some() && format != SweepFormat::Jsonl {
+        bail!("--format is not jsonl, but a shard is written as jsonl, to be put together by --merge");
+    }
+    Ok(format)
+}
+
+fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
+    let format = format(arguments)?;
+    let scene: Scene = scene::read(path)?;
+    let grid = Grid::new(arguments.over.clone())?;
+    let (digits, arithmetic, max_bits) = (arguments.digits, arguments.arithmetic, arguments.max_bits);
+    let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
+    let asked = Asked { transient: arguments.transient, impacts: arguments.impacts, settings };
+    let head = Head::new(&scene, &grid, &asked, arguments.summary, arguments.shard);
+    let threads = match arguments.threads {
+        Some(threads) => threads.into(),
+        None => thread::available_parallelism().map_or(1, usize::from),
+    };
+    let work = Work { scene: &scene, grid: &grid, asked: &asked, summary: arguments.summary, threads };
+    work.check().with_context(|| scene::name(path))?;
+    // What cannot be written is refused now and not after hours.
+    for output in [&arguments.output, &arguments.plot].into_iter().flatten() {
+        drop(Output::open(Some(output))?);
+    }
+
+    // From here on Ctrl-C keeps what is finished.
+    let interrupted = interruption();
+    let mut journal = Journal::open(head.clone(), arguments.output.as_deref(), arguments.resume)?;
+    let (begun, before) = (Instant::now(), journal.points());
+    let visible = !arguments.quiet && io::stderr().is_terminal();
+    work.complete(&mut journal, visible).with_context(|| scene::name(path))?;
+    let computed = journal.points() - before;
+    let left = journal.missing().len();
+    if left > 0 && interrupted.load(Ordering::Relaxed) && journal.path().is_some() {
+        let path = journal.path().map(|path| path.display().to_string()).unwrap_or_default();
+        let points = journal.points();
+        note(
+            arguments,
+            &format!("interrupted: {points} points are kept in {path}, {left} are left (go on with --resume)"),
+        );
+        return Ok(Answer::Incomplete);
+    }
+    let seconds = begun.elapsed().as_secs_f64();
+    let rate = format!("{computed} in {seconds:.1} s, {:.1} a second", computed as f64 / seconds.max(1e-9));
+    let mut sweep = Sweep { head, journals: vec![journal] };
+    let tally = finish(arguments, &mut sweep, format)?;
+    sweep.journals.into_iter().try_for_each(Journal::finish)?;
+    let lacks = if left > 0 { format!("; interrupted, {left} points are left") } else { String::new() };
+    note(arguments, &format!("{tally} ({rate}){lacks}"));
+    Ok(if tally.is_complete() && left == 0 { Answer::Complete } else { Answer::Incomplete })
+}
+
+/// Puts the shards of a sweep together.
+fn merge(arguments: &SweepArguments) -> Result<Answer> {
+    let journals: Vec<Journal> = arguments.merge.iter().map(|path| Journal::read(path)).collect::<Result<_>>()?;
+    let whole = |journal: &Journal| Head { shard: None, ..journal.head.clone() };
+    let name = |i: usize| arguments.merge[i].display();
+    let head = whole(&journals[0]);
+    let mut seen = Vec::new();
+    for (i, journal) in journals.iter().enumerate() {
+        let Some([number, of]) = journal.head.shard else { bail!("{} is no shard but a whole sweep", name(i)) };
+        if whole(journal) != head {
+            let difference = difference(&journal.head, &Head { shard: journal.head.shard, ..head });
+            bail!("{} and {} are of different sweeps: {difference}", name(i), name(0));
+        }
+        let parts = journals[0].head.shard.map_or(0, |[_, of]| of);
+        if of != parts {
+            bail!("{} is one of {of} shards, but {} is one of {parts}", name(i), name(0));
+        }
+        if seen.contains(&number) {
+            bail!("{} is shard {number}/{of}, which is there already", name(i));
+        }
+        if let Some(point) = journal.missing().first() {
+            bail!("{} lacks point {point}: the shard is not finished", name(i));
+        }
+        seen.push(number);
+    }
+    let of = journals[0].head.shard.map_or(0, |[_, of]| of);
+    if let Some(number) = (1..=of).find(|number| !seen.contains(number)) {
+        bail!("shard {number}/{of} is missing");
+    }
+    let format = format(arguments)?;
+    let mut sweep = Sweep { head, journals };
+    let tally = finish(arguments, &mut sweep, format)?;
+    note(arguments, &tally.to_string());
+    Ok(if tally.is_complete() { Answer::Complete } else { Answer::Incomplete })
+}
+
+/// Writes output and plot.
+fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) -> Result<Tally> {
+    let mut tally = Tally::default();
+    let certified = sweep.head.certified;
+    sweep.each_record(|record| {
+        tally.add(&record.outcome, record.complete);
+        Ok(())
+    })?;
+    tally.certified = certified;
+    let mut out = Output::open(arguments.output.as_deref())?;
+    sweep.write(&mut out, format).context("cannot write the output")?;
+    out.commit()?;
+    if let Some(path) = &arguments.plot {
+        let failed = || format!("cannot draw {}", path.display());
+        let mut picture = Output::open(Some(path))?;
+        let svg = plot::svg(sweep, arguments.show).with_context(failed)?;
+        picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
+        picture.commit()?;
+    }
+    Ok(tally)
+}
+
+/// How many points have which outcome.
+#[derive(Default)]
+struct Tally {
+    outcomes: Vec<(String, u64)>,
+    incomplete: u64,
+    certified: bool,
+}
+
+impl Tally {
+    fn add(&mut self, outcome: &str, complete: bool) {
+        match self.outcomes.iter_mut().find(|(known, _)| known == outcome) {
+            Some((_, count)) => *count += 1,
+            None => self.outcomes.push((outcome.to_owned(), 1)),
+        }
+        self.incomplete += u64::from(!complete);
+    }
+
+    fn is_complete(&self) -> bool {
+        self.incomplete == 0
+    }
+}
+
+impl std::fmt::Display for Tally {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let points: u64 = self.outcomes.iter().map(|(_, count)| count).sum();
+        let mut outcomes = self.outcomes.clone();
+        outcomes.sort();
+        let outcomes: Vec<String> = outcomes.iter().map(|(outcome, count)| format!("{count} {outcome}")).collect();
+        let word = match (self.certified, self.incomplete) {
+            (false, _) => "computed, not certified".to_owned(),
+            (true, 0) => "certified".to_owned(),
+            (true, some) => format!("not all certified, {some} incomplete"),
+        };
+        write!(f, "{word}: {points} points, {}", outcomes.join(", "))
+    }
+}
+
+fn note(arguments: &SweepArguments, text: &str) {
+    if !arguments.quiet {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "{text}");
+    }
+}

@@ -1,0 +1,147 @@
+//! A sweep as Apache Parquet: the columns of the table, bounds as doubles rounded outward.
+
+use std::sync::Arc;
+
+use anyhow::{Context, Error, Result};
+use impact_pair::exact::Exact;
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::parser::parse_message_type;
+
+use super::columns::{Cell, Kind, columns, rows};
+use super::record::Head;
+use super::write::Sweep;
+use crate::output::Output;
+
+/// Rows that are kept in memory and written as one group.
+const GROUP: usize = 1 << 16;
+
+/// A column of a group: for each row its value, if it has one.
+enum Column {
+    Whole(Vec<Option<i64>>),
+    Text(Vec<Option<ByteArray>>),
+    Truth(Vec<Option<bool>>),
+    /// Lower and upper bounds.
+    Bounds([Vec<Option<f64>>; 2]),
+}
+
+/// Writes all of a sweep; the head, as JSON, stands in the file's metadata under `impact-pair/sweep`.
+pub fn write(sweep: &mut Sweep, out: &mut Output) -> Result<()> {
+    let schema = parse_message_type(&schema(&sweep.head)).context("the columns make no schema")?;
+    let head = KeyValue::new("impact-pair/sweep".to_owned(), sweep.head.line());
+    let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![head])).build();
+    let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
+    let empty: Vec<Kind> = columns(&sweep.head).into_iter().map(|(_, kind)| kind).collect();
+    let mut group = Group::new(&empty);
+    sweep.each_record(|record| {
+        for row in rows(&record) {
+            group.push(&row)?;
+            if group.rows == GROUP {
+                std::mem::replace(&mut group, Group::new(&empty)).write(writer.next_row_group()?)?;
+            }
+        }
+        Ok(())
+    })?;
+    if group.rows > 0 {
+        group.write(writer.next_row_group()?)?;
+    }
+    writer.close()?;
+    Ok(())
+}
+
+/// The schema as Parquet's own words have it.
+fn schema(head: &Head) -> String {
+    let column = |(name, kind): (String, Kind)| match kind {
+        Kind::Whole => format!("OPTIONAL INT64 {name};"),
+        Kind::Text => format!("OPTIONAL BYTE_ARRAY {name} (UTF8);"),
+        Kind::Truth => format!("OPTIONAL BOOLEAN {name};"),
+        Kind::Exact | Kind::Bounds => format!("OPTIONAL DOUBLE {name}_lower; OPTIONAL DOUBLE {name}_upper;"),
+    };
+    let columns: String = columns(head).into_iter().map(column).collect();
+    format!("message sweep {{ {columns} }}")
+}
+
+/// The doubles next to an exact number, below and above it.
+fn doubles(text: &str) -> Result<[f64; 2]> {
+    Ok(match text {
+        "inf" => [f64::INFINITY; 2],
+        "-inf" => [f64::NEG_INFINITY; 2],
+        text => {
+            let (low, high) = Exact::parse(text).context("a bound is no number")?.enclose(64).to_f64_bounds();
+            [low, high]
+        }
+    })
+}
+
+/// Rows that are written together.
+struct Group {
+    columns: Vec<Column>,
+    rows: usize,
+}
+
+impl Group {
+    fn new(kinds: &[Kind]) -> Self {
+        let column = |kind: &Kind| match kind {
+            Kind::Whole => Column::Whole(Vec::new()),
+            Kind::Text => Column::Text(Vec::new()),
+            Kind::Truth => Column::Truth(Vec::new()),
+            Kind::Exact | Kind::Bounds => Column::Bounds([Vec::new(), Vec::new()]),
+        };
+        Self { columns: kinds.iter().map(column).collect(), rows: 0 }
+    }
+
+    fn push(&mut self, row: &[Cell<'_>]) -> Result<()> {
+        for (column, cell) in self.columns.iter_mut().zip(row) {
+            match (column, cell) {
+                (Column::Whole(values), Cell::Whole(number)) => values.push(Some(i64::try_from(*number)?)),
+                (Column::Text(values), Cell::Text(text)) => values.push(Some(ByteArray::from(*text))),
+                (Column::Truth(values), Cell::Truth(truth)) => values.push(Some(*truth)),
+                (Column::Bounds([lower, upper]), Cell::Bounds([low, high])) => {
+                    lower.push(Some(doubles(low)?[0]));
+                    upper.push(Some(doubles(high)?[1]));
+                }
+                (Column::Bounds([lower, upper]), Cell::Exact(text)) => {
+                    let [low, high] = doubles(text)?;
+                    lower.push(Some(low));
+                    upper.push(Some(high));
+                }
+                (Column::Whole(values), _) => values.push(None),
+                (Column::Text(values), _) => values.push(None),
+                (Column::Truth(values), _) => values.push(None),
+                (Column::Bounds(both), _) => both.iter_mut().for_each(|values| values.push(None)),
+            }
+        }
+        self.rows += 1;
+        Ok(())
+    }
+
+    fn write(self, mut group: SerializedRowGroupWriter<'_, &mut Output>) -> Result<()> {
+        for column in self.columns {
+            match column {
+                Column::Whole(values) => put::<Int64Type>(&mut group, values)?,
+                Column::Text(values) => put::<ByteArrayType>(&mut group, values)?,
+                Column::Truth(values) => put::<BoolType>(&mut group, values)?,
+                Column::Bounds([lower, upper]) => {
+                    put::<DoubleType>(&mut group, lower)?;
+                    put::<DoubleType>(&mut group, upper)?;
+                }
+            }
+        }
+        group.close()?;
+        Ok(())
+    }
+}
+
+/// Writes the next column of a group.
+fn put<T: DataType>(group: &mut SerializedRowGroupWriter<'_, &mut Output>, values: Vec<Option<T::T>>) -> Result<()> {
+    let levels: Vec<i16> = values.iter().map(|value| i16::from(value.is_some())).collect();
+    let values: Vec<T::T> = values.into_iter().flatten().collect();
+    let missing = || Error::from(ParquetError::General("a column is missing".into()));
+    let mut column = group.next_column()?.ok_or_else(missing)?;
+    column.typed::<T>().write_batch(&values, Some(&levels), None)?;
+    column.close()?;
+    Ok(())
+}

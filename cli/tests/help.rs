@@ -1,0 +1,129 @@
+//! Help, version and manual: every example in the help runs, and every verb has some.
+
+mod common;
+
+use std::fs;
+use std::path::PathBuf;
+
+use common::program;
+
+const VERBS: [&str; 10] =
+    ["run", "periodic", "bifurcations", "check", "prove", "trade", "two-impact", "audit", "man", "completions"];
+
+fn help(verb: &str) -> String {
+    let answer = program(&[verb, "--help"]).output().unwrap();
+    assert!(answer.status.success());
+    String::from_utf8(answer.stdout).unwrap()
+}
+
+/// The commands below `Examples:`; one that ends in a pipe goes on in the next line.
+fn examples(help: &str) -> Vec<String> {
+    let lines = help.lines().skip_while(|line| *line != "Examples:").skip(1).take_while(|line| line.starts_with("  "));
+    let mut examples: Vec<String> = Vec::new();
+    for line in lines {
+        match examples.last_mut().filter(|last| last.ends_with('|')) {
+            Some(last) => last.push_str(line),
+            None => examples.push(line.trim().to_owned()),
+        }
+    }
+    examples
+}
+
+#[test]
+fn every_verb_is_listed_and_has_examples() {
+    let answer = program(&["--help"]).output().unwrap();
+    let text = String::from_utf8(answer.stdout).unwrap();
+    let verbs = text.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = verbs.filter(|line| !line.starts_with("   ")).map(|line| line.split_whitespace().next().unwrap());
+    for verb in names.filter(|&verb| verb != "help") {
+        let count = examples(&help(verb)).len();
+        assert!((2..=3).contains(&count), "{verb} has {count} examples");
+    }
+    for verb in VERBS {
+        assert!(text.contains(&format!("\n  {verb} ")), "no {verb}");
+    }
+}
+
+/// A folder with the scenes and a list, as the examples have them.
+#[cfg(all(unix, feature = "multiprecision"))]
+fn folder() -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("help");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(folder.join("scenes")).unwrap();
+    for scene in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes")).unwrap() {
+        let scene = scene.unwrap();
+        fs::copy(scene.path(), folder.join("scenes").join(scene.file_name())).unwrap();
+    }
+    fs::write(folder.join("events.csv"), "time,wall,velocity\n0.5513480202185213,right,35.45263760123459\n").unwrap();
+    fs::write(folder.join("sol.txt"), "0.5513480202185213 0 1 35.45263760123459\n").unwrap();
+    folder
+}
+
+#[cfg(all(unix, feature = "multiprecision"))]
+#[test]
+fn every_example_runs() {
+    let folder = folder();
+    let bin = std::path::Path::new(env!("CARGO_BIN_EXE_impact-pair")).parent().unwrap();
+    let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap());
+    for verb in VERBS {
+        for example in examples(&help(verb)) {
+            let answer = std::process::Command::new("sh")
+                .args(["-c", &example])
+                .current_dir(&folder)
+                .env("PATH", &path)
+                .output()
+                .unwrap();
+            let stderr = String::from_utf8_lossy(&answer.stderr);
+            // What cannot be certified may be an example, too.
+            assert!(answer.status.code().is_some_and(|code| code <= 1), "{example}: {stderr}");
+        }
+    }
+    for written in [
+        "impacts.csv",
+        "audit.json",
+        "Figure14.v",
+        "orbit.jsonl",
+        "trade.svg",
+        "figure-10.svg",
+        "man/impact-pair-run.1",
+    ] {
+        assert!(folder.join(written).is_file(), "no {written}");
+    }
+}
+
+#[test]
+fn the_manual_has_a_page_for_each_verb() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("manual");
+    let _ = fs::remove_dir_all(&folder);
+    let answer = program(&["man", "--output", folder.to_str().unwrap()]).output().unwrap();
+    assert!(answer.status.success() && answer.stdout.is_empty(), "{answer:?}");
+    for verb in VERBS {
+        let page = fs::read_to_string(folder.join(format!("impact-pair-{verb}.1"))).unwrap();
+        assert!(page.contains(".SH SYNOPSIS") && page.contains("Examples:"), "{verb}");
+    }
+    let page = String::from_utf8(program(&["man"]).output().unwrap().stdout).unwrap();
+    assert_eq!(page, fs::read_to_string(folder.join("impact-pair.1")).unwrap());
+    assert!(page.contains("impact\\-pair\\-audit(1)"), "{page}");
+}
+
+#[test]
+fn the_version_says_what_it_was_built_with() {
+    let version = |flag: &str| String::from_utf8(program(&[flag]).output().unwrap().stdout).unwrap();
+    let short = concat!("impact-pair ", env!("CARGO_PKG_VERSION"), "\n");
+    assert_eq!(version("-V"), short);
+    let long = version("--version");
+    assert!(long.starts_with(short) && long.contains(std::env::consts::ARCH), "{long}");
+    assert_eq!(long.contains("MPFR 4."), cfg!(feature = "multiprecision"), "{long}");
+}
+
+#[test]
+fn nothing_is_coloured_where_it_is_not_wanted() {
+    let is_coloured = |command: &mut std::process::Command| {
+        let answer = command.env("CLICOLOR_FORCE", "1").output().unwrap();
+        answer.stdout.contains(&0x1b) || answer.stderr.contains(&0x1b)
+    };
+    for arguments in [&["run", "--help"][..], &["juggle"], &["run"]] {
+        assert!(is_coloured(program(arguments).env_remove("NO_COLOR")), "{arguments:?}");
+        assert!(!is_coloured(&mut program(arguments)), "{arguments:?}");
+    }
+}

@@ -1,0 +1,149 @@
+//! `plot` on the command line: stdout, stderr and exit code together, and the file.
+
+mod common;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use common::program;
+use insta_cmd::assert_cmd_snapshot;
+
+fn plot(arguments: &[&str]) -> Command {
+    let mut command = program(&["plot"]);
+    command.args(arguments);
+    command
+}
+
+/// An empty folder of this test.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[test]
+fn bad_questions_are_refused() {
+    let scene = "scenes/figure-12.toml";
+    assert_cmd_snapshot!("arguments_of_plot", plot(&["--help"]));
+    assert_cmd_snapshot!("no_panel", plot(&[scene, "--output", "a.svg"]));
+    assert_cmd_snapshot!("no_output", plot(&[scene, "--all"]));
+    assert_cmd_snapshot!("no_such_panel", plot(&[scene, "--panel", "i", "--output", "a.svg"]));
+    assert_cmd_snapshot!("no_cycles", plot(&[scene, "--all", "--cycles", "0", "--output", "a.svg"]));
+    assert_cmd_snapshot!("one_and_all", plot(&[scene, "--all", "--panel", "a", "--output", "a.svg"]));
+    assert_cmd_snapshot!("no_such_scene", plot(&["scenes/none.toml", "--all", "--output", "a.svg"]));
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn other_endings_are_refused() {
+    let scene = "scenes/figure-12.toml";
+    assert_cmd_snapshot!("pdf", plot(&[scene, "--all", "--output", "a.pdf"]));
+    assert_cmd_snapshot!("no_ending", plot(&[scene, "--all", "--output", "-"]));
+}
+
+#[test]
+fn bad_input_writes_nothing() {
+    let folder = folder("plot-bad");
+    let (scene, picture) = (folder.join("scene.toml"), folder.join("a.svg"));
+    fs::write(&scene, common::scene("figure-12.toml").replace("restitution = 0.5", "restitution = 2")).unwrap();
+    let answer = plot(&[scene.to_str().unwrap(), "--all", "--output"]).arg(&picture).output().unwrap();
+    assert_eq!(answer.status.code(), Some(2));
+    assert!(String::from_utf8(answer.stderr).unwrap().contains("pair.restitution"));
+    assert!(!picture.exists());
+}
+
+#[test]
+fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
+    let folder = folder("plot-sheet");
+    let drawn = |name: &str| {
+        let picture = folder.join(name);
+        let arguments = ["scenes/figure-13.toml", "--all", "--impacts", "60", "--quiet", "--output"];
+        let answer = plot(&arguments).arg(&picture).output().unwrap();
+        assert!(answer.status.success() && answer.stdout.is_empty() && answer.stderr.is_empty(), "{answer:?}");
+        fs::read_to_string(picture).unwrap()
+    };
+    let svg = drawn("a.svg");
+    assert_eq!(svg, drawn("b.svg"));
+    let shown = [
+        "(a) ",
+        "(b) ",
+        "(c) ",
+        "(d) ",
+        "(e) ",
+        "(f) ",
+        "(g) ",
+        "(h) ",
+        "A = 2, Ω = π",
+        "certified: 60 impacts",
+        "impact-pair ",
+        "d/2",
+        "Ωt mod 2π [rad]",
+        "3π/2",
+        "impact on the right wall, Σ+",
+    ];
+    for words in shown {
+        assert!(svg.contains(words), "{words}");
+    }
+    assert!(svg.starts_with("<svg width=\"1120\"") && svg.ends_with("</svg>\n") && svg.len() < 500_000);
+}
+
+#[test]
+fn what_is_not_proved_is_said_and_drawn() {
+    let folder = folder("plot-open");
+    let picture = folder.join("a.svg");
+    let arguments = ["scenes/figure-14.toml", "--panel", "a", "--cycles", "50", "--arithmetic", "interval", "--output"];
+    let answer = plot(&arguments).arg(&picture).output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    let said = String::from_utf8(answer.stderr).unwrap();
+    assert!(said.starts_with("undecided after impact ") && answer.stdout.is_empty(), "{said}");
+    let svg = fs::read_to_string(&picture).unwrap();
+    assert!(svg.contains("undecided after impact ") && svg.contains("nothing is proved from here on"));
+}
+
+#[test]
+fn there_may_be_nothing_to_see() {
+    let folder = folder("plot-still");
+    let still = "excitation = { amplitude = 0, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0.5 }\n";
+    for start in ["wall = \"left\", velocity = 0", "position = 0, velocity = 0"] {
+        let (scene, picture) = (folder.join("scene.toml"), folder.join("a.svg"));
+        fs::write(&scene, format!("{still}start = {{ time = 0, {start} }}\n")).unwrap();
+        let answer = plot(&[scene.to_str().unwrap(), "--all", "--output"]).arg(&picture).output().unwrap();
+        assert!(answer.status.success(), "{start}: {answer:?}");
+        assert!(fs::read_to_string(&picture).unwrap().contains("(h) "));
+    }
+}
+
+#[test]
+fn floats_claim_nothing() {
+    let folder = folder("plot-float");
+    let picture = folder.join("a.svg");
+    let arguments = ["scenes/figure-14.toml", "--panel", "time", "--output"];
+    assert_eq!(plot(&arguments).arg(&picture).output().unwrap().status.code(), Some(2));
+    let arguments = ["scenes/figure-14.toml", "--panel", "velocity", "--arithmetic", "float", "--output"];
+    let answer = plot(&arguments).arg(&picture).output().unwrap();
+    assert!(answer.status.success(), "{answer:?}");
+    let svg = fs::read_to_string(&picture).unwrap();
+    assert!(svg.contains("motion, not certified") && svg.contains("computed, not certified: "));
+    assert!(!svg.contains("#0072B2"), "the colour of what is certified");
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn a_png_is_the_same_drawing_with_words() {
+    let folder = folder("plot-png");
+    let draw = |ending: &str| {
+        let picture = folder.join(format!("a.{ending}"));
+        let answer = plot(&["scenes/figure-12.toml", "--panel", "c", "--output"]).arg(&picture).output().unwrap();
+        assert!(answer.status.success(), "{answer:?}");
+        fs::read(picture).unwrap()
+    };
+    let (svg, png) = (String::from_utf8(draw("svg")).unwrap(), draw("png"));
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    let size = |from: usize| u32::from_be_bytes(png[from..from + 4].try_into().unwrap());
+    let head = format!("<svg width=\"{}\" height=\"{}\"", size(16) / 2, size(20) / 2);
+    assert!(svg.starts_with(&head), "{head}");
+    // Without its words the picture would be a good deal smaller.
+    assert!(png.len() > 20_000, "{}", png.len());
+}

@@ -1,0 +1,346 @@
+//! Sweeps: the same bytes whatever the threads, interruptions and shards; all outcomes; what is refused.
+
+mod common;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use common::program;
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+
+fn sweep(arguments: &[&str]) -> Command {
+    let mut command = program(&["sweep"]);
+    command.args(arguments);
+    command
+}
+
+/// An empty folder of this test.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("sweep").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A sweep through order and chaos, short enough for a test.
+const DIAGRAM: [&str; 7] =
+    ["scenes/figure-14.toml", "--over", "amplitude=4..9:21", "--transient", "60", "--impacts", "12"];
+
+/// What an undecided point costs in chaos without multiprecision.
+const CODE: i32 = if cfg!(feature = "multiprecision") { 0 } else { 1 };
+
+fn written(command: &mut Command, file: &Path) -> Vec<u8> {
+    written_with(CODE, command, file)
+}
+
+fn written_with(code: i32, command: &mut Command, file: &Path) -> Vec<u8> {
+    let answer = command.arg("--output").arg(file).output().unwrap();
+    assert_eq!(answer.status.code(), Some(code), "{answer:?}");
+    assert!(answer.stdout.is_empty());
+    fs::read(file).unwrap()
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+fn error(answer: &Output) -> String {
+    assert_eq!(answer.status.code(), Some(2), "{answer:?}");
+    String::from_utf8(answer.stderr.clone()).unwrap()
+}
+
+#[test]
+fn any_number_of_threads_writes_the_same_bytes() {
+    let folder = folder("threads");
+    for format in ["csv", "jsonl"] {
+        let of = |threads: &str| {
+            let file = folder.join(format!("{threads}.{format}"));
+            written(sweep(&DIAGRAM).args(["--format", format, "--threads", threads]), &file)
+        };
+        let one = of("1");
+        assert_eq!(one, of("2"));
+        assert_eq!(one, sweep(&DIAGRAM).args(["--format", format, "--threads", "3"]).output().unwrap().stdout);
+        assert!(one.len() > 10_000);
+    }
+    assert_eq!(files(&folder), ["1.csv", "1.jsonl", "2.csv", "2.jsonl"]);
+}
+
+#[test]
+fn shards_put_together_are_the_whole() {
+    let folder = folder("shards");
+    let shard = |number: u32| {
+        let file = folder.join(format!("{number}.jsonl"));
+        written(sweep(&DIAGRAM).args(["--shard", &format!("{number}/3")]), &file);
+        file.to_str().unwrap().to_owned()
+    };
+    let [one, two, three] = [1, 2, 3].map(shard);
+    let mut formats = vec!["csv", "jsonl"];
+    if cfg!(feature = "parquet") {
+        formats.push("parquet");
+    }
+    for format in formats {
+        let whole = written(sweep(&DIAGRAM).args(["--format", format]), &folder.join("whole"));
+        let merged = sweep(&["--merge", &three, &one, &two, "--format", format]).output().unwrap();
+        assert_eq!((merged.status.code(), merged.stdout == whole), (Some(CODE), true), "{format}");
+    }
+    let merge = |shards: &[&str]| error(&sweep(&[&["--merge"], shards].concat()).output().unwrap());
+    assert!(merge(&[&one, &two]).contains("shard 3/3 is missing"));
+    assert!(merge(&[&one, &two, &two]).contains("is shard 2/3, which is there already"));
+    let whole = folder.join("whole.jsonl");
+    written(sweep(&DIAGRAM).args(["--format", "jsonl"]), &whole);
+    assert!(merge(&[whole.to_str().unwrap()]).contains("is no shard but a whole sweep"));
+    // A shard of another sweep, one that is not finished, and one that is damaged.
+    let other = folder.join("other.jsonl");
+    written(sweep(&DIAGRAM).args(["--digits", "7", "--shard", "2/3"]), &other);
+    assert!(merge(&[&one, other.to_str().unwrap(), &three]).contains("different sweeps: digits is 7 in the one and 6"));
+    let text = fs::read_to_string(&two).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    let damaged = folder.join("damaged.jsonl");
+    let with = |text: String| {
+        fs::write(&damaged, text).unwrap();
+        merge(&[&one, damaged.to_str().unwrap(), &three])
+    };
+    assert!(with(lines[..lines.len() - 1].join("\n")).contains("lacks point 19: the shard is not finished"));
+    assert!(with(text.replace("\"point\":1,", "\"point\":2,")).contains("line 2: point 2 is none of this sweep"));
+    assert!(with(format!("{text}{}\n", lines[1])).contains("point 1 is there twice"));
+    assert!(with(text[..text.len() / 2].to_owned()).contains("is no record of a point"));
+    assert!(with("nothing".into()).contains("line 1 is no head"));
+}
+
+#[test]
+fn a_torn_journal_is_gone_on_with() {
+    let folder = folder("torn");
+    let whole = written(&mut sweep(&DIAGRAM), &folder.join("whole.csv"));
+    let lines = sweep(&DIAGRAM).args(["--format", "jsonl"]).output().unwrap().stdout;
+    // The head, points 0 to 6, and part of the next one: what a crash may leave.
+    let ends: Vec<usize> = (0..lines.len()).filter(|&i| lines[i] == b'\n').collect();
+    let (file, partial) = (folder.join("resumed.csv"), folder.join("resumed.csv.partial"));
+    fs::write(&partial, &lines[..ends[7] + 100]).unwrap();
+    let refused = sweep(&DIAGRAM).arg("--output").arg(&file).output().unwrap();
+    assert!(error(&refused).contains("holds an unfinished sweep: go on with it by --resume, or remove it"));
+    let answer = sweep(&DIAGRAM).args(["--digits", "5", "--resume", "--output"]).arg(&file).output().unwrap();
+    assert!(error(&answer).contains("of another sweep, or of another version: digits is 6 in the one and 5"));
+    let answer = sweep(&DIAGRAM).args(["--resume", "--output"]).arg(&file).output().unwrap();
+    assert!(String::from_utf8(answer.stderr).unwrap().contains("(14 in "), "seven points are taken over");
+    assert_eq!(fs::read(&file).unwrap(), whole);
+    assert_eq!(files(&folder), ["resumed.csv", "whole.csv"]);
+    // Where there is nothing to go on with, it begins.
+    assert_eq!(written(sweep(&DIAGRAM).arg("--resume"), &folder.join("new.csv")), whole);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_what_is_finished() {
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::Pid;
+    use std::process::Stdio;
+
+    let folder = folder("interrupted");
+    let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:401", "--transient", "50", "--impacts", "5"];
+    // Few enough impacts for doubles.
+    let whole = written_with(0, &mut sweep(&long), &folder.join("whole.csv"));
+    let (file, partial) = (folder.join("part.csv"), folder.join("part.csv.partial"));
+    let child = sweep(&long).arg("--output").arg(&file).stderr(Stdio::piped()).spawn().unwrap();
+    let lines = || fs::read_to_string(&partial).map_or(0, |text| text.lines().count());
+    while lines() < 20 {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+    let answer = child.wait_with_output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    let said = String::from_utf8(answer.stderr).unwrap();
+    assert!(said.starts_with(&format!("interrupted: {} points are kept in", lines() - 1)), "{said}");
+    assert!(!file.exists() && lines() < 402);
+    assert_eq!(written_with(0, sweep(&long).arg("--resume"), &file), whole);
+    assert_eq!(files(&folder), ["part.csv", "whole.csv"]);
+}
+
+/// A scene file of this test.
+fn scene(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+fn records(answer: &Output) -> Vec<Value> {
+    let text = std::str::from_utf8(&answer.stdout).unwrap();
+    text.lines().skip(1).map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn scenes_that_rest_graze_or_never_impact_have_their_outcomes() {
+    let folder = folder("outcomes");
+    let of = |arguments: &[&str]| {
+        let answer =
+            sweep(arguments).args(["--transient", "4", "--impacts", "40", "--format", "jsonl"]).output().unwrap();
+        (answer.status.code(), records(&answer))
+    };
+    // The chatter comes to rest, from slower starts as well; from the release on the motion is the same.
+    let (code, points) = of(&["scenes/chatter.toml", "--over", "start.velocity=-0.5..-0.25:3"]);
+    assert_eq!(code, Some(0));
+    for point in &points {
+        assert_eq!((point["outcome"].as_str(), point["complete"].as_bool()), (Some("periodic"), Some(true)), "{point}");
+        assert_eq!(point["exponent"]["per_impact"][1], "-inf");
+        assert_eq!(point["states"].as_array().unwrap().len(), 40);
+    }
+    for point in &points {
+        assert_eq!(point["impacts_per_cycle"][0], "inf");
+        assert_eq!(point["period"]["cycles"], 9);
+    }
+    // Without rebound the derivative has rank one.
+    let (_, points) = of(&["scenes/chatter.toml", "--over", "restitution=0..0.1:2"]);
+    assert_eq!((&points[0]["outcome"], &points[0]["complete"]), (&"attracted".into(), &true.into()));
+
+    // A ball without velocity in the middle of a box that stands still, or nearly.
+    let still = scene(
+        &folder,
+        "still.toml",
+        "excitation = { amplitude = 0, frequency = 1, phase = 0 }\npair = { gap = 4, restitution = 0.5 }\n\
+         start = { time = 0, position = 0, velocity = 0 }",
+    );
+    let (code, points) = of(&[&still, "--over", "gap=1..2:3"]);
+    assert!(code == Some(0) && points.iter().all(|point| point["outcome"] == "never-impacts"));
+    assert!(points.iter().all(|point| point["exponent"]["reason"] == "no-impacts" && point["impacts"] == 0));
+    // Without shaking a ball that bounces ends on no wall; one that is at rest on a wall rests for ever.
+    let resting = fs::read_to_string(&still).unwrap().replace("position = 0,", "wall = \"left\",");
+    let (code, points) = of(&[&scene(&folder, "resting.toml", &resting), "--over", "gap=1..2:2"]);
+    assert!(code == Some(0) && points.iter().all(|point| point["outcome"] == "rests-forever"), "{points:?}");
+}
+
+#[test]
+fn undecided_points_stay_with_what_is_certified() {
+    let arguments = ["scenes/figure-14.toml", "--over", "amplitude=1..8:2", "--transient", "20", "--impacts", "300"];
+    let answer = sweep(&arguments).args(["--arithmetic", "interval", "--format", "jsonl"]).output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    let points = records(&answer);
+    assert_eq!((&points[0]["outcome"], &points[1]["outcome"]), (&"attracted".into(), &"undecided".into()));
+    assert_eq!((&points[1]["reason"], &points[1]["complete"]), (&"width".into(), &false.into()));
+    let states = points[1]["states"].as_array().unwrap().len() as u64;
+    assert!(states > 20 && points[1]["impacts"] == states + 20);
+    assert!(
+        String::from_utf8(answer.stderr).unwrap().starts_with("not all certified, 1 incomplete: 2 points, 1 attracted")
+    );
+    // Floats claim nothing.
+    let answer = sweep(&arguments).args(["--arithmetic", "float", "--format", "jsonl"]).output().unwrap();
+    assert!(answer.status.success() && answer.stdout.starts_with(b"{\"schema\":\"impact-pair/sweep/1\""));
+    let head: Value = serde_json::from_slice(answer.stdout.split(|&byte| byte == b'\n').next().unwrap()).unwrap();
+    assert_eq!(head["certified"], false);
+}
+
+#[cfg(feature = "multiprecision")]
+#[test]
+fn a_graze_is_passed_and_has_no_exponent() {
+    let arguments = ["scenes/graze.toml", "--over", "restitution=0.4..0.5:2", "--transient", "0", "--impacts", "8"];
+    let answer = sweep(&arguments).args(["--format", "jsonl"]).output().unwrap();
+    assert_eq!(answer.status.code(), Some(1));
+    for point in records(&answer) {
+        assert_eq!((&point["exponent"]["reason"], &point["complete"]), (&"graze".into(), &false.into()), "{point}");
+    }
+}
+
+#[test]
+fn pictures_show_all_outcomes() {
+    let folder = folder("pictures");
+    let picture = |arguments: &[&str]| {
+        let file = folder.join("picture.svg");
+        let mut command = sweep(arguments);
+        let answer = command.args(["--transient", "60", "--impacts", "40", "--quiet", "--plot"]).arg(&file).output();
+        assert!(answer.unwrap().stderr.is_empty());
+        fs::read_to_string(&file).unwrap()
+    };
+    let diagram = ["scenes/figure-14.toml", "--over", "amplitude=1..9:9", "--arithmetic", "interval"];
+    let phases = picture(&diagram);
+    let parts = ["phase Ωt + τ of the impact [rad]", "1.5π", "d = 9.42497", "width=\"960\"", "undecided (bar)"];
+    assert!(parts.iter().all(|part| phases.contains(part)), "{phases}");
+    assert!(["#0072B2", "#D55E00"].iter().all(|colour| phases.contains(&format!("fill=\"{colour}\" d=\"M"))));
+    assert!(
+        picture(&[&diagram[..], &["--show", "velocity"]].concat()).contains("relative velocity y′ before the impact")
+    );
+    let basins =
+        ["scenes/cascade.toml", "--over", "start.phase=0..2*pi:9", "--over", "start.velocity=-6..0:7", "--summary"];
+    let map = picture(&basins);
+    assert!(
+        ["LR in 1 cycle, L at 4.64 rad", "LR in 1 cycle, L at 5.14 rad", "#E69F00"]
+            .iter()
+            .all(|part| map.contains(part))
+    );
+}
+
+/// Times differ from run to run.
+const RATE: [(&str, &str); 1] = [(r"\(\d+ in [\d.]+ s, [\d.]+ a second\)", "(rate)")];
+
+#[test]
+fn the_table() {
+    insta::with_settings!({ filters => RATE.to_vec() }, {
+        let short = ["scenes/figure-12.toml", "--over", "gap=9..3*pi:3", "--transient", "100", "--impacts", "2"];
+        assert_cmd_snapshot!("gap_as_csv", sweep(&short));
+        assert_cmd_snapshot!("gap_as_jsonl", sweep(&short).args(["--format", "jsonl", "--summary"]));
+    });
+}
+
+#[test]
+fn the_command_line() {
+    // Without the feature there is a format less.
+    #[cfg(feature = "parquet")]
+    assert_cmd_snapshot!("arguments_of_sweep", sweep(&["--help"]));
+    let scene = "scenes/figure-14.toml";
+    assert_cmd_snapshot!("nothing_to_sweep_over", sweep(&[scene]));
+    assert_cmd_snapshot!("grid_of_one", sweep(&[scene, "--over", "amplitude=1..2:1"]));
+    assert_cmd_snapshot!("no_such_key", sweep(&[scene, "--over", "mass=1..2:3"]));
+    assert_cmd_snapshot!("same_key_twice", sweep(&[scene, "--over", "gap=1..2:3", "--over", "pair.gap=1..2:3"]));
+    assert_cmd_snapshot!("beyond_the_range", sweep(&[scene, "--over", "restitution=0.5..1.5:3"]));
+    assert_cmd_snapshot!("away_from_the_wall", sweep(&[scene, "--over", "start.velocity=-1..1:3"]));
+    assert_cmd_snapshot!("position_on_a_wall", sweep(&[scene, "--over", "start.position=-1..1:3"]));
+    let over = ["--over", "gap=1..2:3"];
+    let with = |rest: &[&str]| sweep(&[&[scene], &over[..], rest].concat());
+    assert_cmd_snapshot!("shard_beyond", with(&["--shard", "4/3"]));
+    assert_cmd_snapshot!("shard_as_csv", with(&["--shard", "1/3", "--format", "csv"]));
+    assert_cmd_snapshot!("one_file_for_output_and_plot", with(&["--output", "a.svg", "--plot", "a.svg"]));
+    assert_cmd_snapshot!("resume_without_output", with(&["--resume"]));
+    assert_cmd_snapshot!("merge_with_a_scene", with(&["--merge", "a.jsonl"]));
+    assert_cmd_snapshot!("merge_of_no_file", sweep(&["--merge", "no-such.jsonl"]));
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_holds_the_bounds_of_the_table() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::RowAccessor;
+
+    let folder = folder("parquet");
+    let csv = String::from_utf8(written(&mut sweep(&DIAGRAM), &folder.join("a.csv"))).unwrap();
+    written(sweep(&DIAGRAM).args(["--format", "parquet"]), &folder.join("a.parquet"));
+    let reader = SerializedFileReader::new(fs::File::open(folder.join("a.parquet")).unwrap()).unwrap();
+    let metadata = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    let head = metadata.iter().find(|entry| entry.key == "impact-pair/sweep").unwrap();
+    assert!(head.value.as_ref().unwrap().contains("\"transient\":60"));
+    let names: Vec<String> = csv.lines().next().unwrap().split(',').map(str::to_owned).collect();
+    let schema = reader.metadata().file_metadata().schema_descr();
+    let column = |name: &str| (0..schema.num_columns()).find(|&i| schema.column(i).name() == name).unwrap();
+    let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), csv.lines().count() - 1);
+    for (line, row) in csv.lines().skip(1).zip(&rows) {
+        for (name, text) in names.iter().zip(line.split(',')).filter(|(_, text)| !text.is_empty()) {
+            match name.as_str() {
+                "amplitude" => assert!(row.get_double(column("amplitude_lower")).is_ok()),
+                "point" | "index" | "bits" | "impacts" | "wide_from" | "period_impacts" | "period_cycles"
+                | "attracted_from" => {
+                    assert_eq!(row.get_long(column(name)).unwrap().to_string(), text);
+                }
+                "complete" => assert_eq!(row.get_bool(column(name)).unwrap().to_string(), text),
+                name if name.ends_with("_lower") || name.ends_with("_upper") => {
+                    // Never inside the decimal, and next to what is nearest to it.
+                    let (double, nearest) = (row.get_double(column(name)).unwrap(), text.parse::<f64>().unwrap());
+                    let out = if name.ends_with("_lower") { nearest.next_down() } else { nearest.next_up() };
+                    assert!(double == nearest || double == out, "{name}: {text} {double}");
+                }
+                name => assert_eq!(row.get_string(column(name)).unwrap(), text),
+            }
+        }
+    }
+}

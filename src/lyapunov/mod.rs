@@ -1,0 +1,143 @@
+//! How fast small disturbances of an orbit grow: finite-time Lyapunov exponents with proved bounds.
+//!
+//! Along certified impacts the Jacobians (A.7) are enclosed; the product of `n` of them is the derivative `DP^n` of the
+//! orbit's map. Its matrix is never multiplied out: two perpendicular vectors are carried along, each as a direction
+//! known to a narrow interval and a length, since a direction on a circle cannot be wrapped and a growing one narrows
+//! its own error. Their lengths and the determinant give the norm. Lemmas L1-L3 of `docs/proofs.md`.
+
+mod growth;
+mod scaled;
+
+use crate::number::{Ball, Number};
+use crate::orbit::{Impact, Orbit, Progress};
+pub use growth::Growth;
+
+/// How fast a disturbance grows, at most, from an impact on over those that follow: natural logarithms.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Exponent {
+    /// `ln |DP^n|` divided by the impacts, and by the cycles, that the `n` flights take. Lemma L3
+    Finite {
+        /// For an impact.
+        per_impact: Ball,
+        /// For a cycle of the excitation.
+        per_cycle: Ball,
+    },
+    /// The ball comes to rest: all disturbances are forgotten, the derivative is 0, the exponent minus infinity.
+    Forgets,
+    /// Not known, or not defined.
+    Unknown(Unknown),
+}
+
+/// Why there is no exponent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unknown {
+    /// There are no two impacts in a row.
+    NoImpacts,
+    /// At a graze the map has no derivative; it may have been a miss.
+    Graze,
+    /// The ball rests where nothing presses it to the wall: some that start nearby leave.
+    Unpressed,
+    /// The states are known too coarsely.
+    Width,
+}
+
+impl Unknown {
+    /// Whether there is none, proved; otherwise it could not be found.
+    pub fn is_definite(self) -> bool {
+        match self {
+            Self::NoImpacts | Self::Unpressed => true,
+            // A graze is listed where no precision tells it from a miss.
+            Self::Graze | Self::Width => false,
+        }
+    }
+
+    /// A word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoImpacts => "no-impacts",
+            Self::Graze => "graze",
+            Self::Unpressed => "unpressed",
+            Self::Width => "width",
+        }
+    }
+}
+
+/// A small disturbance of an orbit, followed from one impact to the next.
+#[derive(Clone, Debug)]
+pub struct Disturbance {
+    growth: Growth,
+    restitution: Ball,
+    /// The last impact; the start when it is on a wall.
+    last: Option<Impact>,
+    turns: Ball,
+    /// The growth is not known any more: it will not matter if a rest follows.
+    is_lost: bool,
+    /// What is known without the growth, once that is so.
+    settled: Option<Exponent>,
+}
+
+impl Disturbance {
+    /// A disturbance of the state at the orbit's start, or, in the gap, at its first impact; before it is advanced.
+    pub fn of(orbit: &Orbit) -> Self {
+        Self::new(orbit, orbit.start_impact())
+    }
+
+    /// A disturbance of the state at an impact.
+    pub fn at(orbit: &Orbit, impact: Impact) -> Self {
+        Self::new(orbit, Some(impact))
+    }
+
+    fn new(orbit: &Orbit, last: Option<Impact>) -> Self {
+        let restitution = orbit.restitution();
+        let growth = Growth::new(restitution == Ball::exact(0.0));
+        Self { growth, restitution, last, turns: Ball::exact(0.0), is_lost: false, settled: None }
+    }
+
+    /// Follows it over the orbit's next event.
+    pub fn follow(&mut self, orbit: &Orbit, event: &Progress) {
+        match event {
+            _ if self.settled.is_some() => {}
+            Progress::Impact(impact) => self.pass(orbit, impact),
+            Progress::Graze(_) => self.settled = Some(Exponent::Unknown(Unknown::Graze)),
+            Progress::Rest(rest) => {
+                let unpressed = Exponent::Unknown(Unknown::Unpressed);
+                self.settled = Some(if orbit.forgets(rest) { Exponent::Forgets } else { unpressed });
+            }
+            Progress::Release(_) | Progress::Retraced(_) | Progress::Ended => {}
+        }
+    }
+
+    fn pass(&mut self, orbit: &Orbit, impact: &Impact) {
+        let Some(last) = self.last.replace(impact.clone()) else { return };
+        self.turns = self.turns + orbit.turns_between(&last, impact);
+        let Some(jacobian) = orbit.jacobian(&last, impact) else {
+            // It may be a graze as far as is known.
+            self.settled = Some(Exponent::Unknown(Unknown::Width));
+            return;
+        };
+        let square = self.restitution * self.restitution;
+        let determinant = (square * last.velocity).checked_div(impact.velocity);
+        let is_known = !self.is_lost && determinant.is_some_and(|it| self.growth.multiply(&jacobian, it));
+        self.is_lost = !is_known;
+    }
+
+    /// The exponent over the impacts so far. Lemma L3
+    pub fn exponent(&self) -> Exponent {
+        if let Some(settled) = self.settled {
+            return settled;
+        }
+        let impacts = self.growth.matrices();
+        if impacts == 0 && !self.is_lost {
+            return Exponent::Unknown(Unknown::NoImpacts);
+        }
+        let growth = self.growth.logarithm_of_norm().filter(|_| !self.is_lost);
+        let bounds = growth.and_then(|growth| {
+            let per_impact = growth.checked_div(Ball::exact(impacts as f64))?;
+            Some(Exponent::Finite { per_impact, per_cycle: growth.checked_div(self.turns)? })
+        });
+        bounds.unwrap_or(Exponent::Unknown(Unknown::Width))
+    }
+}
+
+#[cfg(test)]
+mod tests;

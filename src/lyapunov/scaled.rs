@@ -1,0 +1,70 @@
+//! Positive numbers far beyond the range of doubles.
+
+use crate::number::{Ball, Number, logarithm, up};
+
+/// A positive number `mantissa 2^exponent`, out of the range of doubles as well.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scaled {
+    mantissa: Ball,
+    exponent: i64,
+}
+
+/// A mantissa beyond `2^(+-LARGEST)` is brought back.
+const LARGEST: i32 = 200;
+/// Of a sum the smaller term is bounded, not computed, when it is less than `2^-FAR` of the larger one.
+const FAR: i64 = 300;
+
+impl Scaled {
+    pub fn one() -> Self {
+        Self { mantissa: Ball::exact(1.0), exponent: 0 }
+    }
+
+    /// `self * |factor|`
+    pub fn times(self, factor: Ball) -> Self {
+        let product = self.mantissa * factor;
+        let mantissa = if product.mid() < 0.0 { -product } else { product };
+        let binary = mantissa.mid().log2();
+        if binary.abs() <= f64::from(LARGEST) || !binary.is_finite() {
+            return Self { mantissa, ..self };
+        }
+        // A power of two that keeps the centre exact; the radius may lose what is below the normal range.
+        let shift = binary as i32;
+        let scale = 2f64.powi(-shift);
+        let mantissa = Ball::new(mantissa.mid() * scale, up(mantissa.rad() * scale + f64::MIN_POSITIVE));
+        Self { mantissa, exponent: self.exponent + i64::from(shift) }
+    }
+
+    pub fn squared(self) -> Self {
+        let once = Self { mantissa: Ball::exact(1.0), exponent: 2 * self.exponent };
+        once.times(self.mantissa).times(self.mantissa)
+    }
+
+    /// The mantissa in units of `2^exponent`, for an exponent that is not much smaller than its own.
+    pub fn in_units_of(self, exponent: i64) -> Ball {
+        let shift = self.exponent - exponent;
+        if shift < -FAR - 2 * i64::from(LARGEST) {
+            // Less than 2^(2 LARGEST) times 2^shift.
+            return Ball::new(0.0, 2f64.powi(-(FAR as i32)) * self.mantissa.mag().max(1.0));
+        }
+        self.mantissa * Ball::exact(2f64.powi(shift as i32))
+    }
+
+    pub fn plus(self, other: Self) -> Self {
+        let exponent = self.exponent.max(other.exponent);
+        Self { mantissa: self.in_units_of(exponent) + other.in_units_of(exponent), exponent }
+    }
+
+    /// Encloses its logarithm; `None` when it may be 0.
+    pub fn logarithm(self) -> Option<Ball> {
+        let two = logarithm(Ball::exact(2.0))?;
+        Some(logarithm(self.mantissa)? + Ball::exact(self.exponent as f64) * two)
+    }
+
+    /// `self / sum` for a `sum` that is at least twice as large, up to rounding.
+    pub fn in_units_of_sum(self, sum: Self) -> Option<Ball> {
+        if self.exponent > sum.exponent + 4 * i64::from(LARGEST) {
+            return None;
+        }
+        self.in_units_of(sum.exponent).checked_div(sum.mantissa)
+    }
+}

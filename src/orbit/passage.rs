@@ -1,0 +1,69 @@
+//! What two impacts in a row say of the flight between them, and where an impact is in its cycle.
+
+use super::{Cursor, Impact, Orbit, Rest};
+use crate::certificate::phase_in_radians;
+use crate::exact::Enclosure;
+use crate::mapping::jacobian_between;
+use crate::number::{Ball, Number};
+
+impl Orbit {
+    /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
+    pub fn phase(&self, impact: &Impact) -> Enclosure {
+        phase_in_radians(&impact.enclosures().0, self.shown)
+    }
+
+    /// The bounds of an impact's velocity \[length/time\], before it.
+    pub fn velocity(&self, impact: &Impact) -> Enclosure {
+        self.clock.velocity(&impact.enclosures().1)
+    }
+
+    /// The turns from one impact to a later one.
+    pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
+        // More than 2^53 turns are rounded, and then the ball of phases is not worth anything: it is widened by that.
+        let whole = to.turns.saturating_sub(from.turns);
+        let rounding = if whole.unsigned_abs() < 1 << 53 { 0.0 } else { f64::EPSILON * whole as f64 };
+        Ball::new(whole as f64, rounding.abs()) + (to.phase - from.phase)
+    }
+
+    /// The Jacobian (A.7) of the flight between two impacts in a row, times in turns, velocities in gaps a turn.
+    ///
+    /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later one may be a graze.
+    pub fn jacobian(&self, from: &Impact, to: &Impact) -> Option<[[Ball; 2]; 2]> {
+        let swings = [from, to].map(|impact| self.swing(impact.turns, impact.phase));
+        let time = self.turns_between(from, to);
+        jacobian_between(self.pair.restitution, time, swings, [from.velocity, to.velocity])
+    }
+
+    /// `y''` at a phase, in gaps a turn squared.
+    fn swing(&self, turns: i64, phase: Ball) -> Ball {
+        match &self.given.several {
+            None => self.pair.beta.turn() * self.pair.beta * phase.sin_cos().0,
+            Some(several) => several.swing(turns, phase),
+        }
+    }
+
+    /// The start as impact number 0, when it is on a wall; for an orbit that has not been advanced.
+    pub fn start_impact(&self) -> Option<Impact> {
+        let Cursor { index, wall, turns, phase, velocity, .. } = self.start;
+        wall.map(|wall| Impact { index, mapping: None, wall, turns, phase, velocity, precise: None })
+    }
+
+    /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3
+    pub(crate) fn forgets(&self, rest: &Rest) -> bool {
+        // Where the pressure begins, exactly, it is 0.
+        let (phase, radius) = rest.phase.mid_rad();
+        let is_edge = match &self.given.several {
+            None => rest.phase.is_point() && (phase + rest.wall.mirror_phase()).rem_euclid(1.0) == 0.5,
+            Some(several) => {
+                let inward = rest.wall.inward(several.swing(rest.turns, Ball::new(phase, radius)));
+                inward.mid() + inward.rad() >= 0.0
+            }
+        };
+        self.pair.beta != Ball::exact(0.0) && !is_edge
+    }
+
+    /// `e`
+    pub fn restitution(&self) -> Ball {
+        self.pair.restitution
+    }
+}

@@ -1,0 +1,174 @@
+//! The points of a sweep: exact values of one or two keys of a scene.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::error::Error;
+use crate::exact::{Exact, ExactError};
+use crate::scene::Key;
+
+/// The points that a grid has at most.
+pub const MOST_POINTS: u64 = 100_000_000;
+
+const ACCEPTED: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
+
+/// Evenly spread exact values of a key: `KEY=LO..HI:COUNT`, both ends among them.
+///
+/// ```
+/// use impact_pair::sweep::Axis;
+/// let axis: Axis = "amplitude=0..1:4".parse()?;
+/// let values: Vec<String> = (0..4).map(|i| axis.value(i).unwrap().text()).collect();
+/// assert_eq!(values, ["0", "1/3", "2/3", "1"]);
+/// assert!("amplitude=1..0:4".parse::<Axis>().is_err());
+/// # Ok::<(), impact_pair::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// What varies.
+    pub key: Key,
+    /// The first value.
+    pub low: Exact,
+    /// The last one.
+    pub high: Exact,
+    /// How many there are.
+    pub count: u64,
+}
+
+impl Axis {
+    /// Value number `index` from 0.
+    ///
+    /// # Errors
+    /// When it is beyond what exact expressions hold.
+    pub fn value(&self, index: u64) -> Result<Exact, ExactError> {
+        // The ends as they are written.
+        if index == 0 {
+            return Ok(self.low.clone());
+        }
+        if index + 1 >= self.count {
+            return Ok(self.high.clone());
+        }
+        let whole = |n: u64| Exact::from(i64::try_from(n).expect("at most MOST_POINTS"));
+        let part = whole(index).checked_div(&whole(self.count - 1))?;
+        self.low.checked_add(&self.high.checked_sub(&self.low)?.checked_mul(&part)?)
+    }
+}
+
+impl FromStr for Axis {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let parts = || {
+            let (key, rest) = text.split_once('=')?;
+            let (ends, count) = rest.rsplit_once(':')?;
+            let (low, high) = ends.split_once("..")?;
+            Some((key, low, high, count))
+        };
+        let (key, low, high, count) = parts().ok_or_else(|| Error::grid(text, ACCEPTED))?;
+        let key = key.trim().parse()?;
+        let end = |text: &str| Exact::parse(text).ok().filter(Exact::is_point);
+        let axis = || {
+            let (low, high) = (end(low)?, end(high)?);
+            let count = count.trim().parse().ok().filter(|count| (2..=MOST_POINTS).contains(count))?;
+            low.compare(&high)?.is_lt().then_some(Self { key, low, high, count })
+        };
+        axis().ok_or_else(|| Error::grid(text, ACCEPTED))
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}..{}:{}", self.key.name(), self.low, self.high, self.count)
+    }
+}
+
+/// One axis, or two: then the second one's values run through faster.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    axes: Vec<Axis>,
+}
+
+impl Grid {
+    /// The grid of these axes.
+    ///
+    /// # Errors
+    /// When there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
+    pub fn new(axes: Vec<Axis>) -> Result<Self, Error> {
+        let text = || axes.iter().map(Axis::to_string).collect::<Vec<_>>().join(" ");
+        let is_start_time = |axis: &Axis| matches!(axis.key, Key::StartTime | Key::StartPhase);
+        let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.count));
+        match &axes[..] {
+            [] | [_, _, _, ..] => return Err(Error::grid(&text(), "one axis, or two")),
+            [a, b] if a.key == b.key || [a, b].into_iter().all(is_start_time) => {
+                return Err(Error::grid(&text(), "two axes that do not set the same"));
+            }
+            _ => {}
+        }
+        if points.is_none_or(|points| points > MOST_POINTS) {
+            return Err(Error::grid(&text(), &format!("at most {MOST_POINTS} points")));
+        }
+        Ok(Self { axes })
+    }
+
+    /// The axes.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// How many points it has.
+    pub fn points(&self) -> u64 {
+        self.axes.iter().map(|axis| axis.count).product()
+    }
+
+    /// Where a point lies on each axis, the numbers from 0.
+    pub fn places(&self, point: u64) -> Vec<u64> {
+        match &self.axes[..] {
+            [slow, fast] => vec![(point / fast.count) % slow.count, point % fast.count],
+            _ => vec![point],
+        }
+    }
+
+    /// The values of a point, an axis each.
+    ///
+    /// # Errors
+    /// When one is beyond what exact expressions hold.
+    pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
+        let value = |(axis, place): (&Axis, u64)| {
+            let value = axis.value(place).map_err(|error| Error::grid(&axis.to_string(), &error.to_string()))?;
+            Ok((axis.key, value))
+        };
+        self.axes.iter().zip(self.places(point)).map(value).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid(axes: &[&str]) -> Result<Grid, Error> {
+        Grid::new(axes.iter().map(|axis| axis.parse()).collect::<Result<_, _>>()?)
+    }
+
+    #[test]
+    fn points_are_exact() {
+        let grid = grid(&["start.phase=-pi..pi:3", "pair.gap=0.1..0.4:4"]).unwrap();
+        assert_eq!(grid.points(), 12);
+        let texts = |point| grid.values(point).unwrap().iter().map(|(_, x)| x.text()).collect::<Vec<_>>();
+        assert_eq!(texts(0), ["-pi", "0.1"]);
+        assert_eq!(texts(6), ["0", "0.3"]);
+        assert_eq!(texts(11), ["pi", "0.4"]);
+    }
+
+    #[test]
+    fn what_is_no_grid_is_refused() {
+        let twice = ["gap=1..2:3", "pair.gap=1..2:3"];
+        let times = ["start.time=1..2:3", "start.phase=1..2:3"];
+        let large = ["gap=1..2:100000", "amplitude=1..2:100000"];
+        for axes in [&["gap=1..2"][..], &["gap=1..2:1"], &["gap=2..1:5"], &["gap=[1,2]..3:5"], &["gap=1..x:5"], &[]] {
+            assert!(grid(axes).unwrap_err().to_string().contains("but accepted is"), "{axes:?}");
+        }
+        for axes in [&twice, &times, &large] {
+            assert!(grid(axes).is_err(), "{axes:?}");
+        }
+        assert!(grid(&["mass=1..2:5"]).unwrap_err().to_string().contains("the key is \"mass\""));
+    }
+}

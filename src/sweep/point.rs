@@ -1,0 +1,255 @@
+//! One point of a sweep: an orbit, followed past a transient, and what is proved of it.
+
+use crate::certificate::{Conclusion, Event, phase_in_radians};
+use crate::error::Error;
+use crate::exact::Enclosure;
+use crate::lyapunov::{Disturbance, Exponent};
+use crate::mapping::Word;
+use crate::number::{Ball, Number};
+use crate::orbit::{Impact, Orbit, Outcome, Progress, Settings};
+use crate::pair::Wall;
+use crate::periodic::{Attractor, PeriodicImpact};
+use crate::scene::Scene;
+
+/// What is asked at each point.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// Impacts that are certified and passed over first.
+    pub transient: u64,
+    /// Impacts after them that are looked at.
+    pub impacts: u64,
+    /// Digits and arithmetic; the impacts to stop after are the sum of both.
+    pub settings: Settings,
+}
+
+/// An impact as a point of its switch-plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Counts the impacts from 1.
+    pub index: u64,
+    /// The switch-plane.
+    pub wall: Wall,
+    /// `W t + tau` \[rad\], its lower bound in `[0, 2 pi)`.
+    pub phase: Enclosure,
+    /// `y'` before the impact \[length/time\].
+    pub velocity: Enclosure,
+}
+
+/// The stable periodic orbit that an orbit is proved to converge to, told from one of its impacts on.
+///
+/// That impact makes the word the first one in the alphabet of L and R; of several, the earliest in its cycle. So two
+/// orbits that converge to the same one have the same word, and bounds that overlap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attraction {
+    /// The word, from that impact on.
+    pub word: Word,
+    /// The cycles it takes.
+    pub cycles: u32,
+    /// The impact.
+    pub first: State,
+    /// From this impact of the orbit on it is in a neighbourhood that the period contracts.
+    pub from: u64,
+}
+
+/// What is certified at a point.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// The impacts after the transient.
+    pub states: Vec<State>,
+    /// All impacts that are certified, those of the transient among them.
+    pub impacts: u64,
+    /// Impacts a cycle after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
+    pub impacts_per_cycle: Option<Ball>,
+    /// How a small disturbance grows after the transient.
+    pub exponent: Exponent,
+    /// What the orbit converges to, where that is proved.
+    pub attraction: Option<Attraction>,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// The same in words.
+    pub conclusion: Conclusion,
+    /// The first impact that is wider than asked for.
+    pub first_wide: Option<u64>,
+    /// The most bits that an impact took.
+    pub bits: u32,
+}
+
+/// Follows the orbit of a scene for as long as `goes_on` says so; `None` if it did not to the end.
+///
+/// # Errors
+/// When a value is beyond the range of double-precision flights.
+pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Result<Option<Point>, Error> {
+    let impacts = Some(asked.transient.saturating_add(asked.impacts));
+    let mut orbit = scene.orbit(Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
+    let mut window = Window::new(&orbit, asked.transient);
+    let mut last = None;
+    loop {
+        if !goes_on() {
+            return Ok(None);
+        }
+        match orbit.advance() {
+            Progress::Ended => break,
+            Progress::Retraced(_) => {}
+            event => {
+                window.follow(&orbit, &event);
+                last = Some(event);
+            }
+        }
+    }
+    let outcome = orbit.outcome().expect("an orbit that has ended has an outcome").clone();
+    let last = last.and_then(|event| Event::of(&orbit, &event, window.listed));
+    let attraction = match &outcome {
+        Outcome::Attracted(attractor) => Some(attraction(&orbit, attractor)),
+        _ => None,
+    };
+    Ok(Some(Point {
+        impacts: window.listed,
+        impacts_per_cycle: window.impacts_per_cycle(&orbit),
+        exponent: window.disturbance.map_or_else(|| Disturbance::of(&orbit).exponent(), |it| it.exponent()),
+        states: window.states,
+        attraction,
+        conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
+        outcome,
+        first_wide: orbit.first_wide(),
+        bits: orbit.bits(),
+    }))
+}
+
+/// What is kept of an orbit after its transient.
+struct Window {
+    transient: u64,
+    listed: u64,
+    states: Vec<State>,
+    /// `None` during the transient.
+    disturbance: Option<Disturbance>,
+    /// The first and the last impact.
+    ends: Option<[Impact; 2]>,
+    has_chatter: bool,
+}
+
+impl Window {
+    fn new(orbit: &Orbit, transient: u64) -> Self {
+        let disturbance = (transient == 0).then(|| Disturbance::of(orbit));
+        let ends = orbit.start_impact().filter(|_| transient == 0).map(|start| [start.clone(), start]);
+        Self { transient, listed: 0, states: Vec::new(), disturbance, ends, has_chatter: false }
+    }
+
+    fn follow(&mut self, orbit: &Orbit, event: &Progress) {
+        if let Some(disturbance) = &mut self.disturbance {
+            disturbance.follow(orbit, event);
+            self.has_chatter |= matches!(event, Progress::Rest(rest) if rest.is_accumulation);
+        }
+        let Progress::Impact(impact) = event else { return };
+        self.listed = impact.index;
+        if impact.index < self.transient {
+            return;
+        }
+        if impact.index == self.transient {
+            self.disturbance = Some(Disturbance::at(orbit, impact.clone()));
+        } else {
+            let (phase, velocity) = (orbit.phase(impact), orbit.velocity(impact));
+            self.states.push(State { index: impact.index, wall: impact.wall, phase, velocity });
+        }
+        match &mut self.ends {
+            Some([_, last]) => *last = impact.clone(),
+            None => self.ends = Some([impact.clone(), impact.clone()]),
+        }
+    }
+
+    fn impacts_per_cycle(&self, orbit: &Orbit) -> Option<Ball> {
+        let [first, last] = self.ends.as_ref().filter(|[first, last]| first.index < last.index)?;
+        if self.has_chatter {
+            return Some(Ball::exact(f64::INFINITY));
+        }
+        Ball::exact((last.index - first.index) as f64).checked_div(orbit.turns_between(first, last))
+    }
+}
+
+/// The attractor told from the impact that [`Attraction`] names.
+fn attraction(orbit: &Orbit, attractor: &Attractor) -> Attraction {
+    let Attractor { word, cycles, orbit: periodic, from, .. } = attractor;
+    let impacts = &periodic.impacts;
+    let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
+    let radians = |impact: &PeriodicImpact| phase_in_radians(&impact.phase, periodic.bits);
+    let is_right = |shift| rotated(shift).map(|impact| impact.wall == Wall::Right).collect::<Vec<_>>();
+    let earlier = |a: &usize, b: &usize| {
+        let phase = |shift: usize| radians(&impacts[shift]).mid_rad().0;
+        is_right(*a).cmp(&is_right(*b)).then_with(|| phase(*a).total_cmp(&phase(*b)))
+    };
+    let shift = (0..impacts.len()).min_by(earlier).expect("a word has impacts");
+    let mut mappings = word.mappings().to_vec();
+    mappings.rotate_left(shift);
+    let first = &impacts[shift];
+    let velocity = orbit.clock().velocity(&first.velocity);
+    Attraction {
+        word: Word::new(mappings).expect("a closed word can be turned"),
+        cycles: *cycles,
+        first: State { index: 1 + shift as u64, wall: first.wall, phase: radians(first), velocity },
+        from: *from,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Key;
+
+    fn scene(name: &str) -> Scene {
+        let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
+    }
+
+    fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
+        let asked = Asked { transient, impacts, settings: Settings { digits: 6, ..Settings::default() } };
+        follow(scene, &asked, || true).unwrap().unwrap()
+    }
+
+    #[test]
+    fn an_attracted_orbit_is_told_from_the_left_wall() {
+        let point = point(&scene("figure-12"), 100, 10);
+        let attraction = point.attraction.unwrap();
+        assert_eq!((attraction.word.to_string().as_str(), attraction.cycles), ("P1 P2", 1));
+        assert_eq!(attraction.first.wall, Wall::Left);
+        assert_eq!(point.states.iter().map(|state| state.index).collect::<Vec<_>>(), (101..=110).collect::<Vec<_>>());
+        // What is left of the transient is 0.26^50: the first impact on the left is the attractor's.
+        let left = point.states.iter().find(|state| state.wall == Wall::Left).unwrap();
+        assert!((left.velocity.mid_rad().0 - attraction.first.velocity.mid_rad().0).abs() < 1e-5);
+        let rate = point.impacts_per_cycle.unwrap();
+        assert!((rate.mid() - 2.0).abs() < 1e-5 + rate.rad());
+        // Of the two eigenvalues 0.25764 is the larger: its logarithm for two impacts.
+        let Exponent::Finite { per_cycle, .. } = point.exponent else { panic!("an exponent") };
+        assert!((per_cycle.mid() - 0.25764f64.ln()).abs() < 0.5, "{per_cycle:?}");
+    }
+
+    #[test]
+    fn mirror_images_are_two_attractors_of_one_word() {
+        // A = 0.36 is beyond the pitchfork at 0.3458...: two orbits RL exist, mirror images of each other.
+        let scene = scene("cascade");
+        let from = |phase: &str| {
+            let varied = scene.with(&[(Key::StartPhase, phase.parse().unwrap())]).unwrap();
+            point(&varied, 600, 4).attraction
+        };
+        // There are others as well.
+        let is_short = |attraction: &Attraction| attraction.cycles == 1;
+        let phases = ["0", "1", "2", "3", "4", "5", "6"];
+        let found: Vec<_> = phases.iter().filter_map(|phase| from(phase)).filter(is_short).collect();
+        let phase = |attraction: &Attraction| attraction.first.phase.mid_rad().0;
+        assert!(found.len() > 3 && found.iter().all(|one| one.word == found[0].word));
+        let (low, high) = found.iter().map(phase).fold((9f64, 0f64), |(a, b), x| (a.min(x), b.max(x)));
+        assert!(high - low > 0.1 && found.iter().map(phase).all(|x| x - low < 1e-4 || high - x < 1e-4));
+    }
+
+    #[test]
+    fn what_rests_grazes_or_ends_keeps_what_is_certified() {
+        let chatter = point(&scene("chatter"), 5, 60);
+        assert!(matches!(chatter.outcome, Outcome::Periodic(_)) && chatter.exponent == Exponent::Forgets);
+        assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));
+        assert_eq!(chatter.states.len(), 60);
+        let settings = Settings { arithmetic: crate::orbit::Arithmetic::Interval, ..Settings::default() };
+        let asked = Asked { transient: 20, impacts: 500, settings };
+        let chaos = follow(&scene("figure-14"), &asked, || true).unwrap().unwrap();
+        assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);
+        assert_eq!(chaos.states.len() as u64 + 20, chaos.impacts);
+        assert!(follow(&scene("figure-14"), &asked, || false).unwrap().is_none());
+    }
+}
