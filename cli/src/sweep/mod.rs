@@ -24,7 +24,6 @@ use impact_pair::sweep::{Asked, Grid};
 use crate::Answer;
 use crate::output::Output;
 use crate::picture::encoded;
-use crate::picture::encoded;
 use crate::progress::interruption;
 use crate::scene;
 use arguments::{SweepArguments, SweepFormat};
