@@ -86,6 +86,8 @@ fn what_is_no_certificate_is_named() {
 #[test]
 fn certificates_become_theorems() {
     snapshot!("theorem", on("prove", &certificate("theorem", &FIGURE_12, |text| text)));
+    let harmonics = ["validation/coq/tests/harmonics.toml", "--impacts", "2"];
+    snapshot!("theorem_of_three_harmonics", on("prove", &certificate("harmonics", &harmonics, |text| text)));
     let restitution = |text: String| text.replace("\"0.5\"", "\"0.501\"");
     snapshot!("no_theorem", on("prove", &certificate("false", &FIGURE_12, restitution)));
     let none = ["scenes/figure-12.toml", "--impacts", "0"];

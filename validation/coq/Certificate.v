@@ -15,10 +15,13 @@ From ImpactPair Require Export Enclosure.
 Open Scope R_scope.
 Import ListNotations.
 
-Record data := { amplitude : range; frequency : range; shift : range; gap : range; restitution : range }.
+(* A, W, tau of a harmonic; of all, first the reference, with d and e. *)
+Record tone := { amplitude : range; frequency : range; shift : range }.
+Record data := { leading :> tone; further : list tone; gap : range; restitution : range }.
+Definition describes_harmonic (p : tone) (h : harmonic) : Prop :=
+  among (amplitude p) (A h) /\ among (frequency p) (W h) /\ among (shift p) (tau h).
 Definition describes (p : data) (s : scene) : Prop :=
-  among (amplitude p) (A s) /\ among (frequency p) (W s) /\ among (shift p) (tau s) /\ among (gap p) (d s) /\
-  among (restitution p) (e s).
+  describes_harmonic p s /\ Forall2 describes_harmonic (further p) (others s) /\ among (gap p) (d s) /\ among (restitution p) (e s).
 
 (* An orbit starts with an impact, or inside the gap. *)
 Inductive beginning := Struck (w : wall) (t v : range) | Inside (t y v : range).
@@ -40,7 +43,7 @@ Definition certified (s : scene) (l : launch) (printed : list bounds) : Prop :=
     forall other, follows s l other -> length other = length orbit -> other = orbit.
 
 (* How it is checked. A leg holds the box of its impact and where the flight that ends there is cut: departure before
-   `depart`, middle up to `approach`, then arrival; `tilt` is about sin th1 over the velocity of arrival. *)
+   `depart`, middle up to `approach`, then arrival; `tilt` is about y'' over the velocity of arrival. *)
 Record leg := Leg {
   bits : positive; coarse : positive; scale : positive; hits : wall;
   t : Z; rt : Z; v : Z; rv : Z; depart : Z; approach : Z; tilt : Z }.
@@ -77,6 +80,14 @@ Proof.
   - exists c. split; [exact r|lra].
 Qed.
 
+Lemma tilted f f' g g' mu off z : derivable_pt_lim f z f' -> derivable_pt_lim g z g' ->
+  derivable_pt_lim (fun x => f x - mu * (off + g x)) z (f' - mu * g').
+Proof.
+  intros F' G'. apply (derivable_pt_lim_minus f (fun x => mu * (off + g x))); [exact F'|].
+  apply (derivable_pt_lim_scal (fun x => off + g x)). replace g' with (0 + g') by ring.
+  apply (derivable_pt_lim_plus (fun _ => off)); [apply derivable_pt_lim_const|exact G'].
+Qed.
+
 (* Checks with interval arithmetic on floats F; two instances at the end. *)
 Module Checker (F : FloatOps with Definition sensible_format := true).
 Include Enclosure F.
@@ -87,9 +98,41 @@ Record box := Box {
   from : option wall; somewhere : I.type; around : Z; lowest : Z; box_scale : positive;
   T : I.type; Tc : I.type; dT : I.type; U : I.type; Uc : I.type; dU : I.type }.
 
+(* A harmonic in the units of the reference. *)
+Record known := { Share : I.type; Ratio : I.type; Lag : I.type }.
+Definition knows (O : known) (o : companion) : Prop := holds (Share O) (share o) /\ holds (Ratio O) (ratio o) /\ holds (Lag O) (lag o).
+
+(* E, E' and -E'' of the box near m quarter turns of the reference; the others turn as their phases say. *)
+Section Excitation.
+Variable p : positive.
+Variables (OS : list known) (os : list companion).
+Hypothesis OS_holds : Forall2 knows OS os.
+Definition total (first : I.type) (term : known -> Z -> I.type -> I.type) (X : I.type) : I.type :=
+  fold_right (fun O rest => let P := add p (mul p (Ratio O) X) (Lag O) in add p rest (term O (turns_in p P) P)) first OS.
+Definition box_at_over (m : Z) (X : I.type) : I.type := total (sine p m X) (fun O k P => mul p (Share O) (sine p k P)) X.
+Definition box_rate_over (m : Z) (X : I.type) : I.type :=
+  total (cosine p m X) (fun O k P => mul p (mul p (Share O) (Ratio O)) (cosine p k P)) X.
+Definition box_bend_over (m : Z) (X : I.type) : I.type :=
+  total (sine p m X) (fun O k P => mul p (mul p (mul p (Share O) (Ratio O)) (Ratio O)) (sine p k P)) X.
+
+Lemma holds_total first f term part X x : holds first f -> holds X x ->
+  (forall O o k P, knows O o -> holds P (companion_phase o x) -> holds (term O k P) (part o)) ->
+  holds (total first term X) (sum f part os).
+Proof.
+  intros hf hx each. unfold total, sum. induction OS_holds as [|O o OS' os' k rest IH]; cbn [fold_right]; [exact hf|].
+  apply holds_add; [exact (IH rest)|]. apply each; [exact k|]. destruct k as (_ & hr & hl). unfold companion_phase. enclose.
+Qed.
+Lemma holds_box_at m X x : holds X x -> holds (box_at_over m X) (box_at os x).
+Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o k P (hs & hr & hl) hp. enclose. Qed.
+Lemma holds_box_rate m X x : holds X x -> holds (box_rate_over m X) (box_rate os x).
+Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o k P (hs & hr & hl) hp. enclose. Qed.
+Lemma holds_box_bend m X x : holds X x -> holds (box_bend_over m X) (box_bend os x).
+Proof. intros h. refine (holds_total _ _ _ _ _ x _ h _); [enclose|]. intros O o k P (hs & hr & hl) hp. enclose. Qed.
+End Excitation.
+
 Section Flight.
-(* d/A and the launch: place over A, phase, velocity over A W; the centre of its box. *)
-Variables (gamma y th0 u thc uc : R).
+(* d/A and the launch: place over A, phase, velocity over A W; the centre of its box; the other harmonics. *)
+Variables (gamma y th0 u thc uc : R) (os : list companion).
 
 Definition in_box (b : box) : Prop :=
   match from b with Some w => y = side w * (gamma / 2) | None => holds (somewhere b) y end /\
@@ -98,20 +141,22 @@ Definition in_box (b : box) : Prop :=
 
 Section Precision.
 Variable p : positive.
+Variable OS : list known.
+Hypothesis OS_holds : Forall2 knows OS os.
 Variable G : I.type.
 Hypothesis G_holds : holds G gamma.
 Variable b : box.
 Hypothesis b_holds : in_box b.
 
-(* Sine and cosine of th0 in the box, where precision c is enough, and at its centre. *)
+(* -E'' and E' of the box at th0, where precision c is enough, and E and E' at its centre. *)
 Variable c : positive.
-Record aspects := { S0 : I.type; C0 : I.type; Sc : I.type; Cc : I.type }.
+Record aspects := { Bend0 : I.type; Rate0 : I.type; Atc : I.type; Ratec : I.type }.
 Definition look : aspects :=
-  {| S0 := sine c (around b) (T b); C0 := cosine c (around b) (T b);
-     Sc := sine p (around b) (Tc b); Cc := cosine p (around b) (Tc b) |}.
+  {| Bend0 := box_bend_over c OS (around b) (T b); Rate0 := box_rate_over c OS (around b) (T b);
+     Atc := box_at_over p OS (around b) (Tc b); Ratec := box_rate_over p OS (around b) (Tc b) |}.
 Variable a : aspects.
-Definition seen : Prop := (forall x, holds (T b) x -> holds (S0 a) (sin x) /\ holds (C0 a) (cos x)) /\
-  holds (Sc a) (sin thc) /\ holds (Cc a) (cos thc).
+Definition seen : Prop := (forall x, holds (T b) x -> holds (Bend0 a) (box_bend os x) /\ holds (Rate0 a) (box_rate os x)) /\
+  holds (Atc a) (box_at os thc) /\ holds (Ratec a) (box_rate os thc).
 Hypothesis a_holds : seen.
 
 (* y - side w gamma / 2: from the wall itself exactly 0. *)
@@ -144,41 +189,42 @@ Lemma over_holds i j x : grid q i <= x <= grid q j -> holds (over i j) x.
 Proof. apply holds_stretch, step_holds. Qed.
 
 (* The velocity over a stretch, and the displacement since launch at a point and over a stretch. *)
-Definition rate_over (m : Z) (X : I.type) : I.type := sub p (add p (U b) (C0 a)) (cosine p m X).
+Definition rate_over (m : Z) (X : I.type) : I.type := sub p (add p (U b) (Rate0 a)) (box_rate_over p OS m X).
 Definition rise_centre (m : Z) (X : I.type) : I.type :=
-  add p (sub p (Sc a) (sine p m X)) (mul p (add p (Uc b) (Cc a)) (sub p X (Tc b))).
+  add p (sub p (Atc a) (box_at_over p OS m X)) (mul p (add p (Uc b) (Ratec a)) (sub p X (Tc b))).
 Definition rise_at (n : Z) : I.type :=
   let X := at_ n in
-  add p (add p (rise_centre (turns q n) X) (mul p (sub p (mul p (I.neg (S0 a)) (sub p X (T b))) (U b)) (dT b)))
+  add p (add p (rise_centre (turns q n) X) (mul p (sub p (mul p (I.neg (Bend0 a)) (sub p X (T b))) (U b)) (dT b)))
         (mul p (sub p X (Tc b)) (dU b)).
 Definition rise_over (i j : Z) : I.type :=
   let m := Z.div2 (i + j) in let X := over i j in
   add p (rise_at m) (mul p (rate_over (turns q m) X) (sub p X (at_ m))).
 
-Lemma holds_rate m X x : holds X x -> holds (rate_over m X) (rate th0 u x).
-Proof. destruct b_holds as (_ & h0 & _ & _ & _ & hu & _), a_holds as (h & _). unfold rate_over, rate. destruct (h _ h0). enclose. Qed.
-Lemma holds_rise_centre m X x : holds X x -> holds (rise_centre m X) (rise thc uc x).
+Lemma holds_rate m X x : holds X x -> holds (rate_over m X) (rate os th0 u x).
+Proof. destruct b_holds as (_ & h0 & _ & _ & _ & hu & _), a_holds as (h & _). intros hx. assert (hr := holds_box_rate p _ _ OS_holds m _ _ hx). unfold rate_over, rate. destruct (h _ h0). enclose. Qed.
+Lemma holds_rise_centre m X x : holds X x -> holds (rise_centre m X) (rise os thc uc x).
 Proof.
-  destruct b_holds as (_ & _ & _ & hc & _ & _ & hu & _), a_holds as (_ & h & h'). unfold rise_centre, rise. enclose.
+  destruct b_holds as (_ & _ & _ & hc & _ & _ & hu & _), a_holds as (_ & h & h'). intros hx. assert (ha := holds_box_at p _ _ OS_holds m _ _ hx).
+  unfold rise_centre, rise. enclose.
 Qed.
-Lemma holds_rise_at n : holds (rise_at n) (rise th0 u (grid q n)).
+Lemma holds_rise_at n : holds (rise_at n) (rise os th0 u (grid q n)).
 Proof.
   set (x := grid q n). destruct b_holds as (_ & h0 & h1 & hc & hd & hu & huc & hdu).
-  destruct (mean_value (fun z => rise z u x) (fun z => - sin z * (x - z) - u) thc th0) as (z & r & eq).
+  destruct (mean_value (fun z => rise os z u x) (fun z => - box_bend os z * (x - z) - u) thc th0) as (z & r & eq).
   { intros z. apply rise_derivative_launch. }
   assert (hz : holds (T b) z) by exact (holds_between _ _ _ _ h1 h0 r).
   destruct (proj1 a_holds z hz) as [hs _].
-  replace (rise th0 u x) with (rise thc uc x + (- sin z * (x - z) - u) * (th0 - thc) + (x - thc) * (u - uc)).
+  replace (rise os th0 u x) with (rise os thc uc x + (- box_bend os z * (x - z) - u) * (th0 - thc) + (x - thc) * (u - uc)).
   2:{ rewrite eq. unfold rise. ring. }
   assert (hx := at_holds n). fold x in hx.
   assert (hr := holds_rise_centre (turns q n) _ _ hx). unfold rise_at. enclose.
 Qed.
-Lemma holds_rise_over i j x : (i <= j)%Z -> grid q i <= x <= grid q j -> holds (rise_over i j) (rise th0 u x).
+Lemma holds_rise_over i j x : (i <= j)%Z -> grid q i <= x <= grid q j -> holds (rise_over i j) (rise os th0 u x).
 Proof.
   intros o r. unfold rise_over. set (m := Z.div2 (i + j)).
   assert (im : grid q i <= grid q m <= grid q j).
   { unfold m. rewrite Z.div2_div. split; apply grid_le; [apply Z.div_le_lower_bound|apply Z.div_le_upper_bound]; lia. }
-  destruct (mean_value (rise th0 u) (rate th0 u) (grid q m) x (rise_derivative th0 u)) as (z & rz & ->).
+  destruct (mean_value (rise os th0 u) (rate os th0 u) (grid q m) x (rise_derivative os th0 u)) as (z & rz & ->).
   assert (hz : holds (over i j) z).
   { apply over_holds. split; [apply Rle_trans with (2 := proj1 rz); apply Rmin_glb|apply Rle_trans with (1 := proj2 rz); apply Rmax_lub]; lra. }
   assert (hx := over_holds i j x r). assert (hm := at_holds m). assert (hr := holds_rise_at m).
@@ -189,47 +235,48 @@ Qed.
 Definition inwards_over (w : wall) (i j : Z) : bool :=
   is_positive (I.neg (sided w (rate_over (turns q (Z.div2 (i + j))) (over i j)))).
 Definition pressed_over (w : wall) (i j : Z) : bool :=
-  is_positive (I.neg (sided w (sine p (turns q (Z.div2 (i + j))) (over i j)))).
+  is_positive (I.neg (sided w (box_bend_over p OS (turns q (Z.div2 (i + j))) (over i j)))).
 Definition inside_over (i j : Z) : bool :=
   let r := rise_over i j in
   if (i <=? j)%Z then if is_positive (add p (offset left) r) then is_positive (I.neg (add p (offset right) r)) else false else false.
 
-Lemma inwards_sound w i j : inwards_over w i j = true -> forall x, grid q i <= x <= grid q j -> 0 < - side w * rate th0 u x.
+Lemma inwards_sound w i j : inwards_over w i j = true -> forall x, grid q i <= x <= grid q j -> 0 < - side w * rate os th0 u x.
 Proof.
-  intros h x r. replace (- side w * rate th0 u x) with (- (side w * rate th0 u x)) by ring.
+  intros h x r. replace (- side w * rate os th0 u x) with (- (side w * rate os th0 u x)) by ring.
   apply (is_positive_sound _ _ h), holds_neg, holds_sided, holds_rate, over_holds, r.
 Qed.
-Lemma pressed_sound w i j : pressed_over w i j = true -> forall x, grid q i <= x <= grid q j -> 0 < - side w * sin x.
+Lemma pressed_sound w i j : pressed_over w i j = true -> forall x, grid q i <= x <= grid q j -> 0 < - side w * box_bend os x.
 Proof.
-  intros h x r. replace (- side w * sin x) with (- (side w * sin x)) by ring.
-  apply (is_positive_sound _ _ h), holds_neg, holds_sided, holds_sine, over_holds, r.
+  intros h x r. replace (- side w * box_bend os x) with (- (side w * box_bend os x)) by ring.
+  apply (is_positive_sound _ _ h), holds_neg, holds_sided, (holds_box_bend p _ _ OS_holds), over_holds, r.
 Qed.
-Lemma inside_sound i j : inside_over i j = true -> forall x, grid q i <= x <= grid q j -> Rabs (y + rise th0 u x) < gamma / 2.
+Lemma inside_sound i j : inside_over i j = true -> forall x, grid q i <= x <= grid q j -> Rabs (y + rise os th0 u x) < gamma / 2.
 Proof.
   unfold inside_over. intros h x r. destruct (Z.leb_spec i j) as [o|]; [|discriminate].
   destruct (is_positive (add p (offset left) (rise_over i j))) eqn:l; [|discriminate].
   assert (hr := holds_rise_over i j x o r).
-  assert (0 < - (y - side right * (gamma / 2) + rise th0 u x)).
+  assert (0 < - (y - side right * (gamma / 2) + rise os th0 u x)).
   { apply (is_positive_sound _ _ h), holds_neg, holds_add; [apply holds_offset|exact hr]. }
-  assert (0 < y - side left * (gamma / 2) + rise th0 u x).
+  assert (0 < y - side left * (gamma / 2) + rise os th0 u x).
   { apply (is_positive_sound _ _ l), holds_add; [apply holds_offset|exact hr]. }
   cbn in *. apply Rabs_def1; lra.
 Qed.
 
 (* Velocity of arrival at w between lo and hi, around n: its value where wall and flight meet is that of
    rate - tilt * (distance from the wall), which hardly depends on the phase of arrival. *)
-Definition rate_centre (k : positive) (m : Z) (X : I.type) : I.type := sub p (add p (Uc b) (Cc a)) (cosine k m X).
+Definition rate_centre (k : positive) (m : Z) (X : I.type) : I.type := sub p (add p (Uc b) (Ratec a)) (box_rate_over k OS m X).
 Definition arrival (w : wall) (n r k : Z) : I.type :=
   let m := turns q n in let X := at_ n in let X1 := over (n - r) (n + r) in let mu := at_ k in
   let centre := sub p (rate_centre p m X) (mul p mu (add p (offset w) (rise_centre m X))) in
-  let by_phase := sub p (I.neg (S0 a)) (mul p mu (sub p (mul p (I.neg (S0 a)) (sub p X1 (T b))) (U b))) in
+  let by_phase := sub p (I.neg (Bend0 a)) (mul p mu (sub p (mul p (I.neg (Bend0 a)) (sub p X1 (T b))) (U b))) in
   let by_speed := sub p (whole p 1) (mul p mu (sub p X1 (Tc b))) in
-  let by_arrival := sub p (sine c m X1) (mul p mu (rate_centre c m X1)) in
+  let by_arrival := sub p (box_bend_over c OS m X1) (mul p mu (rate_centre c m X1)) in
   add p (add p (add p centre (mul p by_phase (dT b))) (mul p by_speed (dU b))) (mul p by_arrival (over (- r) r)).
 
-Lemma holds_rate_centre k m X x : holds X x -> holds (rate_centre k m X) (rate thc uc x).
+Lemma holds_rate_centre k m X x : holds X x -> holds (rate_centre k m X) (rate os thc uc x).
 Proof.
-  destruct b_holds as (_ & _ & _ & _ & _ & _ & hu & _), a_holds as (_ & _ & h). unfold rate_centre, rate. enclose.
+  destruct b_holds as (_ & _ & _ & _ & _ & _ & hu & _), a_holds as (_ & _ & h).
+  intros hx. assert (hr := holds_box_rate k _ _ OS_holds m _ _ hx). unfold rate_centre, rate. enclose.
 Qed.
 
 Lemma grid_plus i j : grid q (i + j) = grid q i + grid q j.
@@ -238,16 +285,16 @@ Lemma grid_opp i : grid q (- i) = - grid q i.
 Proof. unfold grid. rewrite opp_IZR. ring. Qed.
 
 Lemma holds_arrival w n r k th1 : (0 <= r)%Z -> grid q (n - r) <= th1 <= grid q (n + r) ->
-  y + rise th0 u th1 = side w * (gamma / 2) -> holds (arrival w n r k) (rate th0 u th1).
+  y + rise os th0 u th1 = side w * (gamma / 2) -> holds (arrival w n r k) (rate os th0 u th1).
 Proof.
   intros r0 r1 on. destruct b_holds as (_ & h0 & h1 & hc & hd & hu & huc & hdu).
   set (mu := grid q k). set (x := grid q n). set (off := y - side w * (gamma / 2)).
-  destruct (mean_value (fun z => rate z u th1 - mu * (off + rise z u th1))
-    (fun z => - sin z - mu * (- sin z * (th1 - z) - u)) thc th0) as (z & rz & eq).
-  { intros z. apply is_derive_Reals. unfold rate, rise. auto_derive; [exact I|ring]. }
-  destruct (mean_value (fun z => rate thc uc z - mu * (off + rise thc uc z))
-    (fun z => sin z - mu * rate thc uc z) x th1) as (z1 & rz1 & eq1).
-  { intros z1. apply is_derive_Reals. unfold rate, rise. auto_derive; [exact I|ring]. }
+  destruct (mean_value (fun z => rate os z u th1 - mu * (off + rise os z u th1))
+    (fun z => - box_bend os z - mu * (- box_bend os z * (th1 - z) - u)) thc th0) as (z & rz & eq).
+  { intros z. apply tilted; [apply rate_derivative_launch|apply rise_derivative_launch]. }
+  destruct (mean_value (fun z => rate os thc uc z - mu * (off + rise os thc uc z))
+    (fun z => box_bend os z - mu * rate os thc uc z) x th1) as (z1 & rz1 & eq1).
+  { intros z1. apply tilted; [apply rate_derivative|apply rise_derivative]. }
   assert (hz : holds (T b) z) by exact (holds_between _ _ _ _ h1 h0 rz).
   destruct (proj1 a_holds z hz) as [hs _].
   assert (hx1 := over_holds _ _ _ r1).
@@ -258,24 +305,25 @@ Proof.
   { apply over_holds. rewrite minus, plus in *.
     split; [apply Rle_trans with (2 := proj1 rz1); apply Rmin_glb|apply Rle_trans with (1 := proj2 rz1); apply Rmax_lub]; lra. }
   assert (hd1 : holds (over (- r) r) (th1 - x)) by (apply over_holds; rewrite grid_opp; lra).
-  replace (rate th0 u th1) with (rate thc uc x - mu * (off + rise thc uc x) + (- sin z - mu * (- sin z * (th1 - z) - u)) * (th0 - thc)
-    + (1 - mu * (th1 - thc)) * (u - uc) + (sin z1 - mu * rate thc uc z1) * (th1 - x)).
-  2:{ assert (zero : off + rise th0 u th1 = 0) by (unfold off; lra). rewrite zero in eq.
-      replace (rate thc u th1) with (rate thc uc th1 + (u - uc)) in eq by (unfold rate; ring).
-      replace (rise thc u th1) with (rise thc uc th1 + (u - uc) * (th1 - thc)) in eq by (unfold rise; ring). lra. }
+  replace (rate os th0 u th1) with (rate os thc uc x - mu * (off + rise os thc uc x) + (- box_bend os z - mu * (- box_bend os z * (th1 - z) - u)) * (th0 - thc)
+    + (1 - mu * (th1 - thc)) * (u - uc) + (box_bend os z1 - mu * rate os thc uc z1) * (th1 - x)).
+  2:{ assert (zero : off + rise os th0 u th1 = 0) by (unfold off; lra). rewrite zero in eq.
+      replace (rate os thc u th1) with (rate os thc uc th1 + (u - uc)) in eq by (unfold rate; ring).
+      replace (rise os thc u th1) with (rise os thc uc th1 + (u - uc) * (th1 - thc)) in eq by (unfold rise; ring). lra. }
   assert (hx := at_holds n). assert (hk := at_holds k). assert (ho := holds_offset w).
   assert (hrc := holds_rate_centre p (turns q n) _ _ hx). assert (hri := holds_rise_centre (turns q n) _ _ hx).
   assert (hrz := holds_rate_centre c (turns q n) _ _ hz1).
+  assert (hbz := holds_box_bend c _ _ OS_holds (turns q n) _ _ hz1).
   assert (one : holds (whole p 1) 1) by apply holds_whole.
   unfold arrival. fold x in hx, hrc, hri. fold mu in hk. fold off in ho. enclose.
 Qed.
 End Precision.
 End Flight.
 
-Lemma look_seen gamma y th0 u thc uc p c b : in_box gamma y th0 u thc uc b -> seen thc b (look p b c).
+Lemma look_seen gamma y th0 u thc uc os p OS c b : Forall2 knows OS os -> in_box gamma y th0 u thc uc b -> seen thc os b (look p OS b c).
 Proof.
-  intros (_ & _ & _ & hc & _). unfold seen, look. cbn [S0 C0 Sc Cc].
-  split; [intros x hx; split|split]; auto using holds_sine, holds_cosine.
+  intros hos (_ & _ & _ & hc & _). unfold seen, look. cbn [Bend0 Rate0 Atc Ratec].
+  split; [intros x hx; split|split]; auto using holds_box_at, holds_box_rate, holds_box_bend.
 Qed.
 
 (* The launches after an impact on w, from a box of phase and velocity. *)
@@ -343,29 +391,36 @@ Variable param : data.
 
 Definition gamma_in (p : positive) : I.type := quotient p (enclose_range p (gap param)) (enclose_range p (amplitude param)).
 
+(* A harmonic in the units of the reference. *)
+Definition known_of (p : positive) (x : tone) : known :=
+  let ratio := quotient p (enclose_range p (frequency x)) (enclose_range p (frequency param)) in
+  {| Share := quotient p (enclose_range p (amplitude x)) (enclose_range p (amplitude param)); Ratio := ratio;
+     Lag := sub p (enclose_range p (shift x)) (mul p ratio (enclose_range p (shift param))) |}.
+Definition known_in (p : positive) : list known := map (known_of p) (further param).
+
 (* The departure from wall w, or from nowhere. *)
-Definition check_departure (b : box) (l : leg) : bool :=
+Definition check_departure (OS : list known) (b : box) (l : leg) : bool :=
   let c := coarse l in let q := scale l in let p := bits l in
   let step := unit_step p q in let rough := unit_step c q in
   match from b with
   | None => is_not_negative (sub p (T b) (point p step (depart l))) &? is_not_negative (sub p (point p step (approach l)) (T b))
-  | Some w => let low := (lowest b * 2 ^ Zpos q / 2 ^ Zpos (box_scale b) - 1)%Z in let a := look c b c in
+  | Some w => let low := (lowest b * 2 ^ Zpos q / 2 ^ Zpos (box_scale b) - 1)%Z in let a := look c OS b c in
     is_not_negative (sub p (point p step (depart l)) (T b)) &? is_not_negative (sub p (T b) (point p step low)) &?
-    (if sweep (inwards_over c b a q rough w) depth low (depart l) then true
-     else is_not_negative (I.neg (sided w (U b))) &? sweep (pressed_over c q rough w) depth low (depart l))
+    (if sweep (inwards_over c OS b a q rough w) depth low (depart l) then true
+     else is_not_negative (I.neg (sided w (U b))) &? sweep (pressed_over c OS q rough w) depth low (depart l))
   end.
 
 Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
-  let p := bits l in let c := coarse l in let q := scale l in let w := hits l in
+  let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
   let G := gamma_in p in let step := unit_step p q in let rough := unit_step c q in
-  let a := look p b c in let ac := look c b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
+  let a := look p OS b c in let ac := look c OS b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
   (0 <=? rt l)%Z &? (0 <=? rv l)%Z &? (depart l <=? approach l)%Z &? (approach l <=? lo)%Z &?
-  is_positive (sub p (point p step lo) (T b)) &? check_departure b l &?
-  sweep (inside_over c (gamma_in c) b ac q rough) depth (depart l) (approach l) &?
-  sweep (inwards_over c b ac q rough (opposite w)) depth (approach l) hi &?
-  is_positive (I.neg (sided w (add p (offset p G b w) (rise_at p b a q step lo)))) &?
-  is_not_negative (sided w (add p (offset p G b w) (rise_at p b a q step hi))) &?
-  between p step (arrival p G b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
+  is_positive (sub p (point p step lo) (T b)) &? check_departure OS b l &?
+  sweep (inside_over c OS (gamma_in c) b ac q rough) depth (depart l) (approach l) &?
+  sweep (inwards_over c OS b ac q rough (opposite w)) depth (approach l) hi &?
+  is_positive (I.neg (sided w (add p (offset p G b w) (rise_at p OS b a q step lo)))) &?
+  is_not_negative (sided w (add p (offset p G b w) (rise_at p OS b a q step hi))) &?
+  between p step (arrival p OS G b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
   (let W := enclose_range p (frequency param) in let tau := enclose_range p (shift param) in
    let AW := mul p (enclose_range p (amplitude param)) W in
    let TH := stretch p step lo hi in let V := mul p AW (stretch p step (v l - rv l) (v l + rv l)) in
@@ -390,18 +445,26 @@ Hypothesis A_positive : 0 < A s.
 Hypothesis W_positive : 0 < W s.
 
 Lemma holds_gamma p : holds (gamma_in p) (d s / A s).
-Proof. destruct described as (a & _ & _ & g & _). apply holds_quotient; apply holds_range; assumption. Qed.
+Proof. destruct described as ((a & _) & _ & g & _). apply holds_quotient; apply holds_range; assumption. Qed.
+
+Lemma holds_known p : Forall2 knows (known_in p) (companions s).
+Proof.
+  destruct described as ((hA & hW & ht) & others & _). unfold known_in, companions. induction others as [|x h xs hs (a & w & t) rest IH]; [constructor|].
+  cbn [map]. constructor; [|exact IH]. unfold knows, known_of, companion_of. cbn [Share Ratio Lag share ratio lag].
+  apply (holds_range p) in hA, hW, ht, a, w, t. split; [|split]; enclose.
+Qed.
 
 (* A launch of the model is in a box. *)
 Definition launched (b : box) (l : launch) : Prop :=
   exists thc uc, in_box (d s / A s) (place l / A s) (phase s (since l)) (unit_speed s (speed l)) thc uc b.
 
 (* th0 <= depart, the departure is inwards, or the flight is followed in the gap from th0 on. *)
-Lemma departure_sound b l gamma y th0 u thc uc : in_box gamma y th0 u thc uc b -> check_departure b l = true ->
-  let q := scale l in exists ta, (ta = th0 \/ exists w0, y = side w0 * (gamma / 2) /\ leaves w0 th0 u ta) /\
+Lemma departure_sound OS b l gamma y th0 u thc uc (os := companions s) : Forall2 knows OS os -> in_box gamma y th0 u thc uc b ->
+  check_departure OS b l = true ->
+  let q := scale l in exists ta, (ta = th0 \/ exists w0, y = side w0 * (gamma / 2) /\ leaves os w0 th0 u ta) /\
   th0 <= ta /\ grid q (depart l) <= ta /\ (ta <= grid q (approach l) \/ ta = grid q (depart l)).
 Proof.
-  intros inb check q. assert (ac := look_seen _ _ _ _ _ _ (coarse l) (coarse l) b inb).
+  intros hos inb check q. assert (ac := look_seen _ _ _ _ _ _ _ (coarse l) _ (coarse l) b hos inb).
   assert (sp := unit_step_holds (bits l) q). assert (sc := unit_step_holds (coarse l) q).
   pose proof inb as (hf & h0 & _ & _ & _ & hu & _). unfold check_departure in check. fold q in check.
   destruct (from b) as [w|] eqn:f.
@@ -409,13 +472,13 @@ Proof.
     set (low := (lowest b * 2 ^ Zpos q / 2 ^ Zpos (box_scale b) - 1)%Z) in *.
     assert (a2 : 0 <= th0 - grid q low) by (apply (is_not_negative_sound _ _ k0); enclose).
     exists (grid q (depart l)). split; [right; exists w; split; [exact hf|]|lra].
-    destruct (sweep (inwards_over _ _ _ _ _ _) _ _ _) eqn:d in check.
-    + left. intros th r. refine (sweep_sound q _ (fun x => 0 < - side w * rate th0 u x) _ _ _ _ d th _); [|lra].
-      intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ inb _ ac q _ sc _ _ _ h x rx).
+    destruct (sweep (inwards_over _ _ _ _ _ _ _) _ _ _) eqn:d in check.
+    + left. intros th r. refine (sweep_sound q _ (fun x => 0 < - side w * rate os th0 u x) _ _ _ _ d th _); [|lra].
+      intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ _ hos _ inb _ ac q _ sc _ _ _ h x rx).
     + right. split_checks. split.
       * replace (- side w * u) with (- (side w * u)) by ring. apply (is_not_negative_sound _ _ k1). enclose.
-      * intros th r. refine (sweep_sound q _ (fun x => 0 < - side w * sin x) _ _ _ _ check th _); [|lra].
-        intros i j h x rx. exact (pressed_sound _ q _ sc _ _ _ h x rx).
+      * intros th r. refine (sweep_sound q _ (fun x => 0 < - side w * box_bend os x) _ _ _ _ check th _); [|lra].
+        intros i j h x rx. exact (pressed_sound _ _ _ hos q _ sc _ _ _ h x rx).
   - split_checks. exists th0. split; [left; reflexivity|].
     assert (0 <= th0 - grid q (depart l)) by (apply (is_not_negative_sound _ _ k); enclose).
     assert (0 <= grid q (approach l) - th0) by (apply (is_not_negative_sound _ _ check); enclose). lra.
@@ -431,7 +494,8 @@ Proof.
   set (lo := (t legs - rt legs)%Z) in *. set (hi := (t legs + rt legs)%Z) in *.
   assert (Gp := holds_gamma p). assert (Gc := holds_gamma c).
   assert (sp := unit_step_holds p q). assert (sc := unit_step_holds c q).
-  assert (ap := look_seen _ _ _ _ _ _ p c b inb). assert (ac := look_seen _ _ _ _ _ _ c c b inb).
+  set (OS := known_in p) in *. set (os := companions s) in *. assert (hos : Forall2 knows OS os) by apply holds_known.
+  assert (ap := look_seen _ _ _ _ _ _ _ p _ c b hos inb). assert (ac := look_seen _ _ _ _ _ _ _ c _ c b hos inb).
   split_checks. rename check into velocity_upper_check.
   set (th0 := phase s (since l)) in *. set (u := unit_speed s (speed l)) in *. set (gamma := d s / A s) in *.
   set (y := place l / A s) in *.
@@ -442,32 +506,32 @@ Proof.
   apply (grid_le q) in order1. apply (grid_le q) in order2.
   assert (order3 : grid q lo <= grid q hi) by (apply grid_le; unfold lo, hi; lia).
   assert (order4 : 0 < grid q lo - th0) by (apply (is_positive_sound _ _ k3); enclose).
-  destruct (departure_sound b legs gamma y th0 u thc uc inb k4) as (ta & departs & o1 & o2 & o3). fold q in o2, o3.
+  destruct (departure_sound OS b legs gamma y th0 u thc uc hos inb k4) as (ta & departs & o1 & o2 & o3). fold q in o2, o3.
   assert (off := holds_offset gamma y th0 u thc uc p _ Gp b inb (hits legs)).
-  assert (low := holds_rise_at gamma y th0 u thc uc p b inb _ ap q _ sp lo).
-  assert (high := holds_rise_at gamma y th0 u thc uc p b inb _ ap q _ sp hi).
+  assert (low := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp lo).
+  assert (high := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp hi).
   destruct (flight s A_positive W_positive l (hits legs) ta (grid q (approach legs)) (grid q lo) (grid q hi)) as (i & reach & same & r1 & onwall & vel).
   - fold th0. destruct o3; lra.
   - lra.
   - fold th0. lra.
   - replace (d s / A s / 2) with (gamma / 2) by reflexivity. exact departs.
-  - fold th0 u y. intros th r. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    refine (sweep_sound q _ (fun x => Rabs (y + rise th0 u x) < gamma / 2) _ _ _ _ k5 th _); [|lra].
-    intros i j h x rx. exact (inside_sound _ _ _ _ _ _ _ _ Gc _ inb _ ac q _ sc _ _ h x rx).
-  - fold th0 u. intros th r. replace (side (hits legs)) with (- side (opposite (hits legs))) by (destruct (hits legs); cbn; ring).
-    refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits legs)) * rate th0 u x) _ _ _ _ k6 th _); [|lra].
-    intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ inb _ ac q _ sc _ _ _ h x rx).
-  - fold th0 u y. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    assert (0 < - (side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise th0 u (grid q lo)))) by (apply (is_positive_sound _ _ k7); enclose).
+  - fold th0 u y os. intros th r. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
+    refine (sweep_sound q _ (fun x => Rabs (y + rise os th0 u x) < gamma / 2) _ _ _ _ k5 th _); [|lra].
+    intros i j h x rx. exact (inside_sound _ _ _ _ _ _ _ _ _ hos _ Gc _ inb _ ac q _ sc _ _ h x rx).
+  - fold th0 u os. intros th r. replace (side (hits legs)) with (- side (opposite (hits legs))) by (destruct (hits legs); cbn; ring).
+    refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits legs)) * rate os th0 u x) _ _ _ _ k6 th _); [|lra].
+    intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ _ hos _ inb _ ac q _ sc _ _ _ h x rx).
+  - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
+    assert (0 < - (side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise os th0 u (grid q lo)))) by (apply (is_positive_sound _ _ k7); enclose).
     destruct (hits legs); cbn [side] in *; lra.
-  - fold th0 u y. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    assert (0 <= side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise th0 u (grid q hi))) by (apply (is_not_negative_sound _ _ k8); enclose).
+  - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
+    assert (0 <= side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise os th0 u (grid q hi))) by (apply (is_not_negative_sound _ _ k8); enclose).
     destruct (hits legs); cbn [side] in *; lra.
-  - fold th0 u y in onwall, vel. replace (d s / A s / 2) with (gamma / 2) in onwall by reflexivity.
-    assert (speed_in := holds_arrival gamma y th0 u thc uc p _ Gp b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
+  - fold th0 u y os in onwall, vel. replace (d s / A s / 2) with (gamma / 2) in onwall by reflexivity.
+    assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ Gp b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
     assert (r2 := between_sound _ _ _ _ _ _ k9 speed_in). rewrite <- vel in r2.
     exists i. split; [exact reach|]. split; [|repeat split; try assumption; apply r1 || apply r2].
-    destruct described as (dA & dW & dt & _ & _).
+    destruct described as ((dA & dW & dt) & _).
     assert (hA := holds_range p _ _ dA). assert (hW := holds_range p _ _ dW). assert (ht := holds_range p _ _ dt).
     assert (hTH := holds_stretch p q _ sp lo hi _ r1). assert (hV := holds_stretch p q _ sp _ _ _ r2).
     set (x := unit_speed s (velocity i)) in *.
@@ -494,7 +558,7 @@ Proof.
     { exists (grid (scale leg) (t leg)), (- e s * grid (scale leg) (v leg)).
       assert (rt0 : (0 <= rt leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; reflexivity).
       assert (rv0 : (0 <= rv leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; reflexivity).
-      assert (E := holds_range (bits leg) _ _ (proj2 (proj2 (proj2 (proj2 described))))).
+      assert (E := holds_range (bits leg) _ _ (proj2 (proj2 (proj2 described)))).
       assert (h := landing_in (bits leg) _ (hits leg) _ _ _ _ _ (d s / A s) _ _ _ rt0 rv0 E r1 r2).
       cbn [rebound place since speed]. rewrite same.
       replace (plane s (hits leg) / A s) with (side (hits leg) * (d s / A s / 2)) by (unfold plane; field; lra).
@@ -527,7 +591,7 @@ Definition check (param : data) (b : beginning) (o : start) (legs : list leg) (p
 Lemma start_sound param b o s l : describes param s -> begins b s l -> check_start param b o = true ->
   0 < A s /\ 0 < W s /\ 0 < d s /\ launched s (start_box param b o) l.
 Proof.
-  intros described. pose proof described as (dA & dW & dt & dd & de). unfold check_start. set (p := start_bits o). set (q := start_scale o).
+  intros described. pose proof described as ((dA & dW & dt) & _ & dd & de). unfold check_start. set (p := start_bits o). set (q := start_scale o).
   assert (hA := holds_range p _ _ dA). assert (hW := holds_range p _ _ dW). assert (ht := holds_range p _ _ dt).
   assert (hd := holds_range p _ _ dd). assert (he := holds_range p _ _ de).
   destruct b as [w tr vr|tr yr vr]; intros begun h; cbv zeta in h; split_checks;

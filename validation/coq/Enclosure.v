@@ -1,7 +1,8 @@
 (* Enclosures of numbers: exact data, numbers of the grid n 2^-scale, and the arithmetic of Coq Interval on floats F of
    any size, with sine and cosine after quarter turns. `holds X x`: the interval X contains x. *)
 From Coq Require Import Reals Lra ZArith QArith Qreals Bool Lia.
-From Interval Require Import Real.Xreal Interval.Interval Interval.Float_full Float.Sig.
+From Interval Require Import Real.Xreal Interval.Interval Interval.Float_full Float.Basic Float.Sig.
+From Flocq Require Zaux.
 From ImpactPair Require Import Model.
 Open Scope R_scope.
 
@@ -27,14 +28,7 @@ Proof. apply Rinv_0_lt_compat, IZR_lt. apply Z.pow_pos_nonneg; lia. Qed.
 Lemma grid_le q a b : (a <= b)%Z -> grid q a <= grid q b.
 Proof. intros h. apply IZR_le in h. apply Rmult_le_compat_l; [left; apply grid_step|exact h]. Qed.
 
-Lemma sin_turns x m : sin (x - IZR m * (2 * PI)) = sin x.
-Proof.
-  destruct (Z_le_gt_dec 0 m).
-  - rewrite <- (sin_period _ (Z.to_nat m)). f_equal. rewrite INR_IZR_INZ, Z2Nat.id by lia. ring.
-  - rewrite <- (sin_period x (Z.to_nat (- m))). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.
-Qed.
-
-(* Some whole number of quarter turns near n units; any would do. *)
+(* Some whole number of quarter turns near n units of the grid; any would do. *)
 Definition turns (q : positive) (n : Z) : Z := ((n * 452 + 355 * 2 ^ Zpos q) / (710 * 2 ^ Zpos q))%Z.
 
 Module Enclosure (F : FloatOps with Definition sensible_format := true).
@@ -88,6 +82,14 @@ Definition quarters (k : Z) (X : I.type) : I.type :=
   match (k mod 4)%Z with 0%Z => I.sin prec X | 1%Z => I.cos prec X | 2%Z => I.neg (I.sin prec X) | _ => I.neg (I.cos prec X) end.
 Definition sine (k : Z) (X : I.type) : I.type := quarters k (reduced k X).
 Definition cosine (k : Z) (X : I.type) : I.type := quarters (k + 1) (reduced k X).
+(* The same near the middle of an interval. *)
+Definition turns_in (X : I.type) : Z :=
+  match F.toF (I.midpoint (quotient X half_pi)) with
+  | Float negative m e =>
+    let twice := if (e <? 0)%Z then (2 * Zpos m / Zaux.radix_val F.radix ^ (- e))%Z else (2 * Zpos m * Zaux.radix_val F.radix ^ e)%Z in
+    let near := Z.div2 (twice + 1) in if negative then (- near)%Z else near
+  | _ => 0%Z
+  end.
 Lemma holds_reduced k X x : holds X x -> holds (reduced k X) (x - IZR k * (PI / 2)).
 Proof.
   intros h. apply holds_sub; [exact h|]. apply holds_mul; [apply holds_whole|].

@@ -1,43 +1,77 @@
 (* One flight from a launch to its first contact: when conditions on a few pieces of the flight hold, the ball reaches
    the named wall, first, within the named phases.
 
-   Units of this file: phase th = W t + tau for time, A for lengths, A W for velocities. Then (12) and (11) read
+   Units of this file, of the reference harmonic: phase th = W t + tau for time, A for lengths, A W for velocities. Then (12)
+   and (11) read
      place + rise th0 u th,   rate th0 u th,
-   with u the velocity at launch, and only d/A is left of the parameters. *)
-From Coq Require Import Reals Lra.
+   with u the velocity at launch. Of the parameters only d/A is left, and of each further harmonic its companion. *)
+From Coq Require Import Reals Lra List.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model.
 Open Scope R_scope.
 
-Definition rise (th0 u th : R) : R := sin th0 - sin th + (u + cos th0) * (th - th0).
-Definition rate (th0 u th : R) : R := u + cos th0 - cos th.
-
-Lemma rise_derivative th0 u th : derivable_pt_lim (rise th0 u) th (rate th0 u th).
-Proof. apply is_derive_Reals. unfold rise, rate. auto_derive; [exact I|ring]. Qed.
-Lemma rate_derivative th0 u th : derivable_pt_lim (rate th0 u) th (sin th).
-Proof. apply is_derive_Reals. unfold rate. auto_derive; [exact I|ring]. Qed.
-(* The same displacement when the launch is later: the first entry of (A.7), times the velocity of arrival. *)
-Lemma rise_derivative_launch th0 u th : derivable_pt_lim (fun x => rise x u th) th0 (- sin th0 * (th - th0) - u).
-Proof. apply is_derive_Reals. unfold rise. auto_derive; [exact I|ring]. Qed.
+(* A harmonic share * sin (ratio th + lag): its amplitude and frequency over those of the reference. *)
+Record companion := { share : R; ratio : R; lag : R }.
+Definition companion_phase (o : companion) (th : R) : R := ratio o * th + lag o.
 
 Lemma increasing f f' a b : a < b -> (forall c, derivable_pt_lim f c (f' c)) -> (forall c, a < c < b -> 0 < f' c) -> f a < f b.
 Proof.
   intros h D p. destruct (MVT_cor2 f f' a b h (fun c _ => D c)) as (c & eq & hc). specialize (p c hc). nra.
 Qed.
 
+Section Companions.
+Variable os : list companion.
+
+(* The box: E, E' and -E'', in the units of this file. *)
+Definition box_at (th : R) : R := sum (sin th) (fun o => share o * sin (companion_phase o th)) os.
+Definition box_rate (th : R) : R := sum (cos th) (fun o => share o * ratio o * cos (companion_phase o th)) os.
+Definition box_bend (th : R) : R := sum (sin th) (fun o => share o * ratio o * ratio o * sin (companion_phase o th)) os.
+
+Definition rise (th0 u th : R) : R := box_at th0 - box_at th + (u + box_rate th0) * (th - th0).
+Definition rate (th0 u th : R) : R := u + box_rate th0 - box_rate th.
+
+Lemma box_at_derivative th : is_derive box_at th (box_rate th).
+Proof.
+  apply (sum_derivative sin _ (fun o th => share o * sin (companion_phase o th)) (fun o th => share o * ratio o * cos (companion_phase o th)));
+    intros; unfold companion_phase; auto_derive; try exact I; ring.
+Qed.
+Lemma box_rate_derivative th : is_derive box_rate th (- box_bend th).
+Proof.
+  replace (- box_bend th) with (sum (- sin th) (fun o => - (share o * ratio o * ratio o * sin (companion_phase o th))) os).
+  - apply (sum_derivative cos _ (fun o th => share o * ratio o * cos (companion_phase o th))
+      (fun o th => - (share o * ratio o * ratio o * sin (companion_phase o th)))); intros; unfold companion_phase; auto_derive; try exact I; ring.
+  - unfold box_bend, sum. induction os as [|o rest IH]; cbn; [|rewrite IH]; ring.
+Qed.
+Ltac derive_box := intros; match goal with |- is_derive _ ?th _ => 
+  assert (D := box_at_derivative th); assert (D' := box_rate_derivative th) end;
+  auto_derive; [repeat split; eexists; eassumption|];
+  repeat match goal with |- context [Derive (fun x => box_at x) ?th] =>
+    replace (Derive (fun x => box_at x) th) with (box_rate th) by (symmetry; apply is_derive_unique, box_at_derivative) end;
+  repeat match goal with |- context [Derive (fun x => box_rate x) ?th] =>
+    replace (Derive (fun x => box_rate x) th) with (- box_bend th) by (symmetry; apply is_derive_unique, box_rate_derivative) end.
+Lemma rise_derivative th0 u th : derivable_pt_lim (rise th0 u) th (rate th0 u th).
+Proof. apply is_derive_Reals. unfold rise, rate. derive_box. ring. Qed.
+Lemma rate_derivative th0 u th : derivable_pt_lim (rate th0 u) th (box_bend th).
+Proof. apply is_derive_Reals. unfold rate. derive_box. ring. Qed.
+(* The same when the launch is later: the first entries of (A.7), the one of the time times the velocity of arrival. *)
+Lemma rise_derivative_launch th0 u th : derivable_pt_lim (fun x => rise x u th) th0 (- box_bend th0 * (th - th0) - u).
+Proof. apply is_derive_Reals. unfold rise. derive_box. ring. Qed.
+Lemma rate_derivative_launch th0 u th : derivable_pt_lim (fun x => rate x u th) th0 (- box_bend th0).
+Proof. apply is_derive_Reals. unfold rate. derive_box. ring. Qed.
+
 (* The ball leaves the wall w: its velocity points inwards, or it is not outwards and the acceleration is inwards. *)
 Definition leaves (w : wall) (th0 u ta : R) : Prop :=
   (forall th, th0 < th < ta -> 0 < - side w * rate th0 u th) \/
-  (0 <= - side w * u /\ forall th, th0 < th < ta -> 0 < - side w * sin th).
+  (0 <= - side w * u /\ forall th, th0 < th < ta -> 0 < - side w * box_bend th).
 
 Lemma leaves_inwards w th0 u ta : leaves w th0 u ta -> forall th, th0 < th < ta -> 0 < - side w * rate th0 u th.
 Proof.
   intros [h|[h a]] th r; [exact (h th r)|].
   assert (- side w * rate th0 u th0 < - side w * rate th0 u th).
-  { apply (increasing (fun x => - side w * rate th0 u x) (fun x => - side w * sin x)); [lra| |].
+  { apply (increasing (fun x => - side w * rate th0 u x) (fun x => - side w * box_bend x)); [lra| |].
     - intros c. apply (derivable_pt_lim_scal (rate th0 u)). apply rate_derivative.
     - intros c hc. apply a. lra. }
-  unfold rate at 1 in H. replace (u + cos th0 - cos th0) with u in H by ring. lra.
+  unfold rate at 1 in H. replace (u + box_rate th0 - box_rate th0) with u in H by ring. lra.
 Qed.
 
 (* Departure on [th0, ta], middle on [ta, tb], arrival at w1 between lo and hi. *)
@@ -84,6 +118,8 @@ Proof.
     destruct w1; cbn in *; apply Rabs_def1; lra.
 Qed.
 
+End Companions.
+
 (* The same in the units of the scene. *)
 Section Scene.
 Variable s : scene.
@@ -92,11 +128,32 @@ Hypothesis W_positive : 0 < W s.
 
 Definition unit_speed (v : R) : R := v / (A s * W s).
 
+(* Another harmonic in the units of the reference. *)
+Definition companion_of (h : harmonic) : companion :=
+  {| share := A h / A s; ratio := W h / W s; lag := tau h - W h / W s * tau s |}.
+Definition companions : list companion := map companion_of (others s).
+
+Lemma companion_phase_of h t : companion_phase (companion_of h) (phase s t) = phase h t.
+Proof. unfold companion_phase, companion_of, phase. cbn. field. lra. Qed.
+Lemma position_in_units t : box_position s t = A s * box_at companions (phase s t).
+Proof.
+  unfold box_position, box_at, companions, sum, swing. induction (others s) as [|h hs IH]; cbn [map fold_right]; [reflexivity|].
+  rewrite IH, companion_phase_of. cbn [companion_of share]. field. lra.
+Qed.
+Lemma velocity_in_units t : box_velocity s t = A s * W s * box_rate companions (phase s t).
+Proof.
+  unfold box_velocity, box_rate, companions, sum, pace. induction (others s) as [|h hs IH]; cbn [map fold_right]; [reflexivity|].
+  rewrite IH, companion_phase_of. cbn [companion_of share ratio]. field. lra.
+Qed.
 Lemma position_in_phases l t :
-  free_position s l t = A s * (place l / A s + rise (phase s (since l)) (unit_speed (speed l)) (phase s t)).
-Proof. unfold free_position, rise, unit_speed, phase. field. lra. Qed.
-Lemma velocity_in_phases l t : free_velocity s l t = A s * W s * rate (phase s (since l)) (unit_speed (speed l)) (phase s t).
-Proof. unfold free_velocity, rate, unit_speed, phase. field. lra. Qed.
+  free_position s l t = A s * (place l / A s + rise companions (phase s (since l)) (unit_speed (speed l)) (phase s t)).
+Proof.
+  unfold free_position, rise, unit_speed. rewrite !position_in_units, velocity_in_units.
+  replace (phase s t - phase s (since l)) with (W s * (t - since l)) by (unfold phase; ring). field. lra.
+Qed.
+Lemma velocity_in_phases l t :
+  free_velocity s l t = A s * W s * rate companions (phase s (since l)) (unit_speed (speed l)) (phase s t).
+Proof. unfold free_velocity, rate, unit_speed. rewrite !velocity_in_units. field. lra. Qed.
 
 Lemma phase_increasing a b : a < b <-> phase s a < phase s b.
 Proof. unfold phase. split; nra. Qed.
@@ -104,21 +161,21 @@ Proof. unfold phase. split; nra. Qed.
 Theorem flight l w1 ta tb lo hi : let th0 := phase s (since l) in let u := unit_speed (speed l) in
   let y := place l / A s in let half := d s / A s / 2 in
   th0 <= ta <= tb -> tb <= lo <= hi -> th0 < lo ->
-  (ta = th0 \/ exists w0, y = side w0 * half /\ leaves w0 th0 u ta) ->
-  (forall th, ta <= th <= tb -> Rabs (y + rise th0 u th) < half) ->
-  (forall th, tb <= th <= hi -> 0 < side w1 * rate th0 u th) ->
-  side w1 * (y + rise th0 u lo) < half -> half <= side w1 * (y + rise th0 u hi) ->
+  (ta = th0 \/ exists w0, y = side w0 * half /\ leaves companions w0 th0 u ta) ->
+  (forall th, ta <= th <= tb -> Rabs (y + rise companions th0 u th) < half) ->
+  (forall th, tb <= th <= hi -> 0 < side w1 * rate companions th0 u th) ->
+  side w1 * (y + rise companions th0 u lo) < half -> half <= side w1 * (y + rise companions th0 u hi) ->
   exists i, reaches s l i /\ wall_of i = w1 /\ lo <= phase s (time i) <= hi /\
-    y + rise th0 u (phase s (time i)) = side w1 * half /\
-    unit_speed (velocity i) = rate th0 u (phase s (time i)).
+    y + rise companions th0 u (phase s (time i)) = side w1 * half /\
+    unit_speed (velocity i) = rate companions th0 u (phase s (time i)).
 Proof.
   intros th0 u y half o1 o2 o3 departure middle arrival low high.
-  destruct (crossing y half th0 u ta tb lo hi w1 o1 o2 o3 departure middle arrival low high) as (th1 & b & on & inside).
+  destruct (crossing companions y half th0 u ta tb lo hi w1 o1 o2 o3 departure middle arrival low high) as (th1 & b & on & inside).
   set (t1 := (th1 - tau s) / W s).
   assert (eq : phase s t1 = th1) by (unfold phase, t1; field; lra).
-  assert (scaled : forall t, free_position s l t = A s * (y + rise th0 u (phase s t))) by apply position_in_phases.
+  assert (scaled : forall t, free_position s l t = A s * (y + rise companions th0 u (phase s t))) by apply position_in_phases.
   assert (halves : d s / 2 = A s * half) by (unfold half; field; lra).
-  assert (positive : 0 < half). { assert (m := middle ta ltac:(lra)). assert (p := Rabs_pos (y + rise th0 u ta)). lra. }
+  assert (positive : 0 < half). { assert (m := middle ta ltac:(lra)). assert (p := Rabs_pos (y + rise companions th0 u ta)). lra. }
   exists {| wall_of := w1; time := t1; velocity := free_velocity s l t1 |}. cbn. rewrite eq.
   repeat split; try assumption; try lra; cbn.
   - apply phase_increasing. fold th0. lra.

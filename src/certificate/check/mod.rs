@@ -27,6 +27,7 @@ use super::Certificate;
 use crate::error::Error;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
+pub(super) use flight::Flight;
 pub(super) use walk::Walk;
 
 /// What a check finds.

@@ -1,8 +1,11 @@
-//! The flights of a certificate as numbers without units: phases `W t + tau`, velocities in `A W`, lengths in `A`.
+//! The flights of a certificate as numbers without units: phases `W t + tau`, velocities in `A W`, lengths in `A`, all of the
+//! reference harmonic.
 
-use crate::certificate::check::{Data, Doubt, Piece, Walk};
+use super::cuts::Cuts;
+use crate::certificate::check::{self, Data, Doubt, Piece, Walk};
 use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::Real;
+use crate::exact::{Exact, Real};
+use crate::excitation::Excitation;
 use crate::pair::Wall;
 
 /// The start of an orbit.
@@ -23,7 +26,7 @@ pub(super) struct Flight {
     pub phases: [Real; 2],
     /// Before the impact at its end.
     pub velocity: Real,
-    /// `sin th1` over that.
+    /// `y''` at its end over that.
     pub tilt: Real,
     /// The claimed bounds of phase and velocity.
     pub printed: [[Real; 2]; 2],
@@ -32,16 +35,20 @@ pub(super) struct Flight {
     pub before: f64,
     pub u: f64,
     pub restitution: f64,
-    /// Length, sines at the ends, and velocity at the end.
+    /// Length, `y''` at the ends, and velocity at the end.
     pub h: f64,
-    pub sin: [f64; 2],
+    pub bend: [f64; 2],
     pub rate: f64,
-    /// The phase of the departure in `[0, 2 pi)`, `y` there and `d/2`.
-    pub turn: f64,
-    pub height: f64,
-    pub half_gap: f64,
+    /// The ends of departure and middle, as parts of the length.
+    pub cuts: [f64; 2],
+    /// Bits that extrema near a wall take.
+    pub nearness: u32,
+    /// No displacement of the box is greater.
+    pub reach: f64,
     /// Half the widths of `e` and of `d/A`.
     pub spread: [f64; 2],
+    /// How far the displacement of the box and its velocity are unknown at a known phase.
+    pub unknown: [f64; 2],
 }
 
 fn float(x: &Real) -> f64 {
@@ -50,6 +57,28 @@ fn float(x: &Real) -> f64 {
 
 fn half_width(x: &Real) -> f64 {
     x.enclosure().width().scaled(-1).to_f64_up()
+}
+
+/// How far displacement and velocity of the box are unknown at a known phase of the reference: by what the data of the other
+/// harmonics leave open.
+fn unknown(excitation: &Excitation, phase: &Real) -> [f64; 2] {
+    let mut unknown = [0.0; 2];
+    if excitation.is_point() {
+        return unknown;
+    }
+    let of = |x: &Exact| Real::of(x, phase.bits());
+    let reference = excitation.reference();
+    for harmonic in &excitation.harmonics()[1..] {
+        let share = of(harmonic.amplitude()).over(&of(reference.amplitude())).expect("the box is shaken");
+        let ratio = of(harmonic.frequency()).over(&of(reference.frequency())).expect("the frequency is positive");
+        // As the proof computes it.
+        let turned = ratio.clone() * phase + &(of(harmonic.phase()) - &(ratio.clone() * &of(reference.phase())));
+        let parts = [share.clone(), share * &ratio];
+        for (unknown, part) in unknown.iter_mut().zip(&parts) {
+            *unknown += half_width(part) + float(part) * half_width(&turned);
+        }
+    }
+    unknown
 }
 
 /// The start and the flights up to `claims`, which are impacts, at `bits`; or why one cannot be confirmed, after how many.
@@ -65,7 +94,7 @@ pub(super) fn flights(
     let amplitude = parameters.terms[0].amplitude.hull();
     let unit = |x: &Real| x.over(&amplitude).expect("the box is shaken");
     let middle = |x: &Real| Real::point(x.mid(), bits);
-    let (phase, velocity, height) = data.state(&Piece::default(), bits);
+    let (phase, velocity, _) = data.state(&Piece::default(), bits);
     let origin = Origin { phase: walk.absolute(&phase.less_centre().hull()), velocity: unit(&velocity.hull()) };
     let half_gap = unit(&parameters.half_gap.hull());
     let spread = [half_width(&parameters.restitution.hull()), 2.0 * half_width(&half_gap)];
@@ -82,33 +111,38 @@ pub(super) fn flights(
         let from = departure.start.wall;
         let phases = [&departure.phase, &landing.phase].map(|x| middle(&walk.absolute(&x.centre)));
         let velocity = middle(&unit(&landing.velocity.centre));
-        let [(sin0, cos0), (sin1, _)] = phases.each_ref().map(Real::sin_cos);
-        let turn = float(&sin0).atan2(float(&cos0)).rem_euclid(std::f64::consts::TAU);
+        let length = phases[1].clone() - &phases[0];
+        let centre = check::Flight {
+            shaking: parameters.shaking(&departure.phase.centre, |x| x.centre.clone()),
+            half_gap: parameters.half_gap.centre.clone(),
+            height: departure.height.centre.clone(),
+            velocity: departure.velocity.centre.clone(),
+        };
+        let bend = [centre.shaking.first_acceleration(), centre.shaking.acceleration(&length)].map(|x| unit(&x));
+        let cuts = Cuts::new(&centre, float(&length));
         let aw = amplitude.clone() * &Real::of(&data.frequency, bits);
         let time = claim
             .time
             .each_ref()
             .map(|time| Real::rational(time, bits) * &Real::of(&data.frequency, bits) + &Real::of(&data.delay, bits));
         let speeds = printed.each_ref().map(|v| Real::rational(v, bits).over(&aw).expect("the box is shaken"));
-        let height = match from {
-            Some(wall) => -wall.sign() * float(&half_gap),
-            None => height.as_ref().map_or(0.0, |height| float(&unit(&height.centre))),
-        };
+        let u = float(&unit(&departure.velocity.centre));
         flights.push(Flight {
             from,
             wall: landing.wall,
-            tilt: middle(&sin1.over(&velocity).expect("an impact has a velocity")),
+            tilt: middle(&bend[1].over(&velocity).expect("an impact has a velocity")),
             printed: [time, speeds],
             before,
-            u: float(&unit(&departure.velocity.centre)),
+            u,
             restitution: if from.is_some() { float(&parameters.restitution.centre) } else { 1.0 },
-            h: float(&(phases[1].clone() - &phases[0])),
-            sin: [float(&sin0), float(&sin1)],
+            h: float(&length),
+            bend: bend.each_ref().map(float),
             rate: float(&velocity),
-            turn,
-            height,
-            half_gap: float(&half_gap),
+            cuts: cuts.places(u == 0.0),
+            nearness: cuts.nearness(),
+            reach: float(&unit(&centre.shaking.reach())),
             spread,
+            unknown: unknown(certificate.pair().excitation(), &phases[1]),
             phases,
             velocity,
         });

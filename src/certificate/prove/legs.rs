@@ -1,8 +1,6 @@
 //! Boxes around the impacts of an orbit on grids of powers of two, and where the flights between them are cut: what
 //! `Certificate.v` checks (`validation/coq/README.md`).
 
-use std::f64::consts::{PI, TAU};
-
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
@@ -41,11 +39,6 @@ const SPARE_BITS: u32 = 20;
 const MARGIN: f64 = 1.01;
 /// What is of second order in a box is at most `2^-8` of what is of first order, which [`MARGIN`] covers.
 const NEARLY_LINEAR: f64 = 8.0;
-/// In shorter flights the sines are those of a parabola.
-const SHORT: f64 = 1e-3;
-
-/// Zeros as near the ends of a flight as this are those of a departure or an arrival without velocity.
-const ENDS: f64 = 1e-9;
 
 /// The box of the start, with the finest grid, `2^-scale` or coarser.
 pub(super) fn start(origin: &Origin, scale: u32) -> Box {
@@ -68,7 +61,7 @@ pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
     let [rt, rv] = radii(flight, from, scale);
     let arrival = Box { scale, t: grid(&flight.phases[1], scale), rt, v: grid(&flight.velocity, scale), rv };
     let [bits, coarse] = precisions(flight, scale);
-    let [depart, approach] = cuts(flight).map(|part| {
+    let [depart, approach] = flight.cuts.map(|part| {
         let part = Dyadic::from_f64(part).unwrap_or_else(Dyadic::zero);
         let length = flight.phases[1].clone() - &flight.phases[0];
         grid(&(flight.phases[0].clone() + &(length * &Real::point(part, 64))), scale)
@@ -84,16 +77,21 @@ pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
 /// Radii of the box of arrival in units of `2^-scale`, by (A.7) in units without A and W, as far as doubles tell: the proof
 /// does not trust them. A velocity is told less the tilt times the height, and so hardly depends on the phase of arrival.
 fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
-    let &Flight { sin, u, h, rate, restitution, before, spread, .. } = flight;
-    let tilt = sin[1] / rate;
-    let turned = sin[0] * h + u;
-    let by_phase = [turned.abs() / rate.abs(), (tilt * turned - sin[0]).abs()];
+    let &Flight { bend, u, h, rate, restitution, before, spread, unknown: [place, speed], .. } = flight;
+    let tilt = bend[1] / rate;
+    let turned = bend[0] * h + u;
+    let by_phase = [turned.abs() / rate.abs(), (tilt * turned - bend[0]).abs()];
     let by_speed = [(restitution * h / rate).abs(), (restitution * (1.0 - tilt * h)).abs()];
     let shrunk = (-f64::from(from.scale - scale)).exp2();
     let (rt, rv) = ((from.rt + 1.0) * shrunk, (from.rv + 1.0) * shrunk);
-    // What intervals of e and d/A add; nothing for data that are points, however fine the grid.
-    let [e, gap] = spread.map(|spread| if spread > 0.0 { spread * f64::from(scale).exp2() } else { 0.0 });
-    let by_data = [(e * before.abs() * h + gap) / rate.abs(), e * (before * (1.0 - tilt * h)).abs() + gap * tilt.abs()];
+    // What intervals of e, d/A and the other harmonics add; nothing for data that are points, however fine the grid.
+    let [e, gap, place, speed] = [spread[0], spread[1], place, speed]
+        .map(|spread| if spread > 0.0 { spread * f64::from(scale).exp2() } else { 0.0 });
+    let off = gap + 2.0 * place + speed * h;
+    let by_data = [
+        (e * before.abs() * h + off) / rate.abs(),
+        e * (before * (1.0 - tilt * h)).abs() + 2.0 * speed + off * tilt.abs(),
+    ];
     let slack = 16.0 * (-f64::from(SPARE_BITS)).exp2();
     let spare = [4.0 + slack / rate.abs(), 4.0 + slack * tilt.abs()];
     [0, 1].map(|i| (MARGIN * (by_phase[i] * rt + by_speed[i] * rv + by_data[i]) + spare[i]).ceil())
@@ -101,10 +99,11 @@ fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
 
 /// The precision of the proof, and that of its parts which have room to spare.
 fn precisions(flight: &Flight, scale: u32) -> [u32; 2] {
-    let &Flight { u, h, rate, .. } = flight;
-    let size = f64::from(magnitude(&flight.phases[1])).max((u * h).abs().log2()).max(1.0).ceil() as u32;
+    let &Flight { u, h, rate, reach, nearness, .. } = flight;
+    let size = f64::from(magnitude(&flight.phases[1])).max((u * h).abs().log2()).max(1.0);
+    let size = (size + reach.log2().max(0.0)).ceil() as u32;
     let bits = scale + SPARE_BITS + size;
-    let coarse = 40 + size + (6.0 * (-rate.abs().log2()).max(0.0)).ceil() as u32 + nearness(flight);
+    let coarse = 40 + size + (6.0 * (-rate.abs().log2()).max(0.0)).ceil() as u32 + nearness;
     [bits, coarse.min(bits)]
 }
 
@@ -132,7 +131,7 @@ pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
         if room >= radius { 0 } else { (radius / room.max(1.0)).log2().ceil().max(1.0) as u32 }
     };
     let [time, velocity] = &flight.printed;
-    let curved = (2.0 * arrival.rt * (1.0 + (flight.sin[1] / flight.rate).abs()) / flight.rate.abs()).log2();
+    let curved = (2.0 * arrival.rt * (1.0 + (flight.bend[1] / flight.rate).abs()) / flight.rate.abs()).log2();
     let curved = (curved - f64::from(arrival.scale) + NEARLY_LINEAR).ceil().max(0.0) as u32;
     curved.max(wanting(room(&arrival.t, time), arrival.rt)).max(wanting(room(&arrival.v, velocity), arrival.rv))
 }
@@ -147,64 +146,6 @@ fn grid(x: &Real, scale: u32) -> BigInt {
 /// `log2 |x|`, rounded up.
 fn magnitude(x: &Real) -> u32 {
     u32::try_from(x.enclosure().mag().top().unwrap_or(0) + 1).unwrap_or(0)
-}
-
-/// Where the flight is cut, as parts of its length: 3/4 of the way to the first zero of `y'`, and as much before the last one;
-/// in the middle if there is none. A flight from rest has departed while `y''` keeps its sign.
-fn cuts(flight: &Flight) -> [f64; 2] {
-    let zeros = zeros(flight);
-    let depart = zeros.first().map_or(0.5, |first| 0.75 * first);
-    let approach = zeros.last().map_or(0.5, |last| 1.0 - 0.75 * (1.0 - last));
-    if flight.u == 0.0 {
-        let bend = (PI - flight.turn.rem_euclid(PI)) / flight.h;
-        let depart = depart.min(0.75 * bend);
-        return [depart, approach.max(depart)];
-    }
-    [depart, approach]
-}
-
-/// The first and the last zero of `y'` strictly inside the flight, as parts of its length.
-fn zeros(flight: &Flight) -> Vec<f64> {
-    let &Flight { u, h, turn: begin, .. } = flight;
-    let is_inside = |zero: &f64| (ENDS..1.0 - ENDS).contains(zero);
-    if h < SHORT {
-        // y' = u + sin th0 x + cos th0 x^2/2, nearly; both roots without cancellation.
-        let (half, curve) = (flight.sin[0] / 2.0, begin.cos() / 2.0);
-        let sum = -(half + (half * half - curve * u).sqrt().copysign(half));
-        let mut zeros: Vec<_> = [u / sum, sum / curve].map(|x| x / h).into_iter().filter(is_inside).collect();
-        zeros.sort_by(f64::total_cmp);
-        return zeros;
-    }
-    let level = u + begin.cos();
-    if level.abs() > 1.0 {
-        return Vec::new();
-    }
-    // cos th = c at +-a and whole turns.
-    let a = level.acos();
-    let mut zeros = Vec::new();
-    for branch in [a, -a] {
-        let first = branch + TAU * ((begin - branch) / TAU + ENDS).ceil();
-        let last = branch + TAU * ((begin + h - branch) / TAU - ENDS).floor();
-        zeros.extend([first, last].into_iter().map(|zero| (zero - begin) / h).filter(is_inside));
-    }
-    zeros.sort_by(f64::total_cmp);
-    zeros
-}
-
-/// Bits that extrema near a wall take beyond those of ordinary flights.
-fn nearness(flight: &Flight) -> u32 {
-    let Flight { u, h, turn, height, half_gap, .. } = *flight;
-    if h < SHORT {
-        return 0;
-    }
-    let rise = |part: f64| {
-        let x = part * h;
-        height + turn.sin() - (turn + x).sin() + (u + turn.cos()) * x
-    };
-    let nearest = zeros(flight).into_iter().map(|zero| (half_gap - rise(zero).abs()).abs()).fold(1.0, f64::min);
-    let turns = h / (2.0 * PI);
-    // Beyond what doubles tell.
-    if nearest < 1e-9 || turns > 2.0 { u32::MAX / 4 } else { (2.0 * -nearest.log2()).ceil() as u32 }
 }
 
 /// Whether a radius is an integer that can be written.

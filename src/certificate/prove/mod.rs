@@ -4,6 +4,7 @@
 //! data for it: the scene, the printed bounds, and boxes around the impacts with the places where flights are cut. Coq trusts
 //! none of it.
 
+mod cuts;
 mod flights;
 mod legs;
 mod text;
@@ -43,9 +44,8 @@ impl Certificate {
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, or the box is not shaken.
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
-        let harmonic = self.pair().harmonic("the theorem")?;
         let data = Data::new(self.pair(), self.start())?;
-        Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
+        Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
         let is_point = self.pair().is_point() && self.start().velocity().is_point() && data.tones[0].phase.is_point();
         let is_point = is_point && data.height.as_ref().is_none_or(Exact::is_point);
         let claims = self.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));

@@ -10,6 +10,7 @@ use super::legs::{Box, Leg};
 use crate::certificate::{Certificate, Claim, ClaimKind};
 use crate::error::Error;
 use crate::exact::{Exact, Operation};
+use crate::excitation::Harmonic;
 use crate::orbit::Place;
 
 /// Beyond so many impacts, or so fine a grid, Coq's faster integers are used.
@@ -21,17 +22,9 @@ const LARGEST_POWER: u32 = 64;
 /// The file that proves these impacts.
 pub(super) fn file(certificate: &Certificate, claims: &[Claim], begin: &Box, legs: &[Leg]) -> Result<String, Error> {
     let (pair, start) = (certificate.pair(), certificate.start());
-    let excitation = pair.harmonic("the theorem")?;
-    let [amplitude, frequency, shift, gap, restitution, time, velocity] = [
-        excitation.amplitude(),
-        excitation.frequency(),
-        excitation.phase(),
-        pair.gap(),
-        pair.restitution(),
-        start.time(),
-        start.velocity(),
-    ]
-    .map(range);
+    let [gap, restitution, time, velocity] =
+        [pair.gap(), pair.restitution(), start.time(), start.velocity()].map(range);
+    let tones = pair.excitation().harmonics().iter().map(tone).collect::<Result<Vec<_>, _>>()?;
     let first = match start.place() {
         Place::Wall(wall) => format!("Struck {} {} {}", wall.name(), time?, velocity?),
         Place::Inside(height) => format!("Inside {} {} {}", time?, range(height)?, velocity?),
@@ -53,9 +46,10 @@ From Coq Require Import Reals QArith ZArith List.
 From ImpactPair Require Import Model Certificate.
 Import ListNotations.
 
-(* A, W, tau, d, e, each one value or an interval of values. *)
+(* A, W, tau of the reference harmonic and of all others, d, e, each one value or an interval of values. *)
 Definition param : data := {{|
-  amplitude := {}; frequency := {}; shift := {};
+  leading := {};
+  further := [{}];
   gap := {}; restitution := {} |}}%Q.
 (* The start: on a wall with its time and the velocity before the impact, or inside the gap with time, y and y'. *)
 Definition first : beginning := ({first})%Q.
@@ -77,15 +71,19 @@ Theorem orbit_certified : forall s l, describes param s -> begins first s l -> c
 Proof. intros s l. exact ({checker}.orbit_checked _ _ _ _ _ checked s l). Qed.
 Print Assumptions orbit_certified.
 ",
-        amplitude?,
-        frequency?,
-        shift?,
+        tones[0],
+        tones[1..].join(";\n    "),
         gap?,
         restitution?,
         printed.join(";\n  "),
         legs.join(";\n  "),
     );
     Ok(text)
+}
+
+fn tone(harmonic: &Harmonic) -> Result<String, Error> {
+    let [amplitude, frequency, shift] = [harmonic.amplitude(), harmonic.frequency(), harmonic.phase()].map(range);
+    Ok(format!("{{| amplitude := {}; frequency := {}; shift := {} |}}", amplitude?, frequency?, shift?))
 }
 
 /// What is printed of an impact.

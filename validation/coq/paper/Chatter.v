@@ -123,7 +123,7 @@ Variables (w : wall) (opens ends low high : R).
 Hypothesis gap : 0 < d s.
 Hypothesis bouncing : 0 < e s.
 (* The wall-ward acceleration (10) on the window. *)
-Hypothesis window : forall t, opens <= t <= ends -> low <= side w * (A s * (W s)^2 * sin (phase s t)) <= high.
+Hypothesis window : forall t, opens <= t <= ends -> low <= side w * (box_push s t) <= high.
 Hypothesis pressed : 0 < low.
 
 (* The rebound speed after an impact on w. *)
@@ -137,7 +137,7 @@ Proof.
   intros on thrown opened in_time low_flight. set (u := rebound_speed i) in *. set (l := rebound s i).
   assert (side2 : side w * side w = 1) by (destruct w; cbn; ring).
   set (z := fun t => - side w * (free_position s l t - plane s w)).
-  set (v := fun t => - side w * free_velocity s l t). set (a := fun t => - side w * (A s * (W s)^2 * sin (phase s t))).
+  set (v := fun t => - side w * free_velocity s l t). set (a := fun t => - side w * (box_push s t)).
   destruct (returns z v a (time i) ends u low high) as (t1 & r1 & zero & inside & v1 & fast); try assumption.
   - intros t. apply derivable_pt_lim_scal. replace (free_velocity s l t) with (free_velocity s l t - 0) by ring.
     apply derivable_pt_lim_minus; [apply is_derive_Reals, position_derivative|apply derivable_pt_lim_const].

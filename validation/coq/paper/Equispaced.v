@@ -5,6 +5,7 @@ From Coq Require Import Reals Lra Lia List ZArith.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step.
 Open Scope R_scope.
+Import ListNotations.
 
 Definition other (w : wall) : wall := match w with left => right | right => left end.
 
@@ -15,6 +16,7 @@ Let N := (2 * n + 1)%nat.
 Let th0 := phase s t0.
 (* (66) *)
 Definition speed_66 : R := - (2 * A s * W s / (1 - e s)) * cos th0.
+Hypothesis one_harmonic : others s = [].
 Hypothesis shaken : 0 < A s.
 Hypothesis turning : 0 < W s.
 Hypothesis restitution : 0 <= e s < 1.
@@ -58,7 +60,7 @@ Proof.
   assert (np := N_positive). assert (pi := PI_RGT_0).
   set (l := rebound s (orbit k)). set (w := wall_after k) in *. set (c := speed_66) in *.
   assert (inward : forall t, 0 < - side w * free_velocity s l t).
-  { intros t. unfold l, free_velocity, orbit. cbn [rebound since speed time velocity]. fold (orbit k).
+  { intros t. rewrite one_velocity by exact one_harmonic. unfold l, orbit. cbn [rebound since speed time velocity]. fold (orbit k).
     change (t0 + INR k * (INR N * PI / W s)) with (time (orbit k)). rewrite ck. fold w. fold c.
     replace (- side w * (- A s * W s * cos (phase s t) + (- e s * (- side w * c) + A s * W s * (- side w * cos th0))))
       with (A s * W s * (side w * cos (phase s t)) - e s * c * (side w * side w) + A s * W s * cos th0 * (side w * side w)) by ring.
@@ -77,7 +79,7 @@ Proof.
     intros x. apply (derivable_pt_lim_scal (free_position s l)). apply is_derive_Reals, position_derivative. }
   assert (begin : free_position s l (time (orbit k)) = side w * (d s / 2)) by apply (position_start s l).
   assert (arrive : free_position s l (time (orbit (S k))) = - side w * (d s / 2)).
-  { unfold free_position. rewrite sk'. unfold l. cbn [rebound since speed place wall_of]. rewrite sk, ck. unfold plane.
+  { rewrite one_position by exact one_harmonic. rewrite sk'. unfold l. cbn [rebound since speed place wall_of]. rewrite sk, ck. unfold plane.
     cbn [wall_after orbit velocity wall_of time]. fold w. rewrite side_other, S_INR. fold c.
     replace (t0 + (INR k + 1) * (INR N * PI / W s) - (t0 + INR k * (INR N * PI / W s))) with (INR N * PI / W s) by ring.
     rewrite eq67. unfold c, speed_66. field. lra. }
@@ -88,13 +90,13 @@ Proof.
   - fold l. intros t [h h']. cbn [since l rebound] in h. apply rises in h. apply rises in h'. rewrite begin in h. rewrite arrive in h'.
     destruct w; cbn in *; apply Rabs_def1; lra.
   - fold l. rewrite arrive. unfold plane. cbn [orbit wall_of wall_after]. fold w. rewrite side_other. reflexivity.
-  - fold l. unfold free_velocity. rewrite ck'. unfold l. cbn [rebound since speed]. rewrite ck.
+  - fold l. rewrite one_velocity by exact one_harmonic. rewrite ck'. unfold l. cbn [rebound since speed]. rewrite ck.
     cbn [orbit velocity wall_after]. fold w. rewrite side_other. fold c. unfold c, speed_66. field. lra.
 Qed.
 End Orbit.
 
 (* Figure 12 with its exact data; the printed d = 9.42497 and v = -12.56636 are roundings of these. *)
-Definition figure_12_exact : scene := {| A := 1; W := PI; tau := 0; d := 3 * PI; e := 1 / 2 |}.
+Definition figure_12_exact : scene := {| reference := {| A := 1; W := PI; tau := 0 |}; others := []; d := 3 * PI; e := 1 / 2 |}.
 Definition figure_12_orbit (k : nat) : impact :=
   {| wall_of := wall_after k; time := INR k; velocity := side (wall_after k) * (4 * PI) |}.
 Theorem figure_12_for_ever k : next figure_12_exact (figure_12_orbit k) (figure_12_orbit (S k)).
@@ -102,8 +104,8 @@ Proof.
   assert (pi := PI_RGT_0). assert (z : phase figure_12_exact 0 = 0) by (unfold phase; cbn; ring).
   assert (v : speed_66 figure_12_exact 0 = - (4 * PI)) by (unfold speed_66; rewrite z, cos_0; cbn; field).
   assert (same : forall m, orbit figure_12_exact 0 0 m = figure_12_orbit m).
-  { intros m. unfold orbit, figure_12_orbit. rewrite v. cbn [W figure_12_exact Nat.mul Nat.add INR]. f_equal; field; lra. }
-  rewrite <- !same. apply equispaced_for_ever; try rewrite z; try rewrite v; rewrite ?sin_0, ?cos_0; cbn; try lra. field. lra.
+  { intros m. unfold orbit, figure_12_orbit. rewrite v. cbn [W reference figure_12_exact Nat.mul Nat.add INR]. f_equal; field; lra. }
+  rewrite <- !same. apply equispaced_for_ever; try rewrite z; try rewrite v; rewrite ?sin_0, ?cos_0; cbn; try lra; [reflexivity|]. field. lra.
 Qed.
 (* It is periodic: so the hypotheses of TwoImpact.v can be met. *)
 Theorem figure_12_periodic : next figure_12_exact (figure_12_orbit 0) (figure_12_orbit 1) /\
@@ -111,5 +113,5 @@ Theorem figure_12_periodic : next figure_12_exact (figure_12_orbit 0) (figure_12
     {| wall_of := left; time := time (figure_12_orbit 0) + INR 1 * period figure_12_exact; velocity := velocity (figure_12_orbit 0) |}.
 Proof.
   split; [apply figure_12_for_ever|]. replace {| wall_of := left; time := _; velocity := _ |} with (figure_12_orbit 2); [apply figure_12_for_ever|].
-  assert (pi := PI_RGT_0). unfold figure_12_orbit, period. cbn [wall_after other side time velocity W figure_12_exact INR]. f_equal; field; lra.
+  assert (pi := PI_RGT_0). unfold figure_12_orbit, period. cbn [wall_after other side time velocity W reference figure_12_exact INR]. f_equal; field; lra.
 Qed.

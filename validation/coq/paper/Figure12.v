@@ -8,11 +8,11 @@ From ImpactPair Require Import Model Step Certificate.
 Open Scope R_scope.
 Import ListNotations.
 
-Definition figure_12 : scene := {| A := 1; W := PI; tau := 0; d := 9.42497; e := 0.5 |}.
-Definition figure_12_data : data := {| amplitude := Exactly (Rational 1); frequency := Exactly Pi; shift := Exactly (Rational 0);
+Definition figure_12 : scene := {| reference := {| A := 1; W := PI; tau := 0 |}; others := []; d := 9.42497; e := 0.5 |}.
+Definition figure_12_data : data := {| leading := {| amplitude := Exactly (Rational 1); frequency := Exactly Pi; shift := Exactly (Rational 0) |}; further := [];
   gap := Exactly (Rational 9.42497); restitution := Exactly (Rational 0.5) |}%Q.
 Lemma described : describes figure_12_data figure_12.
-Proof. unfold describes, among, figure_12_data, Exactly, Q2R. cbn. lra. Qed.
+Proof. unfold describes, describes_harmonic, among, figure_12_data, Exactly, Q2R. cbn. repeat split; try exact (Forall2_nil _); lra. Qed.
 
 Definition near (i : impact) (cycle : nat) : Prop := wall_of i = left /\
   Rabs (phase figure_12 (time i) - INR cycle * (2 * PI)) <= / 2 ^ 7 /\ Rabs (unit_speed figure_12 (velocity i) + 4) <= / 2 ^ 7.
@@ -46,7 +46,7 @@ Lemma launched_after i w t rt v rv : wall_of i = w -> (0 <= rt)%Z -> (0 <= rv)%Z
   Plain.launched figure_12 (Plain.landing 60 (Plain.enclose_range 60 (restitution figure_12_data)) w 20 t rt v rv) (rebound figure_12 i).
 Proof.
   intros <- rt0 rv0 r1 r2. exists (grid 20 t), (- e figure_12 * grid 20 v).
-  assert (E := Plain.holds_range 60 _ _ (proj2 (proj2 (proj2 (proj2 described))))).
+  assert (E := Plain.holds_range 60 _ _ (proj2 (proj2 (proj2 described)))).
   assert (h := Plain.landing_in 60 _ (wall_of i) _ _ _ _ _ (d figure_12 / A figure_12) _ _ _ rt0 rv0 E r1 r2).
   assert (a := A_positive). assert (w := W_positive). cbn [rebound place since speed].
   replace (plane figure_12 (wall_of i) / A figure_12) with (side (wall_of i) * (d figure_12 / A figure_12 / 2)) by (unfold plane; field; lra).
@@ -61,8 +61,8 @@ Ltac units_of h := rewrite !grid_20 in h; repeat match type of h with context [I
 Lemma first_cycle i : near i 0 -> exists j k, wall_of j = right /\ next figure_12 i j /\ next figure_12 j k /\ near k 1.
 Proof.
   intros (w & p & q). apply Rabs_le_between in p. apply Rabs_le_between in q. cbn [INR] in p.
-  assert (r1 : grid 20 (0 - 8192) <= phase figure_12 (time i) <= grid 20 (0 + 8192)) by (rewrite !grid_20; cbn; lra).
-  assert (r2 : grid 20 (-4194304 - 8192) <= unit_speed figure_12 (velocity i) <= grid 20 (-4194304 + 8192)) by (rewrite !grid_20; cbn; lra).
+  assert (r1 : grid 20 (0 - 8192) <= phase figure_12 (time i) <= grid 20 (0 + 8192)) by (rewrite !grid_20; cbn in *; lra).
+  assert (r2 : grid 20 (-4194304 - 8192) <= unit_speed figure_12 (velocity i) <= grid 20 (-4194304 + 8192)) by (rewrite !grid_20; cbn in *; lra).
   assert (l := launched_after i left 0 8192 (-4194304) 8192 w ltac:(lia) ltac:(lia) r1 r2).
   destruct (Plain.leg_sound figure_12_data figure_12 described A_positive W_positive _ to_right _ _ l P2_checked) as (j & n & _ & wj & s1 & s2).
   assert (l' := launched_after j right 3294199 7700 4194304 4600 wj ltac:(lia) ltac:(lia) s1 s2).
@@ -78,14 +78,14 @@ Proof.
   revert i. induction n as [|n IH]; intros i h; [exact (first_cycle i h)|].
   set (i0 := {| wall_of := wall_of i; time := time i - period figure_12; velocity := velocity i |}).
   assert (one : forall t, phase figure_12 (t + period figure_12) = phase figure_12 t + 2 * PI) by (intros t; apply phase_later, turning).
-  assert (back : later figure_12 i0 = i).
+  assert (back : later (period figure_12) i0 = i).
   { destruct i. unfold later, i0. cbn. f_equal. ring. }
   destruct (IH i0) as (j & k & wj & n1 & n2 & nk).
   { destruct h as (w & p & q). split; [exact w|]. split; [|exact q]. rewrite S_INR in p.
     replace (phase figure_12 (time i0) - INR n * (2 * PI)) with (phase figure_12 (time i) - (INR n + 1) * (2 * PI)); [exact p|].
     rewrite <- back. cbn [later time]. rewrite one. ring. }
-  exists (later figure_12 j), (later figure_12 k). split; [exact wj|].
-  apply (next_later _ turning) in n1. apply (next_later _ turning) in n2. rewrite back in n1.
+  exists (later (period figure_12) j), (later (period figure_12) k). split; [exact wj|].
+  assert (whole := period_recurs figure_12 eq_refl turning). apply (next_later _ _ whole) in n1. apply (next_later _ _ whole) in n2. rewrite back in n1.
   split; [exact n1|]. split; [exact n2|]. destruct nk as (w & p & q). split; [exact w|]. split; [|exact q].
   cbn [later time]. rewrite one, (S_INR (S n)).
   replace (phase figure_12 (time k) + 2 * PI - (INR (S n) + 1) * (2 * PI)) with (phase figure_12 (time k) - INR (S n) * (2 * PI)) by ring. exact p.
@@ -114,7 +114,7 @@ Qed.
 (* The paper's start is one of these. *)
 Theorem paper_start_trapped : near {| wall_of := left; time := 0; velocity := -12.56636 |} 0.
 Proof.
-  assert (pi := pi_bounds). split; [reflexivity|]. unfold phase, unit_speed. cbn [time velocity figure_12 A W tau INR]. split.
+  assert (pi := pi_bounds). split; [reflexivity|]. unfold phase, unit_speed. cbn [time velocity reference figure_12 A W tau INR]. split.
   - replace (PI * 0 + 0 - 0 * (2 * PI)) with 0 by ring. rewrite Rabs_R0. lra.
   - assert (eq : forall x, x / (1 * PI) + 4 = (4 * PI + x) * / PI) by (intros x; field; lra). rewrite eq.
     rewrite Rabs_mult, (Rabs_pos_eq (/ PI)) by (left; apply Rinv_0_lt_compat; lra).

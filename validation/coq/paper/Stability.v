@@ -1,4 +1,4 @@
-(* Stability of periodic orbits. First (A.7): if the next impact depends differentiably on time and velocity of this one,
+(* Stability of periodic orbits. First (A.7), with -E'' for A W^2 sin th, which it is of one harmonic (one_push): if the next impact depends differentiably on time and velocity of this one,
    the four derivatives are those of the paper (with the velocity column e h/v_{i+1}), and their determinant is
    e^2 v_i/v_{i+1}. Then eigenvalues x + i y of a real 2x2 matrix with trace tr and determinant det: (38), the condition
    (39) for an eigenvalue -1, (40) for an eigenvalue 1, and that |tr| < 1 + det, det < 1 puts both inside the unit circle. *)
@@ -22,8 +22,8 @@ Variables (t1_t t1_v : R).
 Hypothesis by_time : is_derive (fun t => t1 t v0) t0 t1_t.
 Hypothesis by_velocity : is_derive (fun v => t1 t0 v) v0 t1_v.
 Let h := t1 t0 v0 - t0.
-Let th0 := phase s t0.
-Let th1 := phase s (t1 t0 v0).
+Let a0 := box_push s t0.
+Let a1 := box_push s (t1 t0 v0).
 Hypothesis transversal : v1 t0 v0 <> 0.
 
 Lemma here_time t : Rabs (t - t0) < near -> here t v0.
@@ -37,18 +37,32 @@ Proof.
   intros k D. apply (near_derivative f (fun _ => c)) in D; [|exact k].
   apply is_derive_unique in D. rewrite <- D. apply Derive_const.
 Qed.
-Lemma v1_value : v1 t0 v0 = - A s * W s * cos th1 + (- e s * v0 + A s * W s * cos th0).
+Lemma v1_value : v1 t0 v0 = - box_velocity s (t1 t0 v0) + (- e s * v0 + box_velocity s t0).
 Proof. rewrite arrival; [reflexivity|]. apply here_time. replace (t0 - t0) with 0 by ring. rewrite Rabs_R0. apply cond_pos. Qed.
 
-Theorem A7_time_by_time : t1_t = (A s * (W s)^2 * sin th0 * h - e s * v0) / v1 t0 v0.
+Ltac derive := auto_derive; [repeat split; match goal with
+  | |- ex_derive (fun x => box_position s x) _ => eexists; apply box_position_derivative
+  | |- ex_derive (fun x => box_velocity s x) _ => eexists; apply box_velocity_derivative
+  | |- ex_derive (fun x => t1 x v0) _ => exists t1_t; exact by_time
+  | _ => exists t1_v; exact by_velocity end|];
+  repeat match goal with
+  | |- context [Derive (fun x => box_position s x) ?t] =>
+    replace (Derive (fun x => box_position s x) t) with (box_velocity s t) by (symmetry; apply is_derive_unique, box_position_derivative)
+  | |- context [Derive (fun x => box_velocity s x) ?t] =>
+    replace (Derive (fun x => box_velocity s x) t) with (- box_push s t) by (symmetry; apply is_derive_unique, box_velocity_derivative)
+  | |- context [Derive (fun x => t1 x v0) t0] =>
+    replace (Derive (fun x => t1 x v0) t0) with t1_t by (symmetry; apply is_derive_unique, by_time)
+  | |- context [Derive (fun x => t1 t0 x) v0] =>
+    replace (Derive (fun x => t1 t0 x) v0) with t1_v by (symmetry; apply is_derive_unique, by_velocity)
+  end.
+
+Theorem A7_time_by_time : t1_t = (a0 * h - e s * v0) / v1 t0 v0.
 Proof.
-  assert (z : v1 t0 v0 * t1_t - (A s * (W s)^2 * sin th0 * h - e s * v0) = 0).
+  assert (z : v1 t0 v0 * t1_t - (a0 * h - e s * v0) = 0).
   { apply (derivative_of_constant (fun t => free_position s (rebound s (at_ t v0)) (t1 t v0)) t0 _ (plane s w1)).
     - intros t r. apply contact, here_time, r.
-    - rewrite v1_value. unfold free_position, phase, at_. cbn [rebound since place speed time velocity wall_of].
-      auto_derive; [repeat split; exists t1_t; exact by_time|].
-      replace (Derive (fun x => t1 x v0) t0) with t1_t by (symmetry; apply is_derive_unique, by_time).
-      unfold h, th0, th1, phase. ring. }
+    - rewrite v1_value. unfold free_position, at_. cbn [rebound since place speed time velocity wall_of].
+      derive. unfold h, a0. ring. }
   apply (Rmult_eq_reg_l (v1 t0 v0)); [|exact transversal]. field_simplify; [lra|exact transversal].
 Qed.
 Theorem A7_time_by_velocity : t1_v = e s * h / v1 t0 v0.
@@ -56,33 +70,27 @@ Proof.
   assert (z : v1 t0 v0 * t1_v - e s * h = 0).
   { apply (derivative_of_constant (fun v => free_position s (rebound s (at_ t0 v)) (t1 t0 v)) v0 _ (plane s w1)).
     - intros v r. apply contact, here_velocity, r.
-    - rewrite v1_value. unfold free_position, phase, at_. cbn [rebound since place speed time velocity wall_of].
-      auto_derive; [repeat split; exists t1_v; exact by_velocity|].
-      replace (Derive (fun x => t1 t0 x) v0) with t1_v by (symmetry; apply is_derive_unique, by_velocity).
-      unfold h, th0, th1, phase. ring. }
+    - rewrite v1_value. unfold free_position, at_. cbn [rebound since place speed time velocity wall_of].
+      derive. unfold h. ring. }
   apply (Rmult_eq_reg_l (v1 t0 v0)); [|exact transversal]. field_simplify; [lra|exact transversal].
 Qed.
 Theorem A7_velocity_by_time :
-  is_derive (fun t => v1 t v0) t0 (A s * (W s)^2 * sin th1 * t1_t - A s * (W s)^2 * sin th0).
+  is_derive (fun t => v1 t v0) t0 (a1 * t1_t - a0).
 Proof.
   apply (near_derivative (fun t => free_velocity s (rebound s (at_ t v0)) (t1 t v0))); [intros t r; symmetry; apply arrival, here_time, r|].
-  unfold free_velocity, phase, at_. cbn [rebound since speed time velocity wall_of].
-  auto_derive; [repeat split; exists t1_t; exact by_time|].
-  replace (Derive (fun x => t1 x v0) t0) with t1_t by (symmetry; apply is_derive_unique, by_time).
-  unfold th0, th1, phase. ring.
+  unfold free_velocity, at_. cbn [rebound since speed time velocity wall_of].
+  derive. unfold a0, a1. ring.
 Qed.
 Theorem A7_velocity_by_velocity :
-  is_derive (fun v => v1 t0 v) v0 (A s * (W s)^2 * sin th1 * (e s * h / v1 t0 v0) - e s).
+  is_derive (fun v => v1 t0 v) v0 (a1 * (e s * h / v1 t0 v0) - e s).
 Proof.
   rewrite <- A7_time_by_velocity.
   apply (near_derivative (fun v => free_velocity s (rebound s (at_ t0 v)) (t1 t0 v))); [intros v r; symmetry; apply arrival, here_velocity, r|].
-  unfold free_velocity, phase, at_. cbn [rebound since speed time velocity wall_of].
-  auto_derive; [repeat split; exists t1_v; exact by_velocity|].
-  replace (Derive (fun x => t1 t0 x) v0) with t1_v by (symmetry; apply is_derive_unique, by_velocity).
-  unfold th0, th1, phase. ring.
+  unfold free_velocity, at_. cbn [rebound since speed time velocity wall_of].
+  derive. unfold a1. ring.
 Qed.
-Theorem determinant : t1_t * (A s * (W s)^2 * sin th1 * t1_v - e s)
-  - t1_v * (A s * (W s)^2 * sin th1 * t1_t - A s * (W s)^2 * sin th0) = (e s)^2 * v0 / v1 t0 v0.
+Theorem determinant : t1_t * (a1 * t1_v - e s)
+  - t1_v * (a1 * t1_t - a0) = (e s)^2 * v0 / v1 t0 v0.
 Proof. rewrite A7_time_by_time, A7_time_by_velocity. field. exact transversal. Qed.
 End Jacobian.
 

@@ -5,9 +5,11 @@
 From Coq Require Import Reals Lra Lia List ZArith.
 From ImpactPair Require Import Model Step.
 Open Scope R_scope.
+Import ListNotations.
 
 Section TwoImpact.
 Variable s : scene.
+Hypothesis one_harmonic : others s = [].
 Hypothesis shaken : 0 < A s.
 Hypothesis turning : 0 < W s.
 Hypothesis gap : 0 < d s.
@@ -33,7 +35,7 @@ Proof. unfold again, phase, period, th0. cbn. field_simplify; [unfold phase; fie
 Lemma velocities : velocity j = - e s * v + A s * W s * (cos th0 - cos th1) /\
   v = - e s * velocity j + A s * W s * (cos th1 - cos th0).
 Proof.
-  destruct P2 as (_ & _ & a), P1 as (_ & _ & b). unfold free_velocity in *. cbn [rebound speed since] in *.
+  destruct P2 as (_ & _ & a), P1 as (_ & _ & b). rewrite one_velocity in a, b by exact one_harmonic. cbn [rebound speed since] in *.
   rewrite phase_again, (proj1 (cycles th0 N)) in b. cbn [again velocity] in b. unfold v. split; [rewrite a|rewrite b at 1]; unfold th0, th1; ring.
 Qed.
 
@@ -49,7 +51,7 @@ Qed.
 (* The flight from wall to wall takes d (A.4). *)
 Lemma eqA4 : d s = - A s * sin th1 + (- e s * v + A s * W s * cos th0) * (time j - time i) + A s * sin th0.
 Proof.
-  destruct P2 as (_ & a & _). unfold free_position, plane in a. rewrite right_j in a. cbn [rebound speed since place side] in a.
+  destruct P2 as (_ & a & _). rewrite one_position in a by exact one_harmonic. unfold plane in a. rewrite right_j in a. cbn [rebound speed since place side] in a.
   rewrite left_i in a. cbn [side] in a. unfold plane in a. cbn [side] in a. fold th0 th1 v in a. lra.
 Qed.
 
@@ -71,7 +73,7 @@ Proof. intros h. rewrite (eq62 h), (proj1 even_phase). ring. Qed.
 Theorem even_impossible : e s < 1 -> False.
 Proof.
   intros h. assert (v0 := eq65 h). assert (a := eqA4). rewrite (proj2 even_phase), v0 in a.
-  destruct P1 as (_ & b & _). unfold free_position, plane in b. cbn [rebound speed since place again wall_of] in b.
+  destruct P1 as (_ & b & _). rewrite one_position in b by exact one_harmonic. unfold plane in b. cbn [rebound speed since place again wall_of] in b.
   rewrite right_j in b. unfold plane in b. cbn [side] in b.
   rewrite phase_again, (proj2 (cycles th0 N)) in b. fold th1 in b. rewrite (proj2 even_phase), (proj1 even_phase) in b.
   replace (velocity j) with 0 in b by (assert (c := eq61); lra).

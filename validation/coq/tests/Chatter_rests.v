@@ -5,9 +5,9 @@ From ImpactPair Require Import Model Step Certificate paper.Chatter tests.Sample
 Open Scope R_scope.
 Import ListNotations.
 
-Lemma wallward t : 0.2180125 <= t <= 0.2180135 -> 6.24 <= side left * (A the_scene * (W the_scene) ^ 2 * sin (phase the_scene t)) <= 6.25.
+Lemma wallward t : 0.2180125 <= t <= 0.2180135 -> 6.24 <= side left * box_push the_scene t <= 6.25.
 Proof.
-  intros h. unfold phase. cbn [side the_scene A W tau].
+  intros h. unfold box_push, push, sum, phase. cbn [fold_right others reference side the_scene A W tau].
   replace (-1 * (1 * PI ^ 2 * sin (PI * t + PI))) with (PI * PI * sin (PI * t)) by (rewrite neg_sin; ring).
   set (T := Plain.hull (Plain.enclose 60 (Rational 0.2180125)) (Plain.enclose 60 (Rational 0.2180135))).
   assert (hT : Plain.holds T t).

@@ -3,7 +3,7 @@ From Coq Require Import Reals Lra QArith Qreals ZArith List.
 From ImpactPair Require Import Model Certificate.
 Import ListNotations.
 
-Definition the_scene : scene := {| A := 1; W := PI; tau := PI; d := 9.42497; e := 0.3 |}%R.
+Definition the_scene : scene := {| reference := {| A := 1; W := PI; tau := PI |}; others := []; d := 9.42497; e := 0.3 |}%R.
 Definition the_start : impact := {| wall_of := left; time := 0; velocity := -0.5 |}%R.
 
 (* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
@@ -20,7 +20,7 @@ Definition printed : list bounds := [
   Impact left 0.2180125443719291 0.2180125443719377 (-0.000006237594575616) (-0.000006237594572831)
 ]%Q.
 
-Definition param : data := {| amplitude := Exactly (Rational 1); frequency := Exactly Pi; shift := Exactly Pi;
+Definition param : data := {| leading := {| amplitude := Exactly (Rational 1); frequency := Exactly Pi; shift := Exactly Pi |}; further := [];
   gap := Exactly (Rational 9.42497); restitution := Exactly (Rational 0.3) |}%Q.
 Definition first : beginning := Struck left (Exactly (Rational 0)) (Exactly (Rational (-0.5)))%Q.
 Definition origin : start := Start 102 80 (3797952473636338580787994) 1 (-192406520023089232379658) 1%Z.
@@ -43,7 +43,7 @@ Proof. vm_cast_no_check (eq_refl true). Qed.
 Theorem orbit_certified : certified the_scene (rebound the_scene the_start) printed.
 Proof.
   apply (Plain.orbit_checked _ _ _ _ _ checked).
-  - unfold describes, among, param, Exactly, Q2R. cbn. lra.
+  - unfold describes, describes_harmonic, among, param, Exactly, Q2R. cbn. repeat split; try exact (Forall2_nil _); lra.
   - exists the_start. unfold among, Exactly, Q2R. cbn. repeat split; lra.
 Qed.
 Print Assumptions orbit_certified.

@@ -3,7 +3,7 @@ From Coq Require Import Reals Lra QArith Qreals ZArith List.
 From ImpactPair Require Import Model Certificate.
 Import ListNotations.
 
-Definition the_scene : scene := {| A := 8; W := PI; tau := 0; d := 9.42497; e := 0.5 |}%R.
+Definition the_scene : scene := {| reference := {| A := 8; W := PI; tau := 0 |}; others := []; d := 9.42497; e := 0.5 |}%R.
 Definition the_start : impact := {| wall_of := left; time := 0; velocity := -12.56636 |}%R.
 
 (* What the certificate prints: wall, bounds of the time, bounds of the velocity before the impact. *)
@@ -18,7 +18,7 @@ Definition printed : list bounds := [
   Impact right 6.702421955260126 6.702421955260578 (35.77029746454169) (35.77029746455359)
 ]%Q.
 
-Definition param : data := {| amplitude := Exactly (Rational 8); frequency := Exactly Pi; shift := Exactly (Rational 0);
+Definition param : data := {| leading := {| amplitude := Exactly (Rational 8); frequency := Exactly Pi; shift := Exactly (Rational 0) |}; further := [];
   gap := Exactly (Rational 9.42497); restitution := Exactly (Rational 0.5) |}%Q.
 Definition first : beginning := Struck left (Exactly (Rational 0)) (Exactly (Rational (-12.56636)))%Q.
 Definition origin : start := Start 95 70 (0) 0 (-590295311757164942921) 1%Z.
@@ -39,7 +39,7 @@ Proof. vm_cast_no_check (eq_refl true). Qed.
 Theorem orbit_certified : certified the_scene (rebound the_scene the_start) printed.
 Proof.
   apply (Plain.orbit_checked _ _ _ _ _ checked).
-  - unfold describes, among, param, Exactly, Q2R. cbn. lra.
+  - unfold describes, describes_harmonic, among, param, Exactly, Q2R. cbn. repeat split; try exact (Forall2_nil _); lra.
   - exists the_start. unfold among, Exactly, Q2R. cbn. repeat split; lra.
 Qed.
 Print Assumptions orbit_certified.

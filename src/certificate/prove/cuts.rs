@@ -1,0 +1,154 @@
+//! Where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
+//! here is trusted; a cut in a bad place costs time, or the proof.
+
+use crate::certificate::check::Flight;
+use crate::exact::{Dyadic, Real};
+
+/// Bits that suffice to tell signs, beyond those a short flight loses.
+const BITS: u32 = 96;
+/// Zeros as near the ends of a flight as this are those of a departure or an arrival without velocity.
+const ENDS: f64 = 1e-9;
+/// The accuracy of a zero, as a part of the flight.
+const NARROW: f64 = 1e-10;
+/// Parts of a flight that are looked at for one cut at most.
+const MOST_PARTS: usize = 1 << 14;
+/// In shorter flights an extremum is as near the wall as the ends.
+const SHORT: f64 = 1e-3;
+/// Turns of the reference harmonic beyond which extrema are not all looked at.
+const MANY_TURNS: f64 = 2.0;
+
+/// A flight of length `h`, to be cut.
+pub(super) struct Cuts {
+    flight: Flight,
+    h: f64,
+}
+
+/// From which end zeros are sought.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Order {
+    First,
+    Last,
+}
+
+impl Cuts {
+    pub fn new(flight: &Flight, h: f64) -> Self {
+        let lost = (3.0 * (-h.log2()).max(0.0)).ceil() as u32;
+        Self { flight: flight.rounded(flight.bits().min(BITS.saturating_add(lost))), h }
+    }
+
+    /// The ends of departure and middle, as parts of the length; in the middle if `y'` has no zero. A flight from rest has
+    /// departed while `y''` keeps its sign.
+    pub fn places(&self, is_from_rest: bool) -> [f64; 2] {
+        let mut depart = self.extrema(Order::First, 1).first().map_or(0.5, |first| 0.75 * first / self.h);
+        let approach = self.extrema(Order::Last, 1).first().map_or(0.5, |last| 1.0 - 0.75 * (1.0 - last / self.h));
+        if is_from_rest {
+            let bends = |x: &Real| self.flight.curvature(x);
+            let bends = zeros(bends, |x| self.flight.shaking.jerk(x), self.within(), Order::First, 1);
+            depart = bends.first().map_or(depart, |bend| depart.min(0.75 * bend / self.h));
+        }
+        [depart, approach.max(depart)]
+    }
+
+    /// Bits that extrema near a wall take beyond those of ordinary flights.
+    pub fn nearness(&self) -> u32 {
+        if self.h < SHORT {
+            return 0;
+        }
+        // Beyond what is looked at.
+        if self.h > MANY_TURNS * std::f64::consts::TAU {
+            return u32::MAX / 4;
+        }
+        let (half_gap, amplitude) = (self.flight.half_gap.to_f64(), self.flight.shaking.waves[0].amplitude.to_f64());
+        let miss =
+            |h: f64| ((half_gap - self.flight.height(&point(h, self.flight.bits())).to_f64().abs()) / amplitude).abs();
+        let nearest = self.extrema(Order::First, usize::MAX).into_iter().map(miss).fold(1.0, f64::min);
+        if nearest < 1e-9 { u32::MAX / 4 } else { (-2.0 * nearest.log2()).ceil() as u32 }
+    }
+
+    /// Zeros of `y'` strictly inside the flight.
+    fn extrema(&self, order: Order, most: usize) -> Vec<f64> {
+        zeros(|x| self.flight.slope(x), |x| self.flight.curvature(x), self.within(), order, most)
+    }
+
+    fn within(&self) -> (f64, u32) {
+        (self.h, self.flight.bits())
+    }
+}
+
+/// At most so many zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
+/// out, parts on which it is monotone have at most one, others are halved.
+fn zeros(
+    f: impl Fn(&Real) -> Real,
+    slope: impl Fn(&Real) -> Real,
+    (h, bits): (f64, u32),
+    order: Order,
+    most: usize,
+) -> Vec<f64> {
+    let narrow = NARROW * h;
+    let mut zeros = Vec::new();
+    let mut parts = vec![(ENDS * h, (1.0 - ENDS) * h)];
+    for _ in 0..MOST_PARTS {
+        let Some((a, b)) = parts.pop().filter(|_| zeros.len() < most) else { break };
+        let part = point(a, bits).hull(&point(b, bits));
+        if !f(&part).is_across() {
+            continue;
+        }
+        let middle = a + (b - a) / 2.0;
+        if b - a < narrow {
+            zeros.push(middle);
+            continue;
+        }
+        if !slope(&part).is_across() {
+            let sign = |x: f64| f(&point(x, bits)).to_f64() > 0.0;
+            if sign(a) != sign(b) {
+                zeros.push(bisected(sign, a, b, narrow));
+            }
+            continue;
+        }
+        match order {
+            Order::First => parts.extend([(middle, b), (a, middle)]),
+            Order::Last => parts.extend([(a, middle), (middle, b)]),
+        }
+    }
+    zeros
+}
+
+fn point(h: f64, bits: u32) -> Real {
+    Real::point(Dyadic::from_f64(h).unwrap_or_else(Dyadic::zero), bits)
+}
+
+/// Where a sign changes between `a` and `b`.
+fn bisected(sign: impl Fn(f64) -> bool, mut a: f64, mut b: f64, narrow: f64) -> f64 {
+    let first = sign(a);
+    while b - a > narrow {
+        let middle = a + (b - a) / 2.0;
+        if sign(middle) == first { a = middle } else { b = middle }
+    }
+    a + (b - a) / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_are_found_from_either_end() {
+        use std::f64::consts::PI;
+        let found = |h, order, most| zeros(Real::sin, Real::cos, (h, BITS), order, most);
+        let near = |found: &[f64], places: &[f64]| {
+            found.len() == places.len() && found.iter().zip(places).all(|(x, place)| (x - place).abs() < 1e-8)
+        };
+        assert!(near(&found(10.0, Order::First, usize::MAX), &[PI, 2.0 * PI, 3.0 * PI]));
+        assert!(near(&found(10.0, Order::First, 1), &[PI]));
+        assert!(near(&found(10.0, Order::Last, 1), &[3.0 * PI]));
+        // The one at the beginning is that of a departure without velocity.
+        assert!(found(3.0, Order::First, 1).is_empty());
+    }
+
+    #[test]
+    fn double_zeros_are_found() {
+        let off = |x: &Real| x.clone() - &point(1.0, BITS);
+        let found = zeros(|x| off(x).square(), |x| off(x) + &off(x), (3.0, BITS), Order::First, 1);
+        assert!((found[0] - 1.0).abs() < 1e-8);
+    }
+}
