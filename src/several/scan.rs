@@ -279,12 +279,13 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             let middle = 0.5 * (low + high);
             Ball::new(middle, up(up((high - middle).max(middle - low)) + more))
         };
-        let turned = up(self.rates.second * reach);
+        // The acceleration there, which may be far less than at other times.
+        let bend = up(side.bend.0.abs().max(side.bend.1.abs()) + up(self.rates.third * reach));
         Some(Found {
             wall,
             reach,
             least,
-            velocity: ball(all.velocity.bounds(), turned),
+            velocity: ball(all.velocity.bounds(), up(bend * reach)),
             acceleration: ball(all.acceleration.bounds(), up(self.rates.third * reach)),
             centre_reach: up(error / least),
             centre_velocity: centre.velocity,
