@@ -66,7 +66,7 @@ pub(crate) struct Launch<N> {
     pub phase: N,
     /// `z'`
     pub velocity: N,
-    /// The acceleration is exactly 0 there: the ball was pressed against the wall before.
+    /// The acceleration of each flight is exactly 0 there: the ball was pressed against the wall before.
     pub is_release: bool,
 }
 
@@ -95,7 +95,7 @@ pub(crate) struct Flight<'h, N: Phased> {
     pub drift: N,
     /// `z0 + sum alpha_k sin th_k0`: what `z + sum alpha_k sin th_k - c h` is at all times.
     pub offset: N,
-    /// `z''` and `z'''` at the start.
+    /// `z''` and `z'''` at the start, over the hull of the set: at a release `z''` of each flight is 0.
     pub acceleration: N,
     pub jerk: N,
 }
@@ -134,9 +134,8 @@ impl<'h, N: Phased> Flight<'h, N> {
             Some(Wall::Left) => N::from_f64(0.0),
             Some(Wall::Right) => N::from_f64(1.0),
         };
-        let acceleration = if launch.is_release { N::from_f64(0.0) } else { swing };
         let (drift, offset) = (launch.velocity.clone() + cosine, height + sine);
-        Self { harmonics, waves, drift, offset, acceleration, jerk, launch }
+        Self { harmonics, waves, drift, offset, acceleration: swing, jerk, launch }
     }
 
     /// The state at a time after the start.

@@ -132,8 +132,9 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let start = &self.all.launch;
         let sign = start.wall.map_or(1.0, Wall::sign);
         let inward = |x: &N| x.clone().signed(sign).bounds();
-        let [rate, bend, jerk] = [inward(&start.velocity), inward(&self.all.acceleration), inward(&self.all.jerk)];
         let zero = (0.0, 0.0);
+        let bend = if start.is_release { zero } else { inward(&self.all.acceleration) };
+        let [rate, jerk] = [&start.velocity, &self.all.jerk].map(inward);
         let most = self.longest();
         // The height over its first power that does not vanish, a polynomial in the time and its remainder.
         let (first, second, rest) = match (rate, bend) {
