@@ -35,11 +35,13 @@ fn main() {
 
 fn rows(figure: &Figure, rounds: usize) {
     let pairs: Vec<_> = TERMS.iter().map(|&terms| shared(figure, terms)).collect();
+    let reach: Vec<_> =
+        pairs.iter().map(|pair| orbit(figure, pair, Arithmetic::Interval, IMPACTS).count() as u64).collect();
     let mut times = vec![[Vec::new(), Vec::new()]; pairs.len()];
     for _ in 0..rounds {
-        for (pair, times) in pairs.iter().zip(&mut times) {
+        for ((pair, &reach), times) in pairs.iter().zip(&reach).zip(&mut times) {
             for (arithmetic, times) in [Arithmetic::Float, Arithmetic::Interval].into_iter().zip(times) {
-                let mut orbit = orbit(figure, pair, arithmetic);
+                let mut orbit = orbit(figure, pair, arithmetic, reach);
                 let start = Instant::now();
                 let impacts = orbit.by_ref().map(black_box).count();
                 times.push(start.elapsed().as_secs_f64() * 1e9 / impacts as f64);
@@ -48,7 +50,7 @@ fn rows(figure: &Figure, rounds: usize) {
     }
     let one = median(times[0][1].clone());
     for ((&terms, pair), [float, interval]) in TERMS.iter().zip(&pairs).zip(times) {
-        let impacts: Vec<_> = orbit(figure, pair, Arithmetic::Interval).collect();
+        let impacts: Vec<_> = orbit(figure, pair, Arithmetic::Interval, IMPACTS).collect();
         let width = median(impacts.iter().map(|impact| 2.0 * impact.phase.rad()).collect());
         let (float, interval) = (median(float), median(interval));
         println!(
@@ -74,8 +76,8 @@ fn shared(figure: &Figure, terms: usize) -> ImpactPair {
     ImpactPair::new(excitation, figure.pair.gap().clone(), figure.pair.restitution().clone()).expect("printed data")
 }
 
-fn orbit(figure: &Figure, pair: &ImpactPair, arithmetic: Arithmetic) -> Orbit {
-    let settings = Settings { impacts: Some(IMPACTS), arithmetic, ..Settings::default() };
+fn orbit(figure: &Figure, pair: &ImpactPair, arithmetic: Arithmetic, impacts: u64) -> Orbit {
+    let settings = Settings { impacts: Some(impacts), arithmetic, ..Settings::default() };
     Orbit::new(pair, &figure.start, settings).expect("printed data")
 }
 
