@@ -178,7 +178,7 @@ mod tests {
         for (key, varied) in keys {
             let (pair, start) = (varied.pair(), varied.start());
             let Place::Inside(position) = start.place() else { panic!("inside") };
-            let excitation = pair.excitation();
+            let excitation = pair.excitation().reference();
             let found = [
                 excitation.amplitude(),
                 excitation.frequency(),

@@ -120,3 +120,29 @@ fn window((low, high): (f64, f64), drift: (f64, f64), (least, most): (f64, f64))
     let (from, until) = (up(up(behind + size) / slowest), ((ahead - size) / fastest) * (1.0 - 4.0 * f64::EPSILON));
     (until > 0.0 && until.is_finite()).then_some((from.max(0.0), until))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::several::Spectrum;
+    use crate::{Excitation, Harmonic, ImpactPair};
+
+    #[test]
+    fn the_band_holds_the_sum_and_is_tight() {
+        let value = |text: &str| text.parse().unwrap();
+        for (second, phase) in [("3*pi", "0"), ("3*pi", "1"), ("5*pi/7", "2"), ("41*pi/200", "-1")] {
+            let terms = [("0.3", "pi", "0.4"), ("0.2", second, phase)];
+            let terms = terms.map(|(a, w, tau)| Harmonic::new(value(a), value(w), value(tau)).unwrap());
+            let pair = ImpactPair::new(Excitation::new(terms.to_vec()).unwrap(), value("1"), value("1")).unwrap();
+            let spectrum = Spectrum::new(&pair, &0.into()).unwrap().unwrap();
+            let harmonics = Harmonics::<Ball>::new(&spectrum, 53);
+            let (low, high) = Band::new(&harmonics, spectrum.period).tight(&harmonics);
+            let points = 4000 * spectrum.period.unwrap();
+            let sum = |i: u64| harmonics.sums((i / 4000) as i64, &Ball::exact((i % 4000) as f64 / 4000.0)).sine.mid();
+            let (least, most) = (0..points).map(sum).fold((1.0f64, -1.0f64), |(a, b), x| (a.min(x), b.max(x)));
+            assert!(low <= least && most <= high, "{second}");
+            // Between points a 4000th of a turn apart the sum rises by (2 pi/8000)^2/2 of its amplitudes at most.
+            assert!(least - low < 4e-7 && high - most < 4e-7, "{second}: {low} {least} {most} {high}");
+        }
+    }
+}

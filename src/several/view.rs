@@ -179,3 +179,29 @@ impl Side {
         (rate < 0.0 && bend > 0.0).then(|| -rate / bend)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Lemma H2, at many points of many cubics, biased to those that come near 0 in between.
+        #[test]
+        fn what_is_proved_positive_is_positive(
+            place in 0.05..1.0f64, depth in -1e-3..1e-2f64, bend in -30.0..60.0f64, third in 1.0..200.0f64, end in 0.01..1.5f64,
+        ) {
+            // A valley near `place`, so deep, where the bend allows one.
+            let rate = -bend * place + 0.5 * third * place * place;
+            let room = depth - (rate + (0.5 * bend - third * place / 6.0) * place) * place;
+            let cubic = Cubic { room, rate, bend, third };
+            let exact = |s: f64| room + (rate + (0.5 * bend - third * s / 6.0) * s) * s;
+            let least = (0..=2000).map(|i| exact(end * f64::from(i) / 2000.0)).fold(f64::INFINITY, f64::min);
+            prop_assert!(!cubic.is_positive(end) || least > -1e-13, "{cubic:?} to {end}: {least}");
+            // And what is clearly positive is proved, so that pieces are as long as they can be.
+            prop_assert!(cubic.is_positive(end) || least < 1e-9, "{cubic:?} to {end}: {least}");
+            let reach = cubic.reach(end);
+            prop_assert!(reach <= end && (room <= 1e-3 || reach > 0.0), "{cubic:?}: {reach}");
+        }
+    }
+}
