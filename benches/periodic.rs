@@ -51,7 +51,7 @@ fn proofs(criterion: &mut Criterion) {
         group.finish();
         let near: Vec<f64> =
             phases.iter().enumerate().map(|(i, x)| x + if i % 2 == 0 { 1e-4 } else { -1e-4 }).collect();
-        let centre = problem.reduced().centre();
+        let centre = problem.reduced().expect("one harmonic").centre();
         criterion
             .benchmark_group("polish")
             .throughput(Throughput::Elements(phases.len() as u64))
@@ -69,7 +69,9 @@ fn searches(criterion: &mut Criterion) {
             let problem = Problem::new(&figure.pair, &word.parse().expect("a word"), 1).expect("a closed word");
             group.bench_function(format!("{}/{word}", figure.name), |bencher| {
                 bencher.iter(|| {
-                    let census = problem.find_all(&figure.pair, &figure.start, Precision::default(), Budget::default());
+                    let census = problem
+                        .find_all(&figure.pair, &figure.start, Precision::default(), Budget::default())
+                        .expect("one harmonic");
                     assert!(census.exhaustive);
                     census
                 });

@@ -24,7 +24,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let mut out = Output::open(arguments.output.as_deref())?;
     let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
     let census = match arguments.all {
-        true => problem.find_all(pair, start, precision, Budget::default()),
+        true => problem.find_all(pair, start, precision, Budget::default()).with_context(named)?,
         false => problem.find(pair, start, precision),
     };
     let write = "cannot write the output";
