@@ -112,11 +112,12 @@ impl Error {
         )
     }
 
-    pub(crate) fn incommensurate(frequencies: &[String]) -> Self {
-        let message = format!(
-            "excitation.frequency is [{}], but periodic orbits are known of frequencies whose ratios are fractions",
-            frequencies.join(", ")
+    pub(crate) fn incommensurate(frequencies: &[String], most: u32) -> Self {
+        let accepted = format!(
+            "periodic orbits are known of frequencies whose ratios are proved to be fractions, with a common period of \
+             at most {most} turns of the fastest"
         );
+        let message = format!("excitation.frequency is [{}], but {accepted}", frequencies.join(", "));
         Self { key: Some("excitation.frequency".to_owned()), ..Self::new(Kind::Range, message) }
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::chain::{Chain, Legs, Repetition};
+use super::chain::{Chain, Legs, MOST_CYCLES, Repetition};
 use super::physical::{Claim, Found, all_first};
 use super::shaken::{Moment, Passing, Shaken, Step};
 use super::shaking::{Hop, Shaking};
@@ -70,7 +70,6 @@ impl<N: Phased> Shaking<N> for Sum<N> {
 /// A pair that is shaken by several harmonics with a common period.
 #[derive(Clone, Debug)]
 pub(super) struct Several {
-    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     spectrum: Spectrum,
     floats: Sum<f64>,
     balls: Sum<Ball>,
@@ -83,18 +82,19 @@ impl Several {
     /// The harmonics of `pair`, whose turn 0 begins where `W t + tau = 0` of the fastest; `None` of a single one.
     ///
     /// # Errors
-    /// When their frequencies are not proved to be commensurate, the common period is beyond `u32`, or a value is beyond
-    /// what exact expressions or doubles hold.
+    /// When their frequencies are not proved to be commensurate, the common period is longer than [`MOST_CYCLES`], or a
+    /// value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, &BigInt::zero())? else { return Ok(None) };
         let repetition = || {
-            let turns = u32::try_from(spectrum.period?).ok()?;
+            let turns = u32::try_from(spectrum.period?).ok().filter(|turns| *turns <= MOST_CYCLES)?;
             Some(Repetition { turns, is_odd: spectrum.is_odd()? })
         };
-        let frequencies = || -> Vec<String> {
-            pair.excitation().terms().iter().map(|term| term.frequency().text().to_string()).collect()
-        };
-        let repetition = repetition().ok_or_else(|| Error::incommensurate(&frequencies()))?;
+        let repetition = repetition().ok_or_else(|| {
+            let harmonics = pair.excitation().harmonics().iter();
+            let frequencies: Vec<String> = harmonics.map(|term| term.frequency().text().to_string()).collect();
+            Error::incommensurate(&frequencies, MOST_CYCLES)
+        })?;
         let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
         let amplitude = pair.excitation().reference().amplitude();
         let sums = within("excitation.amplitude", amplitude, spectrum.sums())?;

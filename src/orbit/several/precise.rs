@@ -139,7 +139,9 @@ impl PreciseMotion {
             let room = state.room(isolated.wall);
             let (size, noise) = (room.mag(), room.rad());
             if size <= noise + noise || size >= before {
-                let is_near = limit.contains(&at.rest);
+                // Half a turn is one time in two ways.
+                let turns = MpBall::from_f64((at.turns - isolated.turns) as f64);
+                let is_near = limit.contains(&(at.rest.clone() + turns));
                 return is_near.then(|| self.arrived(isolated, flight, at, bits));
             }
             before = size;
