@@ -5,7 +5,7 @@
 mod common;
 
 use common::program;
-use insta_cmd::{SpawnExt, assert_cmd_snapshot};
+use insta_cmd::assert_cmd_snapshot;
 
 const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];
 

@@ -74,6 +74,7 @@ impl One {
     }
 
     /// Whether no parameter is an interval of values.
+    #[cfg(feature = "multiprecision")]
     pub fn is_point(&self) -> bool {
         [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
     }
