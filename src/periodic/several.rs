@@ -91,8 +91,8 @@ impl Several {
             Some(Repetition { turns, is_odd: spectrum.is_odd()? })
         };
         let repetition = repetition().ok_or_else(|| {
-            let harmonics = pair.excitation().harmonics().iter();
-            let frequencies: Vec<String> = harmonics.map(|term| term.frequency().text().to_string()).collect();
+            let terms = pair.excitation().terms().iter();
+            let frequencies: Vec<String> = terms.map(|term| term.frequency().text().to_string()).collect();
             Error::incommensurate(&frequencies, MOST_CYCLES)
         })?;
         let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
