@@ -216,3 +216,56 @@ impl Shaken for Several {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Number;
+    use crate::{Excitation, Harmonic};
+
+    fn several() -> Several {
+        let value = |text: &str| text.parse::<Exact>().unwrap();
+        let terms = [("2", "pi", "0.3"), ("1", "3*pi", "pi/5")];
+        let terms = terms.map(|(a, w, tau)| Harmonic::new(value(a), value(w), value(tau)).unwrap());
+        let pair = ImpactPair::new(Excitation::new(terms.to_vec()).unwrap(), value("4"), value("0.5")).unwrap();
+        Several::new(&pair).unwrap().unwrap()
+    }
+
+    /// (1) and its derivatives at a phase of the fastest, in gaps and turns.
+    fn shaking(u: f64) -> [f64; 3] {
+        let tau = std::f64::consts::TAU;
+        let time = (tau * u - std::f64::consts::PI / 5.0) / (3.0 * std::f64::consts::PI);
+        let slow = std::f64::consts::PI * time + 0.3;
+        let rate = tau / 3.0;
+        let sin = 0.5 * slow.sin() + 0.25 * (tau * u).sin();
+        let cos = 0.5 * rate * slow.cos() + 0.25 * tau * (tau * u).cos();
+        [sin, cos, 0.5 * rate * rate * slow.sin() + 0.25 * tau * tau * (tau * u).sin()]
+    }
+
+    #[test]
+    fn moments_are_those_of_equation_1_in_whichever_turn() {
+        let sum = several().balls;
+        let is_near = |x: Ball, number: f64| (x.mid() - number).abs() < 1e-13 * (1.0 + number.abs()) && x.rad() < 1e-13;
+        let zero = sum.moment(0.0, &Ball::exact(0.0));
+        for (turns, rest) in [(0.0, 0.3), (2.0, 0.3), (-4.0, 0.9), (1.0, 4.25), (0.0, -2.75), (3_000_001.0, 0.5)] {
+            let moment = sum.moment(turns, &Ball::exact(rest));
+            let [displacement, velocity, swing] = shaking((turns % 3.0) + rest);
+            assert!(is_near(sum.way(&zero, &moment, 1.0), 1.0 + displacement - shaking(0.0)[0]), "{turns} {rest}");
+            assert!(is_near(sum.relative(&Ball::exact(0.5), &moment), 0.5 - velocity), "{turns} {rest}");
+            assert!(is_near(sum.swing(&moment), swing), "{turns} {rest}");
+        }
+    }
+
+    #[test]
+    fn hops_are_flights() {
+        let sum = several().balls;
+        for (phase, time) in [(0.2, 0.1), (1.7, 0.01), (2.9, 0.12)] {
+            let [from, to] = [phase, phase + time].map(|phase| sum.moment(0.0, &Ball::exact(phase)));
+            let hop = sum.hop(&Ball::exact(time), &from).unwrap();
+            let drift = sum.way(&from, &to, 0.0).checked_div(Ball::exact(time)).unwrap();
+            let is_near = |a: Ball, b: Ball| (a.mid() - b.mid()).abs() < 1e-12;
+            assert!(is_near(hop.drift, drift) && is_near(hop.after, sum.relative(&drift, &from)));
+            assert!(is_near(hop.before, sum.relative(&drift, &to)));
+        }
+    }
+}
