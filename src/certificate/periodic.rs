@@ -71,7 +71,6 @@ impl<'d> PeriodicDocument<'d> {
         ];
         if !census.undecided.is_empty() {
             let region = |region: &crate::periodic::Region| {
-                // The search is for one harmonic.
                 let impacts = region.impacts.iter().map(|impact| self.impact(impact, f64::MANTISSA_DIGITS));
                 json!({"impacts": impacts.collect::<Value>(), "reason": region.reason.name()})
             };
@@ -80,6 +79,7 @@ impl<'d> PeriodicDocument<'d> {
         Value::Object(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect::<Map<_, _>>())
     }
 
+    /// An impact of a search or of a bifurcation: under one harmonic.
     pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
         impact_json(impact, bits, 1, |velocity| self.velocity(velocity, bits))
     }
@@ -119,8 +119,9 @@ fn impact_json(impact: &PeriodicImpact, bits: u32, period: u32, velocity: impl F
 pub(super) fn orbit_json(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
     let eigenvalue =
         |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
+    let impact = |impact: &PeriodicImpact| impact_json(impact, orbit.bits, orbit.period, &velocity);
     json!({
-        "impacts": orbit.impacts.iter().map(|impact| impact_json(impact, orbit.bits, orbit.period, &velocity)).collect::<Value>(),
+        "impacts": orbit.impacts.iter().map(impact).collect::<Value>(),
         // A box that is not proved to hold exactly one orbit is not listed.
         "unique": true,
         "physical": orbit.physical,
