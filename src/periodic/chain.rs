@@ -5,7 +5,7 @@
 //! floats find, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
 //! through the same lines; and in what shakes the box ([`Shaking`]).
 
-use super::shaking::{Hop, Shaking};
+use super::shaking::{Hop, Repetition, Shaking};
 use crate::error::Error;
 use crate::mapping::{Word, jacobian_between};
 use crate::number::Number;
@@ -19,20 +19,6 @@ pub struct Chain {
     walls: Vec<Wall>,
     cycles: u32,
     repetition: Repetition,
-}
-
-/// When an excitation is what it was before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Repetition {
-    /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
-    pub turns: u32,
-    /// Whether each harmonic is the opposite half of that later: then the mirrored motion is one as well.
-    pub is_odd: bool,
-}
-
-impl Repetition {
-    /// That of one harmonic.
-    pub const TURN: Self = Self { turns: 1, is_odd: true };
 }
 
 /// A flight of a chain; velocities in gaps a turn, to the right.

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::chain::{Chain, Legs, MOST_CYCLES, Repetition};
+use super::chain::{Chain, Legs, MOST_CYCLES};
 use super::physical::{Claim, Found, all_first};
 use super::shaken::{Moment, Passing, Shaken, Step};
-use super::shaking::{Hop, Shaking};
+use super::shaking::{Hop, Repetition, Shaking};
 use crate::error::Error;
 use crate::exact::Exact;
 #[cfg(feature = "multiprecision")]

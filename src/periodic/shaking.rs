@@ -26,6 +26,20 @@ pub trait Shaking<N: Number> {
     fn hop(&self, time: &N, from: &Self::Moment) -> Option<Hop<N>>;
 }
 
+/// When an excitation is what it was before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repetition {
+    /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
+    pub turns: u32,
+    /// Whether each harmonic is the opposite half of that later: then the mirrored motion is one as well.
+    pub is_odd: bool,
+}
+
+impl Repetition {
+    /// That of one harmonic.
+    pub const TURN: Self = Self { turns: 1, is_odd: true };
+}
+
 /// The velocities of a short flight back to its wall.
 #[derive(Clone, Debug)]
 pub struct Hop<N> {
