@@ -137,7 +137,8 @@ impl Problem {
 }
 
 impl Basin {
-    /// Whether all states of this phase (in turns, up to whole periods of the excitation) and velocity before an impact on `wall` are proved to lie inside.
+    /// Whether all states of this phase (in turns, up to whole periods of the excitation) and velocity before an impact
+    /// on `wall` are proved to lie inside.
     pub fn holds(&self, wall: Wall, phase: Ball, velocity: Ball) -> bool {
         let [phase0, velocity0] = self.centre;
         let ahead = phase - phase0;
