@@ -15,7 +15,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use impact_pair::orbit::Start;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Budget, Precision, Problem, newton::polish};
-use impact_pair::{Harmonic, ImpactPair};
+use impact_pair::{Excitation, Harmonic, ImpactPair};
 
 /// `A/d`, `e`, the word and its cycles: orbits of the paper and beyond, from two impacts to twenty.
 const ORBITS: [(&str, &str, &str, u32); 7] = [
@@ -51,7 +51,7 @@ fn proofs(criterion: &mut Criterion) {
         group.finish();
         let near: Vec<f64> =
             phases.iter().enumerate().map(|(i, x)| x + if i % 2 == 0 { 1e-4 } else { -1e-4 }).collect();
-        let centre = problem.reduced().centre();
+        let centre = problem.reduced().expect("one harmonic").centre();
         criterion
             .benchmark_group("polish")
             .throughput(Throughput::Elements(phases.len() as u64))
@@ -59,6 +59,22 @@ fn proofs(criterion: &mut Criterion) {
                 bencher.iter(|| black_box(polish(problem.chain(), &centre, black_box(near.clone()))))
             });
     }
+}
+
+/// The stable two-impact orbit of two harmonics, W and 3 W: the phases are those that `periodic` prints, in turns.
+fn several(criterion: &mut Criterion) {
+    let value = |text: &str| text.parse().expect("an exact number");
+    let harmonic = |a: &str, w: &str| Harmonic::new(value(a), value(w), value("0")).expect("in range");
+    let excitation = Excitation::new(vec![harmonic("1", "1"), harmonic("1/2", "3")]).expect("two harmonics");
+    let pair = ImpactPair::new(excitation, value("9.42497"), value("0.5")).expect("in range");
+    let problem = Problem::new(&pair, &"LR".parse().expect("a word"), 3).expect("a closed word");
+    let phases = [0.856_538_523, 2.444_887_405];
+    criterion.benchmark_group("prove").throughput(Throughput::Elements(2)).bench_function(
+        "LR of two harmonics",
+        |bencher| {
+            bencher.iter(|| black_box(problem.prove_in_doubles(black_box(&phases)).expect("proved")));
+        },
+    );
 }
 
 fn searches(criterion: &mut Criterion) {
@@ -69,7 +85,9 @@ fn searches(criterion: &mut Criterion) {
             let problem = Problem::new(&figure.pair, &word.parse().expect("a word"), 1).expect("a closed word");
             group.bench_function(format!("{}/{word}", figure.name), |bencher| {
                 bencher.iter(|| {
-                    let census = problem.find_all(&figure.pair, &figure.start, Precision::default(), Budget::default());
+                    let census = problem
+                        .find_all(&figure.pair, &figure.start, Precision::default(), Budget::default())
+                        .expect("one harmonic");
                     assert!(census.exhaustive);
                     census
                 });
@@ -78,5 +96,5 @@ fn searches(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, proofs, searches);
+criterion_group!(benches, proofs, several, searches);
 criterion_main!(benches);

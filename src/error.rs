@@ -105,6 +105,23 @@ impl Error {
         Self::new(Kind::Range, format!("the number of cycles is {cycles}, but must lie in [1, {most}]"))
     }
 
+    pub(crate) fn uncommon_cycles(cycles: u32, period: u32) -> Self {
+        let accepted = format!("must be a multiple of {period}: only after {period} turns of the fastest harmonic");
+        Self::new(
+            Kind::Range,
+            format!("the number of cycles is {cycles}, but {accepted} are all phases what they were"),
+        )
+    }
+
+    pub(crate) fn incommensurate(frequencies: &[String], most: u32) -> Self {
+        let accepted = format!(
+            "periodic orbits are known of frequencies whose ratios are proved to be fractions, with a common period of \
+             at most {most} turns of the fastest"
+        );
+        let message = format!("excitation.frequency is [{}], but {accepted}", frequencies.join(", "));
+        Self { key: Some("excitation.frequency".to_owned()), ..Self::new(Kind::Range, message) }
+    }
+
     pub(crate) fn over(text: &str) -> Self {
         let accepted = "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency";
         Self::new(Kind::Range, format!("the range is \"{text}\", but accepted are {accepted}"))

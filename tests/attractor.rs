@@ -105,7 +105,7 @@ fn every_start_in_a_basin_comes_to_the_orbit() {
     assert!(!holds(phase + 0.5, velocity) && !holds(phase, 2.0 * velocity) && !holds(f64::NAN, velocity));
     assert!(!basin.holds(Wall::Left, Ball::new(phase, 0.5), Ball::exact(velocity)), "all of a set is meant");
     // Floating motions from states on its edge shrink towards the orbit in its own norm.
-    let pair = problem.reduced().centre();
+    let pair = problem.reduced().expect("one harmonic").centre();
     let size = |u: f64, v: f64| -> f64 {
         let mut low = 0.0;
         let mut high = 1.0;

@@ -168,7 +168,7 @@ pub struct PeriodicArguments {
     /// The word: mappings, the first one right-most (\"P2 P4 P1 P3\"), or walls in time order (RRLL)
     #[arg(long, value_name = "WORD")]
     pub word: Word,
-    /// The cycles 2 pi/W that the word takes
+    /// The cycles 2 pi/W that the word takes, W being the fastest harmonic's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
     /// Search the whole state space, so that these are all

@@ -24,7 +24,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let mut out = Output::open(arguments.output.as_deref())?;
     let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
     let census = match arguments.all {
-        true => problem.find_all(pair, start, precision, Budget::default()),
+        true => problem.find_all(pair, start, precision, Budget::default()).with_context(named)?,
         false => problem.find(pair, start, precision),
     };
     let write = "cannot write the output";
@@ -35,8 +35,9 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
     out.commit()?;
     if !census.is_certified() && !arguments.quiet && !said_already {
+        let harmonics = pair.excitation().harmonics().len();
         // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{}", conclusion(&census));
+        let _ = writeln!(io::stderr(), "{}", conclusion(&census, harmonics));
     }
     Ok(if census.is_certified() { Answer::Complete } else { Answer::Incomplete })
 }
@@ -56,14 +57,17 @@ fn table(
         let [large, small] = found.eigenvalues.each_ref().map(shown);
         writeln!(out, "  eigenvalues {large} and {small}")?;
         writeln!(out, "  trace {}, determinant {}", decimal_digits(&found.trace), decimal_digits(&found.determinant))?;
-        writeln!(out, "  {:5}  {:31}  velocity before", "wall", "phase W t + tau")?;
+        // Which turn of the common period, where that is longer than one.
+        let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
+        writeln!(out, "  {:5}  {}{:31}  velocity before", "wall", turn("turn"), "phase W t + tau")?;
         for impact in &found.impacts {
+            let turn = turn(&document.turn(&impact.phase, found.period).to_string());
             let phase = decimal_digits(&document.phase(&impact.phase, found.bits));
             let velocity = decimal_digits(&document.velocity(&impact.velocity, found.bits));
-            writeln!(out, "  {:5}  {phase:31}  {velocity}", impact.wall.name())?;
+            writeln!(out, "  {:5}  {turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }
-    writeln!(out, "\n{}", conclusion(census))
+    writeln!(out, "\n{}", conclusion(census, scene.pair().excitation().harmonics().len()))
 }
 
 /// What is proved of an orbit, in words.
@@ -98,7 +102,7 @@ fn shown(value: &Eigenvalue) -> String {
 }
 
 /// The last line: how much of what was asked is proved.
-fn conclusion(census: &Census) -> String {
+fn conclusion(census: &Census, harmonics: usize) -> String {
     let orbits = match census.orbits.len() {
         0 => "no orbit".to_owned(),
         1 => "1 orbit".to_owned(),
@@ -109,6 +113,7 @@ fn conclusion(census: &Census) -> String {
         (true, ..) => "there is no other physical one".to_owned(),
         (false, true, 1) => "1 part of the state space may hold others".to_owned(),
         (false, true, open) => format!("{open} parts of the state space may hold others"),
+        (false, false, _) if harmonics > 1 => "others are not excluded".to_owned(),
         (false, false, _) => "others are not excluded (try --all)".to_owned(),
     };
     let open = census.orbits.iter().filter(|orbit| !orbit.is_decided()).count();

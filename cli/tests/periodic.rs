@@ -40,6 +40,35 @@ snapshots! {
     arguments_of_periodic: ["--help"];
 }
 
+/// Two harmonics with a common period of three turns; the second frequency is to be filled in.
+fn two_harmonics(frequency: &str) -> String {
+    format!(
+        "excitation = {{ amplitude = [1, \"1/2\"], frequency = [\"pi\", \"{frequency}\"], phase = 0 }}\n\
+         pair = {{ gap = 9.42497, restitution = 0.5 }}\n\
+         start = {{ time = 0, wall = \"left\", velocity = -12 }}\n"
+    )
+}
+
+macro_rules! snapshots_of_two_harmonics {
+    ($($name:ident: $frequency:expr, $arguments:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            let mut command = periodic(&[&["-", "--word", "LR"][..], &$arguments].concat());
+            insta::with_settings!({ filters => UNCERTAIN.to_vec() }, {
+                assert_cmd_snapshot!(stringify!($name), command.pass_stdin(two_harmonics($frequency)));
+            });
+        })*
+    };
+}
+
+snapshots_of_two_harmonics! {
+    two_harmonics_as_a_table: "3*pi", ["--cycles", "3"];
+    two_harmonics_that_are_not_odd: "2*pi", ["--cycles", "2", "--format", "json"];
+    two_harmonics_in_part_of_a_period: "3*pi", ["--cycles", "4"];
+    two_harmonics_without_a_period: "sqrt(2)*pi", ["--cycles", "1"];
+    two_harmonics_and_all: "3*pi", ["--cycles", "3", "--all"];
+}
+
 /// `--output` writes the document whole, and the JSON says what the table says.
 #[test]
 fn the_document_goes_where_it_is_asked_to() {

@@ -1,5 +1,8 @@
 //! The periodic JSON: proved periodic orbits in the units of the scene.
 
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
 use serde_json::{Map, Value, json};
 
 use super::document::scene;
@@ -45,6 +48,11 @@ impl<'d> PeriodicDocument<'d> {
         phase_in_radians(turns, bits)
     }
 
+    /// The turn, less whole common periods of `period` turns, that the phase is in: 0 under one harmonic.
+    pub fn turn(&self, turns: &Enclosure, period: u32) -> u32 {
+        turn(turns, period)
+    }
+
     /// A velocity \[length/time\] given in gaps a turn.
     pub fn velocity(&self, velocity: &Enclosure, bits: u32) -> Enclosure {
         velocity.mul(&self.speed.enclose(bits + 64), bits + 64)
@@ -71,8 +79,9 @@ impl<'d> PeriodicDocument<'d> {
         Value::Object(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect::<Map<_, _>>())
     }
 
+    /// An impact of a search or of a bifurcation: under one harmonic.
     pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
-        impact_json(impact, bits, |velocity| self.velocity(velocity, bits))
+        impact_json(impact, bits, 1, |velocity| self.velocity(velocity, bits))
     }
 
     pub(super) fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
@@ -88,20 +97,31 @@ pub(crate) fn phase_in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     turns.sub(&whole, bits).mul(&two_pi, bits)
 }
 
-fn impact_json(impact: &PeriodicImpact, bits: u32, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
-    json!({
+/// The turn of the fastest harmonic, less whole common periods of so many, that [`phase`] is told from.
+fn turn(turns: &Enclosure, period: u32) -> u32 {
+    let turn = turns.lo().to_rational().floor().to_integer().mod_floor(&BigInt::from(period));
+    turn.to_u32().expect("less than the period")
+}
+
+fn impact_json(impact: &PeriodicImpact, bits: u32, period: u32, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
+    let mut json = json!({
         "wall": impact.wall.name(),
         "phase": decimal_bounds(&phase_in_radians(&impact.phase, bits)),
         "velocity": decimal_bounds(&velocity(&impact.velocity)),
-    })
+    });
+    if period > 1 {
+        json["turn"] = json!(turn(&impact.phase, period));
+    }
+    json
 }
 
 /// An entry of `orbits`, its velocities in the units that `velocity` turns gaps a turn into.
 pub(super) fn orbit_json(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
     let eigenvalue =
         |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
+    let impact = |impact: &PeriodicImpact| impact_json(impact, orbit.bits, orbit.period, &velocity);
     json!({
-        "impacts": orbit.impacts.iter().map(|impact| impact_json(impact, orbit.bits, &velocity)).collect::<Value>(),
+        "impacts": orbit.impacts.iter().map(impact).collect::<Value>(),
         // A box that is not proved to hold exactly one orbit is not listed.
         "unique": true,
         "physical": orbit.physical,

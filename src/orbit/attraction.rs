@@ -46,12 +46,15 @@ impl Orbit {
         if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
             return None;
         }
-        // Of several harmonics no problem is stated.
-        if self.given.several.is_some() {
-            return None;
-        }
-        let problem = |word: &_, cycles| Problem::of(self.given.exact.clone(), self.pair, word, cycles).ok();
-        find_attractor(&self.recent.in_order(), self.settings.digits.min(DIGITS), problem)
+        let (mut states, digits) = (self.recent.in_order(), self.settings.digits.min(DIGITS));
+        let Some(several) = &self.given.several else {
+            let problem = |word: &_, cycles| Problem::of(self.given.exact.clone(), self.pair, word, cycles).ok();
+            return find_attractor(&states, digits, problem);
+        };
+        // Without a common period nothing is periodic.
+        let origin = self.clock.turns_into(several.period()?);
+        states.iter_mut().for_each(|state| state.turns = state.turns.saturating_add(origin));
+        find_attractor(&states, digits, |word, cycles| Problem::new(several.pair(), word, cycles).ok())
     }
 }
 

@@ -1,7 +1,9 @@
 //! Between the units of the scene and turns and gaps, exactly: what enters and leaves an orbit.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use crate::error::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
@@ -72,6 +74,11 @@ impl Clock {
             rate,
             origin,
         })
+    }
+
+    /// How many turns after the start of a period of so many turns phases are counted from.
+    pub(crate) fn turns_into(&self, period: u32) -> i64 {
+        self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0)
     }
 
     /// The whole turns that phases are counted from.

@@ -1,7 +1,7 @@
 //! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
 
 use super::krawczyk::is_inside;
-use super::{PeriodicOrbit, Precision, Problem, Stability, newton};
+use super::{PeriodicOrbit, Precision, Problem, Stability};
 use crate::mapping::{Mapping, Word};
 use crate::number::Ball;
 use crate::pair::Wall;
@@ -89,9 +89,10 @@ impl Guess<'_> {
         Word::new(mappings.collect()).ok()
     }
 
-    /// Phases in turns, from the first impact's turn on.
-    fn phases(&self) -> Vec<f64> {
-        let base = self.states[0].turns;
+    /// Phases in turns, from the turn on that began the common period of the first impact.
+    fn phases(&self, period: i64) -> Vec<f64> {
+        let first = self.states[0].turns;
+        let base = first.saturating_sub(first.rem_euclid(period));
         self.states.iter().map(|state| state.turns.saturating_sub(base) as f64 + state.phase.mid()).collect()
     }
 }
@@ -105,11 +106,11 @@ pub(crate) fn find(
     digits: u32,
     mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
 ) -> Option<Attractor> {
-    guesses(states).take(TRIED).find_map(|guess| {
-        let word = guess.word()?;
-        let problem = problem(&word, guess.cycles)?;
-        problem.attracts(&guess.phases(), states, digits)
-    })
+    // Under several harmonics not all cycles make a problem.
+    let problems = guesses(states).filter_map(|guess| Some((problem(&guess.word()?, guess.cycles)?, guess)));
+    problems
+        .take(TRIED)
+        .find_map(|(problem, guess)| problem.attracts(&guess.phases(problem.period().into()), states, digits))
 }
 
 impl Problem {
@@ -120,20 +121,29 @@ impl Problem {
         if !self.chain().crosses() {
             return None;
         }
-        let guess = newton::polish(self.chain(), &self.reduced().centre(), guess.to_vec())?;
+        let guess = self.polished(guess)?;
         let finding = self.prove_in_doubles(&guess)?;
         if finding.stability != Stability::Stable || finding.physical != Some(true) {
             return None;
         }
-        let basin = self.basins(&finding).find(|basin| basin.holds(last.wall, last.phase, last.velocity))?;
+        let phase = |state: &Passing| self.in_period(state);
+        let basin = self.basins(&finding).find(|basin| basin.holds(last.wall, phase(last), last.velocity))?;
         let precision = Precision { digits, max_bits: BITS };
         let orbit = self.prove(&guess, precision)?;
         let is_it = is_inside(orbit.phases(), &finding.proved.domain);
         if !is_it || orbit.repeats != Some(1) || orbit.stability != Stability::Stable || orbit.physical != Some(true) {
             return None;
         }
-        let from = states.iter().find(|state| basin.holds(state.wall, state.phase, state.velocity))?.index;
+        let from = states.iter().find(|state| basin.holds(state.wall, phase(state), state.velocity))?.index;
         let (word, cycles) = (self.word().clone(), self.chain().cycles());
         Some(Attractor { word, cycles, orbit, from, factor: basin.factor() })
+    }
+
+    /// The phase of a state less whole periods of the excitation.
+    fn in_period(&self, state: &Passing) -> Ball {
+        match i64::from(self.period()) {
+            1 => state.phase,
+            period => state.phase + Ball::exact(state.turns.rem_euclid(period) as f64),
+        }
     }
 }

@@ -7,13 +7,13 @@
 
 use std::cmp::Ordering;
 
-use super::Problem;
 use super::chain::times;
 use super::orbit::Finding;
-use crate::contact::{Radii, Verdict, first_contact};
-use crate::flight::Flight;
-use crate::mapping::{Passage, jacobian};
-use crate::number::{Ball, Enclosing, Number, kernel, up};
+use super::shaken::{Shaken, Step};
+use super::shaking::Shaking;
+use super::{Pair, Problem};
+use crate::mapping::jacobian_between;
+use crate::number::{Ball, Enclosing, Number, up};
 use crate::pair::Wall;
 
 /// States that all tend to a periodic orbit, proved.
@@ -23,7 +23,9 @@ use crate::pair::Wall;
 #[derive(Clone, Debug)]
 pub struct Basin {
     wall: Wall,
-    /// The orbit's first state: phase in turns, less whole ones, and velocity before.
+    /// Turns after which the excitation repeats.
+    period: f64,
+    /// The orbit's first state: phase in turns, less whole periods, and velocity before.
     centre: [Ball; 2],
     /// `T^-1`
     inverse: Matrix,
@@ -63,39 +65,40 @@ impl Problem {
         let inverse = inverse(axes)?;
         let product = self.product_over(orbit, axes, radius)?;
         let factor = contraction(&times(&inverse, &product))?;
-        let centre = [in_turn(orbit.proved.phases[0]), *self.chain().before(&orbit.legs, 0)];
-        Some(Basin { wall: self.chain().walls()[0], centre, inverse, radius, factor })
+        let (turns, phase) = in_turn(orbit.proved.phases[0]);
+        let period = f64::from(self.period());
+        let phase = if period > 1.0 { phase + Ball::exact(turns.rem_euclid(period)) } else { phase };
+        let centre = [phase, *self.chain().before(&orbit.legs, 0)];
+        Some(Basin { wall: self.chain().walls()[0], period, centre, inverse, radius, factor })
     }
 
     /// Encloses `DP T` over the ellipse; `None` where a flight's first contact is not proved for all of it.
     fn product_over(&self, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
-        let (chain, court) = (&self.chain, &self.court);
+        match &self.pair {
+            Pair::One(one) => self.product_under(&**one, orbit, axes, radius),
+            Pair::Several(several) => self.product_under(&**several, orbit, axes, radius),
+        }
+    }
+
+    fn product_under<S: Shaken>(&self, shaken: &S, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
+        let chain = &self.chain;
         let mut product = axes.map(|row| row.map(Ball::exact));
         for i in 0..chain.impacts() {
             let wall = chain.walls()[i];
             // The tube: what the mean value theorem makes of the ellipse so far, around the orbit.
             let reach = |row: [Ball; 2]| up(length(row.map(Ball::mag)) * radius);
-            let phase = in_turn(orbit.proved.phases[i]).widened(reach(product[0]));
+            let (turns, phase) = in_turn(orbit.proved.phases[i]);
+            let phase = phase.widened(reach(product[0]));
             let before = chain.before(&orbit.legs, i).widened(reach(product[1]));
             if wall.inward(before).certain_sign() != Some(Ordering::Less) {
                 return None;
             }
-            let after = wall.inward(court.pair.rebound_of(before));
-            let sin_cos = kernel::sin_cos(phase.mid());
-            let flight = Flight::from_wall(&court.centre, wall, phase.mid(), after.mid(), sin_cos);
-            let radii = Radii { phase: phase.rad(), velocity: after.rad(), height: 0.0 };
-            let Verdict::Certified(contact) = first_contact(&flight, &court.margins, radii) else { return None };
-            if contact.wall != chain.walls()[chain.next(i)] {
+            let Step { wall: next, time, velocity, swings } = shaken.step(wall, turns, phase, before)?;
+            if next != chain.walls()[chain.next(i)] {
                 return None;
             }
-            let passage = Passage {
-                time: contact.time,
-                sin0: phase.sin_cos().0,
-                sin1: contact.phase.sin_cos().0,
-                velocity0: before,
-                velocity1: contact.velocity,
-            };
-            product = times(&jacobian(court.pair.beta, court.pair.restitution, &passage)?, &product);
+            let restitution = *shaken.balls().restitution();
+            product = times(&jacobian_between(restitution, time, swings, [before, velocity])?, &product);
         }
         Some(product)
     }
@@ -103,10 +106,9 @@ impl Problem {
     /// The orbit's eigenvectors, that of the larger eigenvalue first, or the two parts of a complex one; and the first
     /// with what is perpendicular to it, where they are nearly parallel. In floats: any invertible matrix will do.
     fn bases(&self, orbit: &Finding<Ball>) -> Option<[Basis; 2]> {
-        let monodromy = self.chain().monodromy(self.reduced(), &orbit.legs)?;
         let speed = (0..self.chain().impacts()).map(|i| self.chain().before(&orbit.legs, i).mag()).fold(0.0, f64::max);
         // Velocities in units of the orbit's greatest, so that both coordinates are of one order.
-        let [[a, b], [c, d]] = monodromy.map(|row| row.map(Ball::mid));
+        let [[a, b], [c, d]] = orbit.monodromy.map(|row| row.map(Ball::mid));
         let (b, c) = (b * speed, c / speed);
         let half = (a + d) / 2.0;
         let under = half * half - (a * d - b * c);
@@ -135,11 +137,13 @@ impl Problem {
 }
 
 impl Basin {
-    /// Whether all states of this phase (in turns) and velocity before an impact on `wall` are proved to lie inside.
+    /// Whether all states of this phase (in turns, up to whole periods of the excitation) and velocity before an impact
+    /// on `wall` are proved to lie inside.
     pub fn holds(&self, wall: Wall, phase: Ball, velocity: Ball) -> bool {
         let [phase0, velocity0] = self.centre;
         let ahead = phase - phase0;
-        let x = [ahead - Ball::exact(ahead.mid().round()), velocity - velocity0];
+        let periods = (ahead.mid() / self.period).round() * self.period;
+        let x = [ahead - Ball::exact(periods), velocity - velocity0];
         let s = self.inverse.map(|row| row[0] * x[0] + row[1] * x[1]);
         wall == self.wall && length(s.map(Ball::mag)) < self.radius
     }
@@ -155,9 +159,10 @@ impl Basin {
     }
 }
 
-/// A phase less the whole turns of its middle.
-fn in_turn(phase: Ball) -> Ball {
-    phase - Ball::exact(phase.mid().floor())
+/// The whole turns of a phase's middle, and the rest.
+fn in_turn(phase: Ball) -> (f64, Ball) {
+    let turns = phase.mid().floor();
+    (turns, phase - Ball::exact(turns))
 }
 
 /// An upper bound of the Euclidean length of a vector of non-negative numbers.

@@ -1,14 +1,14 @@
 //! The equations of a closed chain of impacts, one unknown for each: its phase.
 //!
 //! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities; the
-//! impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic, so that floats find,
-//! balls prove, and whatever else is a [`Wave`] (a jet in a parameter, say) goes through the same lines.
+//! impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
+//! floats find, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
+//! through the same lines; and in what shakes the box ([`Shaking`]).
 
+use super::shaking::{Hop, Repetition, Shaking};
 use crate::error::Error;
-use crate::flight::velocity_after;
-use crate::mapping::{Passage, Word, jacobian};
-use crate::number::kernel::Departure;
-use crate::number::{Number, Wave};
+use crate::mapping::{Word, jacobian_between};
+use crate::number::Number;
 use crate::pair::{Reduced, Wall};
 
 /// A closed word of `k` impacts that repeats after so many cycles. **Equations** (29), (33), (36), (52)-(56)
@@ -18,6 +18,7 @@ use crate::pair::{Reduced, Wall};
 pub struct Chain {
     walls: Vec<Wall>,
     cycles: u32,
+    repetition: Repetition,
 }
 
 /// A flight of a chain; velocities in gaps a turn, to the right.
@@ -33,13 +34,13 @@ pub struct Leg<N> {
     pub before: N,
 }
 
-/// The flights through given phases, and the sine and cosine at each.
+/// The flights through given phases, and what is known of the box at each.
 #[derive(Clone, Debug)]
-pub struct Legs<N> {
+pub struct Legs<N, M = (N, N)> {
     /// Flight `i` goes from impact `i` to the next one.
     pub legs: Vec<Leg<N>>,
-    /// `(sin th_i, cos th_i)`
-    pub waves: Vec<(N, N)>,
+    /// The box at impact `i`; `(sin th_i, cos th_i)` of one harmonic.
+    pub waves: Vec<M>,
 }
 
 /// The derivatives of equation `i` by the phases of the impact before, its own, and the one after.
@@ -50,18 +51,30 @@ pub struct Slopes<N>(pub Vec<[N; 3]>);
 pub const MOST_CYCLES: u32 = 1_000_000;
 
 impl Chain {
-    /// The chain of a word that closes after `cycles` cycles.
+    /// The chain of a word that closes after `cycles` cycles of one harmonic.
     ///
     /// # Errors
     /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
     pub fn new(word: &Word, cycles: u32) -> Result<Self, Error> {
+        Self::under(Repetition::TURN, word, cycles)
+    }
+
+    /// The chain of a word that closes after `cycles` turns of the fastest harmonic.
+    ///
+    /// # Errors
+    /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple
+    /// of the common period.
+    pub fn under(repetition: Repetition, word: &Word, cycles: u32) -> Result<Self, Error> {
         if !word.is_closed() {
             return Err(Error::open_word(&word.to_string()));
         }
         if !(1..=MOST_CYCLES).contains(&cycles) {
             return Err(Error::cycles(cycles, MOST_CYCLES));
         }
-        Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles })
+        if !cycles.is_multiple_of(repetition.turns) {
+            return Err(Error::uncommon_cycles(cycles, repetition.turns));
+        }
+        Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles, repetition })
     }
 
     /// The wall of each impact, in time order.
@@ -72,6 +85,16 @@ impl Chain {
     /// How many turns the chain takes.
     pub fn cycles(&self) -> u32 {
         self.cycles
+    }
+
+    /// The turns after which the excitation repeats: 1 under one harmonic.
+    pub fn period(&self) -> u32 {
+        self.repetition.turns
+    }
+
+    /// The turns after which the mirrored motion is one as well: half a period, where the harmonics are odd. Lemma T6
+    pub fn mirror(&self) -> Option<f64> {
+        self.repetition.is_odd.then(|| f64::from(self.repetition.turns) / 2.0)
     }
 
     /// How many impacts it has.
@@ -103,16 +126,16 @@ impl Chain {
     }
 
     /// The flights through these phases, each where it has to arrive; `None` where a flight may take no time.
-    pub fn legs<N: Wave>(&self, pair: &Reduced<N>, phases: &[N]) -> Option<Legs<N>> {
-        let waves: Vec<(N, N)> = phases.iter().map(Wave::wave).collect();
+    pub fn legs<N: Number, S: Shaking<N>>(&self, shaking: &S, phases: &[N]) -> Option<Legs<N, S::Moment>> {
+        let waves: Vec<S::Moment> = phases.iter().map(|phase| shaking.moment(0.0, phase)).collect();
         let leg = |i: usize| {
             let j = self.next(i);
             let since = phases[j].clone() - phases[i].clone();
             let time = if j == 0 { since + N::from_f64(f64::from(self.cycles)) } else { since };
             let displacement = self.displacement(i);
-            match if displacement == 0.0 { time.short() } else { None } {
-                Some(departure) => hop(pair, time, waves[i].clone(), departure),
-                None => flight(pair, time, [&waves[i], &waves[j]], displacement),
+            match if displacement == 0.0 { shaking.hop(&time, &waves[i]) } else { None } {
+                Some(Hop { drift, after, before }) => Some(Leg { time, drift, after, before }),
+                None => flight(shaking, time, [&waves[i], &waves[j]], displacement),
             }
         };
         let legs = (0..phases.len()).map(leg).collect::<Option<_>>()?;
@@ -121,28 +144,31 @@ impl Chain {
 
     /// `y'` just before impact `i`.
     #[inline(always)]
-    pub fn before<'l, N>(&self, legs: &'l Legs<N>, i: usize) -> &'l N {
-        &legs.legs[self.previous(i)].before
+    pub fn before<'l, N>(&self, legs: &'l [Leg<N>], i: usize) -> &'l N {
+        &legs[self.previous(i)].before
     }
 
     /// What the impact law misses at each impact: `v+ + e v-`, zero at an orbit. **Equation** (15), Lemma T1
-    pub fn residual<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Vec<N> {
-        let miss =
-            |i: usize| pair.restitution.clone().mul_add(self.before(legs, i).clone(), legs.legs[i].after.clone());
+    pub fn residual<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Vec<N> {
+        let e = shaking.restitution();
+        let miss = |i: usize| e.clone().mul_add(self.before(&legs.legs, i).clone(), legs.legs[i].after.clone());
         (0..self.impacts()).map(miss).collect()
     }
 
     /// The derivatives of [`Chain::residual`] by the phases. Lemma T2
-    pub fn slopes<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<Slopes<N>> {
-        let e = &pair.restitution;
-        let swing = pair.beta.turn() * pair.beta.clone();
-        let swing = (e.clone() + N::from_f64(1.0)) * swing;
+    pub fn slopes<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<Slopes<N>> {
+        let e = shaking.restitution();
+        let both = e.clone() + N::from_f64(1.0);
         let row = |i: usize| {
             let (to, from) = (&legs.legs[self.previous(i)], &legs.legs[i]);
             let over_from = |x: &N| x.clone().checked_div(from.time.clone());
             let over_to = |x: &N| (e.clone() * x.clone()).checked_div(to.time.clone());
             let own = over_from(&from.after)? - over_to(&to.before)?;
-            Some([over_to(&to.after)?, swing.clone().mul_add(legs.waves[i].0.clone(), own), -over_from(&from.before)?])
+            Some([
+                over_to(&to.after)?,
+                both.clone().mul_add(shaking.swing(&legs.waves[i]), own),
+                -over_from(&from.before)?,
+            ])
         };
         (0..self.impacts()).map(row).collect::<Option<_>>().map(Slopes)
     }
@@ -164,22 +190,17 @@ impl Chain {
 
     /// The derivatives of [`Chain::residual`] by `e`: the velocities before the impacts. Lemma T2
     pub fn by_restitution<N: Number>(&self, legs: &Legs<N>) -> Vec<N> {
-        (0..self.impacts()).map(|i| self.before(legs, i).clone()).collect()
+        (0..self.impacts()).map(|i| self.before(&legs.legs, i).clone()).collect()
     }
 
     /// The product of the Jacobians (A.7) over the period, from impact 0 on. **Equations** (31), (37), (53)
     ///
     /// `None` when an arrival may be a graze.
-    pub fn monodromy<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<[[N; 2]; 2]> {
+    pub fn monodromy<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<[[N; 2]; 2]> {
         let of = |i: usize| {
-            let passage = Passage {
-                time: legs.legs[i].time.clone(),
-                sin0: legs.waves[i].0.clone(),
-                sin1: legs.waves[self.next(i)].0.clone(),
-                velocity0: self.before(legs, i).clone(),
-                velocity1: legs.legs[i].before.clone(),
-            };
-            jacobian(pair.beta.clone(), pair.restitution.clone(), &passage)
+            let swings = [i, self.next(i)].map(|impact| shaking.swing(&legs.waves[impact]));
+            let velocities = [self.before(&legs.legs, i).clone(), legs.legs[i].before.clone()];
+            jacobian_between(shaking.restitution().clone(), legs.legs[i].time.clone(), swings, velocities)
         };
         let mut product = of(0)?;
         for i in 1..self.impacts() {
@@ -190,21 +211,14 @@ impl Chain {
 }
 
 /// A flight of displacement `D` between two phases: (A.2), (A.4), (A.6) solved for the drift.
-fn flight<N: Number>(pair: &Reduced<N>, time: N, waves: [&(N, N); 2], displacement: f64) -> Option<Leg<N>> {
-    let [(sin0, cos0), (sin1, cos1)] = waves;
-    let way = pair.alpha.clone().mul_add(sin1.clone() - sin0.clone(), N::from_f64(displacement));
-    let drift = way.checked_div(time.clone())?;
-    let velocity = |cos: &N| (-pair.beta.clone()).mul_add(cos.clone(), drift.clone());
-    Some(Leg { after: velocity(cos0), before: velocity(cos1), drift, time })
-}
-
-/// A short flight back to its wall: the same with the departure root divided out, so that nothing cancels.
-fn hop<N: Number>(pair: &Reduced<N>, time: N, (sin, cos): (N, N), departure: Departure<N>) -> Option<Leg<N>> {
-    let Departure { versine, excess, sine } = departure;
-    let wave = cos.clone().mul_add(excess, sin.clone() * versine.clone());
-    let after = -(pair.alpha.clone() * wave).checked_div(time.clone())?;
-    let drift = pair.beta.clone().mul_add(cos.clone(), after.clone());
-    let before = velocity_after(pair.beta.clone(), after.clone(), (sin, cos), versine, sine);
+fn flight<N: Number, S: Shaking<N>>(
+    shaking: &S,
+    time: N,
+    [from, to]: [&S::Moment; 2],
+    displacement: f64,
+) -> Option<Leg<N>> {
+    let drift = shaking.way(from, to, displacement).checked_div(time.clone())?;
+    let (after, before) = (shaking.relative(&drift, from), shaking.relative(&drift, to));
     Some(Leg { time, drift, after, before })
 }
 
@@ -229,6 +243,7 @@ impl<N> Slopes<N> {
 mod tests {
     use super::*;
     use crate::mapping::Mapping;
+    use crate::number::Wave;
     use proptest::prelude::*;
 
     fn pair(alpha: f64, restitution: f64) -> Reduced<f64> {
@@ -279,7 +294,7 @@ mod tests {
             let pair = pair(alpha, 0.5);
             let waves = [phase.wave(), (phase + time).wave()];
             let long = flight(&pair, time, [&waves[0], &waves[1]], 0.0).unwrap();
-            let short = hop(&pair, time, waves[0], time.short().unwrap()).unwrap();
+            let short = pair.hop(&time, &waves[0]).unwrap();
             prop_assert!((long.after - short.after).abs() < 1e-11 && (long.before - short.before).abs() < 1e-11);
         }
     }

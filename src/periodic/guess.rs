@@ -2,11 +2,9 @@
 
 use super::chain::Chain;
 use super::newton::{is_plausible, polish};
-use crate::contact::first_contact_f64;
-use crate::flight::Flight;
-use crate::number::{Kernel, kernel};
+use super::shaken::{Passing, Shaken};
 use crate::orbit::{Arithmetic, Orbit, Settings, Start};
-use crate::pair::{ImpactPair, Reduced, Wall};
+use crate::pair::ImpactPair;
 
 /// Impacts of the scene's own motion, and of each motion from elsewhere.
 const OWN_IMPACTS: u64 = 20_000;
@@ -17,47 +15,41 @@ const SPREAD: usize = 600;
 /// The best window of so many impacts is a guess.
 const BLOCK: usize = 100;
 
-/// An impact of a floating motion: wall, phase in turns, velocity before.
-type Passing = (Wall, f64, f64);
-
 /// Phases near those of orbits of the chain; the first ones come from the motion of `start`.
-pub(super) fn guesses(
+pub(super) fn guesses<S: Shaken>(
     chain: &Chain,
-    reduced: &Reduced<f64>,
+    shaken: &S,
     pair: &ImpactPair,
     start: &Start,
 ) -> impl Iterator<Item = Vec<f64>> {
-    let own = windows(chain, &motion_of(pair, start));
-    let others = (0..MOTIONS).flat_map(move |n| windows(chain, &motion_from(reduced, spread_state(chain, reduced, n))));
+    let own = windows(chain, &motion_of(chain, pair, start));
+    let others = (0..MOTIONS).flat_map(move |n| windows(chain, &motion_from(shaken, spread_state(chain, shaken, n))));
     let spread = (0..SPREAD).map(move |n| spread_phases(chain, n));
-    let settled = move |guess| polish(chain, reduced, guess);
+    let settled = move |guess| polish(chain, shaken.floats(), guess);
     own.into_iter()
         .chain(others)
         .chain(spread)
         .filter_map(settled)
-        .filter(move |guess| is_plausible(chain, reduced, guess))
-        .map(into_first_turn)
+        .filter(move |guess| is_plausible(chain, shaken.floats(), guess))
+        .map(|guess| into_first_period(chain, guess))
 }
 
 /// The floating motion of a start.
-fn motion_of(pair: &ImpactPair, start: &Start) -> Vec<Passing> {
+fn motion_of(chain: &Chain, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
     let settings = Settings { impacts: Some(OWN_IMPACTS), arithmetic: Arithmetic::Float, ..Settings::default() };
-    let passing =
-        |impact: crate::orbit::Impact| (impact.wall, impact.turns as f64 + impact.phase.mid(), impact.velocity.mid());
-    Orbit::new(pair, start, settings).map(|orbit| orbit.map(passing).collect()).unwrap_or_default()
+    let follow = |orbit: Orbit| -> Vec<Passing> {
+        let origin = orbit.clock().turns_into(chain.period());
+        let passing = |impact: crate::orbit::Impact| {
+            (impact.wall, impact.turns.saturating_add(origin) as f64 + impact.phase.mid(), impact.velocity.mid())
+        };
+        orbit.map(passing).collect()
+    };
+    Orbit::new(pair, start, settings).map(follow).unwrap_or_default()
 }
 
 /// The floating motion from a state on a wall.
-fn motion_from(pair: &Reduced<f64>, start: Passing) -> Vec<Passing> {
-    let next = |&(wall, phase, velocity): &Passing| {
-        let after = wall.inward(pair.rebound(velocity));
-        // The whole turns are kept apart: they are not shaken.
-        let rest = phase - phase.floor();
-        let flight = Flight::from_wall(pair, wall, rest, after, kernel::sin_cos(rest));
-        let contact = first_contact_f64::<Kernel>(&flight)?;
-        Some((contact.wall, phase.floor() + contact.turns + contact.phase, contact.velocity))
-    };
-    std::iter::successors(Some(start), next).take(OTHER_IMPACTS).collect()
+fn motion_from<S: Shaken>(shaken: &S, start: Passing) -> Vec<Passing> {
+    std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(OTHER_IMPACTS).collect()
 }
 
 /// The windows of a motion that have the chain's walls and nearly close, the best of each block.
@@ -76,7 +68,8 @@ fn windows(chain: &Chain, motion: &[Passing]) -> Vec<Vec<f64>> {
         missing.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, window)| window.to_vec())
     };
     let phases = |window: Vec<Passing>| {
-        let base = window[0].1.floor();
+        let period = f64::from(chain.period());
+        let base = (window[0].1 / period).floor() * period;
         window[..count].iter().map(|(_, phase, _)| phase - base).collect()
     };
     windows.chunks(BLOCK).filter_map(best).map(phases).collect()
@@ -92,24 +85,25 @@ fn even(n: usize, i: usize, count: usize) -> f64 {
 }
 
 /// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a turn.
-fn spread_state(chain: &Chain, pair: &Reduced<f64>, n: usize) -> Passing {
+fn spread_state<S: Shaken>(chain: &Chain, shaken: &S, n: usize) -> Passing {
     let wall = chain.walls()[0];
-    let speed = 2.0 * (pair.beta + 1.0) * even(n, 1, 2);
-    (wall, even(n, 0, 2), -wall.sign() * speed)
+    let speed = 2.0 * (shaken.speed() + 1.0) * even(n, 1, 2);
+    (wall, f64::from(chain.period()) * even(n, 0, 2), -wall.sign() * speed)
 }
 
 /// Phases in order, spread over the period.
 fn spread_phases(chain: &Chain, n: usize) -> Vec<f64> {
     let count = chain.impacts();
-    let first = even(n, 0, count);
+    let first = f64::from(chain.period()) * even(n, 0, count);
     let mut rest: Vec<f64> = (1..count).map(|i| first + f64::from(chain.cycles()) * even(n, i, count)).collect();
     rest.sort_by(f64::total_cmp);
     std::iter::once(first).chain(rest).collect()
 }
 
-/// The same phases with the first one in `[0, 1)`.
-fn into_first_turn(mut phases: Vec<f64>) -> Vec<f64> {
-    let whole = phases[0].floor();
+/// The same phases with the first one in the first common period: in `[0, 1)` under one harmonic.
+fn into_first_period(chain: &Chain, mut phases: Vec<f64>) -> Vec<f64> {
+    let period = f64::from(chain.period());
+    let whole = (phases[0] / period).floor() * period;
     phases.iter_mut().for_each(|phase| *phase -= whole);
     phases
 }

@@ -1,4 +1,4 @@
-//! Which chains are one orbit: shifted by impacts, by whole turns, or mirrored. Lemma T6
+//! Which chains are one orbit: shifted by impacts, by whole common periods, or mirrored. Lemma T6
 
 use std::cmp::Ordering;
 
@@ -16,25 +16,27 @@ pub(super) struct View {
 }
 
 impl View {
-    /// All views of a chain that have its own word.
+    /// All views of a chain that have its own word; mirrored ones only where the excitation has one.
     pub fn of(chain: &Chain, mirrored: bool) -> impl Iterator<Item = Self> {
         let walls = chain.walls();
         let seen = move |wall: Wall| if mirrored { wall.other() } else { wall };
         let fits = move |shift: &usize| (0..walls.len()).all(|i| seen(walls[(i + shift) % walls.len()]) == walls[i]);
-        (0..walls.len()).filter(fits).map(move |shift| Self { shift, mirrored })
+        let shifts = if mirrored && chain.mirror().is_none() { 0..0 } else { 0..walls.len() };
+        shifts.filter(fits).map(move |shift| Self { shift, mirrored })
     }
 
-    /// The phases that the motion has in this view, up to whole turns nearest to those of `other`.
+    /// The phases that the motion has in this view, up to whole common periods nearest to those of `other`.
     fn phases<N: Enclosing>(self, chain: &Chain, phases: &[N], other: &[N]) -> Vec<N> {
         let count = phases.len();
-        let half = if self.mirrored { 0.5 } else { 0.0 };
+        let half = if self.mirrored { chain.mirror().unwrap_or(0.0) } else { 0.0 };
         let moved = |i: usize| {
             let at = i + self.shift;
             let rounds = if at >= count { f64::from(chain.cycles()) } else { 0.0 };
             phases[at % count].clone() + N::from_f64(rounds - half)
         };
         let middle = |x: &N| -> f64 { Ball::mid(x.as_ball()) };
-        let turns = N::from_f64((middle(&moved(0)) - middle(&other[0])).round());
+        let period = f64::from(chain.period());
+        let turns = N::from_f64(period * ((middle(&moved(0)) - middle(&other[0])) / period).round());
         (0..count).map(|i| moved(i) - turns.clone()).collect()
     }
 

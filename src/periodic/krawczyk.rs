@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use super::chain::{Chain, Legs};
 use super::precondition::Preconditioner;
+use super::shaking::Shaking;
 use crate::number::Enclosing;
-use crate::pair::Reduced;
 
 /// An orbit proved: exactly one has its phases in `domain`, and it has them in `phases`.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,21 +21,25 @@ const LARGEST: f64 = 0.031_25;
 const FINER: f64 = 0.125;
 
 /// The flights over a box, if each is proved to take time: only then are they flights at all.
-pub(super) fn flights<N: Enclosing>(chain: &Chain, pair: &Reduced<N>, phases: &[N]) -> Option<Legs<N>> {
-    let legs = chain.legs(pair, phases)?;
+pub(super) fn flights<N: Enclosing, S: Shaking<N>>(
+    chain: &Chain,
+    shaking: &S,
+    phases: &[N],
+) -> Option<Legs<N, S::Moment>> {
+    let legs = chain.legs(shaking, phases)?;
     legs.legs.iter().all(|leg| leg.time.certain_sign() == Some(Ordering::Greater)).then_some(legs)
 }
 
 /// Krawczyk's image `m - Y F(m) + (1 - Y F'(X))(X - m)` of a box `X` with centre `m`. Lemma T3
-pub(super) fn image<N: Enclosing>(
+pub(super) fn image<N: Enclosing, S: Shaking<N>>(
     chain: &Chain,
-    pair: &Reduced<N>,
+    shaking: &S,
     inverse: &Preconditioner,
     phases: &[N],
 ) -> Option<Vec<N>> {
     let centre: Vec<N> = phases.iter().map(Enclosing::centre).collect();
-    let misses = chain.residual(pair, &flights(chain, pair, &centre)?);
-    let slopes = chain.slopes(pair, &flights(chain, pair, phases)?)?;
+    let misses = chain.residual(shaking, &flights(chain, shaking, &centre)?);
+    let slopes = chain.slopes(shaking, &flights(chain, shaking, phases)?)?;
     let image = |i: usize| {
         let row = inverse.row(i);
         // The row of 1 - Y F'(X).
@@ -59,9 +63,9 @@ pub(super) fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
 ///
 /// `None` when no box around the guess is mapped into its interior: the guess is none, or the orbit is too close to a
 /// bifurcation or a graze for this arithmetic.
-pub fn prove<N: Enclosing>(
+pub fn prove<N: Enclosing, S: Shaking<N>>(
     chain: &Chain,
-    pair: &Reduced<N>,
+    shaking: &S,
     inverse: &Preconditioner,
     guess: &[N],
     least: f64,
@@ -69,7 +73,7 @@ pub fn prove<N: Enclosing>(
     let mut radius = LARGEST;
     while radius >= least {
         let domain: Vec<N> = guess.iter().map(|x| x.with_radius(radius)).collect();
-        if let Some(phases) = image(chain, pair, inverse, &domain).filter(|image| is_inside(image, &domain)) {
+        if let Some(phases) = image(chain, shaking, inverse, &domain).filter(|image| is_inside(image, &domain)) {
             return Some(Proved { phases, domain });
         }
         radius *= FINER;
@@ -78,9 +82,14 @@ pub fn prove<N: Enclosing>(
 }
 
 /// Narrows the enclosure of a proved orbit as far as this arithmetic does, within its domain.
-pub fn refine<N: Enclosing>(chain: &Chain, pair: &Reduced<N>, inverse: &Preconditioner, proved: &mut Proved<N>) {
+pub fn refine<N: Enclosing, S: Shaking<N>>(
+    chain: &Chain,
+    shaking: &S,
+    inverse: &Preconditioner,
+    proved: &mut Proved<N>,
+) {
     // Each image holds the orbit; a further one is worth its price while it takes something off the widest radius.
-    while let Some(narrower) = image(chain, pair, inverse, &proved.phases) {
+    while let Some(narrower) = image(chain, shaking, inverse, &proved.phases) {
         let gain = widest(&proved.phases) - widest(&narrower);
         if !(gain > 0.0 && is_inside(&narrower, &proved.domain)) {
             break;

@@ -1,19 +1,23 @@
 //! A proved periodic orbit as it is handed on: intervals, and what is proved of them.
 
-use super::chain::{Chain, Legs};
+use num_rational::BigRational;
+
+use super::chain::{Chain, Leg, Legs};
 use super::identity::{is_symmetric, repeats};
 use super::krawczyk::{Proved, widest};
+use super::shaking::Shaking;
 use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
-use crate::pair::{Reduced, Wall};
+use crate::pair::Wall;
 
 /// An impact of a periodic orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicImpact {
     /// The wall.
     pub wall: Wall,
-    /// The phase in turns since the first impact's turn began, which is turn 0.
+    /// The phase in turns since the first impact's turn began, which is turn 0; under several harmonics since the common
+    /// period began that it is in.
     pub phase: Enclosure,
     /// The relative velocity `y'` just before the impact, in gaps a turn.
     pub velocity: Enclosure,
@@ -25,11 +29,13 @@ pub struct PeriodicImpact {
 /// bounds (Lemma T3), and what is enclosed here is enclosed for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicOrbit {
+    /// Turns after which the excitation repeats: 1 under one harmonic.
+    pub period: u32,
     /// In time order, starting on the wall that the word starts on.
     pub impacts: Vec<PeriodicImpact>,
     /// `Some(true)`: no flight touches a wall before it ends; `Some(false)`: one does (Lemma T5).
     pub physical: Option<bool>,
-    /// Whether it is its own mirror image, half a turn later (Lemma T6).
+    /// Whether it is its own mirror image, half a period of the excitation later (Lemma T6).
     pub symmetric: Option<bool>,
     /// How often it runs through a shorter orbit: 1 when it does not (Lemma T6).
     pub repeats: Option<usize>,
@@ -71,9 +77,11 @@ impl PeriodicOrbit {
 pub struct Finding<N> {
     /// Where the orbit is.
     pub proved: Proved<N>,
-    /// Its flights.
-    pub legs: Legs<N>,
-    /// Trace and determinant of the period's Jacobian.
+    /// Its flights: flight `i` goes from impact `i` to the next one.
+    pub legs: Vec<Leg<N>>,
+    /// The product of the Jacobians (A.7) over the period.
+    pub monodromy: [[N; 2]; 2],
+    /// Its trace and determinant.
     pub trace: N,
     /// See [`determinant`].
     pub determinant: N,
@@ -85,23 +93,24 @@ pub struct Finding<N> {
 
 impl<N: Enclosing> Finding<N> {
     /// What follows for a proved box; `None` where an impact may be a graze.
-    pub(super) fn new(
+    pub(super) fn new<S: Shaking<N>>(
         chain: &Chain,
-        pair: &Reduced<N>,
+        shaking: &S,
         proved: Proved<N>,
-        is_physical: impl FnOnce(&[N], &Legs<N>) -> Option<bool>,
+        is_physical: impl FnOnce(&[N], &Legs<N, S::Moment>) -> Option<bool>,
     ) -> Option<Self> {
-        let legs = chain.legs(pair, &proved.phases)?;
-        let trace = trace(&chain.monodromy(pair, &legs)?);
-        let determinant = determinant(&pair.restitution, chain.impacts());
+        let legs = chain.legs(shaking, &proved.phases)?;
+        let monodromy = chain.monodromy(shaking, &legs)?;
+        let trace = trace(&monodromy);
+        let determinant = determinant(shaking.restitution(), chain.impacts());
         let stability = Stability::of(&trace, &determinant);
         let physical = is_physical(&proved.phases, &legs);
-        Some(Self { proved, legs, trace, determinant, stability, physical })
+        Some(Self { proved, legs: legs.legs, monodromy, trace, determinant, stability, physical })
     }
 
     /// `log2` of the widths of the widest phase, and of the widest velocity.
     pub(super) fn widths(&self) -> [f64; 2] {
-        let velocities = self.legs.legs.iter().map(|leg| leg.before.log2_radius());
+        let velocities = self.legs.iter().map(|leg| leg.before.log2_radius());
         [1.0 + widest(&self.proved.phases), 1.0 + velocities.fold(f64::NEG_INFINITY, f64::max)]
     }
 
@@ -113,7 +122,9 @@ impl<N: Enclosing> Finding<N> {
         bits: u32,
         is_narrow: bool,
     ) -> Option<PeriodicOrbit> {
-        let turns = self.proved.phases[0].as_enclosure()?.lo().to_rational().floor();
+        let period = BigRational::from_integer(chain.period().into());
+        let first = self.proved.phases[0].as_enclosure()?.lo().to_rational();
+        let turns = (first / &period).floor() * period;
         // More than the ends of these balls have.
         let room = bits + 160;
         let turns = Enclosure::from_rational(&turns, room);
@@ -130,6 +141,7 @@ impl<N: Enclosing> Finding<N> {
         let determinant = restitution.enclose(room).powi(power, bits + 16)?;
         let in_doubles = |balls: &[N]| balls.iter().map(Enclosing::as_ball).collect();
         Some(PeriodicOrbit {
+            period: chain.period(),
             impacts: (0..chain.impacts()).map(impact).collect::<Option<_>>()?,
             physical: self.physical,
             symmetric: is_symmetric(chain, &self.proved),

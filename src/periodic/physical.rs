@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use super::chain::{Chain, Leg, Legs};
+use super::shaking::Shaking;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Doubles, Start, isolate_first};
 use crate::contact::{Margins, Radii, Verdict, first_contact};
@@ -22,27 +23,28 @@ pub(super) struct Court {
 
 /// A flight of a proved chain over its box, with its start moved into the first turn.
 #[derive(Clone, Debug)]
-struct Claim<N> {
-    from: Wall,
+pub(super) struct Claim<N> {
+    pub from: Wall,
     to: Wall,
-    /// Phase and velocity before the impact it starts with.
-    start: N,
-    before: N,
+    /// Whole turns and the rest of the phase, and velocity before the impact it starts with.
+    pub turns: f64,
+    pub start: N,
+    pub before: N,
     /// The phase that it ends at.
     end: N,
     leg: Leg<N>,
 }
 
-/// A first contact: its wall, its whole turns and the rest of its phase.
-struct Found<N> {
-    wall: Wall,
-    turns: f64,
-    phase: N,
+/// A first contact: its wall, its whole turns since those of the start, and the rest of its phase.
+pub(super) struct Found<N> {
+    pub wall: Wall,
+    pub turns: f64,
+    pub phase: N,
 }
 
 /// `Some(true)` when every flight is proved to touch no wall before it ends, `Some(false)` when one is proved to.
 pub(super) fn is_physical(court: &Court, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
-    all_first(chain, phases, legs, |claim| first_in_doubles(court, claim))
+    all_first(chain, phases, &legs.legs, |claim| first_in_doubles(court, claim))
 }
 
 /// The same in balls, where doubles leave it open.
@@ -54,24 +56,24 @@ pub(super) fn is_physical_precisely(
     phases: &[MpBall],
     legs: &Legs<MpBall>,
 ) -> Option<bool> {
-    all_first(chain, phases, legs, |claim| first_in_balls(court, pair, claim))
+    all_first(chain, phases, &legs.legs, |claim| first_in_balls(court, pair, claim))
 }
 
 /// The conjunction over all flights.
-fn all_first<N: Enclosing>(
+pub(super) fn all_first<N: Enclosing>(
     chain: &Chain,
     phases: &[N],
-    legs: &Legs<N>,
+    legs: &[Leg<N>],
     is_first: impl Fn(&Claim<N>) -> Option<bool>,
 ) -> Option<bool> {
     let walls = chain.walls();
     let mut all = Some(true);
-    for (i, leg) in legs.legs.iter().enumerate() {
-        let whole = N::from_f64(phases[i].as_ball().mid().floor());
-        let start = phases[i].clone() - whole;
+    for (i, leg) in legs.iter().enumerate() {
+        let turns = phases[i].as_ball().mid().floor();
+        let start = phases[i].clone() - N::from_f64(turns);
         let end = start.clone() + leg.time.clone();
         let before = chain.before(legs, i).clone();
-        let claim = Claim { from: walls[i], to: walls[chain.next(i)], start, before, end, leg: leg.clone() };
+        let claim = Claim { from: walls[i], to: walls[chain.next(i)], turns, start, before, end, leg: leg.clone() };
         match is_first(&claim) {
             Some(true) => {}
             Some(false) => return Some(false),
@@ -83,7 +85,7 @@ fn all_first<N: Enclosing>(
 
 impl<N: Enclosing> Claim<N> {
     /// Whether the ball comes to the first impact from inside the gap.
-    fn arrives(&self) -> Option<bool> {
+    pub fn arrives(&self) -> Option<bool> {
         match self.from.inward(self.before.clone()).certain_sign()? {
             Ordering::Less => Some(true),
             Ordering::Greater => Some(false),
@@ -98,7 +100,7 @@ impl<N: Enclosing> Claim<N> {
     }
 
     /// Whether a first contact that is proved is the end of the flight. Lemma T5
-    fn is_at(&self, beta: &N, found: Found<N>) -> Option<bool> {
+    pub fn is_at<S: Shaking<N>>(&self, shaking: &S, found: Found<N>) -> Option<bool> {
         if found.wall != self.to {
             return Some(false);
         }
@@ -106,7 +108,7 @@ impl<N: Enclosing> Claim<N> {
         let later = end - found.phase.clone();
         // All phases between the contact and the end.
         let between = N::from_f64(0.5).with_radius(0.5).mul_add(later.clone(), found.phase);
-        let velocity = (-beta.clone()).mul_add(between.wave().1, self.leg.drift.clone());
+        let velocity = shaking.relative(&self.leg.drift, &shaking.moment(self.turns + found.turns, &between));
         if velocity.certain_sign().is_some_and(|sign| sign != Ordering::Equal) {
             return Some(true);
         }
@@ -127,7 +129,7 @@ fn first_in_doubles(court: &Court, claim: &Claim<Ball>) -> Option<bool> {
     let radii = Radii { phase: claim.start.rad(), velocity: after.rad(), height: 0.0 };
     match first_contact(&flight, &court.margins, radii) {
         Verdict::Certified(contact) => {
-            claim.is_at(&court.pair.beta, Found { wall: contact.wall, turns: contact.turns, phase: contact.phase })
+            claim.is_at(&court.pair, Found { wall: contact.wall, turns: contact.turns, phase: contact.phase })
         }
         Verdict::Undecided(_) => None,
     }
@@ -158,5 +160,5 @@ fn first_in_balls(court: &Court, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) 
     let isolated = isolate_first(&doubles, &start, || all, &centre).ok()?;
     let wall = isolated.target.wall(claim.from);
     let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
-    claim.is_at(&pair.beta, Found { wall, turns: isolated.turns, phase })
+    claim.is_at(pair, Found { wall, turns: isolated.turns, phase })
 }

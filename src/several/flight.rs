@@ -11,7 +11,6 @@
 //! `2 pi (W_k/W) h` add up to `z - z0 = z'(0) h + sum alpha_k (cos th_k0 excess_k + sin th_k0 versine_k)`.
 
 use super::harmonics::{Harmonics, Phased, Sums};
-use crate::number::kernel::Departure;
 use crate::pair::Wall;
 
 /// A time since the start of a flight: whole turns and the rest, an exact number.
@@ -161,16 +160,8 @@ impl<'h, N: Phased> Flight<'h, N> {
 
     /// The state so long after the departure from a wall, without cancellation.
     fn departure(&self, wall: Wall, time: &N) -> Option<State<N>> {
-        let zero = N::from_f64(0.0);
-        let mut moved = self.launch.velocity.clone() * time.clone();
-        let (mut speed, mut turned) = (zero.clone(), zero);
-        for (term, (sin, cos)) in self.harmonics.terms.iter().zip(&self.waves) {
-            let Departure { versine, excess, sine } = (term.ratio.clone() * time.clone()).short()?;
-            let of_height = cos.clone() * excess + sin.clone() * versine.clone();
-            moved = term.alpha.clone().mul_add(of_height, moved);
-            speed = term.beta.clone().mul_add(cos.clone() * versine.clone() + sin.clone() * sine.clone(), speed);
-            turned = term.swing.clone().mul_add(cos.clone() * sine - sin.clone() * versine, turned);
-        }
+        let added = self.harmonics.departure(&self.waves, time)?;
+        let moved = self.launch.velocity.clone().mul_add(time.clone(), added.height);
         let (left, right) = match wall {
             Wall::Left => (moved.clone(), N::from_f64(1.0) - moved),
             Wall::Right => (N::from_f64(1.0) + moved.clone(), -moved),
@@ -178,8 +169,8 @@ impl<'h, N: Phased> Flight<'h, N> {
         Some(State {
             left,
             right,
-            velocity: self.launch.velocity.clone() + speed,
-            acceleration: self.acceleration.clone() + turned,
+            velocity: self.launch.velocity.clone() + added.velocity,
+            acceleration: self.acceleration.clone() + added.acceleration,
         })
     }
 }

@@ -1,10 +1,13 @@
 //! Several harmonics in any arithmetic: their phases at any turn, and what bounds the motion.
 
 use super::spectrum::{Spectrum, Term};
+use crate::error::Error;
 use crate::exact::{Enclosure, Exact};
-use crate::number::{Ball, Wave, up};
+use crate::number::kernel::Departure;
+use crate::number::{Ball, Wave, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
+use crate::pair::ImpactPair;
 
 /// A number in which flights under several harmonics are computed.
 pub(crate) trait Phased: Wave {
@@ -258,6 +261,31 @@ pub(crate) struct Sums<N> {
     pub swing: N,
 }
 
+/// What a departure adds: to `z` on top of `z'(0) h`, to `z'` and to `z''`.
+#[derive(Clone, Debug)]
+pub(crate) struct Added<N> {
+    pub height: N,
+    pub velocity: N,
+    pub acceleration: N,
+}
+
+impl<N: Phased> Sums<N> {
+    #[inline]
+    fn of<'h>(waves: impl Iterator<Item = (&'h Partial<N>, (N, N))>) -> Self
+    where
+        N: 'h,
+    {
+        let zero = N::from_f64(0.0);
+        let mut sums = Self { sine: zero.clone(), cosine: zero.clone(), swing: zero };
+        for (term, (sin, cos)) in waves {
+            sums.sine = term.alpha.clone().mul_add(sin.clone(), sums.sine);
+            sums.cosine = term.beta.clone().mul_add(cos, sums.cosine);
+            sums.swing = term.swing.clone().mul_add(sin, sums.swing);
+        }
+        sums
+    }
+}
+
 impl<N: Phased> Harmonics<N> {
     /// Encloses the harmonics in `bits` bits, where the arithmetic has a choice.
     pub fn new(spectrum: &Spectrum, bits: u32) -> Self {
@@ -281,14 +309,29 @@ impl<N: Phased> Harmonics<N> {
     /// The sums at that time.
     #[inline]
     pub fn sums(&self, turns: i64, rest: &N) -> Sums<N> {
+        Sums::of(self.waves(turns, rest))
+    }
+
+    /// The sums where the sine and cosine of each harmonic are these.
+    pub fn sums_of(&self, waves: &[(N, N)]) -> Sums<N> {
+        Sums::of(self.terms.iter().zip(waves.iter().cloned()))
+    }
+
+    /// What a short `time` adds to what the harmonics do from where their sines and cosines are these, without cancellation;
+    /// `None` where [`Wave::short`] knows no departure.
+    pub fn departure(&self, waves: &[(N, N)], time: &N) -> Option<Added<N>> {
         let zero = N::from_f64(0.0);
-        let mut sums = Sums { sine: zero.clone(), cosine: zero.clone(), swing: zero };
-        for (term, (sin, cos)) in self.waves(turns, rest) {
-            sums.sine = term.alpha.clone().mul_add(sin.clone(), sums.sine);
-            sums.cosine = term.beta.clone().mul_add(cos, sums.cosine);
-            sums.swing = term.swing.clone().mul_add(sin, sums.swing);
+        let mut added = Added { height: zero.clone(), velocity: zero.clone(), acceleration: zero };
+        for (term, (sin, cos)) in self.terms.iter().zip(waves) {
+            let Departure { versine, excess, sine } = (term.ratio.clone() * time.clone()).short()?;
+            let of_height = cos.clone() * excess + sin.clone() * versine.clone();
+            added.height = term.alpha.clone().mul_add(of_height, added.height);
+            let of_velocity = cos.clone() * versine.clone() + sin.clone() * sine.clone();
+            added.velocity = term.beta.clone().mul_add(of_velocity, added.velocity);
+            let of_acceleration = cos.clone() * sine - sin.clone() * versine;
+            added.acceleration = term.swing.clone().mul_add(of_acceleration, added.acceleration);
         }
-        sums
+        Some(added)
     }
 
     /// `z'''` at that time: `sum 2 pi (W_k/W) swing_k cos th_k`.
@@ -297,6 +340,23 @@ impl<N: Phased> Harmonics<N> {
             let rate = term.swing.clone() * term.ratio.clone() * term.ratio.turn();
             rate.mul_add(cos, sum)
         })
+    }
+}
+
+/// `2^400`: larger rates could overflow in the course of a flight.
+const LARGEST: f64 = 2.582_249_878_086_908_6e120;
+
+impl Harmonics<Ball> {
+    /// Encloses the harmonics of `pair` in doubles.
+    ///
+    /// # Errors
+    /// When they are too large for the arithmetic of a flight.
+    pub fn in_doubles(spectrum: &Spectrum, pair: &ImpactPair) -> Result<Self, Error> {
+        let harmonics = Self::new(spectrum, f64::MANTISSA_DIGITS);
+        if is_positive(LARGEST - harmonics.rates.fourth) {
+            return Ok(harmonics);
+        }
+        Err(Error::too_large("excitation.amplitude", pair.excitation().reference().amplitude()))
     }
 }
 

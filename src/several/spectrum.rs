@@ -69,6 +69,16 @@ impl Spectrum {
         Ok(Some(Self { terms, restitution: pair.restitution().clone(), period }))
     }
 
+    /// Whether half a common period later each harmonic is its own opposite; `None` where they have no such period.
+    pub fn is_odd(&self) -> Option<bool> {
+        let period = BigInt::from(self.period?);
+        let is_odd = |term: &Term| {
+            let turns = term.ratio.as_rational().map(|ratio| ratio * &period);
+            turns.is_some_and(|turns| turns.is_integer() && turns.numer().is_odd())
+        };
+        Some(self.terms.iter().all(is_odd))
+    }
+
     /// What bounds the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
     ///
     /// # Errors
@@ -125,6 +135,9 @@ mod tests {
         assert_eq!(spectrum(&["pi", "3*pi"]).period, Some(3));
         assert_eq!(spectrum(&["2*sqrt(2)", "3*sqrt(2)", "sqrt(2)/5"]).period, Some(15));
         assert_eq!(spectrum(&["1", "sqrt(2)"]).period, None);
+        let is_odd = [&["pi", "3*pi"][..], &["1", "2"], &["3", "5", "15"], &["6", "10"]].map(|w| spectrum(w).is_odd());
+        assert_eq!(is_odd, [Some(true), Some(false), Some(true), Some(true)]);
+        assert_eq!(spectrum(&["1", "sqrt(2)"]).is_odd(), None);
     }
 
     #[test]

@@ -18,7 +18,7 @@ use super::start::Start;
 use super::still::quarter_turn;
 use crate::error::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
-use crate::number::{Ball, is_positive};
+use crate::number::Ball;
 use crate::pair::{ImpactPair, Reduced, Wall, within};
 use crate::several::{Band, Flight, Harmonics, Launch, Phased, Spectrum, Zero, accumulation, phases_at, release};
 pub(super) use float::FloatMotion;
@@ -29,6 +29,7 @@ pub(super) use precise::PreciseMotion;
 /// The harmonics of a pair, and where it starts in their phases.
 #[derive(Clone, Debug)]
 pub(in crate::orbit) struct Several {
+    pair: Arc<ImpactPair>,
     spectrum: Arc<Spectrum>,
     harmonics: Arc<Harmonics<Ball>>,
     band: Arc<Band>,
@@ -46,15 +47,22 @@ impl Several {
     /// The harmonics of `pair` at a start `turns` turns after the clock's origin; `None` of a single one.
     pub fn new(pair: &ImpactPair, origin: &BigInt, start: &Start, turns: i64) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
-        let harmonics = Harmonics::<Ball>::new(&spectrum, f64::MANTISSA_DIGITS);
-        if !is_positive(LARGEST - harmonics.rates.fourth) {
-            let amplitude = pair.excitation().reference().amplitude();
-            return Err(Error::too_large("excitation.amplitude", amplitude));
-        }
+        let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
         let phases = within("start.time", start.time(), phases_at(pair, start.time()))?;
         let band = Band::new(&harmonics, spectrum.period);
         let (spectrum, harmonics, band) = (Arc::new(spectrum), Arc::new(harmonics), Arc::new(band));
-        Ok(Some(Self { spectrum, harmonics, band, turns, phases, release: None, known: Vec::new() }))
+        let pair = Arc::new(pair.clone());
+        Ok(Some(Self { pair, spectrum, harmonics, band, turns, phases, release: None, known: Vec::new() }))
+    }
+
+    /// The pair.
+    pub fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    /// Turns after which all phases are the same, where that is proved to happen.
+    pub fn period(&self) -> Option<u32> {
+        self.spectrum.period.and_then(|period| u32::try_from(period).ok())
     }
 
     /// The sums of `A_k/d` and of the greatest speeds.
@@ -173,9 +181,6 @@ impl Several {
         PreciseMotion::new(self, pair, origin, plan)
     }
 }
-
-/// `2^400`: larger rates could overflow in the course of a flight.
-const LARGEST: f64 = 2.582_249_878_086_908_6e120;
 
 /// The start of a flight from a wall.
 fn from_wall<N: Phased>(wall: Wall, turns: i64, phase: N, velocity: N, is_release: bool) -> Launch<N> {

@@ -139,6 +139,9 @@ impl PreciseMotion {
             let room = state.room(isolated.wall);
             let (size, noise) = (room.mag(), room.rad());
             if size <= noise + noise || size >= before {
+                // Half a turn is one time in two ways: tell it as the isolated one is told.
+                let turns = MpBall::from_f64((at.turns - isolated.turns) as f64);
+                let at = Instant { turns: isolated.turns, rest: at.rest.later(&turns) };
                 let is_near = limit.contains(&at.rest);
                 return is_near.then(|| self.arrived(isolated, flight, at, bits));
             }

@@ -216,7 +216,7 @@ impl<S: Condition> Claim<'_, S> {
             Some(PeriodicImpact {
                 wall: chain.walls()[i],
                 phase: phases[i].as_enclosure()?.sub(&turns, room).rounded(room),
-                velocity: chain.before(&legs, i).as_enclosure()?.rounded(room),
+                velocity: chain.before(&legs.legs, i).as_enclosure()?.rounded(room),
             })
         };
         Some(Point {

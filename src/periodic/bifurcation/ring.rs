@@ -89,7 +89,7 @@ impl Ring {
     }
 
     /// `F_i` of the first `m` impacts. Lemma T1
-    pub fn residual<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Vec<N> {
+    pub fn residual<N: Wave>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Vec<N> {
         let mut misses = self.chain.residual(pair, legs);
         misses.truncate(self.unknowns);
         misses

@@ -3,6 +3,7 @@
 use super::super::chain::Chain;
 use super::super::guess::guesses;
 use super::super::identity::View;
+use super::super::shaken::One;
 use super::diagram::Wanted;
 use super::over::{Key, Over};
 use super::ring::Ring;
@@ -31,10 +32,11 @@ pub(super) fn seeds(chain: &Chain, pair: &ImpactPair, start: &Start, wanted: &Wa
     let mut found: Vec<Seed> = Vec::new();
     for value in values(&wanted.over) {
         let there = wanted.over.pair_at(pair, value)?;
-        let reduced = there.reduced()?.centre();
+        let one = One::new(there.exact()?, there.reduced()?);
+        let reduced = one.court.centre;
         let p = if wanted.over.key == Key::Restitution { reduced.restitution } else { reduced.alpha };
         let from = found.len();
-        for phases in guesses(chain, &reduced, &there, start) {
+        for phases in guesses(chain, &one, &there, start) {
             let mut x = phases.clone();
             x.push(p);
             let is_new = |seed: &Seed| !is_same(chain, &seed.ring.lift(&seed.x[..seed.x.len() - 1]), &phases);

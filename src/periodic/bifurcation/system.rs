@@ -152,7 +152,7 @@ impl System for Vanishing<'_> {
         let pair = family.pair(p.clone());
         let legs = self.ring.legs(&pair, phases)?;
         let mut values = self.ring.residual(&pair, &legs);
-        values.push(self.ring.chain().before(&legs, self.impact).clone());
+        values.push(self.ring.chain().before(&legs.legs, self.impact).clone());
         Some(values)
     }
 }

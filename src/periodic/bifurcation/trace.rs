@@ -129,7 +129,7 @@ impl Tests {
         let legs = ring.legs(&pair, phases)?;
         let lifted = ring.lift(phases);
         let arrival = (0..ring.unknowns())
-            .map(|i| (-chain.walls()[i].inward(*chain.before(&legs, i)), i))
+            .map(|i| (-chain.walls()[i].inward(*chain.before(&legs.legs, i)), i))
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
         let mut room = Nearest { distance: f64::INFINITY, leg: 0, wall: Wall::Left, phase: 0.0 };
         for (i, leg) in legs.legs.iter().enumerate().take(ring.unknowns()) {

@@ -10,8 +10,10 @@ use super::identity::is_one_orbit;
 use super::krawczyk::Proved;
 use super::newton::is_plausible;
 use super::orbit::{PeriodicImpact, PeriodicOrbit};
-use super::{Precision, Problem, newton::polish};
+use super::physical::Court;
+use super::{Pair, Precision, Problem, newton::polish};
 use crate::contact::Reason;
+use crate::error::Error;
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::orbit::Start;
@@ -40,6 +42,7 @@ const MOST_UNDECIDED: usize = 1000;
 /// A search under way.
 struct Search<'p> {
     problem: &'p Problem,
+    court: &'p Court,
     terms: Terms<'p>,
     precision: Precision,
     /// All orbits found, those that belong to no motion included: their domains are done with.
@@ -54,18 +57,32 @@ impl Problem {
     /// Proves all the orbits of the word, and that there are no other physical ones. Lemmas T3, T8, T9
     ///
     /// Starts from what [`Problem::find`] finds. Where the budget ends, what is left is listed as undecided.
-    pub fn find_all(&self, pair: &ImpactPair, start: &Start, precision: Precision, budget: Budget) -> Census {
-        let found = self.find(pair, start, precision);
-        if found.exhaustive {
-            return found;
+    ///
+    /// # Errors
+    /// When there are several harmonics, except for words on one wall.
+    pub fn find_all(
+        &self,
+        pair: &ImpactPair,
+        start: &Start,
+        precision: Precision,
+        budget: Budget,
+    ) -> Result<Census, Error> {
+        if self.chain.crosses() {
+            pair.harmonic("the search for all periodic orbits")?;
         }
-        let terms = Terms::new(&self.chain, self.reduced());
-        let mut search = Search { problem: self, terms, precision, known: found.orbits, undecided: Vec::new() };
+        let found = self.find(pair, start, precision);
+        let Pair::One(one) = &self.pair else { return Ok(found) };
+        if found.exhaustive {
+            return Ok(found);
+        }
+        let terms = Terms::new(&self.chain, &one.court.pair);
+        let known = found.orbits;
+        let mut search = Search { problem: self, court: &one.court, terms, precision, known, undecided: Vec::new() };
         search.run(budget);
         let mut orbits = search.known;
         // Only motions are looked for; a chain that is proved to be none is listed where a guess led to it.
         orbits.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
-        Census { orbits, exhaustive: search.undecided.is_empty(), undecided: search.undecided, is_search: true }
+        Ok(Census { orbits, exhaustive: search.undecided.is_empty(), undecided: search.undecided, is_search: true })
     }
 }
 
@@ -102,7 +119,7 @@ impl Search<'_> {
         loop {
             let slopes = self.terms.slopes(&part);
             let before = part.size();
-            part = self.terms.newton(&self.problem.court.pair, part, &slopes)?;
+            part = self.terms.newton(&self.court.pair, part, &slopes)?;
             if part.size() > 0.7 * before {
                 return Some((part, slopes));
             }
@@ -130,7 +147,7 @@ impl Search<'_> {
 
     /// An orbit in or beside the part that Newton's iteration leads to, proved.
     fn orbit_near(&self, part: &Part) -> Option<PeriodicOrbit> {
-        let (chain, pair) = (&self.problem.chain, &self.problem.court.centre);
+        let (chain, pair) = (&self.problem.chain, &self.court.centre);
         let phases = polish(chain, pair, part.centre())?;
         let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
         if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
@@ -198,8 +215,11 @@ mod tests {
             let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
             let precision = Precision::default();
             let guessed = problem.find(&pair, &start, precision).orbits;
-            let terms = Terms::new(&problem.chain, problem.reduced());
-            let mut search = Search { problem: &problem, terms, precision, known: Vec::new(), undecided: Vec::new() };
+            let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
+            let court = &one.court;
+            let terms = Terms::new(&problem.chain, &court.pair);
+            let mut search =
+                Search { problem: &problem, court, terms, precision, known: Vec::new(), undecided: Vec::new() };
             search.run(Budget::default());
             assert!(search.undecided.is_empty(), "{word}");
             let is_found = |orbit: &PeriodicOrbit| {
@@ -220,7 +240,7 @@ mod tests {
         let harmonic = Harmonic::new("0".parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
         let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), "1".parse().unwrap()).unwrap();
         let problem = Problem::new(&pair, &"LR".parse().unwrap(), 1).unwrap();
-        let census = problem.find_all(&pair, &start, Precision::default(), Budget::default());
+        let census = problem.find_all(&pair, &start, Precision::default(), Budget::default()).unwrap();
         assert!(!census.exhaustive && !census.undecided.is_empty() && !census.is_certified());
     }
 }

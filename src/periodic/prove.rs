@@ -1,0 +1,169 @@
+//! The proof of one orbit: floats propose, doubles prove, more bits where those do not suffice. Lemmas T3-T5
+
+use super::chain::Legs;
+use super::krawczyk;
+use super::newton;
+use super::orbit::{Finding, PeriodicOrbit};
+use super::precondition::Preconditioner;
+use super::shaken::Shaken;
+use super::shaking::Shaking;
+use super::{Pair, Precision, Problem};
+#[cfg(feature = "multiprecision")]
+use crate::number::MpBall;
+use crate::number::{Ball, Enclosing};
+
+/// The smallest radius of a domain that is tried in doubles.
+const LEAST_DOMAIN: f64 = 1.0 / (1_u64 << 46) as f64;
+/// Bits that what is not about widths (stability, first contacts) is tried with at most.
+#[cfg(feature = "multiprecision")]
+const DECIDING_BITS: u32 = 1024;
+
+impl Problem {
+    /// Proves the orbit near these phases (in turns, in time order) in doubles. Lemmas T3-T5
+    ///
+    /// `None` where that is not proved.
+    pub fn prove_in_doubles(&self, guess: &[f64]) -> Option<Finding<Ball>> {
+        match &self.pair {
+            Pair::One(one) => self.prove_in_balls(&**one, guess),
+            Pair::Several(several) => self.prove_in_balls(&**several, guess),
+        }
+    }
+
+    fn prove_in_balls<S: Shaken>(&self, shaken: &S, guess: &[f64]) -> Option<Finding<Ball>> {
+        let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
+        let guess: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
+        self.attempt(shaken.balls(), &inverse, &guess, LEAST_DOMAIN, |phases, legs| {
+            shaken.is_physical(&self.chain, phases, legs)
+        })
+    }
+
+    /// Proves an orbit and all that follows in one arithmetic.
+    fn attempt<N: Enclosing, B: Shaking<N>>(
+        &self,
+        shaking: &B,
+        inverse: &Preconditioner,
+        guess: &[N],
+        least: f64,
+        is_physical: impl FnOnce(&[N], &Legs<N, B::Moment>) -> Option<bool>,
+    ) -> Option<Finding<N>> {
+        let mut proved = krawczyk::prove(&self.chain, shaking, inverse, guess, least)?;
+        krawczyk::refine(&self.chain, shaking, inverse, &mut proved);
+        Finding::new(&self.chain, shaking, proved, is_physical)
+    }
+
+    /// Phases nearer to an orbit's, by Newton's iteration in floats.
+    pub(super) fn polished(&self, guess: &[f64]) -> Option<Vec<f64>> {
+        match &self.pair {
+            Pair::One(one) => newton::polish(&self.chain, one.floats(), guess.to_vec()),
+            Pair::Several(several) => newton::polish(&self.chain, several.floats(), guess.to_vec()),
+        }
+    }
+
+    /// Proves the orbit near these phases (in turns, in time order), as narrowly as asked.
+    ///
+    /// In doubles first; in more and more bits where they do not prove, decide or narrow enough. `None` where no orbit
+    /// could be proved; one that is may be wider than asked, where the bits allowed end or parameters are intervals.
+    pub fn prove(&self, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
+        match &self.pair {
+            Pair::One(one) => self.prove_under(&**one, guess, precision),
+            Pair::Several(several) => self.prove_under(&**several, guess, precision),
+        }
+    }
+
+    fn prove_under<S: Shaken>(&self, shaken: &S, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
+        let guess = self.polished(guess)?;
+        let finding = self.prove_in_balls(shaken, &guess);
+        let is_narrow = finding.as_ref().is_some_and(|finding| is_narrow(shaken, finding, precision));
+        let best =
+            finding.and_then(|finding| finding.finish(&self.chain, &self.restitution, f64::MANTISSA_DIGITS, is_narrow));
+        match best {
+            Some(orbit) if is_narrow && orbit.is_decided() => Some(orbit),
+            best => self.prove_precisely(shaken, &guess, precision, is_narrow, best),
+        }
+    }
+
+    /// The same in balls of rising precision; what is known already is `best`.
+    #[cfg(feature = "multiprecision")]
+    fn prove_precisely<S: Shaken>(
+        &self,
+        shaken: &S,
+        guess: &[f64],
+        precision: Precision,
+        mut narrow: bool,
+        mut best: Option<PeriodicOrbit>,
+    ) -> Option<PeriodicOrbit> {
+        let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
+        let wanted = (f64::from(precision.digits) * 10f64.log2()) as u32 + 64;
+        let mut last = f64::INFINITY;
+        let mut bits = if narrow { 128 } else { wanted.max(128) };
+        while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
+            let shaking = shaken.precise(bits);
+            let guess = self.polish_precisely(&shaking, &inverse, guess, bits);
+            let least = 2f64.powi(-((bits - 8).min(1000) as i32));
+            let finding = self.attempt(&shaking, &inverse, &guess, least, |phases, legs| {
+                shaken.is_physical_precisely(&shaking, &self.chain, phases, legs)
+            });
+            if let Some(finding) = finding {
+                let [phase, _] = finding.widths();
+                narrow = is_narrow(shaken, &finding, precision);
+                // Where more bits do not narrow, still more will not.
+                if phase >= last {
+                    break;
+                }
+                last = phase;
+                best = finding.finish(&self.chain, &self.restitution, bits, narrow).or(best);
+                if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_decided) {
+                    break;
+                }
+            }
+            // No precision narrows what intervals among the parameters leave open.
+            if !self.is_point {
+                break;
+            }
+            bits *= 2;
+        }
+        best
+    }
+
+    /// Doubles are all there is.
+    #[cfg(not(feature = "multiprecision"))]
+    fn prove_precisely<S: Shaken>(
+        &self,
+        _: &S,
+        _: &[f64],
+        _: Precision,
+        _: bool,
+        best: Option<PeriodicOrbit>,
+    ) -> Option<PeriodicOrbit> {
+        best
+    }
+
+    /// A guess in so many bits, by simplified Newton steps; nothing is proved.
+    #[cfg(feature = "multiprecision")]
+    fn polish_precisely<B: Shaking<MpBall>>(
+        &self,
+        shaking: &B,
+        inverse: &Preconditioner,
+        guess: &[f64],
+        bits: u32,
+    ) -> Vec<MpBall> {
+        let mut phases: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
+        // Each step in doubles adds some forty bits.
+        for _ in 0..bits / 32 {
+            match krawczyk::image(&self.chain, shaking, inverse, &phases) {
+                Some(next) => phases = next.iter().map(Enclosing::centre).collect(),
+                None => break,
+            }
+        }
+        phases
+    }
+}
+
+/// Whether the widths are those asked for.
+fn is_narrow<N: Enclosing>(shaken: &impl Shaken, finding: &Finding<N>, precision: Precision) -> bool {
+    // A hundredth of a digit for printing.
+    let asked = -(f64::from(precision.digits) + 0.01) * 10f64.log2();
+    let speed = shaken.speed().log2();
+    let [phase, velocity] = finding.widths();
+    phase <= asked && velocity <= asked + if speed.is_finite() { speed } else { 0.0 }
+}

@@ -1,0 +1,87 @@
+//! What shakes the box, as chains of impacts see it: one harmonic, equation (9), or several, equation (1).
+//!
+//! The equations of a chain ([`super::chain`]) are the same for both; here stand the terms in which they differ.
+
+use crate::flight::velocity_after;
+use crate::number::kernel::Departure;
+use crate::number::{Number, Wave};
+use crate::pair::Reduced;
+
+/// The motion of the box and the restitution, in gaps and turns.
+pub trait Shaking<N: Number> {
+    /// What is known of the box at one time.
+    type Moment: Clone;
+
+    /// `e`
+    fn restitution(&self) -> &N;
+    /// The box a phase `rest` after so many whole turns.
+    fn moment(&self, turns: f64, rest: &N) -> Self::Moment;
+    /// `D + E_1 - E_0`: how far the ball goes in space, if it goes `displacement` in the box. **Equation** (11)
+    fn way(&self, from: &Self::Moment, to: &Self::Moment, displacement: f64) -> N;
+    /// `y' = c - E'` of a ball with this drift. **Equation** (12)
+    fn relative(&self, drift: &N, at: &Self::Moment) -> N;
+    /// `y'' = -E''` **Equation** (10)
+    fn swing(&self, at: &Self::Moment) -> N;
+    /// A short flight back to its wall; `None` where [`Wave::short`] knows no departure.
+    fn hop(&self, time: &N, from: &Self::Moment) -> Option<Hop<N>>;
+}
+
+/// When an excitation is what it was before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repetition {
+    /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
+    pub turns: u32,
+    /// Whether each harmonic is the opposite half of that later: then the mirrored motion is one as well.
+    pub is_odd: bool,
+}
+
+impl Repetition {
+    /// That of one harmonic.
+    pub const TURN: Self = Self { turns: 1, is_odd: true };
+}
+
+/// The velocities of a short flight back to its wall.
+#[derive(Clone, Debug)]
+pub struct Hop<N> {
+    /// The absolute velocity.
+    pub drift: N,
+    /// `y'` right after its first impact.
+    pub after: N,
+    /// `y'` just before its last one.
+    pub before: N,
+}
+
+impl<N: Wave> Shaking<N> for Reduced<N> {
+    /// Sine and cosine of the phase.
+    type Moment = (N, N);
+
+    #[inline(always)]
+    fn restitution(&self) -> &N {
+        &self.restitution
+    }
+    #[inline(always)]
+    fn moment(&self, _: f64, rest: &N) -> (N, N) {
+        rest.wave()
+    }
+    #[inline(always)]
+    fn way(&self, (sin0, _): &(N, N), (sin1, _): &(N, N), displacement: f64) -> N {
+        self.alpha.clone().mul_add(sin1.clone() - sin0.clone(), N::from_f64(displacement))
+    }
+    #[inline(always)]
+    fn relative(&self, drift: &N, (_, cos): &(N, N)) -> N {
+        (-self.beta.clone()).mul_add(cos.clone(), drift.clone())
+    }
+    #[inline(always)]
+    fn swing(&self, (sin, _): &(N, N)) -> N {
+        self.beta.turn() * self.beta.clone() * sin.clone()
+    }
+    #[inline(always)]
+    fn hop(&self, time: &N, (sin, cos): &(N, N)) -> Option<Hop<N>> {
+        let Departure { versine, excess, sine } = time.short()?;
+        let wave = cos.clone().mul_add(excess, sin.clone() * versine.clone());
+        let after = -(self.alpha.clone() * wave).checked_div(time.clone())?;
+        let drift = self.beta.clone().mul_add(cos.clone(), after.clone());
+        let before = velocity_after(self.beta.clone(), after.clone(), (sin.clone(), cos.clone()), versine, sine);
+        Some(Hop { drift, after, before })
+    }
+}
