@@ -68,11 +68,16 @@ pub fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
 
 /// The words of a scene as they are set in print.
 pub fn greek(words: &str) -> String {
-    let letters = [("tau", "τ"), ("*pi", "π"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−")];
+    let letters = [
+        ("tau", "τ"),
+        ("sqrt(", "√("),
+        ("*pi", "π"),
+        ("2 pi", "2π"),
+        ("pi", "π"),
+        ("A W", "AΩ"),
+        ("W", "Ω"),
+        ("-", "−"),
+        ("'", "′"),
+    ];
     letters.iter().fold(words.to_owned(), |words, (ascii, greek)| words.replace(ascii, greek))
-}
-
-/// A number with the sign of print.
-pub fn signed(x: f64) -> String {
-    format!("{x}").replace('-', "−")
 }

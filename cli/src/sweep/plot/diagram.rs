@@ -79,7 +79,7 @@ pub fn draw(sweep: &mut Sweep, axis: &sweep::Axis, show: Show, root: &Canvas<'_>
     let plane = Plane::draw(&below, [across, up], [&described(axis.key), name])?;
     let (left, right) = plane.pixels[0];
     let spacing = (right - left) / i32::try_from(axis.count - 1).unwrap_or(i32::MAX);
-    let cell = (spacing / 3).clamp(CELL, 2 * SCALE);
+    let cell = (spacing / 2).clamp(CELL, 2 * SCALE);
     let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
     sweep.each_record(|record| {

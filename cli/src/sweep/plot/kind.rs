@@ -48,8 +48,11 @@ impl Kind {
     pub fn name(&self, is_one_pair: bool) -> String {
         let word = |period: &Periodic| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
         let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
-            let periodic = self.outcome == "periodic";
-            return if periodic { "exactly periodic through rest".to_owned() } else { self.outcome.clone() };
+            return match self.outcome.as_str() {
+                "periodic" => "exactly periodic through rest".to_owned(),
+                "not-attracted" => "not proved to converge".to_owned(),
+                other => other.replace('-', " "),
+            };
         };
         let plural = if period.cycles == 1 { "" } else { "s" };
         let letter = |wall| if wall == Wall::Left { 'L' } else { 'R' };

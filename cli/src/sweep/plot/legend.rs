@@ -24,20 +24,21 @@ pub fn key(root: &Canvas<'_>, (x, y): (i32, i32), colour: RGBColor, name: &str) 
 
 /// Title, parameters, and how it was computed.
 pub fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
-    let title = head.title.clone().unwrap_or_else(|| "Sweep".to_owned());
+    let varied: Vec<&str> = varied(head).map(|key| key.symbol().0).collect();
+    let varied = format!("{} varied", varied.join(" and "));
+    let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
+    let last = head.transient + head.impacts;
+    let impacts = match head.impacts {
+        1 => format!("impact {last}"),
+        _ => format!("impacts {} to {last}", head.transient + 1),
+    };
     let arithmetic = head.arithmetic["kind"].as_str().unwrap_or_default();
     let certified = if head.certified {
         format!("certified ({arithmetic}, {} digits)", head.digits)
     } else {
         "floats, not certified".into()
     };
-    let made = format!(
-        "{} points, impacts {} to {} of each, {certified}; {}",
-        head.points,
-        head.transient + 1,
-        head.transient + head.impacts,
-        head.program
-    );
+    let made = format!("{} points, {impacts} of each, {certified}; {}", head.points, head.program);
     let lines = [(title, FONT + 3 * SCALE), (parameters(head), FONT), (made, FONT)];
     for (line, (text, size)) in lines.into_iter().enumerate() {
         root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, &BLACK, HPos::Left)))?;
@@ -45,11 +46,16 @@ pub fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
     Ok(())
 }
 
+/// What varies.
+fn varied(head: &Head) -> impl Iterator<Item = Key> {
+    head.over.iter().filter_map(|over| over.key.parse().ok())
+}
+
 /// The parameters and the start that do not vary.
 fn parameters(head: &Head) -> String {
-    let varies = |keys: &[Key]| head.over.iter().any(|over| keys.iter().any(|key| key.name() == over.key));
+    let varies = |keys: &[Key]| varied(head).any(|key| keys.contains(&key));
     let text = |value: &Value| match value {
-        Value::Array(terms) => terms.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(", "),
+        Value::Array(terms) => format!("({})", terms.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(", ")),
         other => other.as_str().unwrap_or_default().to_owned(),
     };
     let (scene, start) = (&head.scene, &head.scene["start"]);
@@ -68,6 +74,9 @@ fn parameters(head: &Head) -> String {
     let mut words: Vec<String> = shown.map(|(symbol, value, _)| format!("{symbol} = {}", text(value))).collect();
     if let Some(wall) = start["wall"].as_str() {
         words.push(format!("from the {wall} wall"));
+    }
+    if scene["excitation"]["frequency"].is_array() {
+        words.push("phases are those of the greatest Ω".to_owned());
     }
     greek(&words.join(", "))
 }
