@@ -155,7 +155,7 @@ mod tests {
         };
         for place in ["wall = \"left\"", "position = 0.1"] {
             let rounded = rounded(&scene("8", place)).unwrap();
-            let frequency = rounded.pair().excitation().frequency();
+            let frequency = rounded.pair().excitation().reference().frequency();
             assert_eq!(frequency.as_rational(), Exact::from_f64(std::f64::consts::PI).unwrap().as_rational());
             assert_eq!(rounded.pair().gap().as_rational(), Exact::from_f64(9.42497).unwrap().as_rational());
         }

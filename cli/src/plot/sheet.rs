@@ -78,7 +78,7 @@ impl Sheet<'_> {
         let excitation = scene.pair().excitation();
         let of_what = match excitation.only() {
             Some(_) => String::new(),
-            None => format!("; cycles and phases are those of W = {}", excitation.reference().frequency()),
+            None => format!("; cycles and phases of W = {}", excitation.reference().frequency()),
         };
         let data = greek(&format!("{}; {}{of_what}", heading::parameters(scene), heading::start(scene)));
         let said = format!("{}; {PROGRAM}", self.verdict);

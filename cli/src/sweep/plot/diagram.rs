@@ -14,6 +14,8 @@ use crate::picture::{Axis, BLUE, Canvas, GREEN, SCALE, VERMILION};
 
 /// The smallest cell: less than a pixel of most screens.
 const CELL: i32 = 3;
+/// The largest one, where points are few.
+const LARGEST: i32 = 2 * SCALE;
 /// What is added around the cells of periodic orbits.
 const EDGE: i32 = 2;
 /// Height of the bar over an undecided point.
@@ -79,7 +81,7 @@ pub fn draw(sweep: &mut Sweep, axis: &sweep::Axis, show: Show, root: &Canvas<'_>
     let plane = Plane::draw(&below, [across, up], [&described(axis.key), name])?;
     let (left, right) = plane.pixels[0];
     let spacing = (right - left) / i32::try_from(axis.count - 1).unwrap_or(i32::MAX);
-    let cell = (spacing / 2).clamp(CELL, 2 * SCALE);
+    let cell = spacing.clamp(CELL, LARGEST);
     let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
     sweep.each_record(|record| {
@@ -131,7 +133,7 @@ fn bounds(state: &Impact, show: Show) -> anyhow::Result<[f64; 2]> {
 /// The cells of a class, those below each other in one.
 fn path(class: Class, columns: Columns, cell: i32) -> String {
     // Lines are made thick enough to be seen, dense clouds are not.
-    let edge = if class == Class::NotAttracted && cell == CELL { 0 } else { EDGE };
+    let edge = if class == Class::NotAttracted && cell < LARGEST { 0 } else { EDGE };
     let mut cells = Cells::default();
     for (column, mut rows) in columns {
         rows.sort_unstable();

@@ -55,7 +55,10 @@ fn varied(head: &Head) -> impl Iterator<Item = Key> {
 fn parameters(head: &Head) -> String {
     let varies = |keys: &[Key]| varied(head).any(|key| keys.contains(&key));
     let text = |value: &Value| match value {
-        Value::Array(terms) => format!("({})", terms.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(", ")),
+        Value::Array(terms) => {
+            let terms: Vec<&str> = terms.iter().filter_map(Value::as_str).collect();
+            if terms.len() == 1 { terms.concat() } else { format!("({})", terms.join(", ")) }
+        }
         other => other.as_str().unwrap_or_default().to_owned(),
     };
     let (scene, start) = (&head.scene, &head.scene["start"]);
@@ -75,7 +78,7 @@ fn parameters(head: &Head) -> String {
     if let Some(wall) = start["wall"].as_str() {
         words.push(format!("from the {wall} wall"));
     }
-    if scene["excitation"]["frequency"].is_array() {
+    if scene["excitation"]["frequency"].as_array().is_some_and(|terms| terms.len() > 1) {
         words.push("phases are those of the greatest Ω".to_owned());
     }
     greek(&words.join(", "))
