@@ -255,7 +255,14 @@ fn pictures_show_all_outcomes() {
     };
     let diagram = ["scenes/figure-14.toml", "--over", "amplitude=1..9:9", "--arithmetic", "interval"];
     let phases = picture(&diagram);
-    let parts = ["phase Ωt + τ of the impact [rad]", "1.5π", "d = 9.42497", "width=\"960\"", "undecided (bar)"];
+    let parts = [
+        "phase Ωt + τ of the impact [rad]",
+        "3π/2",
+        "Ω = π, τ = 0, d = 9.42497",
+        "A varied",
+        "width=\"960\"",
+        "undecided (bar)",
+    ];
     assert!(parts.iter().all(|part| phases.contains(part)), "{phases}");
     assert!(["#0072B2", "#D55E00"].iter().all(|colour| phases.contains(&format!("fill=\"{colour}\" d=\"M"))));
     assert!(
@@ -265,10 +272,22 @@ fn pictures_show_all_outcomes() {
         ["scenes/cascade.toml", "--over", "start.phase=0..2*pi:9", "--over", "start.velocity=-6..0:7", "--summary"];
     let map = picture(&basins);
     assert!(
-        ["LR in 1 cycle, L at 4.64 rad", "LR in 1 cycle, L at 5.14 rad", "#E69F00"]
+        ["LR in 1 cycle, L at 4.64 rad", "3π/2", "A = 0.36, Ω = π", "LR in 1 cycle, L at 5.14 rad", "#E69F00"]
             .iter()
             .all(|part| map.contains(part))
     );
+}
+
+#[test]
+fn a_picture_says_which_of_several_frequencies_phases_are_of() {
+    let file = folder("several").join("picture.svg");
+    let mut command =
+        sweep(&["scenes/square-wave.toml", "--over", "gap=9..10:3", "--transient", "0", "--impacts", "9"]);
+    let answer = command.arg("--plot").arg(&file).output().unwrap();
+    assert_eq!(answer.status.code(), Some(0), "{answer:?}");
+    let picture = fs::read_to_string(&file).unwrap();
+    let parts = ["Ω = (π, 3π, 5π)", "phases are those of the greatest Ω"];
+    assert!(parts.iter().all(|part| picture.contains(part)), "{picture}");
 }
 
 /// Times differ from run to run.

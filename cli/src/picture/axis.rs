@@ -51,7 +51,12 @@ impl Axis {
 
     /// Angles in `[0, 2 pi]`.
     pub fn angle() -> Self {
-        Self { range: 0.0..TAU, labels: Labels::Angle }
+        Self::turn(0.0)
+    }
+
+    /// The same, with this much room at both ends.
+    pub fn turn(room: f64) -> Self {
+        Self { range: -room..TAU + room, labels: Labels::Angle }
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use plotters::style::RGBColor;
 
-use super::SCALE;
+use super::{SCALE, hex, on_top};
 
 /// What stands at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,30 +37,26 @@ impl Dots {
         if self.places.is_empty() {
             return;
         }
-        let end = svg.rfind("</svg>").unwrap_or(svg.len());
-        let rest = svg.split_off(end);
-        let RGBColor(r, g, b) = self.colour;
         let (width, cap) = match self.shape {
             Shape::Dot => (DOT * self.enlarged(), "round"),
             Shape::Cross => (LINE * self.enlarged(), "butt"),
         };
-        // Writing to a string does not fail.
-        let _ = write!(
-            svg,
-            "<path fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"{width}\" stroke-linecap=\"{cap}\" d=\""
-        );
+        let colour = hex(self.colour);
+        let mut path =
+            format!("<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"{cap}\" d=\"");
         let arm = ARM * self.enlarged();
         for &(x, y) in &self.places {
+            // Writing to a string does not fail.
             let _ = match self.shape {
-                Shape::Dot => write!(svg, "M{x} {y}h0"),
+                Shape::Dot => write!(path, "M{x} {y}h0"),
                 Shape::Cross => {
                     let (left, top, size) = (x - arm, y - arm, 2 * arm);
-                    write!(svg, "M{left} {y}h{size}M{x} {top}v{size}")
+                    write!(path, "M{left} {y}h{size}M{x} {top}v{size}")
                 }
             };
         }
-        svg.push_str("\"/>\n");
-        svg.push_str(&rest);
+        path.push_str("\"/>\n");
+        on_top(svg, &path);
     }
 }
 

@@ -23,11 +23,15 @@ pub const SCALE: i32 = 4;
 /// How wide a letter is on average, in sizes of its font: what a reader's fonts do is not known here.
 pub const LETTER: f64 = 0.47;
 
-/// The colours, three of those that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the
-/// same again.
+/// The colours, of those that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same
+/// again.
 pub const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
 pub const VERMILION: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
 pub const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
+pub const ORANGE: RGBColor = RGBColor(0xe6, 0x9f, 0x00);
+pub const PURPLE: RGBColor = RGBColor(0xcc, 0x79, 0xa7);
+pub const SKY: RGBColor = RGBColor(0x56, 0xb4, 0xe9);
+pub const YELLOW: RGBColor = RGBColor(0xf0, 0xe4, 0x42);
 pub const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
 
 pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
@@ -46,6 +50,17 @@ pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn
     Ok(text.replacen(&head(drawn), &head(size), 1))
 }
 
+/// Puts SVG elements on top of a picture.
+pub fn on_top(svg: &mut String, elements: &str) {
+    let end = svg.rfind("</svg>").unwrap_or(svg.len());
+    svg.insert_str(end, elements);
+}
+
+/// A colour as SVG writes it.
+pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
+}
+
 /// Words of this size, up to this side of their place and centred on its height.
 pub fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
     TextStyle::from(("sans-serif", size).into_font()).color(colour).pos(Pos::new(side, VPos::Center))
@@ -53,11 +68,16 @@ pub fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
 
 /// The words of a scene as they are set in print.
 pub fn greek(words: &str) -> String {
-    let letters = [("tau", "τ"), ("*pi", "π"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−")];
+    let letters = [
+        ("tau", "τ"),
+        ("sqrt(", "√("),
+        ("*pi", "π"),
+        ("2 pi", "2π"),
+        ("pi", "π"),
+        ("A W", "AΩ"),
+        ("W", "Ω"),
+        ("-", "−"),
+        ("'", "′"),
+    ];
     letters.iter().fold(words.to_owned(), |words, (ascii, greek)| words.replace(ascii, greek))
-}
-
-/// A number with the sign of print.
-pub fn signed(x: f64) -> String {
-    format!("{x}").replace('-', "−")
 }

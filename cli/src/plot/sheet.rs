@@ -75,7 +75,12 @@ impl Sheet<'_> {
     /// Title, parameters, start, what is certified, and the program; each in lines of this width.
     fn caption(&self, width: i32) -> Vec<String> {
         let scene = self.scene;
-        let data = greek(&format!("{}; {}", heading::parameters(scene), heading::start(scene)));
+        let excitation = scene.pair().excitation();
+        let of_what = match excitation.only() {
+            Some(_) => String::new(),
+            None => format!("; cycles and phases of W = {}", excitation.reference().frequency()),
+        };
+        let data = greek(&format!("{}; {}{of_what}", heading::parameters(scene), heading::start(scene)));
         let said = format!("{}; {PROGRAM}", self.verdict);
         let title = scene.title().map(str::to_owned);
         let letters = (f64::from(width) / (LETTER * f64::from(FONT))) as usize;

@@ -9,7 +9,7 @@ use plotters::prelude::*;
 use plotters::series::DashedLineSeries;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, BLUE, Canvas, Drawn, GREY, SCALE, VERMILION, signed};
+use crate::picture::{self, BLUE, Canvas, Drawn, GREY, SCALE, VERMILION};
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (900, 640);
@@ -88,16 +88,15 @@ fn draw(scene: &Scene, axis: Axis, curves: &[Manifold], root: &Canvas<'_>) -> Dr
         .margin_right(48 * SCALE)
         .x_label_area_size(48 * SCALE)
         .y_label_area_size(62 * SCALE)
-        .build_cartesian_2d(ends.0..ends.1, 0.0..1.05 * highest)?;
+        .build_cartesian_2d(picture::Axis::over(ends.0, ends.1), picture::Axis::over(0.0, 1.05 * highest))?;
     chart
         .configure_mesh()
         .x_desc(name)
         .y_desc("amplitude A_N of the box [length]")
-        .x_label_formatter(&|x| signed(*x))
         .label_style(font)
         .axis_desc_style(font)
         .bold_line_style(BLACK.mix(0.12).stroke_width(SCALE as u32))
-        .light_line_style(BLACK.mix(0.04).stroke_width(SCALE as u32))
+        .max_light_lines(0)
         .set_all_tick_mark_size(5 * SCALE)
         .axis_style(BLACK.stroke_width(SCALE as u32))
         .draw()?;

@@ -1,0 +1,147 @@
+//! The bifurcation diagram: the impacts of each point over one key.
+
+use std::collections::BTreeMap;
+
+use impact_pair::sweep;
+use plotters::prelude::*;
+
+use super::super::arguments::Show;
+use super::super::record::{Impact, Record};
+use super::super::write::Sweep;
+use super::legend::{self, CAPTION, LINE, described};
+use super::{Cells, Drawn, Plane, double, middle, value};
+use crate::picture::{Axis, BLUE, Canvas, GREEN, SCALE, VERMILION};
+
+/// The smallest cell: less than a pixel of most screens.
+const CELL: i32 = 3;
+/// The largest one, where points are few.
+const LARGEST: i32 = 2 * SCALE;
+/// What is added around the cells of periodic orbits.
+const EDGE: i32 = 2;
+/// Height of the bar over an undecided point.
+const BAR: i32 = 8 * SCALE;
+
+/// What is known of a point, as a diagram shows it; what comes later is drawn on top.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    NotAttracted,
+    Attracted,
+    Settled,
+    Undecided,
+}
+
+impl Class {
+    fn of(record: &Record) -> Self {
+        match record.outcome.as_str() {
+            "attracted" => Self::Attracted,
+            "undecided" => Self::Undecided,
+            "not-attracted" => Self::NotAttracted,
+            _ => Self::Settled,
+        }
+    }
+
+    fn colour(self) -> RGBColor {
+        match self {
+            Self::Attracted => BLUE,
+            Self::NotAttracted => BLACK,
+            Self::Settled => GREEN,
+            Self::Undecided => VERMILION,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Attracted => "proved to converge to a periodic orbit",
+            Self::NotAttracted => "not proved to converge",
+            Self::Settled => "periodic through rest, or at an end",
+            Self::Undecided => "undecided (bar), impacts before",
+        }
+    }
+}
+
+/// The impacts of points of one class: of each column of cells its rows.
+type Columns = BTreeMap<i32, Vec<i32>>;
+
+/// Draws axes and words; the data are handed back.
+pub fn draw(sweep: &mut Sweep, axis: &sweep::Axis, show: Show, root: &Canvas<'_>) -> Drawn<String> {
+    let (present, greatest) = survey(sweep)?;
+    legend::caption(&sweep.head, root)?;
+    for (i, class) in present.iter().enumerate() {
+        let place = ((24 + 310 * (i as i32 % 3)) * SCALE, CAPTION + LINE * (i as i32 / 3) + LINE / 2);
+        legend::key(root, place, class.colour(), class.name())?;
+    }
+    let (_, below) = root.split_vertically(CAPTION + LINE * present.len().div_ceil(3) as i32);
+    let across = Axis::over(value(&axis.low), value(&axis.high));
+    let (up, name) = match show {
+        Show::Phase => (Axis::angle(), "phase Ωt + τ of the impact [rad]"),
+        Show::Velocity => {
+            (Axis::over(-1.05 * greatest, 1.05 * greatest), "relative velocity y′ before the impact [length/time]")
+        }
+    };
+    let plane = Plane::draw(&below, [across, up], [&described(axis.key), name])?;
+    let (left, right) = plane.pixels[0];
+    let spacing = (right - left) / i32::try_from(axis.count - 1).unwrap_or(i32::MAX);
+    let cell = spacing.clamp(CELL, LARGEST);
+    let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
+    let mut bars = Cells::default();
+    sweep.each_record(|record| {
+        let class = Class::of(&record);
+        let column = plane.column(value(&axis.value(record.point)?));
+        for state in &record.states {
+            // A box when it is wide enough to be seen, from its upper bound down.
+            let [bottom, top] = bounds(state, show)?.map(|y| plane.row(y) / cell);
+            let rows = columns.entry(class).or_default().entry(column / cell).or_default();
+            rows.extend(top..=bottom);
+            if rows.len() > 1 << 14 {
+                rows.sort_unstable();
+                rows.dedup();
+            }
+        }
+        if class == Class::Undecided {
+            bars.add((column - cell / 2, plane.pixels[1].0 - BAR), (cell.max(SCALE), BAR));
+        }
+        Ok(())
+    })?;
+    let data: String = columns.into_iter().map(|(class, columns)| path(class, columns, cell)).collect();
+    Ok(data + &bars.element(VERMILION))
+}
+
+/// The classes that there are, and the greatest speed.
+fn survey(sweep: &mut Sweep) -> Drawn<(Vec<Class>, f64)> {
+    let (mut present, mut greatest) = (Vec::new(), f64::MIN_POSITIVE);
+    sweep.each_record(|record| {
+        present.push(Class::of(&record));
+        present.sort_unstable();
+        present.dedup();
+        for state in &record.states {
+            greatest = middle(&state.velocity)?.abs().max(greatest);
+        }
+        Ok(())
+    })?;
+    Ok((present, greatest))
+}
+
+/// What is shown of an impact: its bounds.
+fn bounds(state: &Impact, show: Show) -> anyhow::Result<[f64; 2]> {
+    let bounds = match show {
+        Show::Phase => &state.phase,
+        Show::Velocity => &state.velocity,
+    };
+    Ok([double(&bounds[0])?, double(&bounds[1])?])
+}
+
+/// The cells of a class, those below each other in one.
+fn path(class: Class, columns: Columns, cell: i32) -> String {
+    // Lines are made thick enough to be seen, dense clouds are not.
+    let edge = if class == Class::NotAttracted && cell < LARGEST { 0 } else { EDGE };
+    let mut cells = Cells::default();
+    for (column, mut rows) in columns {
+        rows.sort_unstable();
+        rows.dedup();
+        for run in rows.chunk_by(|a, b| a + 1 == *b) {
+            let corner = (column * cell - cell / 2 - edge, run[0] * cell - cell / 2 - edge);
+            cells.add(corner, (cell + 2 * edge, cell * run.len() as i32 + 2 * edge));
+        }
+    }
+    cells.element(class.colour())
+}

@@ -1,0 +1,89 @@
+//! Outcomes of a map: attractors, and others.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use impact_pair::mapping::Word;
+use impact_pair::pair::Wall;
+use plotters::prelude::*;
+
+use super::super::record::{Bounds, Periodic, Record};
+use super::{double, middle};
+use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
+
+/// Letters of a word that a legend shows.
+const LETTERS: usize = 10;
+/// The attractors with the most points have colours of their own.
+const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
+/// Of the other attractors.
+pub const OTHER: RGBColor = GREY;
+pub const UNDECIDED: RGBColor = VERMILION;
+const SETTLED: RGBColor = YELLOW;
+
+/// An outcome of a map: an attractor, or another one.
+pub struct Kind {
+    pub outcome: String,
+    pub period: Option<Periodic>,
+    pub points: u64,
+}
+
+impl Kind {
+    /// Whether a point has it; attractors of one pair are told apart by where they are, of several pairs by their words.
+    pub fn is_of(&self, record: &Record, is_one_pair: bool) -> bool {
+        let alike = |a: &Periodic, b: &Periodic| {
+            let near = match (&a.first, &b.first) {
+                (Some(a), Some(b)) => overlap(&a.phase, &b.phase, TAU) && overlap(&a.velocity, &b.velocity, 0.0),
+                _ => true,
+            };
+            (a.impacts, a.cycles, &a.word) == (b.impacts, b.cycles, &b.word) && (near || !is_one_pair)
+        };
+        let same_period = match (&self.period, &record.period) {
+            (Some(a), Some(b)) => alike(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        self.outcome == record.outcome && same_period
+    }
+
+    pub fn name(&self, is_one_pair: bool) -> String {
+        let word = |period: &Periodic| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
+        let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
+            return match self.outcome.as_str() {
+                "periodic" => "exactly periodic through rest".to_owned(),
+                "not-attracted" => "not proved to converge".to_owned(),
+                other => other.replace('-', " "),
+            };
+        };
+        let plural = if period.cycles == 1 { "" } else { "s" };
+        let letter = |wall| if wall == Wall::Left { 'L' } else { 'R' };
+        let mut walls: String = word.mappings().iter().take(LETTERS).map(|mapping| letter(mapping.walls().0)).collect();
+        if word.mappings().len() > LETTERS {
+            let _ = write!(walls, "… ({} impacts)", word.mappings().len());
+        }
+        let place = period.first.as_ref().filter(|_| is_one_pair).and_then(|first| middle(&first.phase).ok());
+        let place = place.map_or_else(String::new, |phase| format!(", L at {phase:.2} rad"));
+        format!("{walls} in {} cycle{plural}{place}", period.cycles)
+    }
+}
+
+/// Whether two pairs of bounds may mean one number, or numbers that are `period` apart; by doubles, as labels are.
+fn overlap(a: &Bounds, b: &Bounds, period: f64) -> bool {
+    let ends = |bounds: &Bounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
+    let Some(((a0, a1), (b0, b1))) = ends(a).zip(ends(b)) else { return false };
+    // What reading and shifting may round off.
+    let slack = 4.0 * f64::EPSILON * (a1.abs() + b1.abs() + period);
+    [-period, 0.0, period].iter().any(|shift| a0 + shift <= b1 + slack && b0 <= a1 + shift + slack)
+}
+
+/// A colour for each kind.
+pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
+    let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
+    attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
+    let colour = |i: usize| match (kinds[i].outcome.as_str(), attractors.iter().position(|&j| j == i)) {
+        (_, Some(rank)) => COLOURS.get(rank).copied().unwrap_or(OTHER),
+        ("undecided", _) => UNDECIDED,
+        ("not-attracted", _) => BLACK,
+        _ => SETTLED,
+    };
+    (0..kinds.len()).map(colour).collect()
+}

@@ -1,0 +1,104 @@
+//! What a picture of a sweep says in words.
+
+use impact_pair::scene::Key;
+use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
+use serde_json::Value;
+
+use super::super::record::Head;
+use super::{Drawn, FONT};
+use crate::picture::{Canvas, SCALE, greek, words};
+
+/// Height of the caption above the plot.
+pub const CAPTION: i32 = 76 * SCALE;
+/// A line of the legend.
+pub const LINE: i32 = 22 * SCALE;
+
+/// An entry of a legend.
+pub fn key(root: &Canvas<'_>, (x, y): (i32, i32), colour: RGBColor, name: &str) -> Drawn<()> {
+    let half = 5 * SCALE;
+    root.draw(&Rectangle::new([(x, y - half), (x + 2 * half, y + half)], colour.filled()))?;
+    root.draw(&Text::new(name.to_owned(), (x + 3 * half, y), words(FONT, &BLACK, HPos::Left)))?;
+    Ok(())
+}
+
+/// Title, parameters, and how it was computed.
+pub fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
+    let varied: Vec<&str> = varied(head).map(|key| key.symbol().0).collect();
+    let varied = format!("{} varied", varied.join(" and "));
+    let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
+    let last = head.transient + head.impacts;
+    let impacts = match head.impacts {
+        1 => format!("impact {last}"),
+        _ => format!("impacts {} to {last}", head.transient + 1),
+    };
+    let arithmetic = head.arithmetic["kind"].as_str().unwrap_or_default();
+    let certified = if head.certified {
+        format!("certified ({arithmetic}, {} digits)", head.digits)
+    } else {
+        "floats, not certified".into()
+    };
+    let made = format!("{} points, {impacts} of each, {certified}; {}", head.points, head.program);
+    let lines = [(title, FONT + 3 * SCALE), (parameters(head), FONT), (made, FONT)];
+    for (line, (text, size)) in lines.into_iter().enumerate() {
+        root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, &BLACK, HPos::Left)))?;
+    }
+    Ok(())
+}
+
+/// What varies.
+fn varied(head: &Head) -> impl Iterator<Item = Key> {
+    head.over.iter().filter_map(|over| over.key.parse().ok())
+}
+
+/// The parameters and the start that do not vary.
+fn parameters(head: &Head) -> String {
+    let varies = |keys: &[Key]| varied(head).any(|key| keys.contains(&key));
+    let text = |value: &Value| match value {
+        Value::Array(terms) => {
+            let terms: Vec<&str> = terms.iter().filter_map(Value::as_str).collect();
+            if terms.len() == 1 { terms.concat() } else { format!("({})", terms.join(", ")) }
+        }
+        other => other.as_str().unwrap_or_default().to_owned(),
+    };
+    let (scene, start) = (&head.scene, &head.scene["start"]);
+    let time = [Key::StartTime, Key::StartPhase];
+    let entries = [
+        ("A", &scene["excitation"]["amplitude"], &[Key::Amplitude][..]),
+        ("Ω", &scene["excitation"]["frequency"], &[Key::Frequency]),
+        ("τ", &scene["excitation"]["phase"], &[Key::Phase]),
+        ("d", &scene["gap"], &[Key::Gap]),
+        ("e", &scene["restitution"], &[Key::Restitution]),
+        ("t₀", &start["time"], &time),
+        ("y₀", &start["position"], &[Key::StartPosition]),
+        ("v₀", &start["velocity"], &[Key::StartVelocity]),
+    ];
+    let shown = entries.into_iter().filter(|(_, value, keys)| !value.is_null() && !varies(keys));
+    let mut words: Vec<String> = shown.map(|(symbol, value, _)| format!("{symbol} = {}", text(value))).collect();
+    if let Some(wall) = start["wall"].as_str() {
+        words.push(format!("from the {wall} wall"));
+    }
+    if scene["excitation"]["frequency"].as_array().is_some_and(|terms| terms.len() > 1) {
+        words.push("phases are those of the greatest Ω".to_owned());
+    }
+    greek(&words.join(", "))
+}
+
+/// Name, symbol and unit of a key.
+pub fn described(key: Key) -> String {
+    let name = match key {
+        Key::Amplitude => "amplitude of the box",
+        Key::Frequency => "angular frequency",
+        Key::Phase => "phase of the excitation",
+        Key::Gap => "gap",
+        Key::Restitution => "coefficient of restitution",
+        Key::StartTime => "time of the start",
+        Key::StartPhase => "phase at the start",
+        Key::StartPosition => "relative displacement at the start",
+        Key::StartVelocity => "relative velocity at the start",
+    };
+    match key.symbol() {
+        (symbol, "") => format!("{name} {symbol}"),
+        (symbol, unit) => format!("{name} {symbol} [{unit}]"),
+    }
+}

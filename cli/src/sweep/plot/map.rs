@@ -1,0 +1,115 @@
+//! The map of outcomes over two keys.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use impact_pair::scene::Key;
+use impact_pair::sweep::{self, Grid};
+use plotters::prelude::*;
+
+use super::super::write::Sweep;
+use super::kind::{Kind, OTHER, UNDECIDED, colours};
+use super::legend::{self, CAPTION, LINE, described};
+use super::{Cells, Drawn, Plane, value};
+use crate::picture::{Axis, Canvas, SCALE, hex};
+
+/// Width of the legend beside the map.
+const BESIDE: i32 = 250 * SCALE;
+
+/// What is known of all points.
+struct Outcomes {
+    kinds: Vec<Kind>,
+    /// The kind of each point; none where it is missing.
+    points: Vec<Option<usize>>,
+}
+
+impl Outcomes {
+    fn of(sweep: &mut Sweep, grid: &Grid, is_one_pair: bool) -> Drawn<Self> {
+        let mut kinds: Vec<Kind> = Vec::new();
+        let mut points = vec![None; usize::try_from(grid.points())?];
+        sweep.each_record(|mut record| {
+            // What is exactly periodic through a rest is one kind.
+            record.period = record.period.filter(|period| period.word.is_some());
+            let found = kinds.iter().position(|kind| kind.is_of(&record, is_one_pair));
+            let number = found.unwrap_or_else(|| {
+                kinds.push(Kind { outcome: record.outcome.clone(), period: record.period.clone(), points: 0 });
+                kinds.len() - 1
+            });
+            kinds[number].points += 1;
+            points[usize::try_from(record.point)?] = Some(number);
+            Ok(())
+        })?;
+        Ok(Self { kinds, points })
+    }
+}
+
+/// Draws axes and words; the data are handed back.
+pub fn draw(sweep: &mut Sweep, grid: &Grid, root: &Canvas<'_>) -> Drawn<String> {
+    let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
+    let is_one_pair = [x, y].iter().all(|axis| axis.key >= Key::StartTime);
+    let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
+    let colours = colours(&outcomes.kinds);
+    legend::caption(&sweep.head, root)?;
+    let left = root.dim_in_pixel().0 as i32 - BESIDE;
+    beside(root, left, &outcomes.kinds, &colours, is_one_pair)?;
+    let (area, _) = root.split_vertically(CAPTION).1.split_horizontally(left);
+    let plane = Plane::draw(&area, [scale(x), scale(y)], [&described(x.key), &described(y.key)])?;
+    let colour = |point: u64| {
+        let kind = outcomes.points.get(point as usize).copied().flatten()?;
+        Some(colours[kind])
+    };
+    Ok(cells(&plane, x.count, y.count, colour))
+}
+
+/// An axis with room for half a cell at both ends.
+fn scale(axis: &sweep::Axis) -> Axis {
+    let (low, high) = (value(&axis.low), value(&axis.high));
+    let half = 0.5 * (high - low) / (axis.count - 1) as f64;
+    let is_turn = matches!(axis.key, Key::Phase | Key::StartPhase) && (low, high) == (0.0, TAU);
+    if is_turn { Axis::turn(half) } else { Axis::over(low - half, high + half) }
+}
+
+/// A cell for each point; the second key counts faster, and upwards.
+fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<RGBColor>) -> String {
+    let [(left, right), (top, bottom)] = plane.pixels;
+    let part =
+        |length: i32, place: u64, count: u64| (i128::from(length) * i128::from(place) / i128::from(count)) as i32;
+    let mut paths: BTreeMap<String, (RGBColor, Cells)> = BTreeMap::new();
+    let mut strokes = String::new();
+    for x in 0..columns {
+        let (west, east) = (left + part(right - left, x, columns), left + part(right - left, x + 1, columns));
+        let column: Vec<(u64, Option<RGBColor>)> = (0..rows).map(|y| (y, colour(x * rows + y))).collect();
+        for run in column.chunk_by(|a, b| a.1 == b.1) {
+            let Some(colour) = run[0].1 else { continue };
+            let south = bottom - part(bottom - top, run[0].0, rows);
+            let north = bottom - part(bottom - top, run[run.len() - 1].0 + 1, rows);
+            let (_, cells) = paths.entry(hex(colour)).or_insert_with(|| (colour, Cells::default()));
+            cells.add((west, north), (east - west, south - north));
+            if colour == UNDECIDED {
+                // Writing to a String cannot fail.
+                let _ = write!(strokes, "M{west} {south}L{east} {north}");
+            }
+        }
+    }
+    let mut drawn: String = paths.values().map(|(colour, cells)| cells.element(*colour)).collect();
+    // Not by colour alone.
+    let _ = writeln!(drawn, "<path stroke=\"#FFFFFF\" stroke-width=\"{}\" d=\"{strokes}\"/>", SCALE / 2);
+    drawn
+}
+
+/// The legend beside the map, the most frequent outcome first.
+fn beside(root: &Canvas<'_>, left: i32, kinds: &[Kind], colours: &[RGBColor], is_one_pair: bool) -> Drawn<()> {
+    let mut order: Vec<usize> = (0..kinds.len()).filter(|&i| colours[i] != OTHER).collect();
+    order.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
+    let mut entries: Vec<(RGBColor, String)> =
+        order.into_iter().map(|i| (colours[i], kinds[i].name(is_one_pair))).collect();
+    let others = colours.iter().filter(|colour| **colour == OTHER).count();
+    if others > 0 {
+        entries.push((OTHER, format!("{others} other periodic orbits")));
+    }
+    for (line, (colour, name)) in entries.into_iter().enumerate() {
+        legend::key(root, (left, CAPTION + (line as i32 + 1) * LINE), colour, &name)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,98 @@
+//! Sweeps as SVG: the bifurcation diagram over one key, the map of outcomes over two.
+//!
+//! Axes and words are drawn by plotters; the data, up to a million cells, are one path for each colour.
+
+mod cells;
+mod diagram;
+mod kind;
+mod legend;
+mod map;
+
+use std::error::Error as StdError;
+
+use anyhow::Result;
+use impact_pair::exact::Exact;
+use plotters::coord::ranged1d::Ranged;
+use plotters::prelude::*;
+
+use self::cells::Cells;
+use super::arguments::Show;
+use super::record::Bounds;
+use super::write::Sweep;
+use crate::picture::{self, Axis, Canvas, SCALE, on_top};
+
+/// The picture as it is shown.
+const SIZE: (u32, u32) = (960, 680);
+const FONT: i32 = 15 * SCALE;
+
+type Drawn<T> = Result<T, Box<dyn StdError>>;
+
+pub fn svg(sweep: &mut Sweep, show: Show) -> Result<String> {
+    let grid = sweep.head.grid()?;
+    let mut data = String::new();
+    let mut svg = picture::svg(SIZE, SCALE, |root| {
+        data = match grid.axes() {
+            [x] => diagram::draw(sweep, x, show, root)?,
+            _ => map::draw(sweep, &grid, root)?,
+        };
+        Ok(())
+    })?;
+    on_top(&mut svg, &data);
+    Ok(svg)
+}
+
+/// The pixels of a plot, across and down.
+struct Plane {
+    axes: [Axis; 2],
+    pixels: [(i32, i32); 2],
+}
+
+impl Plane {
+    /// Draws the axes, with these names, into `area`.
+    fn draw(area: &Canvas<'_>, axes: [Axis; 2], names: [&str; 2]) -> Drawn<Self> {
+        let [x, y] = axes.clone();
+        let mut chart = ChartBuilder::on(area)
+            .margin(10 * SCALE)
+            .margin_right(28 * SCALE)
+            .x_label_area_size(48 * SCALE)
+            .y_label_area_size(76 * SCALE)
+            .build_cartesian_2d(x, y)?;
+        chart
+            .configure_mesh()
+            .disable_mesh()
+            .x_desc(names[0])
+            .y_desc(names[1])
+            .label_style(("sans-serif", FONT))
+            .axis_desc_style(("sans-serif", FONT))
+            .set_all_tick_mark_size(5 * SCALE)
+            .axis_style(BLACK.stroke_width(SCALE as u32))
+            .draw()?;
+        let (across, down) = chart.plotting_area().get_pixel_range();
+        Ok(Self { axes, pixels: [(across.start, across.end), (down.start, down.end)] })
+    }
+
+    /// The pixel across of `x`.
+    fn column(&self, x: f64) -> i32 {
+        self.axes[0].map(&x, self.pixels[0])
+    }
+
+    /// The pixel down of `y`, inside the plot.
+    fn row(&self, y: f64) -> i32 {
+        let (top, bottom) = self.pixels[1];
+        self.axes[1].map(&y, (bottom, top)).clamp(top, bottom)
+    }
+}
+
+/// The middle of a pair of bounds.
+fn middle([low, high]: &Bounds) -> Result<f64> {
+    Ok(0.5 * (double(low)? + double(high)?))
+}
+
+/// About what a decimal is.
+fn double(text: &str) -> Result<f64> {
+    Ok(text.parse()?)
+}
+
+fn value(x: &Exact) -> f64 {
+    x.enclose(64).mid_rad().0
+}
