@@ -216,6 +216,12 @@ pub(super) fn enclosing(x: &Exact, bits: u32) -> MpBall {
     MpBall::enclosing(&x.enclose(bits + 8), bits)
 }
 
+/// An upper bound of the absolute values.
+pub(super) fn magnitude<N: Phased>(x: &N) -> f64 {
+    let (low, high) = x.bounds();
+    low.abs().max(high.abs())
+}
+
 /// The harmonics in an arithmetic.
 #[derive(Clone, Debug)]
 pub(crate) struct Harmonics<N: Phased> {

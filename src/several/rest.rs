@@ -5,7 +5,7 @@
 //! the first proved change of the pressure's sign.
 
 use super::flight::Instant;
-use super::harmonics::{Harmonics, Phased};
+use super::harmonics::{Harmonics, Phased, magnitude};
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
 use crate::number::{Ball, UNIT, is_positive, up};
@@ -33,7 +33,9 @@ pub(crate) fn accumulation(
     }
     // Twice what the pressure now would take.
     let window = up(up(4.0 * speed) / (least * (1.0 - rebound)).next_down());
-    let change = up(harmonics.rates.third * window);
+    let rates = &harmonics.rates;
+    let jerk = magnitude(&harmonics.jerk(turns, &phase));
+    let change = up(rates.third.min(up(jerk + up(rates.fourth * window))) * window);
     let (least, most) = ((least - change).next_down(), up(most + change));
     if !(is_positive(1.0 - rebound) && is_positive(least)) {
         return None;

@@ -5,7 +5,7 @@
 //! of near approaches. Floating point only proposes: where to look for a contact and where for an extremum near a wall.
 
 use super::flight::{Flight, Instant, State};
-use super::harmonics::{Phased, Rates};
+use super::harmonics::{Phased, Rates, magnitude};
 use super::reach::Reach;
 use super::view::Side;
 use crate::contact::{Reason, Undecided};
@@ -71,17 +71,46 @@ const WALLS: [Wall; 2] = [Wall::Left, Wall::Right];
 pub(crate) struct Scan<'f, 'h, N: Phased> {
     all: &'f Flight<'h, N>,
     centre: &'f Flight<'h, N>,
-    rates: &'h Rates,
+    rates: Rates,
+    /// The rates hold for so many turns after the start.
+    horizon: f64,
 }
 
 impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     /// The flights `all`, and the one that starts at their centre.
     pub fn new(all: &'f Flight<'h, N>, centre: &'f Flight<'h, N>) -> Self {
-        Self { all, centre, rates: &all.harmonics.rates }
+        Self { all, centre, rates: all.harmonics.rates, horizon: f64::INFINITY }
     }
 
     /// The first contact, proved; far ahead where `reach` shows that no wall can be near.
     pub fn first(&self, reach: &mut Reach<'_>) -> Result<Found<N>, Doubt<N>> {
+        let soon = self.soon().and_then(|scan| scan.search(reach).ok());
+        soon.map_or_else(|| self.search(reach), Ok)
+    }
+
+    /// The same search for short flights only, where the acceleration hardly changes: on `[0, t]` the third derivative
+    /// is at most `|j| + S_4 t`, `j` that at the start, which may be far less than at other times.
+    fn soon(&self) -> Option<Self> {
+        let start = &self.all.launch;
+        let sign = start.wall?.sign();
+        let inward = |x: &N| x.clone().signed(sign).bounds();
+        let [rate, bend, jerk] = [&start.velocity, &self.all.acceleration, &self.all.jerk].map(inward);
+        // A few times as long as the bounce lasts, or as the pressure after a release may keep away.
+        let horizon = match start.is_release {
+            true => 8.0 * jerk.0 / self.rates.fourth,
+            false => -8.0 * rate.0 / bend.1,
+        };
+        let third = up(jerk.0.abs().max(jerk.1.abs()) + up(self.rates.fourth * horizon));
+        let is_worth_it = horizon > 0.0 && bend.1 <= 0.0 || start.is_release && horizon > 0.0;
+        (is_worth_it && 4.0 * third < self.rates.third).then(|| Self {
+            rates: Rates { third, ..self.rates },
+            horizon,
+            ..*self
+        })
+    }
+
+    /// The search as far as the rates hold.
+    fn search(&self, reach: &mut Reach<'_>) -> Result<Found<N>, Doubt<N>> {
         let like = &self.all.launch.phase;
         let mut at = Instant::new(0.0, &like.centre_of());
         if self.all.launch.wall.is_some() {
@@ -98,33 +127,43 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             }
             for (wall, side) in WALLS.into_iter().zip(&sides) {
                 if let Some(found) = self.arrival(wall, side, &at) {
-                    return Ok(found);
+                    return self.in_time(found);
                 }
             }
             let step = self.step(&at, &sides);
             // Where an extremum near a wall ends the piece, it is looked at.
             let valley = WALLS.into_iter().zip(&sides).find(|(_, side)| {
                 let turning = side.turning();
-                turning.is_some_and(|turning| step < turning && side.least_bend(self.rates, 1.25 * turning) > 0.0)
+                turning.is_some_and(|turning| step < turning && side.least_bend(&self.rates, 1.25 * turning) > 0.0)
             });
             let next = match valley.map(|(wall, side)| self.valley(wall, side, &at)) {
                 Some(Valley::Past(bottom)) => bottom,
-                Some(Valley::Contact(found)) => return Ok(*found),
+                Some(Valley::Contact(found)) => return self.in_time(*found),
                 Some(Valley::Graze { wall, bottom }) => return Err(Doubt::Graze { wall, free: at, at: bottom }),
                 Some(Valley::Unclear) | None => at.later(&like.like(step)),
             };
             let time = next.time().bounds();
+            if time.1 > self.horizon {
+                return Err(Doubt::Budget);
+            }
             short_pieces = if next.since(&at) < SHORT_PIECE * time.1 { short_pieces + 1 } else { 0 };
             if !is_positive(next.since(&at)) || short_pieces > SHORT_PIECES {
                 let nearest = if sides[0].room.0 < sides[1].room.0 { Wall::Left } else { Wall::Right };
                 return Err(Doubt::Graze { wall: nearest, free: at.clone(), at });
             }
-            at = match reach.jump(self.all, time.0) {
+            let ahead = if self.horizon.is_finite() { None } else { reach.jump(self.all, time.0) };
+            at = match ahead {
                 Some(later) if later > time.1 + 0.5 => Instant::new(later, like),
                 _ => next,
             };
         }
         Err(Doubt::Budget)
+    }
+
+    /// A contact, if the rates hold up to it.
+    fn in_time(&self, found: Found<N>) -> Result<Found<N>, Doubt<N>> {
+        let end = up(found.at.time().bounds().1 + found.reach);
+        if end <= self.horizon { Ok(found) } else { Err(Doubt::Budget) }
     }
 
     /// How long the ball is proved to be off its wall after the start, at least (Lemma H3).
@@ -148,7 +187,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             _ => return Err(Doubt::Departure),
         };
         let far = Side { room: (1.0, 1.0), rate: (-rate.1, -rate.0), bend: (-bend.1, -bend.0) };
-        let mut time = far.reach(self.rates, most);
+        let mut time = far.reach(&self.rates, most).min(self.horizon);
         if second < 0.0 {
             // Bounces may be as short as they like.
             time = time.min(-0.875 * first / second);
@@ -156,7 +195,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         for _ in 0..STEPS {
             let size = first + time * (second.abs() + time * rest);
             let least = first + time * (second - time * rest) - 16.0 * UNIT * size;
-            if least > 0.0 && far.is_free(self.rates, time) {
+            if least > 0.0 && far.is_free(&self.rates, time) {
                 // Short of where the height may be 0 again.
                 return Ok(0.75 * time);
             }
@@ -167,18 +206,18 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
 
     /// Longer than any piece can be proved free: the third derivative alone may cross the gap.
     fn longest(&self) -> f64 {
-        (12.0 / self.rates.third).cbrt()
+        (12.0 / self.rates.third).cbrt().min(self.horizon)
     }
 
     /// How far both walls are proved not to be touched (Lemma H2).
     fn step(&self, at: &Instant<N>, sides: &[Side; 2]) -> f64 {
         let most = self.longest();
-        let mut step = sides[0].reach(self.rates, most);
-        step = sides[1].reach(self.rates, step.max(0.0));
+        let mut step = sides[0].reach(&self.rates, most);
+        step = sides[1].reach(&self.rates, step.max(0.0));
         let like = &self.all.launch.phase;
         for _ in 0..STEPS {
             let time = at.later(&like.like(step)).since(at);
-            if sides.iter().all(|side| side.is_free(self.rates, time)) {
+            if sides.iter().all(|side| side.is_free(&self.rates, time)) {
                 return step;
             }
             step *= 0.7;
@@ -189,13 +228,13 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     /// The contact with a wall that the ball is proved to approach all the way (Lemma H5).
     fn arrival(&self, wall: Wall, side: &Side, at: &Instant<N>) -> Option<Found<N>> {
         let ahead = side.arrival()?;
-        if !side.approaches(self.rates, 1.0625 * ahead) {
+        if !side.approaches(&self.rates, 1.0625 * ahead) {
             return None;
         }
         let like = &self.all.launch.phase;
         let found = self.close_in(wall, at.later(&like.like(ahead)))?;
         let time = up(found.at.since(at) + found.reach);
-        side.approaches(self.rates, time).then_some(found)
+        side.approaches(&self.rates, time).then_some(found)
     }
 
     /// What an extremum near a wall turns out to be (Lemma H4).
@@ -206,7 +245,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let time = bottom.since(at);
         let lowest = self.all.state(&bottom).side(wall);
         // Convex from here to there.
-        let bend = lowest.least_bend(self.rates, time);
+        let bend = lowest.least_bend(&self.rates, time);
         if !(is_positive(bend) && at.since(&bottom) < 0.0) {
             return Valley::Unclear;
         }
@@ -233,7 +272,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     fn is_on_the_way_down(&self, wall: Wall, found: &Found<N>, at: &Instant<N>) -> bool {
         let arrival = self.all.state(&found.at).side(wall);
         let span = up(found.at.since(at) + found.reach);
-        let is_falling = arrival.least_bend(self.rates, span) > 0.0 && arrival.approaches(self.rates, found.reach);
+        let is_falling = arrival.least_bend(&self.rates, span) > 0.0 && arrival.approaches(&self.rates, found.reach);
         is_falling && at.since(&found.at) < -found.reach
     }
 
@@ -319,12 +358,6 @@ fn is(a: (f64, f64), b: (f64, f64)) -> bool {
 
 fn low<N: Phased>(x: &N) -> f64 {
     x.bounds().0
-}
-
-/// An upper bound of the absolute values.
-fn magnitude<N: Phased>(x: &N) -> f64 {
-    let (low, high) = x.bounds();
-    low.abs().max(high.abs())
 }
 
 impl<N: Phased> Doubt<N> {
