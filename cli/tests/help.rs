@@ -7,8 +7,20 @@ use std::path::PathBuf;
 
 use common::program;
 
-const VERBS: [&str; 10] =
-    ["run", "periodic", "bifurcations", "check", "prove", "trade", "two-impact", "audit", "man", "completions"];
+const VERBS: [&str; 12] = [
+    "run",
+    "periodic",
+    "bifurcations",
+    "sweep",
+    "plot",
+    "check",
+    "prove",
+    "trade",
+    "two-impact",
+    "audit",
+    "man",
+    "completions",
+];
 
 fn help(verb: &str) -> String {
     let answer = program(&[verb, "--help"]).output().unwrap();
@@ -85,6 +97,9 @@ fn every_example_runs() {
         "orbit.jsonl",
         "trade.svg",
         "figure-10.svg",
+        "figure-14.svg",
+        "diagram.svg",
+        "one.jsonl",
         "man/impact-pair-run.1",
     ] {
         assert!(folder.join(written).is_file(), "no {written}");

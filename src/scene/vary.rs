@@ -180,9 +180,9 @@ mod tests {
             let Place::Inside(position) = start.place() else { panic!("inside") };
             let excitation = pair.excitation().reference();
             let found = [
-                excitation.reference().amplitude(),
-                excitation.reference().frequency(),
-                excitation.reference().phase(),
+                excitation.amplitude(),
+                excitation.frequency(),
+                excitation.phase(),
                 pair.gap(),
                 pair.restitution(),
                 start.time(),

@@ -101,12 +101,8 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             false => -8.0 * rate.0 / bend.1,
         };
         let third = up(jerk.0.abs().max(jerk.1.abs()) + up(self.rates.fourth * horizon));
-        let is_worth_it = horizon > 0.0 && bend.1 <= 0.0 || start.is_release && horizon > 0.0;
-        (is_worth_it && 4.0 * third < self.rates.third).then(|| Self {
-            rates: Rates { third, ..self.rates },
-            horizon,
-            ..*self
-        })
+        let is_short = horizon > 0.0 && (start.is_release || bend.1 <= 0.0) && 4.0 * third < self.rates.third;
+        is_short.then_some(Self { rates: Rates { third, ..self.rates }, horizon, ..*self })
     }
 
     /// The search as far as the rates hold.

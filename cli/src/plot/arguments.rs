@@ -10,8 +10,9 @@ use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use crate::arguments::{bits, digits, point};
 
 pub const HELP: &str = "\
-Examples: impact-pair plot scenes/figure-14.toml --all --output figure-14.svg
-          impact-pair plot scenes/figure-13.toml --panel a --panel c --cycles 12 --output figure-13.png
+Examples:
+  impact-pair plot scenes/figure-14.toml --all --output figure-14.svg
+  impact-pair plot scenes/figure-13.toml --panel a --panel c --cycles 12 --output figure-13.svg
 
 Panels are those of the paper's figures 12-17; their letters a to h name them, too. Between impacts the motion is drawn by \
 its closed form, (11) and (12). All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a \

@@ -12,11 +12,12 @@ Exit code: 0 all that was asked is certified at every point; 1 at some points it
 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
-Examples: impact-pair sweep scenes/figure-14.toml --over amplitude=1..10:1000 --output diagram.csv --plot diagram.svg
-          impact-pair sweep scenes/cascade.toml --over start.phase=0..2*pi:200 --over start.velocity=-6..0:150 --summary \
---output basins.csv --plot basins.svg
-          impact-pair sweep SCENE --over amplitude=1..10:1000 --shard 1/3 --output one.jsonl
-          impact-pair sweep --merge one.jsonl two.jsonl three.jsonl --format csv --output diagram.csv
+Examples:
+  impact-pair sweep scenes/figure-14.toml --over amplitude=1..10:40 --plot diagram.svg
+  impact-pair sweep scenes/cascade.toml --over start.time=0..2:9 --over start.velocity=-6..0:9
+  impact-pair sweep scenes/figure-14.toml --over amplitude=1..10:40 --shard 1/3 --output one.jsonl
+
+Shards become one by sweep --merge one.jsonl two.jsonl three.jsonl --output diagram.csv
 
 KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or start.velocity. Points \
 are exact and evenly spread, both ends among them; of two axes the second one runs through faster.
