@@ -66,6 +66,18 @@ impl PreciseSet {
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }
 
+    /// `log2` of the radii of phases and velocities.
+    pub fn log2_radii(&self) -> (f64, f64) {
+        let (phase, velocity) = self.balls();
+        (phase.rad().log2(), velocity.rad().log2())
+    }
+
+    /// Phases and velocities as intervals.
+    pub fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
+        let (phase, velocity) = self.balls();
+        Some((phase.enclosure()?, velocity.enclosure()?))
+    }
+
     /// The image of the shape, in a unit that suits it and the noise of the centre.
     pub fn image(&self, jacobian: &[[Ball; 2]; 2], phase: Magnitude, velocity: Magnitude, slope: Ball) -> (Shape, i64) {
         let edges = self.shape.edges().map(|edge| Magnitude::new(edge, self.unit));
@@ -238,28 +250,22 @@ impl Motion for PreciseMotion {
 
     fn accuracy(&self) -> f64 {
         let (a, b) = match &self.state {
-            State::Wall { set, .. } => set.balls(),
-            State::Inside { phase, height, .. } => (phase.clone(), height.clone()),
+            State::Wall { set, .. } => set.log2_radii(),
+            State::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
         };
-        -a.rad().log2().max(b.rad().log2())
+        -a.max(b)
     }
 
     fn radii(&self) -> Option<(f64, f64)> {
         match &self.state {
-            State::Wall { set, .. } => {
-                let (phase, velocity) = set.balls();
-                Some((phase.rad().log2(), velocity.rad().log2()))
-            }
+            State::Wall { set, .. } => Some(set.log2_radii()),
             State::Inside { .. } => None,
         }
     }
 
     fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
         match &self.state {
-            State::Wall { set, .. } => {
-                let (phase, velocity) = set.balls();
-                Some((phase.enclosure()?, velocity.enclosure()?))
-            }
+            State::Wall { set, .. } => set.enclosures(),
             State::Inside { .. } => None,
         }
     }

@@ -271,28 +271,22 @@ impl Motion for PreciseMotion {
 
     fn accuracy(&self) -> f64 {
         let (a, b) = match &self.state {
-            State::Wall { set, .. } => set.balls(),
-            State::Inside { phase, height, .. } => (phase.clone(), height.clone()),
+            State::Wall { set, .. } => set.log2_radii(),
+            State::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
         };
-        -a.rad().log2().max(b.rad().log2())
+        -a.max(b)
     }
 
     fn radii(&self) -> Option<(f64, f64)> {
         match &self.state {
-            State::Wall { set, .. } => {
-                let (phase, velocity) = set.balls();
-                Some((phase.rad().log2(), velocity.rad().log2()))
-            }
+            State::Wall { set, .. } => Some(set.log2_radii()),
             State::Inside { .. } => None,
         }
     }
 
     fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
         match &self.state {
-            State::Wall { set, .. } => {
-                let (phase, velocity) = set.balls();
-                Some((phase.enclosure()?, velocity.enclosure()?))
-            }
+            State::Wall { set, .. } => set.enclosures(),
             State::Inside { .. } => None,
         }
     }
