@@ -168,11 +168,24 @@ def judge_graze(proved, verdict):
     verdict.proved_end = proved.reason
 
 
+def judge_accumulation(stretch, origin, proved):
+    """The time of a rest; where the bounds end so near to it that the ball sticks out, a narrower ball decides."""
+    def judged(leg):
+        return judge_still(stretch.rest, "rest", leg.rest.wall, origin.shifted(leg.rest.time, leg.bits))
+
+    try:
+        return judged(proved)
+    except Disagreement:
+        closer = origin.prove_closer(len(proved.impacts))
+        if closer.rest is None:
+            raise
+        return judged(closer)
+
+
 def judge_rest(stretch, origin, proved, verdict, limit, is_sharp):
     """The rest and the release of a stretch; the beginning of the next leg."""
     try:
-        time = origin.shifted(proved.rest.time, proved.bits)
-        verdict.held += judge_still(stretch.rest, "rest", proved.rest.wall, time)
+        verdict.held += judge_accumulation(stretch, origin, proved)
         judge_cut(stretch, origin, proved, limit, is_sharp)
         verdict.rests += 1
         origin = origin.next(proved.rest)

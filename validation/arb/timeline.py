@@ -16,6 +16,8 @@ from scene import LEFT
 
 # Bits that are tried for a leg: enough for 200 impacts of anything that is not an exact graze.
 MOST_BITS = 1 << 13
+# Digits more, where bounds end very near to a rest.
+CLOSER = 8
 
 
 class Timeline:
@@ -53,6 +55,11 @@ class Origin:
     def prove(self, impacts, resting):
         """`Proved` with so many impacts at least, and the rest, if there is one and `resting`."""
         return self.timeline.leg(self.key, self.scene, impacts + (self.timeline.spare if resting else 0))
+
+    def prove_closer(self, impacts):
+        """`Proved` with its rest known to more digits than any listing of the timeline's shows; it takes more impacts."""
+        digits = self.timeline.digits + CLOSER
+        return prove(self.scene, impacts + CLOSER * self.timeline.spare, max(30, digits + 20), settle_within(digits), MOST_BITS)
 
     def began(self, bits):
         """When it begins in the leg's own time, as a ball."""
