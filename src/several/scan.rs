@@ -174,12 +174,12 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         // The height over its first power that does not vanish, a polynomial in the time and its remainder.
         let (first, second, rest) = match (rate, bend) {
             (rate, _) if rate.0 > 0.0 => (rate.0, 0.5 * bend.0, self.rates.third / 6.0),
-            (rate, bend) if is(rate, zero) && bend.0 > 0.0 => (0.5 * bend.0, -self.rates.third / 6.0, 0.0),
-            (rate, bend) if is(rate, zero) && is(bend, zero) && jerk.0 > 0.0 => {
+            (rate, bend) if rate == zero && bend.0 > 0.0 => (0.5 * bend.0, -self.rates.third / 6.0, 0.0),
+            (rate, bend) if rate == zero && bend == zero && jerk.0 > 0.0 => {
                 (jerk.0 / 6.0, -self.rates.fourth / 24.0, 0.0)
             }
-            (rate, bend) if is(rate, zero) && bend.1 < 0.0 => return Err(Doubt::Rest),
-            (rate, bend) if is(rate, zero) && is(bend, zero) && jerk.1 < 0.0 => return Err(Doubt::Rest),
+            (rate, bend) if rate == zero && bend.1 < 0.0 => return Err(Doubt::Rest),
+            (rate, bend) if rate == zero && bend == zero && jerk.1 < 0.0 => return Err(Doubt::Rest),
             _ => return Err(Doubt::Departure),
         };
         let far = Side { room: (1.0, 1.0), rate: (-rate.1, -rate.0), bend: (-bend.1, -bend.0) };
@@ -311,18 +311,14 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let side = all.side(wall);
         let (reach, least) = self.bracket(&side)?;
         let error = magnitude(centre.room(wall));
-        let ball = |(low, high): (f64, f64), more: f64| {
-            let middle = 0.5 * (low + high);
-            Ball::new(middle, up(up((high - middle).max(middle - low)) + more))
-        };
         // The acceleration there, which may be far less than at other times.
         let bend = up(side.bend.0.abs().max(side.bend.1.abs()) + up(self.rates.third * reach));
         Some(Found {
             wall,
             reach,
             least,
-            velocity: ball(all.velocity.bounds(), up(bend * reach)),
-            acceleration: ball(all.acceleration.bounds(), up(self.rates.third * reach)),
+            velocity: ball(&all.velocity).widened(up(bend * reach)),
+            acceleration: ball(&all.acceleration).widened(up(self.rates.third * reach)),
             centre_reach: up(error / least),
             centre_velocity: centre.velocity,
             at,
@@ -348,10 +344,6 @@ fn is_noise<N: Phased>(x: &N) -> bool {
     low <= 0.0 && high >= 0.0
 }
 
-fn is(a: (f64, f64), b: (f64, f64)) -> bool {
-    a == b
-}
-
 fn low<N: Phased>(x: &N) -> f64 {
     x.bounds().0
 }
@@ -368,6 +360,7 @@ impl<N: Phased> Doubt<N> {
     }
 }
 
+/// A ball in doubles that holds all of it.
 fn ball<N: Phased>(x: &N) -> Ball {
     let (low, high) = x.bounds();
     let middle = 0.5 * (low + high);
