@@ -30,13 +30,12 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     if speed > 0.0 && (rebound >= 1.0 || shortest.partial_cmp(&0.5) != Some(Ordering::Less)) {
         return None;
     }
-    let at = phase.mid() + wall.mirror_phase();
-    // Exact for phases in [-1/2, 1/2], but for a rounding of 2^-53 that the edges below take in.
-    let at = at - at.floor();
-    if speed == 0.0 && phase.rad() == 0.0 && at == 0.5 {
-        // Pressed from now on (Lemma Z2).
+    if speed == 0.0 && phase.rad() == 0.0 && is_pressed_from(wall, phase.mid()) {
         return Some(0.0);
     }
+    // Both roundings, of 2^-54 at most each, are taken in by the edges (Lemma Z1).
+    let at = phase.mid() + wall.mirror_phase();
+    let at = at - at.floor();
     let edge = up(phase.rad() + 2f64.powi(-52));
     let (first, last) = ((at - edge).next_down(), (at + edge).next_up());
     let press = -kernel::sin_cos(at).0;
@@ -66,6 +65,18 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     let height = up(speed * speed / least);
     let time = up(up(2.0 * speed) / (least * room).next_down());
     (room > 0.0 && height < 1.0 && time <= window).then_some(time)
+}
+
+/// Whether the pressure begins exactly at `phase`: whether that is 1/2 in the mirror, decided before it is mirrored.
+///
+/// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
+pub(crate) fn is_pressed_from(wall: Wall, phase: f64) -> bool {
+    // Exact (Sterbenz).
+    let rest = phase - phase.round();
+    match wall {
+        Wall::Left => rest.abs() == 0.5,
+        Wall::Right => rest == 0.0,
+    }
 }
 
 /// The whole turns to come and the phase, exactly, at which a ball that rests on `wall` at `phase` is released.

@@ -254,15 +254,13 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     fn departure_is_certain(&self, rising: bool) -> bool {
         let flight = self.flight;
-        if WIDE {
-            // Rising pieces meet at the mirrored phase 0, falling ones at 1/2, where the drift reaches beta: starts on
-            // both sides would not share a piece.
-            let mirrored = flight.phase + flight.wall.mirror_phase();
-            let from_zero = (mirrored - mirrored.round()).abs();
-            let room = if rising { from_zero } else { 0.5 - from_zero };
-            if room.partial_cmp(&(SLACK * self.radii.phase + 4.0 * UNIT)) != Some(Ordering::Greater) {
-                return false;
-            }
+        // Lemma C4: rising pieces meet at the mirrored phase 0, falling ones at 1/2, where the drift reaches beta. Starts on
+        // both sides would not share a piece, and a mirrored phase as near as its rounding may be on the wrong one.
+        let mirrored = flight.phase + flight.wall.mirror_phase();
+        let from_zero = (mirrored - mirrored.round()).abs();
+        let room = if rising { from_zero } else { 0.5 - from_zero };
+        if room.partial_cmp(&(SLACK * self.phase_radius() + 4.0 * UNIT)) != Some(Ordering::Greater) {
+            return false;
         }
         if flight.velocity == 0.0 && self.radii.velocity == 0.0 {
             flight.sin.abs() > SLACK * (SIN_COS_ERROR + TAU * self.radii.phase)

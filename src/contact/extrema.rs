@@ -83,10 +83,10 @@ impl Extrema {
         let mirrored = flight.phase + flight.wall.mirror_phase();
         let start = mirrored - mirrored.floor();
         let (first_max, first_min) = if rising {
-            let first_max = (1.0 - p - start).max(0.0);
+            let first_max = 1.0 - p - start;
             (first_max, first_max + 2.0 * p)
         } else {
-            let first_min = (p - if start > 0.5 { start - 1.0 } else { start }).max(0.0);
+            let first_min = p - if start > 0.5 { start - 1.0 } else { start };
             (first_min + (1.0 - 2.0 * p), first_min)
         };
         let mut extrema = Self { p, sine, rising, first_max, first_min, max: 0.0, min: 0.0 };

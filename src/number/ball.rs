@@ -21,6 +21,8 @@ use crate::exact::Enclosure;
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 /// Covers underflow in a product or quotient (Lemma B1).
 const TINY: f64 = f64::MIN_POSITIVE;
+/// The smallest positive double: twice what a product that underflows is off (Lemma B1).
+const SMALLEST: f64 = f64::from_bits(1);
 
 /// Bits of the ends of a ball.
 const ENCLOSURE_BITS: u32 = 160;
@@ -160,7 +162,8 @@ impl Number for Ball {
     fn mul_add(self, b: Self, c: Self) -> Self {
         self * b + c
     }
-    /// `|a/b - m| <= (|a - m b|) / |b|` for every pair of members, with `m` the rounded quotient of centres.
+    /// Lemma B2: with the centres `A`, `B` and their rounded quotient `m`, `|a/b - A/B| <= (r_a + |A/B| r_b)/|b|` and
+    /// `|A/B - m| <= UNIT |m| + TINY`.
     #[inline(always)]
     fn checked_div(self, b: Self) -> Option<Self> {
         // One rounding, covered by the factor below.
@@ -170,7 +173,8 @@ impl Number for Ball {
             return None;
         }
         let mid = self.mid / b.mid;
-        let spread = (self.rad + mid.abs() * b.rad) / least;
+        // Lemma B2: the divisor's radius is multiplied by the true quotient of centres; SMALLEST covers underflow of that.
+        let spread = (b.rad.mul_add(mid.abs() + TINY, self.rad) + SMALLEST) / least;
         Some(Self { mid, rad: up(up(spread) + UNIT * mid.abs() + TINY) })
     }
     #[inline(always)]

@@ -5,6 +5,7 @@ use crate::certificate::phase_in_radians;
 use crate::exact::Enclosure;
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, Number};
+use crate::rest;
 
 impl Orbit {
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
@@ -53,7 +54,7 @@ impl Orbit {
         // Where the pressure begins, exactly, it is 0.
         let (phase, radius) = rest.phase.mid_rad();
         let is_edge = match &self.given.several {
-            None => rest.phase.is_point() && (phase + rest.wall.mirror_phase()).rem_euclid(1.0) == 0.5,
+            None => rest.phase.is_point() && rest::is_pressed_from(rest.wall, phase),
             Some(several) => {
                 let inward = rest.wall.inward(several.swing(rest.turns, Ball::new(phase, radius)));
                 inward.mid() + inward.rad() >= 0.0
