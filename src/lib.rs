@@ -87,6 +87,7 @@ pub mod scene;
 mod several;
 pub mod sweep;
 pub mod switch_plane;
+mod turns;
 pub mod two_impact;
 
 pub use error::Error;

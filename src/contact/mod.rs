@@ -83,6 +83,11 @@ pub struct Undecided {
 }
 
 impl Undecided {
+    /// The motion lasts longer than is followed, in any precision.
+    pub(crate) fn endless() -> Self {
+        Self { reason: Reason::Budget, wall: None, time: None, lasting: true }
+    }
+
     /// The set that arrives at `contact` is too wide.
     pub(crate) fn width(contact: &Contact<Ball>) -> Self {
         Self { reason: Reason::Width, wall: Some(contact.wall), time: Some(contact.time), lasting: false }

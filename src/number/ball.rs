@@ -20,7 +20,7 @@ use crate::exact::Enclosure;
 /// The unit roundoff, `2^-53`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 /// Covers underflow in a product or quotient (Lemma B1).
-const TINY: f64 = f64::MIN_POSITIVE;
+pub(crate) const TINY: f64 = f64::MIN_POSITIVE;
 /// The smallest positive double: twice what a product that underflows is off (Lemma B1).
 const SMALLEST: f64 = f64::from_bits(1);
 

@@ -12,6 +12,7 @@ use crate::orbit::Arithmetic;
 use crate::pair::Wall;
 use crate::rest;
 use crate::several::Zero;
+use crate::turns;
 
 impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
@@ -21,7 +22,10 @@ impl Orbit {
             return Some(self.graze_again(still));
         }
         if let Some(event) = self.recurrence.repeat() {
-            return Some(self.repeat(event));
+            return Some(match event {
+                Ok(event) => self.repeat(event),
+                Err(endless) => self.give_up(endless),
+            });
         }
         self.resting.take().map(|release| self.release(release))
     }
@@ -114,7 +118,7 @@ impl Orbit {
         let Some(several) = &self.given.several else {
             let (ahead, phase) = rest::release(wall, phase);
             let phase = Enclosure::from_f64_bounds(phase, phase)?;
-            return Some((Release { wall, turns: turns.saturating_add(ahead), phase }, None));
+            return Some((Release { wall, turns: turns::later(turns, ahead)?, phase }, None));
         };
         let zero = several.release_after(wall, turns, phase)?;
         let phase = several.enclosure(&zero, self.shown)?;
@@ -155,7 +159,7 @@ impl Orbit {
     pub(super) fn pass_graze(&mut self) -> Option<Progress> {
         let passed = self.motion.pass_graze()?;
         let whole = passed.at.mid().to_f64().round();
-        let turns = self.cursor.turns.saturating_add(whole as i64);
+        let turns = turns::after(self.cursor.turns, whole)?;
         let at = passed.at.clone() - MpBall::from_f64(whole);
         if self.is_past(turns, at.to_ball()) {
             return Some(self.finish(Outcome::TimeReached));
@@ -163,7 +167,7 @@ impl Orbit {
         let phase = at.enclosure()?.rounded(self.shown);
         self.cursor = Cursor {
             is_inside: true,
-            turns: self.cursor.turns.saturating_add(passed.turns as i64),
+            turns: turns::after(self.cursor.turns, passed.turns)?,
             phase: MpBall::exact(passed.phase.clone()).to_ball(),
             velocity: passed.velocity.to_ball(),
             ..self.cursor

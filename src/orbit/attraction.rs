@@ -53,7 +53,8 @@ impl Orbit {
         };
         // Without a common period nothing is periodic.
         let origin = self.clock.turns_into(several.period()?);
-        states.iter_mut().for_each(|state| state.turns = state.turns.saturating_add(origin));
+        // Lemma N1: less than a period, of 32 bits.
+        states.iter_mut().for_each(|state| state.turns += origin);
         find_attractor(&states, digits, |word, cycles| Problem::new(several.pair(), word, cycles).ok())
     }
 }

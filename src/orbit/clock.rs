@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
 use crate::number::Ball;
 use crate::pair::{ImpactPair, ball, within};
+use crate::turns;
 
 /// Bits kept beyond those of the largest number of turns and of the widths to be shown.
 const BITS: u32 = 160;
@@ -92,7 +93,8 @@ impl Clock {
         let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
         let since = within(key, time, since)?;
         let whole = nearest(&since);
-        let turns = i64::try_from(&whole).map_err(|_| Error::too_large(key, time))?;
+        let turns =
+            whole.to_i64().and_then(|whole| turns::later(0, whole)).ok_or_else(|| Error::too_large(key, time))?;
         let rest = within(key, time, since.checked_sub(&Exact::from(turns)))?;
         Ok((turns, rest))
     }

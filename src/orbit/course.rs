@@ -116,8 +116,8 @@ impl Orbit {
     fn along(&self, course: &Course, turns: i64, phase: Ball) -> (Ball, Ball) {
         let Course { turns: from, phase: start, offset, drift } = *course;
         let (shift, speed) = self.shaking(turns, phase);
-        // Exact below 2^53: flights are at most 2^52 turns long.
-        let time = Ball::exact(turns.saturating_sub(from) as f64) + (phase - start);
+        // Lemma N1; exact below 2^53, and flights are at most 2^52 turns long.
+        let time = Ball::exact((turns - from) as f64) + (phase - start);
         (offset + drift * time - shift, drift - speed)
     }
 }

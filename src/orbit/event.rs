@@ -6,6 +6,7 @@ use crate::mapping::Mapping;
 use crate::number::Ball;
 use crate::pair::Wall;
 use crate::periodic::Attractor;
+use crate::turns;
 
 /// One impact of an orbit.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,23 +99,23 @@ pub struct Period {
 }
 
 impl Progress {
-    /// The same event so many periods later.
-    pub(super) fn after(&self, period: Period, rounds: u64) -> Self {
-        let cycles = i64::try_from(period.cycles.saturating_mul(rounds)).unwrap_or(i64::MAX);
+    /// The same event so many periods later; `None` where turns are not counted any more.
+    pub(super) fn after(&self, period: Period, rounds: u64) -> Option<Self> {
+        let cycles = i64::try_from(period.cycles.checked_mul(rounds)?).ok()?;
         let mut event = self.clone();
         match &mut event {
             Self::Impact(impact) => {
-                impact.turns = impact.turns.saturating_add(cycles);
+                impact.turns = turns::later(impact.turns, cycles)?;
                 impact.index += period.impacts * rounds;
             }
             Self::Graze(Graze { turns, .. })
             | Self::Rest(Rest { turns, .. })
             | Self::Release(Release { turns, .. }) => {
-                *turns = turns.saturating_add(cycles);
+                *turns = turns::later(*turns, cycles)?;
             }
             Self::Retraced(_) | Self::Ended => {}
         }
-        event
+        Some(event)
     }
 }
 

@@ -31,7 +31,7 @@ pub use plan::Plan;
 pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
 pub use start::{Place, Start};
 
-use crate::contact::Contact;
+use crate::contact::{Contact, Undecided};
 use crate::error::Error;
 use crate::exact::Enclosure;
 use crate::excitation::displacement_velocity_acceleration;
@@ -42,6 +42,7 @@ use crate::periodic::Passing;
 use crate::rest;
 use crate::several::Zero;
 use crate::switch_plane::{SwitchPoint, absolute};
+use crate::turns;
 use attraction::Recent;
 use clock::Phase;
 use event::finite;
@@ -291,8 +292,9 @@ impl Orbit {
             Ok(contact) => contact,
             Err(undecided) => return Err(self.give_up(undecided)),
         };
-        // At most 2^52 turns a flight: no sum of flights that can be listed overflows.
-        let turns = self.cursor.turns.saturating_add(contact.turns as i64);
+        let Some(turns) = turns::after(self.cursor.turns, contact.turns) else {
+            return Err(self.give_up(Undecided::endless()));
+        };
         let Contact { wall, phase, velocity, .. } = contact;
         let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), is_inside: false, turns, phase, velocity };
         if next.index <= self.listed {
@@ -383,7 +385,8 @@ impl Orbit {
     /// Whether an impact certainly comes after the time to stop at.
     fn is_past(&self, turns: i64, phase: Ball) -> bool {
         self.until.is_some_and(|until| {
-            let ahead = Ball::from_f64(turns.saturating_sub(until.turns) as f64) + (phase - until.rest);
+            // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
+            let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
             ahead.mid() > ahead.rad()
         })
     }

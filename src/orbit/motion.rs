@@ -6,9 +6,7 @@ use super::plan::Plan;
 use super::set::StateSet;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Passed, pass};
-use crate::contact::{
-    Contact, Margins, Radii, Reason, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
-};
+use crate::contact::{Contact, Margins, Radii, Undecided, Verdict, first_contact, first_contact_f64, first_contacts};
 use crate::exact::Enclosure;
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
@@ -112,8 +110,7 @@ impl FloatMotion {
 
 impl Motion for FloatMotion {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
-        let nothing = Undecided { reason: Reason::Budget, wall: None, time: None, lasting: true };
-        let contact = first_contact_f64::<Kernel>(&self.next).ok_or(nothing)?;
+        let contact = first_contact_f64::<Kernel>(&self.next).ok_or(Undecided::endless())?;
         let (turns, phase) = carry(contact.turns, contact.phase);
         self.next = Self::rebound(&self.pair, contact.wall, phase, contact.velocity);
         let exact = Ball::exact;

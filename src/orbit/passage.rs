@@ -21,7 +21,7 @@ impl Orbit {
     /// The turns from one impact to a later one.
     pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
         // More than 2^53 turns are rounded, and then the ball of phases is not worth anything: it is widened by that.
-        let whole = to.turns.saturating_sub(from.turns);
+        let whole = to.turns - from.turns;
         let rounding = if whole.unsigned_abs() < 1 << 53 { 0.0 } else { f64::EPSILON * whole as f64 };
         Ball::new(whole as f64, rounding.abs()) + (to.phase - from.phase)
     }

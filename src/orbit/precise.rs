@@ -61,7 +61,7 @@ impl PreciseSet {
 
     /// Encloses phases and velocities of the set.
     pub fn balls(&self) -> (MpBall, MpBall) {
-        let (phase, velocity) = (self.shape.phase_radius(), self.shape.velocity_radius());
+        let (phase, velocity) = self.shape.radii();
         let ball = |mid: &Float, rad| MpBall::new(mid.clone(), Magnitude::new(rad, self.unit));
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }

@@ -34,7 +34,7 @@ pub(super) struct Raise {
 
 impl Raise {
     pub fn new(given: Given, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
-        let turns = until.map_or(f64::INFINITY, |until| until.turns.saturating_sub(turns) as f64 + 1.0);
+        let turns = until.map_or(f64::INFINITY, |until| (until.turns - turns) as f64 + 1.0);
         let asked = f64::from(settings.digits) * 10f64.log2();
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
         Self { given, impacts, turns, asked, most, plan: None, before: None }
@@ -58,8 +58,8 @@ impl Raise {
                 let missing = match shortfall {
                     // Where some are missing here, more may be farther on.
                     Shortfall::Width(bits) => 2.0 * bits,
-                    // A decision near a graze takes twice the digits.
-                    Shortfall::Verdict => accuracy,
+                    // A decision near a graze takes twice the digits; a state that is exact has no end of them.
+                    Shortfall::Verdict => accuracy.min(f64::from(plan.bits(0))),
                 };
                 let raised = !stuck && plan.raise(missing);
                 if !raised {

@@ -1,6 +1,7 @@
 //! Motions that repeat exactly: a second release of one kind (Lemmas Z3, H9).
 
 use super::event::{Period, Progress};
+use crate::contact::Undecided;
 
 /// Events that are kept to be repeated; longer periods are computed anew each time.
 const KEPT: usize = 1 << 16;
@@ -48,9 +49,9 @@ impl Recurrence {
     }
 
     /// The next event, repeated, when all of a period were kept.
-    pub fn repeat(&mut self) -> Option<Progress> {
+    pub fn repeat(&mut self) -> Option<Result<Progress, Undecided>> {
         let period = self.period.filter(|_| self.events.len() < KEPT)?;
-        let event = self.events[self.next].after(period, self.rounds);
+        let event = self.events[self.next].after(period, self.rounds).ok_or(Undecided::endless());
         self.next += 1;
         if self.next == self.events.len() {
             (self.next, self.rounds) = (0, self.rounds + 1);

@@ -16,7 +16,7 @@
 //! orbit, so that a rotation mixes like with like.
 
 use crate::contact::SetContact;
-use crate::number::{Ball, UNIT, up};
+use crate::number::{Ball, TINY, UNIT, up};
 
 /// The parallelogram of a set around its centre.
 #[derive(Clone, Copy, Debug)]
@@ -42,21 +42,33 @@ pub struct Noise {
 impl Shape {
     /// The box of these radii; velocities are of the order of `scale`, a power of two.
     pub fn new(phase: f64, velocity: f64, scale: f64) -> Self {
-        Self { axis: (1.0, 0.0), edges: [phase, up(velocity / scale)], scale }
+        // Lemma B1: nothing is exactly nothing; any other quotient may underflow.
+        let unscaled = if velocity == 0.0 { 0.0 } else { up(velocity / scale + TINY) };
+        Self { axis: (1.0, 0.0), edges: [phase, unscaled], scale }
     }
 
-    /// Bounds the distances of phases from the centre's.
+    /// Bounds the distances of phases from the centre's; underflow is covered (Lemma B1), so it is never 0.
     #[inline(always)]
     pub fn phase_radius(&self) -> f64 {
         let (c, s) = self.axis;
-        up(c.abs() * self.edges[0] + s.abs() * self.edges[1])
+        up(c.abs() * self.edges[0] + s.abs() * self.edges[1] + TINY)
     }
 
-    /// Bounds the distances of velocities.
+    /// Bounds the distances of velocities, never by 0.
     #[inline(always)]
     pub fn velocity_radius(&self) -> f64 {
         let (c, s) = self.axis;
-        up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]))
+        up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1] + TINY) + TINY)
+    }
+
+    /// Bounds both distances; of a box that was given, nothing is exactly nothing.
+    #[cfg(feature = "multiprecision")]
+    pub fn radii(&self) -> (f64, f64) {
+        match (self.axis, self.edges) {
+            ((1.0, 0.0), [phase, 0.0]) => (phase, 0.0),
+            ((1.0, 0.0), [phase, _]) => (phase, self.velocity_radius()),
+            _ => (self.phase_radius(), self.velocity_radius()),
+        }
     }
 
     /// The image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
@@ -70,7 +82,7 @@ impl Shape {
         // Not by `map` of the array, which is not always inlined.
         let turned = |x: Ball, y: Ball| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)];
         let columns = [turned(a, b * scale), turned(d * unscale, e)];
-        let (p, q) = (noise.phase, up(noise.velocity * (1.0 / self.scale)));
+        let (p, q) = (noise.phase, up(noise.velocity * (1.0 / self.scale) + TINY));
         let shear = noise.slope * unscale;
         // The longest of both image edges and the error of the centre gives the first axis.
         let edge = |j: usize| (columns[0][j].mid() * self.edges[j], columns[1][j].mid() * self.edges[j]);
@@ -79,7 +91,7 @@ impl Shape {
         // The transpose of the rotation is its inverse up to the factor 1/(c^2 + s^2), within 1 +- 8 UNIT.
         let reach = |edges: [Ball; 2], noise: [Ball; 2]| {
             let image = edges[0].mag() * self.edges[0] + edges[1].mag() * self.edges[1];
-            up(image + noise[0].mag() * p + noise[1].mag() * q) * (1.0 + 16.0 * UNIT)
+            up(image + noise[0].mag() * p + noise[1].mag() * q + TINY) * (1.0 + 16.0 * UNIT)
         };
         let along = [columns[0][0] * c1 + columns[1][0] * s1, columns[0][1] * c1 + columns[1][1] * s1];
         let across = [columns[1][0] * c1 - columns[0][0] * s1, columns[1][1] * c1 - columns[0][1] * s1];

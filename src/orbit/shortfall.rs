@@ -5,6 +5,7 @@ use super::{Arithmetic, Cursor, Orbit};
 use crate::contact::{Contact, Reason, Undecided};
 use crate::exact::Enclosure;
 use crate::number::Ball;
+use crate::turns;
 
 /// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
 const GRAZE_BITS: u32 = 4096;
@@ -106,14 +107,15 @@ impl Orbit {
 
     fn end(&mut self, undecided: Undecided) -> Progress {
         let Cursor { turns, phase, .. } = self.cursor;
+        let now = || self.clock.time(turns, &finite(phase));
         let time = match undecided.time {
             Some(since) => {
                 let whole = since.mid().floor();
                 let rest = phase + (since - Ball::exact(whole));
-                let at = self.clock.time(turns.saturating_add(whole as i64), &finite(rest));
-                (at.clone(), Some(at))
+                let at = turns::after(turns, whole).map(|turns| self.clock.time(turns, &finite(rest)));
+                (at.clone().unwrap_or_else(now), at)
             }
-            None => (self.clock.time(turns, &finite(phase)), None),
+            None => (now(), None),
         };
         self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
         Progress::Ended

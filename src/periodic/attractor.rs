@@ -69,7 +69,7 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
 impl Passing {
     /// Turns since another one.
     fn since(&self, before: &Self) -> f64 {
-        self.turns.saturating_sub(before.turns) as f64 + (self.phase.mid() - before.phase.mid())
+        (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid())
     }
 
     /// How far two states on one wall differ, in turns less whole ones and in parts of the velocities.
@@ -92,8 +92,8 @@ impl Guess<'_> {
     /// Phases in turns, from the turn on that began the common period of the first impact.
     fn phases(&self, period: i64) -> Vec<f64> {
         let first = self.states[0].turns;
-        let base = first.saturating_sub(first.rem_euclid(period));
-        self.states.iter().map(|state| state.turns.saturating_sub(base) as f64 + state.phase.mid()).collect()
+        let base = first - first.rem_euclid(period);
+        self.states.iter().map(|state| (state.turns - base) as f64 + state.phase.mid()).collect()
     }
 }
 

@@ -40,7 +40,7 @@ fn motion_of(chain: &Chain, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
     let follow = |orbit: Orbit| -> Vec<Passing> {
         let origin = orbit.clock().turns_into(chain.period());
         let passing = |impact: crate::orbit::Impact| {
-            (impact.wall, impact.turns.saturating_add(origin) as f64 + impact.phase.mid(), impact.velocity.mid())
+            (impact.wall, (impact.turns + origin) as f64 + impact.phase.mid(), impact.velocity.mid())
         };
         orbit.map(passing).collect()
     };

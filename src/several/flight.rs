@@ -20,6 +20,9 @@ pub(crate) struct Instant<N> {
     pub rest: N,
 }
 
+/// Turns that one step adds at most: 64 of Newton's stay below `2^60` (Lemma N1).
+const LONGEST_STEP: f64 = (1_u64 << 53) as f64;
+
 impl<N: Phased> Instant<N> {
     /// So many turns after the start, as fine as `like`.
     pub fn new(turns: f64, like: &N) -> Self {
@@ -30,12 +33,13 @@ impl<N: Phased> Instant<N> {
     /// About so much later: an exact time.
     pub fn later(&self, step: &N) -> Self {
         let rest = self.rest.later(step);
-        let whole = rest.bounds().0.round();
+        // Lemma N1: a time of any length is one; what is not taken for whole turns stays with the rest.
+        let whole = rest.bounds().0.round().clamp(-LONGEST_STEP, LONGEST_STEP);
         if whole == 0.0 {
             return Self { turns: self.turns, rest };
         }
         // Exact, up to the rounding that makes it another exact time.
-        Self { turns: self.turns.saturating_add(whole as i64), rest: rest.later(&rest.like(-whole)) }
+        Self { turns: self.turns + whole as i64, rest: rest.later(&rest.like(-whole)) }
     }
 
     /// An upper bound of the time from `earlier` to here.
@@ -148,7 +152,7 @@ impl<'h, N: Phased> Flight<'h, N> {
             return state;
         }
         let rest = self.launch.phase.clone() + at.rest.clone();
-        let Sums { sine, cosine, swing } = self.harmonics.sums(self.launch.turns.saturating_add(at.turns), &rest);
+        let Sums { sine, cosine, swing } = self.harmonics.sums(self.launch.turns + at.turns, &rest);
         let left = self.drift.clone().mul_add(at.time(), self.offset.clone()) - sine;
         State {
             right: N::from_f64(1.0) - left.clone(),

@@ -12,6 +12,7 @@ use crate::number::{Ball, UNIT, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::Wall;
+use crate::turns;
 
 /// How long, in turns, chatter can last that begins with a bounce at `phase` after `turns` whole ones with `velocity`,
 /// that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
@@ -97,9 +98,8 @@ pub(crate) fn release(
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
 fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase: N) -> Option<Zero> {
     let fourth = harmonics.rates.fourth;
-    let slope =
-        |at: &Instant<N>| harmonics.jerk(turns.saturating_add(at.turns), &at.rest).signed(-wall.sign()).bounds();
-    let value = |at: &Instant<N>| pressure(harmonics, wall, turns.saturating_add(at.turns), &at.rest);
+    let slope = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).bounds();
+    let value = |at: &Instant<N>| pressure(harmonics, wall, turns + at.turns, &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
     // The pressure that begins here is growing for so long.
     let (low, _) = slope(&at);
@@ -122,7 +122,7 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
                 let near = instant.rest.bounds();
                 let middle = 0.5 * (near.0 + near.1);
                 let reach = up(reach + (near.1 - near.0) + UNIT * middle.abs());
-                let turns = turns.saturating_add(instant.turns);
+                let turns = turns::later(turns, instant.turns)?;
                 return Some(Zero {
                     wall,
                     turns,

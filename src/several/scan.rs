@@ -11,6 +11,7 @@ use super::view::Side;
 use crate::contact::{Reason, Undecided};
 use crate::number::{Ball, UNIT, is_positive, up};
 use crate::pair::Wall;
+use crate::turns::LONGEST_FLIGHT;
 
 /// The contact that is first for every flight of a set.
 #[derive(Debug)]
@@ -79,7 +80,7 @@ pub(crate) struct Scan<'f, 'h, N: Phased> {
 impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     /// The flights `all`, and the one that starts at their centre.
     pub fn new(all: &'f Flight<'h, N>, centre: &'f Flight<'h, N>) -> Self {
-        Self { all, centre, rates: all.harmonics.rates, horizon: f64::INFINITY }
+        Self { all, centre, rates: all.harmonics.rates, horizon: LONGEST_FLIGHT }
     }
 
     /// The first contact, proved; far ahead where `reach` shows that no wall can be near.
@@ -101,7 +102,10 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             false => -8.0 * rate.0 / bend.1,
         };
         let third = up(jerk.0.abs().max(jerk.1.abs()) + up(self.rates.fourth * horizon));
-        let is_short = horizon > 0.0 && (start.is_release || bend.1 <= 0.0) && 4.0 * third < self.rates.third;
+        let is_short = 0.0 < horizon
+            && horizon < self.horizon
+            && (start.is_release || bend.1 <= 0.0)
+            && 4.0 * third < self.rates.third;
         is_short.then_some(Self { rates: Rates { third, ..self.rates }, horizon, ..*self })
     }
 
@@ -147,8 +151,9 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
                 let nearest = if sides[0].room.0 < sides[1].room.0 { Wall::Left } else { Wall::Right };
                 return Err(Doubt::Graze { wall: nearest, free: at.clone(), at });
             }
-            let ahead = if self.horizon.is_finite() { None } else { reach.jump(self.all, time.0) };
+            let ahead = if self.horizon < LONGEST_FLIGHT { None } else { reach.jump(self.all, time.0) };
             at = match ahead {
+                Some(later) if later > LONGEST_FLIGHT => return Err(Doubt::Budget),
                 Some(later) if later > time.1 + 0.5 => Instant::new(later, like),
                 _ => next,
             };

@@ -14,6 +14,7 @@ use crate::certificate::{Certificate, Claim, ClaimKind};
 use crate::exact::{Enclosure, Exact, decimal_digits};
 use crate::number::Ball;
 use crate::periodic::{Attractor, Passing, PeriodicOrbit, Problem, find_attractor};
+use crate::turns;
 
 /// Bits of the conversions of claimed bounds to turns and gaps.
 const BITS: u32 = 640;
@@ -65,7 +66,13 @@ impl Certificate {
                 let whole = phase.lo().to_rational().round();
                 let rest = ball(phase.sub(&Enclosure::from_rational(&whole, BITS), BITS))?;
                 let velocity = ball(enclosure(velocity).mul(&slowness, BITS))?;
-                Some(Passing { index: *index, wall: claim.wall, turns: whole.to_i64()?, phase: rest, velocity })
+                Some(Passing {
+                    index: *index,
+                    wall: claim.wall,
+                    turns: turns::later(0, whole.to_i64()?)?,
+                    phase: rest,
+                    velocity,
+                })
             };
             Some(passing())
         };

@@ -10,9 +10,7 @@ use crate::contact::solve::inverse_smoothstep;
 use crate::contact::{Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{Ball, Magnitude, MpBall, Number};
-
-/// Flights of more turns are not followed: turns are counted in doubles, exactly.
-const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64;
+use crate::turns::LONGEST_FLIGHT;
 
 /// Where the solver looks: times since the start.
 struct Piece {

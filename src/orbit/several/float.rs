@@ -11,6 +11,7 @@ use crate::contact::{Contact, Undecided};
 use crate::number::Ball;
 use crate::pair::{Reduced, Wall};
 use crate::several::{Band, Flight, Harmonics, Launch, Reach, Scan};
+use crate::turns;
 
 /// One impact after another.
 #[derive(Debug)]
@@ -49,7 +50,8 @@ impl Motion for FloatMotion {
             Wall::Right => found.centre_velocity.max(0.0),
         };
         let after = -self.restitution * velocity;
-        self.next = from_wall(found.wall, self.next.turns.saturating_add(turns as i64), phase, after, false);
+        let passed = turns::after(self.next.turns, turns).ok_or(Undecided::endless())?;
+        self.next = from_wall(found.wall, passed, phase, after, false);
         let (exact, time) = (Ball::exact, found.at.time());
         Ok(Contact { wall: found.wall, turns, phase: exact(phase), time: exact(time), velocity: exact(velocity) })
     }

@@ -17,6 +17,7 @@ use crate::pair::{Reduced, Wall};
 #[cfg(feature = "multiprecision")]
 use crate::several::pass;
 use crate::several::{Doubt, Flight, Found, Launch, Reach, Scan};
+use crate::turns;
 
 /// One impact after another.
 #[derive(Debug)]
@@ -131,7 +132,7 @@ impl Motion for IntervalMotion {
         let contact = image.all;
         let (turns, phase) = carry(contact.turns, set.phase);
         let set = set.at_phase(phase);
-        self.turns = self.turns.saturating_add(turns as i64);
+        self.turns = turns::after(self.turns, turns).ok_or(Undecided::endless())?;
         self.state = State::Wall { wall: contact.wall, set, is_release: false };
         self.waves = None;
         Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })
@@ -157,7 +158,7 @@ impl Motion for IntervalMotion {
         let harmonics = self.several.harmonics_in(PASSING_BITS);
         let passed = pass(&harmonics, (&self.several.band, &self.several.harmonics), launch)?;
         let phase = MpBall::exact(passed.phase.clone()).to_ball();
-        self.turns = self.turns.saturating_add(passed.turns as i64);
+        self.turns = turns::after(self.turns, passed.turns)?;
         self.state = State::Inside { height: passed.height.to_ball(), phase, velocity: passed.velocity.to_ball() };
         self.waves = None;
         Some(passed)

@@ -14,6 +14,7 @@ use crate::mapping::jacobian_between;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
 use crate::pair::{Reduced, Wall};
 use crate::several::{Flight, Harmonics, Instant, Launch, Phased, Reach, Scan, pass};
+use crate::turns;
 
 /// Certified in as many bits as the plan gives each impact.
 #[derive(Debug)]
@@ -239,7 +240,7 @@ impl Motion for PreciseMotion {
         let (phase, velocity) = set.balls();
         let turns = contact.turns + whole;
         self.index += 1;
-        self.turns = self.turns.saturating_add(turns as i64);
+        self.turns = turns::after(self.turns, turns).ok_or(Undecided::endless())?;
         self.state = State::Wall { wall: contact.wall, set, is_release: false };
         self.waves = None;
         Ok(Contact { turns, phase: phase.to_ball(), velocity: velocity.to_ball(), ..contact })
@@ -259,7 +260,7 @@ impl Motion for PreciseMotion {
         };
         let passed = pass(&self.harmonics, (&self.several.band, &self.several.harmonics), launch)?;
         let (height, velocity) = (passed.height.clone(), passed.velocity.clone());
-        self.turns = self.turns.saturating_add(passed.turns as i64);
+        self.turns = turns::after(self.turns, passed.turns)?;
         self.state = State::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
         self.waves = None;
         Some(passed)

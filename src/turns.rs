@@ -1,0 +1,42 @@
+//! Whole turns of the excitation, counted without loss.
+//!
+//! **Lemma N1** (turns). A count is an integer below `2^62` in magnitude: sums that would not be are refused, and the motion
+//! ends there, undecided. So a difference of two counts, and a count with a time within one flight (below `2^60` turns) added,
+//! are integers of 64 bits. *Proof.* A double below `2^62` in magnitude that is a whole number is that integer when cast; the sum
+//! of two integers below `2^62` is below `2^63`, and is compared before it is kept. \[\]
+
+/// Counts are smaller.
+const MOST: i64 = 1 << 62;
+/// Flights of more turns are not followed: turns within one are exact as doubles.
+pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64;
+
+/// `turns + more`; `None` where the count ends.
+pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
+    turns.checked_add(more).filter(|count| (-MOST < *count) && (*count < MOST))
+}
+
+/// `turns + whole` for a whole number `whole` that a flight was told to last; `None` where the count ends.
+#[inline]
+pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
+    // Lemma N1: exact where the comparison holds; it fails on NaN.
+    if whole.abs() < MOST as f64 { later(turns, whole as i64) } else { None }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_count_ends_before_it_could_be_wrong() {
+        let most = MOST - 1;
+        assert_eq!((later(most, 0), later(most, 1), later(-most, -1)), (Some(most), None, None));
+        assert_eq!((later(i64::MAX, 1), later(5, -7)), (None, Some(-2)));
+        let double = |n: i64| n as f64;
+        assert_eq!(after(3, double(1 << 61)), Some((1 << 61) + 3));
+        for refused in [double(MOST), -double(MOST), f64::INFINITY, f64::NAN] {
+            assert_eq!(after(0, refused), None);
+        }
+        assert_eq!(after(-1, double(MOST).next_down()), Some(MOST - 513));
+        assert_eq!(after(1 << 61, double(1 << 61)), None);
+    }
+}
