@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::number::{Ball, Number, kernel, up};
+use crate::number::{Ball, Enclosing, Number, kernel, up};
 use crate::pair::{Reduced, Wall};
 
 /// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
@@ -23,6 +23,10 @@ pub(crate) fn haste(pair: &Reduced<Ball>) -> f64 {
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
 /// `None`: not proved.
 pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Ball) -> Option<f64> {
+    // Lemmas Z1, Z2: what is not certainly shaken is not certainly pressed, nor released.
+    if pair.beta.certain_sign() != Some(Ordering::Greater) {
+        return None;
+    }
     let (speed, rebound) = (velocity.mag(), pair.restitution.mag());
     let swing = pair.beta.turn() * pair.beta;
     // Twice what the greatest pressure would take if it were constant: most bounces are too fast for any window.
@@ -60,11 +64,20 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     if least.partial_cmp(&0.0) != Some(Ordering::Greater) {
         return None;
     }
-    let ratio = up(rebound * up((up(most) / least).sqrt()));
+    duration(speed, rebound, (least, up(most)), window)
+}
+
+/// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `[least,
+/// most]` for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
+pub(crate) fn duration(speed: f64, rebound: f64, (least, most): (f64, f64), window: f64) -> Option<f64> {
+    // Lemma B1: each rounding, underflow included, is half a unit in the last place at most, so that one unit bounds it.
+    let above = f64::next_up;
+    let ratio = above(rebound * above(above(most / least).sqrt()));
     let room = (1.0 - ratio).next_down();
-    let height = up(speed * speed / least);
-    let time = up(up(2.0 * speed) / (least * room).next_down());
-    (room > 0.0 && height < 1.0 && time <= window).then_some(time)
+    let rate = (least * room).next_down();
+    let height = above(above(speed * speed) / least);
+    let time = above(2.0 * speed / rate);
+    (room > 0.0 && rate > 0.0 && height < 1.0 && time <= window).then_some(time)
 }
 
 /// Whether the pressure begins exactly at `phase`: whether that is 1/2 in the mirror, decided before it is mirrored.

@@ -16,7 +16,7 @@ mod prove;
 mod read;
 
 pub use bifurcation::{BIFURCATION_SCHEMA, BifurcationDocument};
-pub use check::{Finding, Verdict};
+pub use check::{Effort, Finding, Verdict};
 pub use conclusion::Conclusion;
 pub use document::{ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json};
 pub use event::{Bounds, Event, Kind};

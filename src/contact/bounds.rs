@@ -156,7 +156,8 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     pub fn hop_height(&self, h: f64, terms: f64, residual: f64) -> f64 {
         let per_term = self.pair.hop_height + self.pair.beta * self.radii.phase;
         let rounding = UNIT * (3.0 * self.speed() * h + 16.0 * residual.abs());
-        SLACK * (terms * per_term + rounding + self.radii.velocity * h + f64::MIN_POSITIVE)
+        // From a wall the height is exact; one inside whose double is 0 has its radius.
+        SLACK * (terms * per_term + rounding + self.radii.velocity * h + (self.radii.height + f64::MIN_POSITIVE))
     }
 
     /// Lemma C2 for a hop: `terms` is versine plus sine.

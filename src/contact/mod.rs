@@ -21,6 +21,8 @@ use bounds::Bounds;
 use judges::Unproved;
 use solve::propose;
 
+use std::cmp::Ordering;
+
 use crate::flight::Flight;
 use crate::number::{Ball, Kernel, Trigonometry};
 use crate::pair::Wall;
@@ -121,7 +123,7 @@ pub struct Contact<N> {
 /// was made for, the first contact is on the wall and inside the balls returned, it exists, and no wall is touched
 /// between start and contact. The flight's parameters must be the centres of the pair's.
 /// **Undecided when** the contact or an earlier extremum may be a graze, the departure's direction is not
-/// certain, the drift may be 0, or the radii are too wide for one answer.
+/// certain, the drift may be 0, the phase is not within 2 turns of 0, or the radii are too wide for one answer.
 /// **Cost**: one floating solve and about a hundred operations; no allocation.
 ///
 /// ```
@@ -141,6 +143,10 @@ pub struct Contact<N> {
 /// ```
 #[inline]
 pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> Verdict<Contact<Ball>> {
+    // Lemma C4: mirroring a phase of at most 2 turns rounds by at most 2 UNIT; orbits count whole turns apart.
+    if flight.phase.abs().partial_cmp(&2.0) != Some(Ordering::Less) {
+        return Verdict::Undecided(Undecided::endless());
+    }
     let verdict = if radii.phase == 0.0 {
         propose::<Kernel, _>(flight, &Bounds::<false>::new(flight, margins, radii))
     } else {

@@ -111,6 +111,10 @@ impl Ball {
 
     /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball.
     pub fn sin_cos(self) -> (Self, Self) {
+        // Lemma K1; a NaN is refused as well.
+        if self.mid.abs().partial_cmp(&kernel::LARGEST_PHASE) != Some(Ordering::Less) {
+            return (Self::new(0.0, 1.0), Self::new(0.0, 1.0));
+        }
         let (s, c) = kernel::sin_cos(self.mid);
         // Lemma K1, and the slope of both is at most 2 pi < 6.3.
         let rad = up(kernel::SIN_COS_ERROR + 6.3 * self.rad);

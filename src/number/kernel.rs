@@ -44,6 +44,9 @@ pub const DEPARTURE_ERROR: f64 = 1.0 / (1_u64 << 51) as f64;
 /// Absolute error of [`acos_coarse`], in turns: `0x1p-31` (Lemma K3).
 pub const ACOS_ERROR: f64 = 1.0 / (1_u64 << 31) as f64;
 
+/// The domain of [`sin_cos`], in turns (Lemma K1).
+pub const LARGEST_PHASE: f64 = (1_u64 << 40) as f64;
+
 /// `2 pi` to nearest, `0x1.921fb54442d18p+2`; the bits keep clippy from taking it for a rough constant.
 const TAU_HI: f64 = f64::from_bits(0x4019_21fb_5444_2d18);
 /// `2 pi - TAU_HI` to nearest, `0x1.1a62633145c07p-52`.
@@ -122,7 +125,7 @@ fn sine(r: f64, x: f64, x2: f64) -> f64 {
 /// sign). Outside the domain the result means nothing.
 #[inline(always)]
 pub fn sin_cos(u: f64) -> (f64, f64) {
-    debug_assert!(u.abs() <= (1_u64 << 40) as f64, "phase {u} is not within 2^40 turns");
+    debug_assert!(u.abs() <= LARGEST_PHASE, "phase {u} is not within 2^40 turns");
     // Lemma K1 (a): exact. The last two bits of `shifted` are those of k, as MAGIC is a whole number.
     let shifted = u + MAGIC;
     let r = u - (shifted - MAGIC);

@@ -1,10 +1,12 @@
 //! What two impacts in a row say of the flight between them, and where an impact is in its cycle.
 
+use std::cmp::Ordering;
+
 use super::{Cursor, Impact, Orbit, Rest};
 use crate::certificate::phase_in_radians;
 use crate::exact::Enclosure;
 use crate::mapping::jacobian_between;
-use crate::number::{Ball, Number};
+use crate::number::{Ball, Enclosing, Number};
 use crate::rest;
 
 impl Orbit {
@@ -60,7 +62,8 @@ impl Orbit {
                 inward.mid() + inward.rad() >= 0.0
             }
         };
-        self.pair.beta != Ball::exact(0.0) && !is_edge
+        // Lemma L3: without loss neighbours bounce for ever.
+        self.pair.restitution.mag() < 1.0 && self.pair.beta.certain_sign() == Some(Ordering::Greater) && !is_edge
     }
 
     /// `e`

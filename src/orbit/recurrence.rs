@@ -41,8 +41,12 @@ impl Recurrence {
             None => self.first[kind] = Some((turns, impacts, self.events.len())),
             Some((since, before, kept)) if self.period.is_none() => {
                 self.period = Some(Period { cycles: turns.abs_diff(since), impacts: impacts - before });
-                self.events.drain(..kept.min(self.events.len()));
                 self.rounds = 1;
+                // Lemma Z3: what was not kept cannot be repeated.
+                match self.events.len() <= KEPT {
+                    true => drop(self.events.drain(..kept)),
+                    false => self.events.clear(),
+                }
             }
             Some(_) => {}
         }
@@ -50,7 +54,7 @@ impl Recurrence {
 
     /// The next event, repeated, when all of a period were kept.
     pub fn repeat(&mut self) -> Option<Result<Progress, Undecided>> {
-        let period = self.period.filter(|_| self.events.len() < KEPT)?;
+        let period = self.period.filter(|_| !self.events.is_empty())?;
         let event = self.events[self.next].after(period, self.rounds).ok_or(Undecided::endless());
         self.next += 1;
         if self.next == self.events.len() {

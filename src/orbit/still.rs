@@ -52,6 +52,10 @@ fn stays_inside(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<
     if !is_zero(&drift) {
         return Ok(None);
     }
+    // Lemma Z4: what is not shaken does not leave its wall.
+    if on_wall && pair.alpha.sign() != Some(Ordering::Greater) {
+        return Ok(None);
+    }
     // z = z0 + alpha sin th0 - alpha sin th; sin th0 is -1, 0 or 1, so that a wall touched at the start has no room, exactly.
     let one = Exact::from(1);
     let swing = |part: Exact| if is_zero(&part) { Ok(Exact::from(0)) } else { pair.alpha.checked_mul(&part) };

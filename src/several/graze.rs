@@ -25,7 +25,11 @@ pub(crate) fn pass(
     let rates = &harmonics.rates;
     let state = all.state(&bottom);
     let side = state.side(wall);
-    let before = bottom.since(&free).max(0.0);
+    // Lemma G1: the bottom is not before what is free.
+    let before = bottom.since(&free);
+    if free.since(&bottom) > 0.0 {
+        return None;
+    }
     let touch = Touch::new(&state.room(wall).mag(), &side, rates, before)?;
     let mut step = 0.25 * side.bend.0 / rates.third;
     for _ in 0..8 {

@@ -60,7 +60,9 @@ impl Ticks {
             let modulus = num_bigint::BigInt::from(1) << 128;
             let wrapped = num_integer::Integer::mod_floor(&whole, &modulus);
             let ticks = u128::try_from(wrapped).expect("less than the modulus");
-            (ticks, if x.is_point() { 0.0 } else { enclosure.mid_rad().1 })
+            // Lemma H1: half the width, and nothing where that is below the ticks, as it is for all that is not an interval.
+            let half = enclosure.width().to_f64_up();
+            (ticks, if half <= 2f64.powi(-130) { 0.0 } else { half })
         };
         let ((ratio, of_ratio), (shift, of_shift)) = (ticks(ratio), ticks(shift));
         Self { ratio, shift, radii: (of_ratio, of_shift) }

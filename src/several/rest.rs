@@ -12,6 +12,7 @@ use crate::number::{Ball, UNIT, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::Wall;
+use crate::rest::duration;
 use crate::turns;
 
 /// How long, in turns, chatter can last that begins with a bounce at `phase` after `turns` whole ones with `velocity`,
@@ -41,11 +42,7 @@ pub(crate) fn accumulation(
     if !(is_positive(1.0 - rebound) && is_positive(least)) {
         return None;
     }
-    let ratio = up(rebound * up((most / least).sqrt()));
-    let room = (1.0 - ratio).next_down();
-    let height = up(speed * speed / least);
-    let time = up(up(2.0 * speed) / (least * room).next_down());
-    (room > 0.0 && height < 1.0 && time <= window).then_some(time)
+    duration(speed, rebound, (least, most), window)
 }
 
 /// `-z''`, told from the wall.
@@ -118,19 +115,15 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
             let (wall, from) = (wall, at.clone());
             let (instant, reach, least) = zero;
             let time = up(instant.since(&from) + reach);
-            if high + up(fourth * time) < 0.0 {
+            // Lemma H8 looks ahead only.
+            if from.since(&instant) < reach && high + up(fourth * time) < 0.0 {
                 let near = instant.rest.bounds();
                 let middle = 0.5 * (near.0 + near.1);
                 let reach = up(reach + (near.1 - near.0) + UNIT * middle.abs());
                 let turns = turns::later(turns, instant.turns)?;
-                return Some(Zero {
-                    wall,
-                    turns,
-                    near: middle,
-                    reach,
-                    least: (least - up(fourth * reach)).next_down(),
-                    fourth,
-                });
+                // Lemma H8: within `reach` of the rounded place, which is within as much of the zero.
+                let least = Some((least - up(2.0 * fourth * reach)).next_down()).filter(|least| is_positive(*least))?;
+                return Some(Zero { wall, turns, near: middle, reach, least, fourth });
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;

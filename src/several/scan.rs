@@ -9,7 +9,7 @@ use super::harmonics::{Phased, Rates, magnitude};
 use super::reach::Reach;
 use super::view::Side;
 use crate::contact::{Reason, Undecided};
-use crate::number::{Ball, UNIT, is_positive, up};
+use crate::number::{Ball, TINY, UNIT, is_positive, up};
 use crate::pair::Wall;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -235,7 +235,8 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let like = &self.all.launch.phase;
         let found = self.close_in(wall, at.later(&like.like(ahead)))?;
         let time = up(found.at.since(at) + found.reach);
-        side.approaches(&self.rates, time).then_some(found)
+        // Lemma H5 looks ahead only.
+        (at.since(&found.at) < found.reach && side.approaches(&self.rates, time)).then_some(found)
     }
 
     /// What an extremum near a wall turns out to be (Lemma H4).
@@ -251,7 +252,8 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             return Valley::Unclear;
         }
         let rate = lowest.rate.0.abs().max(lowest.rate.1.abs());
-        if lowest.room.0 - up(up(rate * rate) / bend) > 0.0 {
+        // Lemma B1: the square may underflow.
+        if lowest.room.0 - up(up(rate * rate + TINY) / bend) > 0.0 {
             return Valley::Past(bottom);
         }
         if !is_positive(-lowest.room.1) {

@@ -109,11 +109,17 @@ pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, E
     pair.excitation().harmonics().iter().map(phase).collect()
 }
 
-/// The same phase near 0.
+/// Bits of the whole turns of a phase: so many more enclose it as finely as one of less than a turn.
+fn whole_bits(phase: &Exact) -> u32 {
+    let top = phase.enclose(64).mag().top();
+    top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0)
+}
+
+/// The same phase near 0: within 2 of it (Lemma H1).
 fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
         Some(fraction) => fraction.round().to_integer(),
-        None => phase.enclose(160).lo().to_rational().round().to_integer(),
+        None => phase.enclose(160 + whole_bits(&phase)).lo().to_rational().round().to_integer(),
     };
     phase.checked_sub(&Exact::from(near))
 }

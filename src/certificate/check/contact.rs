@@ -15,8 +15,6 @@ pub(in crate::certificate) enum Doubt {
 
 /// Bits that most parts of most flights are judged with.
 const FIRST_BITS: u32 = 128;
-/// A flight is cut into so many parts at most.
-const MOST_PARTS: u32 = 1 << 21;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
@@ -100,7 +98,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
         }
         at = width.clone();
     }
-    for _ in 0..MOST_PARTS {
+    for _ in 0..flight.parts {
         if !at.is_below(end) {
             return Ok(());
         }

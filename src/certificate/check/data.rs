@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_integer::Integer;
 
+use super::Effort;
 use super::affine::Affine;
 use super::shaking::Term;
 use super::step::Parameters;
@@ -29,6 +30,8 @@ pub(in crate::certificate) struct Data {
     pub time: Exact,
     /// The whole turns of the reference before the start.
     pub turns: BigInt,
+    /// Parts that a flight may be cut into.
+    pub parts: u32,
     /// `y' / W`, before the impact for a start on a wall.
     pub velocity: Exact,
     pub wall: Option<Wall>,
@@ -98,6 +101,7 @@ impl Data {
             velocity: within("start.velocity", start.velocity(), start.velocity().checked_div(frequency))?,
             wall,
             height,
+            parts: Effort::default().parts,
         })
     }
 
@@ -120,6 +124,7 @@ impl Data {
             half_gap: piece.part(&self.half_gap, HALF_GAP, bits),
             restitution: piece.part(&self.restitution, RESTITUTION, bits),
             terms: self.tones.iter().enumerate().map(term).collect(),
+            parts: self.parts,
         }
     }
 

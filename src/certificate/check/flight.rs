@@ -18,6 +18,8 @@ pub(in crate::certificate) struct Flight {
     pub height: Real,
     /// `p`
     pub velocity: Real,
+    /// Parts that it may be cut into.
+    pub parts: u32,
 }
 
 /// What is known of a part of a flight.
@@ -38,9 +40,9 @@ impl Flight {
 
     /// Rounded outward to fewer bits.
     pub fn rounded(&self, bits: u32) -> Self {
-        let Self { shaking, half_gap, height, velocity } = self;
+        let Self { shaking, half_gap, height, velocity, parts } = self;
         let [half_gap, height, velocity] = [half_gap, height, velocity].map(|x| x.rounded(bits));
-        Self { shaking: shaking.rounded(bits), half_gap, height, velocity }
+        Self { shaking: shaking.rounded(bits), half_gap, height, velocity, parts: *parts }
     }
 
     /// `y` at `h`. **Equation** (12)

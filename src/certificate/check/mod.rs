@@ -55,11 +55,26 @@ pub struct Finding {
     pub message: String,
 }
 
-/// The first precision, and the one that no check goes beyond.
+/// How much a check may take before it leaves a claim undecided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Bits of its arithmetic.
+    pub bits: u32,
+    /// Parts that a flight is cut into.
+    pub parts: u32,
+    /// Pieces that intervals among the data are cut into.
+    pub pieces: usize,
+}
+
+impl Default for Effort {
+    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data.
+    fn default() -> Self {
+        Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12 }
+    }
+}
+
+/// The first precision.
 const FIRST_BITS: u32 = 192;
-const MOST_BITS: u32 = 1 << 17;
-/// Intervals among the data are cut into so many pieces at most.
-const MOST_PIECES: usize = 1 << 12;
 /// A claim that a fourth as many bits and these did not decide either is given up: its bound is the truth, or there is an exact
 /// graze.
 const ENOUGH_BITS: u32 = 4096;
@@ -73,8 +88,16 @@ impl Certificate {
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions hold.
-    pub fn check(&self, mut progress: impl FnMut(usize)) -> Result<Verdict, Error> {
-        let data = Data::new(self.pair(), self.start())?;
+    pub fn check(&self, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
+        self.check_within(&Effort::default(), progress)
+    }
+
+    /// The same with no more than this effort.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn check_within(&self, effort: &Effort, mut progress: impl FnMut(usize)) -> Result<Verdict, Error> {
+        let data = Data { parts: effort.parts, ..Data::new(self.pair(), self.start())? };
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
         // Where more bits did not help, and how many there were at first.
         let mut stuck = (0, bits);
@@ -85,18 +108,18 @@ impl Certificate {
             match doubt {
                 Doubt::False(message) => return Ok(Verdict::Refuted(Finding { event, message })),
                 Doubt::Open(message) => match walk.widest_datum() {
-                    Some(datum) if cut < MOST_PIECES => {
+                    Some(datum) if cut < effort.pieces => {
                         pieces.extend(piece.halves(datum));
                         cut += 1;
                     }
                     widest => {
                         let is_stuck = stuck.0 == event;
                         stuck = if is_stuck { stuck } else { (event, bits) };
-                        let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits == MOST_BITS;
+                        let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
                         if widest.is_some() || is_enough {
                             return Ok(Verdict::Undecided(Finding { event, message }));
                         }
-                        bits = if is_stuck { (2 * bits).min(MOST_BITS) } else { self.more_bits(bits, event) };
+                        bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(effort.bits);
                         pieces.push(piece);
                     }
                 },
@@ -114,7 +137,7 @@ impl Certificate {
     fn more_bits(&self, bits: u32, event: usize) -> u32 {
         let rate: f64 = self.events().len() as f64 / (event as f64 + 1.0);
         let wanted = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0);
-        (wanted as u32).min(MOST_BITS)
+        wanted as u32
     }
 }
 

@@ -16,8 +16,6 @@ use crate::pair::Wall;
 
 /// Bits that rests are first followed with.
 const FIRST_BITS: u32 = 128;
-/// A rest is cut into so many parts at most.
-const MOST_PARTS: u32 = 1 << 18;
 
 /// A release from a wall.
 pub(in crate::certificate) struct Release {
@@ -52,7 +50,7 @@ impl Walk<'_> {
         let set = self.parameters.shaking(&origin, Affine::hull);
         let mut bits = FIRST_BITS.min(self.bits);
         let bracket = loop {
-            match turning(&set.rounded(bits), rest, bits) {
+            match turning(&set.rounded(bits), rest, bits, self.parameters.parts) {
                 None if bits < self.bits => bits = (4 * bits).min(self.bits),
                 found => break found?,
             }
@@ -80,7 +78,7 @@ impl Walk<'_> {
 
 /// A part of the motion of the box, the wall pressed all the time from the rest to its beginning and not at its end, in which
 /// `E'''` is not 0; phases since the origin.
-fn turning(shaking: &Shaking, rest: &Rest, bits: u32) -> Option<Real> {
+fn turning(shaking: &Shaking, rest: &Rest, bits: u32, parts: u32) -> Option<Real> {
     let inward = |x: Real| if rest.wall == Wall::Left { x } else { -x };
     let point = |x: &Real| Real::point(x.mid(), bits);
     let acceleration = |at: &Real| inward(shaking.acceleration(at));
@@ -98,7 +96,7 @@ fn turning(shaking: &Shaking, rest: &Rest, bits: u32) -> Option<Real> {
         }
         at = first(&width);
     }
-    for _ in 0..MOST_PARTS {
+    for _ in 0..parts {
         let next = point(&(at.clone() + &width));
         let part = at.hull(&next);
         let (slope, end) = (jerk(&part), acceleration(&next));

@@ -16,6 +16,8 @@ pub(in crate::certificate) struct Parameters {
     pub restitution: Affine,
     /// The harmonics, the reference first.
     pub terms: Vec<Term>,
+    /// Parts that a flight may be cut into.
+    pub parts: u32,
 }
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
@@ -104,6 +106,7 @@ impl Departure {
             half_gap: of(&parameters.half_gap),
             height: of(&self.height),
             velocity: of(&self.velocity),
+            parts: parameters.parts,
         }
     }
 

@@ -1,0 +1,85 @@
+//! One start: `run` in some arithmetic, its document read back and checked.
+
+use impact_pair::Scene;
+use impact_pair::certificate::{Certificate, Conclusion, Effort, Event, Verdict, arithmetic, head, write_json};
+use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
+
+use super::starts::Case;
+
+/// What becomes of a start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judgement {
+    /// Every claim is proved by the other route.
+    Confirmed,
+    /// The other route does not decide.
+    Open,
+    /// Nothing is claimed.
+    Nothing,
+    /// The parameters drawn are no scene.
+    NoScene,
+    /// A claim is false.
+    Refuted,
+}
+
+impl Judgement {
+    pub const NAMES: [&'static str; 5] = ["confirmed", "open", "nothing claimed", "no scene", "refuted"];
+
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+}
+
+/// What a straddling start needs; the long flights among them need more than anybody waits for.
+const EFFORT: Effort = Effort { bits: 2048, parts: 1 << 10, pieces: 16 };
+
+/// The arithmetics in turn, and the most bits of `auto`.
+fn settings(number: u64, impacts: u64) -> Settings {
+    let names: &[&str] = match cfg!(feature = "multiprecision") {
+        true => &["interval", "64", "auto", "128", "256"],
+        false => &["interval"],
+    };
+    let arithmetic: Arithmetic = names[number as usize / 11 % names.len()].parse().expect("an arithmetic");
+    Settings { arithmetic, impacts: Some(impacts), max_bits: 1024, ..Settings::default() }
+}
+
+/// The orbit's document, and how many events it has.
+fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, usize) {
+    let (mut events, mut index) = (Vec::new(), 0);
+    loop {
+        let step = orbit.advance();
+        if step == Progress::Ended || events.len() > 16 {
+            break;
+        }
+        if let Progress::Impact(impact) = &step {
+            index = impact.index;
+        }
+        events.extend(Event::of(&orbit, &step, index));
+    }
+    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
+    let head = head(scene.pair(), scene.start(), settings.arithmetic, arithmetic(&orbit));
+    let mut text = Vec::new();
+    write_json(&mut text, &head, &conclusion, &events).expect("a vector takes all");
+    (String::from_utf8(text).expect("JSON is text"), events.len())
+}
+
+/// Runs and checks; with words on what is refuted.
+pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
+    let Ok(scene) = Scene::parse(&case.scene) else { return (Judgement::NoScene, String::new()) };
+    let settings = settings(number, case.impacts);
+    let Ok(orbit) = scene.orbit(settings.clone()) else { return (Judgement::NoScene, String::new()) };
+    let t = std::time::Instant::now();
+    let (text, events) = document(&scene, &settings, orbit);
+    eprintln!("ran {number} {} {:?}", t.elapsed().as_millis(), settings.arithmetic);
+    if events == 0 {
+        return (Judgement::Nothing, String::new());
+    }
+    let certificate = Certificate::parse(&text).expect("what is written can be read");
+    match certificate.check_within(&EFFORT, |_| ()).expect("a scene that was run") {
+        Verdict::Confirmed { .. } => (Judgement::Confirmed, String::new()),
+        Verdict::Undecided(finding) => (Judgement::Open, finding.message),
+        Verdict::Refuted(finding) => {
+            let told = format!("{} {:?}, event {}", finding.message, settings.arithmetic, finding.event);
+            (Judgement::Refuted, told)
+        }
+    }
+}

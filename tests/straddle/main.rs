@@ -1,0 +1,83 @@
+//! `run`, then `check`: two independent routes judge each other, from starts that straddle every branch of the code.
+//!
+//! `check` shares no isolation, no units and no arithmetic with `run` (Lemma V1), so a wrong certificate is refuted by it,
+//! wherever the fault is. `STRADDLE_CASES` starts (10,000) from `STRADDLE_SEED`, a number or `fresh` (printed, so that it can be
+//! given again); `--nocapture` shows the counts by family.
+
+mod judge;
+mod starts;
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use judge::{Judgement, judge};
+use starts::{Dice, FAMILIES, case};
+
+/// The default seed.
+const SEED: u64 = 1995;
+
+/// A number from the environment, or the default; other words are refused.
+fn asked(name: &str, default: u64) -> u64 {
+    match std::env::var(name) {
+        Ok(text) if text == "fresh" => {
+            SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_nanos() as u64
+        }
+        Ok(text) => text.parse().unwrap_or_else(|_| panic!("{name} must be a number, got {text:?}")),
+        Err(_) => default,
+    }
+}
+
+/// How often each judgement was found in each family.
+type Counts = BTreeMap<(&'static str, &'static str), u64>;
+
+fn table(counts: &Counts) -> String {
+    let kinds = Judgement::NAMES;
+    let mut text = format!("| family | {} |\n|---|{}\n", kinds.join(" | "), "---|".repeat(kinds.len()));
+    for (family, _) in FAMILIES {
+        let row = kinds.map(|kind| counts.get(&(family, kind)).copied().unwrap_or(0).to_string());
+        text += &format!("| {family} | {} |\n", row.join(" | "));
+    }
+    text
+}
+
+#[test]
+fn no_certificate_of_a_straddling_start_is_refuted() {
+    let (cases, seed) = (asked("STRADDLE_CASES", 10_000), asked("STRADDLE_SEED", SEED));
+    println!("{cases} starts from seed {seed}");
+    let (next, counts, wrong) = (AtomicU64::new(0), Mutex::new(Counts::new()), Mutex::new(Vec::new()));
+    let work = || loop {
+        let number = next.fetch_add(1, Ordering::Relaxed);
+        if number >= cases {
+            return;
+        }
+        let case = case(&mut Dice(seed ^ number << 20), number);
+        let began = std::time::Instant::now();
+        eprintln!("begin {number} {}", case.family);
+        let (judgement, told) = judge(&case, number);
+        eprintln!("end {number} {} {:?} {}", case.family, judgement, began.elapsed().as_millis());
+        *counts.lock().unwrap().entry((case.family, judgement.name())).or_default() += 1;
+        if judgement == Judgement::Refuted {
+            wrong.lock().unwrap().push(format!("start {number}, {}: {told}\n{}", case.family, case.scene));
+        }
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(work);
+        }
+    });
+    let (counts, wrong) = (counts.into_inner().unwrap(), wrong.into_inner().unwrap());
+    println!("{}", table(&counts));
+    assert!(
+        wrong.is_empty(),
+        "{} certificates are refuted (seed {seed}):\n{}",
+        wrong.len(),
+        wrong[..wrong.len().min(8)].join("\n")
+    );
+    // A judge that is never asked, or never decides, would pass anything.
+    let sum = |kind: &str| counts.iter().filter(|((_, found), _)| *found == kind).map(|(_, count)| count).sum::<u64>();
+    assert!(2 * sum("confirmed") > cases, "too few are confirmed");
+    assert!(5 * sum("no scene") < cases, "too few are scenes");
+}
