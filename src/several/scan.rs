@@ -147,7 +147,8 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
                 return Err(Doubt::Budget);
             }
             short_pieces = if next.since(&at) < SHORT_PIECE * time.1 { short_pieces + 1 } else { 0 };
-            if !is_positive(next.since(&at)) || short_pieces > SHORT_PIECES {
+            // Without a proved step ahead the scan would stand still.
+            if !is_positive(-at.since(&next)) || short_pieces > SHORT_PIECES {
                 let nearest = if sides[0].room.0 < sides[1].room.0 { Wall::Left } else { Wall::Right };
                 return Err(Doubt::Graze { wall: nearest, free: at.clone(), at });
             }

@@ -4,10 +4,14 @@
 //! Each family here puts one quantity at `0` or `+-10^-6 ... 10^-60` (or a power of two) from where the code decides. All data
 //! are exact expressions of the scene file, so a touch can be aimed at exactly. `W = 2 pi` and `tau = 0`: times are in turns.
 
+use impact_pair::Scene;
+
 /// A scene with the family it comes from.
 pub struct Case {
     pub family: &'static str,
-    pub scene: String,
+    /// The scene file, and what it says.
+    pub text: String,
+    pub scene: Scene,
     pub impacts: u64,
 }
 
@@ -204,7 +208,8 @@ fn drift_of_the_box(dice: &mut Dice) -> Parts {
 fn several(dice: &mut Dice) -> Parts {
     let quiet = dice.pick(&["1/3", "1/10", "1/10^12", "1"]);
     let fast = dice.pick(&["6*pi", "4*pi", "2*pi*sqrt(2)", "3*pi"]);
-    let amplitude = dice.pick(&["0.1", "1/2", "1", "3"]);
+    // So much that a wall is reached within a few turns: longer flights are for other judges.
+    let amplitude = dice.pick(&["1", "3/2", "3", "10"]);
     let phase = if dice.below(2) == 0 { dice.phase() } else { dice.quarter() };
     let time = format!("{phase}{}", dice.offset());
     let (sign, speed) = (dice.sign(), dice.speed());
@@ -266,5 +271,11 @@ fn mirrored_phase(dice: &mut Dice) -> Parts {
 /// The next case; families in turn.
 pub fn case(dice: &mut Dice, number: u64) -> Case {
     let (family, make) = FAMILIES[number as usize % FAMILIES.len()];
-    Case { family, scene: make(dice).scene(), impacts: 1 + dice.below(4) }
+    loop {
+        let text = make(dice).scene();
+        // Not all that is drawn is a start inside the gap, or on a wall and towards it.
+        if let Ok(scene) = Scene::parse(&text) {
+            return Case { family, text, scene, impacts: 1 + dice.below(4) };
+        }
+    }
 }
