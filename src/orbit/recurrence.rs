@@ -63,3 +63,30 @@ impl Recurrence {
         Some(event)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two kinds of releases; the kind that recurs was first seen after `before` other events.
+    fn repeated(before: u64, between: u64) -> Option<Result<Progress, Undecided>> {
+        let mut recurrence = Recurrence::default();
+        recurrence.release(0, 0, 0);
+        (0..before).for_each(|index| recurrence.keep(&Progress::Retraced(index)));
+        recurrence.release(1, 1, before);
+        (0..between).for_each(|index| recurrence.keep(&Progress::Retraced(index)));
+        recurrence.release(1, 2, before + between);
+        assert_eq!(recurrence.period(), Some(Period { cycles: 1, impacts: between }));
+        recurrence.repeat()
+    }
+
+    #[test]
+    fn a_period_is_repeated_only_if_all_of_it_was_kept() {
+        let kept = KEPT as u64;
+        assert_eq!(repeated(5, 7), Some(Ok(Progress::Retraced(0))));
+        assert_eq!(repeated(4, kept - 4), Some(Ok(Progress::Retraced(0))));
+        for (before, between) in [(4, kept - 3), (5, kept), (kept, 9), (0, kept + 1)] {
+            assert_eq!(repeated(before, between), None, "{before} and {between}");
+        }
+    }
+}

@@ -30,7 +30,7 @@ impl Judgement {
 }
 
 /// What a straddling start needs; the long flights among them need more than anybody waits for.
-const EFFORT: Effort = Effort { bits: 1024, parts: 1 << 8, pieces: 16 };
+const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4 };
 
 /// The arithmetics in turn, and the most bits of `auto`.
 fn settings(number: u64, impacts: u64) -> Settings {
