@@ -5,7 +5,7 @@
 same Python object each time, so that one rounded operation stays one operation. `Exact`, `Rounded` and `Shape` print
 trees for Coq.
 """
-import ast, re, subprocess
+import ast, math, re, subprocess
 from fractions import Fraction
 
 
@@ -152,7 +152,8 @@ class Reader:
             case ast.Attribute(value=inner, attr=name):
                 return self.path(f"{go(inner)[1]}.{name}")
             case ast.UnaryOp(op=ast.USub(), operand=inner):
-                return ("neg", go(inner))
+                value = go(inner)
+                return ("number", -value[1]) if value[0] == "number" else ("neg", value)
             case ast.BinOp(left=left, op=op, right=right):
                 sign, a, b = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}[type(op)], go(left), go(right)
                 return constant(sign, a[1], b[1]) if a[0] == b[0] == "number" else (sign, a, b)
@@ -164,7 +165,7 @@ class Reader:
                 return (name, go(inner))
             case ast.Call(func=ast.Attribute(value=inner, attr=name), args=given):
                 value = go(inner)
-                if value[0] == "path" and not given and f"{value[1]}.{name}()" in self.known:
+                if value[0] in ("path", "name") and not given and f"{value[1]}.{name}()" in self.known:
                     return self.known[f"{value[1]}.{name}()"]
                 if name in self.functions:
                     return self.function(self.functions[name], list(map(go, given)), {"self": value})[0]
@@ -200,7 +201,7 @@ class Exact:
             case ("name", name):
                 return name
             case ("number", value):
-                return f"({value})" if value.denominator > 1 else f"{value}"
+                return f"({value})" if value.denominator > 1 or value < 0 else f"{value}"
             case ("+" | "-" | "*" | "/" as sign, a, b):
                 return f"({go(a)} {sign} {go(b)})"
             case ("fma", a, b, c):
@@ -227,7 +228,10 @@ class Rounded(Exact):
 
 
 class Steps(Exact):
-    """Lists the rounded operations of a tree, one line each: a name, the kind, and what it rounds."""
+    """Lists the rounded operations of a tree, one line each: a name, the kind, and what it rounds.
+
+    Sums of two doubles do not underflow; a product with a power of two is `scaled`: it does nothing else.
+    """
 
     def __init__(self, names=None):
         super().__init__()
@@ -243,7 +247,8 @@ class Steps(Exact):
             plain = "_".join(self.show(t) for t in tree[1:])
             name = self.called.get(id(tree)) or (plain if re.fullmatch(r"\w+", plain) else f"step{len(self.lines) + 1}")
             self.seen[id(tree)] = (name, tree)
-            self.lines.append((name, "added" if tree[0] in "+-" else "fused", inner))
+            scaled = tree[0] == "*" and tree[1][0] == "number" and math.frexp(tree[1][1])[0] in (0.5, -0.5)
+            self.lines.append((name, "added" if tree[0] in "+-" else "scaled" if scaled else "fused", inner))
         return self.seen[id(tree)][0]
 
 

@@ -57,7 +57,7 @@ Hypothesis Hq : Rabs q <= 1.
 @COARSE_SINE@
 Theorem coarse_sine : Rabs (sine - sqrt (1 - q * q)) <= 1.6 * u.
 Proof.
-  destruct Hsquare as [_ F]. destruct Hsine as [_ G]. replace ((- q) * q + 1) with (1 - q * q) in F by ring. set (x := 1 - q * q) in *.
+  destruct Hsquare as [_ [_ F]]. destruct Hsine as [_ [_ G]]. replace ((- q) * q + 1) with (1 - q * q) in F by ring. set (x := 1 - q * q) in *.
   assert (x0 : 0 <= x <= 1). { apply split_abs in Hq. unfold x. nra. }
   rewrite (Rabs_pos_eq x) in F by lra. assert (s0 := sqrt_pos x). assert (s1 : sqrt x <= 1) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
   assert (E : Rabs (sqrt square - sqrt x) <= 0.51 * u).

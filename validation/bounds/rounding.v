@@ -17,6 +17,8 @@ Definition binade x := if Rlt_dec (Rabs x) tiny then 0 else bpow radix2 (mag rad
 
 (* What is used of a rounded operation: `fused` of any one, `added` of a sum of two doubles. *)
 Definition fused x m := Rabs (m - x) <= u * binade m + eta /\ Rabs (m - x) <= u * Rabs m + eta /\ Rabs (m - x) <= u * Rabs x + eta.
+(* A fused one, or a product, that does not underflow. *)
+Definition normal x m := Rabs (m - x) <= u * binade m /\ Rabs (m - x) <= u * Rabs m /\ Rabs (m - x) <= u * Rabs x.
 Definition added x m := Rabs (m - x) <= u * Rabs m /\ Rabs (m - x) <= u * Rabs x.
 
 Lemma u_bpow : u = bpow radix2 (-53). Proof. reflexivity. Qed.
@@ -41,6 +43,14 @@ Lemma rnd_negative x : x <= 0 -> rnd x <= 0. Proof. intros H. apply rnd_le in H.
 Lemma double_power e : (-1074 <= e)%Z -> double (bpow radix2 e).
 Proof. intros H. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
 
+Lemma half_ulp_normal m : tiny <= Rabs m -> / 2 * ulp radix2 bin m = u * binade m.
+Proof.
+  intros n. unfold binade. destruct (Rlt_dec (Rabs m) tiny) as [s|_]; [lra|].
+  assert (z : m <> 0). { intros e. rewrite e, Rabs_R0 in n. generalize (bpow_gt_0 radix2 (-1022)). unfold tiny in n. lra. }
+  rewrite ulp_neq_0 by exact z. unfold cexp, FLT_exp.
+  assert (e : (-1021 <= mag radix2 m)%Z). { apply mag_ge_bpow. exact n. }
+  rewrite Z.max_l by lia. rewrite u_bpow, <- bpow_plus. change (/ 2) with (bpow radix2 (-1)). rewrite <- bpow_plus. f_equal. ring.
+Qed.
 Lemma half_ulp m : / 2 * ulp radix2 bin m <= u * binade m + eta.
 Proof.
   unfold binade. destruct (Rlt_dec (Rabs m) tiny) as [s|n].
@@ -66,6 +76,15 @@ Proof.
   - eapply Rle_trans; [apply B1_binade|]. generalize (binade_le (rnd x)). unfold u. lra.
   - eapply Rle_trans; [apply error_le_half_ulp; typeclasses eauto|]. fold bin.
     eapply Rle_trans; [apply half_ulp|]. generalize (binade_le x). unfold u. lra.
+Qed.
+Theorem B1_normal x : tiny <= Rabs x -> normal x (rnd x).
+Proof.
+  intros H. assert (M : tiny <= Rabs (rnd x)) by (apply abs_round_ge_generic; try typeclasses eauto; [apply double_power; lia|exact H]).
+  assert (E : Rabs (rnd x - x) <= u * binade (rnd x)).
+  { rewrite <- half_ulp_normal by exact M. apply error_le_half_ulp_round; typeclasses eauto. }
+  split; [exact E|split].
+  - generalize (binade_le (rnd x)). unfold u in *. lra.
+  - eapply Rle_trans; [apply error_le_half_ulp; typeclasses eauto|]. fold bin. rewrite half_ulp_normal by exact H. generalize (binade_le x). unfold u. lra.
 Qed.
 Theorem B1_sum x y : double x -> double y -> added (x + y) (rnd (x + y)).
 Proof.

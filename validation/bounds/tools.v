@@ -8,6 +8,7 @@ Open Scope R_scope.
 
 Definition SLACK := @SLACK@.
 Definition TAU := @TAU@.
+Definition TURN := @TURN@.
 Definition k := @SIN_COS_ERROR@.
 Definition D := @DEPARTURE_ERROR@.
 
@@ -41,7 +42,7 @@ Proof. intros [e|e]; unfold sine; rewrite e; generalize (SIN_bound (2 * PI * x))
 Lemma cosine_1 sigma x : sign sigma -> Rabs (cosine sigma x) <= 1.
 Proof. intros [e|e]; unfold cosine; rewrite e; generalize (COS_bound (2 * PI * x)); intros; apply Rabs_le; lra. Qed.
 (* Mean value: functions whose derivative is bounded between two points. *)
-Lemma mean_value f f' a b m : (forall x, is_derive f x (f' x)) -> (forall x, Rmin a b <= x <= Rmax a b -> Rabs (f' x) <= m) -> Rabs (f b - f a) <= m * Rabs (b - a).
+Lemma mean_value (f f' : R -> R) (a b m : R) : (forall x, is_derive f x (f' x)) -> (forall x, Rmin a b <= x <= Rmax a b -> Rabs (f' x) <= m) -> Rabs (f b - f a) <= m * Rabs (b - a).
 Proof.
   intros E H. destruct (MVT_abs f f' a b) as (c & e & r). { intros x _. apply is_derive_Reals, E. }
   rewrite e. apply Rmult_le_compat_r; [apply Rabs_pos|apply H; exact r].
