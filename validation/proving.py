@@ -252,5 +252,33 @@ class Steps(Exact):
         return self.seen[id(tree)][0]
 
 
-class Shape(Exact):
-    """Prints a tree that is a sum of products of what is not negative, for the count of its roundings (operations.v)."""
+class Shape:
+    """Prints a tree of what is not negative for the count of its roundings (operations.v); lists its leaves."""
+
+    def __init__(self):
+        self.leaves = set()
+
+    def leaf(self, tree):
+        self.leaves |= {word for word in re.findall(r"[A-Za-z_]\w*", Exact().show(tree))}
+        return f"(Leaf {Exact().show(tree)})"
+
+    def show(self, tree):
+        go = self.show
+        match tree:
+            case ("+", a, b):
+                return f"(Add {go(a)} {go(b)})"
+            case ("*", a, b):
+                return f"(Mul {go(a)} {go(b)})"
+            case ("fma", a, b, c):
+                return f"(Fma {go(a)} {go(b)} {go(c)})"
+            case ("min", a, b):
+                return f"(Min {go(a)} {go(b)})"
+            case ("/", a, b) if b[0] in ("name", "abs", "number"):
+                self.leaf(b)
+                return f"(Div {go(a)} {Exact().show(b)})"
+            case ("abs", ("-", a, b)):
+                self.leaf(a), self.leaf(b)
+                return f"(Diff {Exact().show(a)} {Exact().show(b)})"
+            case ("abs" | "binade", ("name", _)) | ("name", _) | ("number", _):
+                return self.leaf(tree)
+        raise ValueError(tree)

@@ -292,6 +292,7 @@ Proof.
 Qed.
 End Acceleration.
 
+Ltac pos := repeat first [lra | apply Rabs_pos | apply Rmult_le_pos].
 Variable J : R.
 Hypotheses (HJ : 2 * PI * PI * Rabs be <= J) (HK : Rabs (2 * PI * be * S) <= K) (HE : TAU * (beta_m * (e + 8 * u) + r_beta) <= E_b).
 Hypothesis HW : Rabs (W - w) <= (1 + 4 * u) * E_w.
@@ -313,11 +314,11 @@ Proof.
       rewrite Rabs_mult. replace (Rabs sigma) with 1; [lra|]. destruct sg as [e1|e1]; rewrite e1; [rewrite Rabs_R1|rewrite Rabs_left]; lra.
     - assert (t0 := Rabs_pos t). assert (Rabs t * Rabs t <= Y * Y) by (apply Rmult_le_compat; lra). assert (0 <= Rabs t * Rabs t) by (apply Rmult_le_pos; lra).
       assert (Rabs t * Rabs t * Rabs t <= Y * Y * Y) by (apply Rmult_le_compat; lra). lra. }
-  assert (ddd : 0 <= d * d * d) by (repeat apply Rmult_le_pos; lra). assert (J0 : 0 <= J) by (assert (0 <= 2 * PI * PI * Rabs be) by (repeat apply Rmult_le_pos; lra); lra).
+  assert (ddd : 0 <= d * d * d) by (pos). assert (J0 : 0 <= J) by (assert (0 <= 2 * PI * PI * Rabs be) by (pos); lra).
   assert (H1 : Rabs (be * (cosine sigma (ua - (s + delta)) - (C + t * S - t * t / 2 * C))) <= 2.0945 * (J * (d * d * d))).
   { rewrite Rabs_mult. apply Rle_trans with (Rabs be * (Y * Y * Y / 6)); [apply Rmult_le_compat_l; assumption|].
     replace (Rabs be * (Y * Y * Y / 6)) with ((2 * PI / 3) * ((2 * PI * PI * Rabs be) * (d * d * d))) by field.
-    apply Rmult_le_compat; [lra| |interval|apply Rmult_le_compat_r; assumption]. apply Rmult_le_pos; [|exact ddd]. repeat apply Rmult_le_pos; lra. }
+    apply Rmult_le_compat; [lra| |interval|apply Rmult_le_compat_r; assumption]. apply Rmult_le_pos; [|exact ddd]. pos. }
   (* From the end of the step to the root. *)
   assert (H2 : Rabs (be * (t * S - t * t / 2 * C - 2 * PI * s * (S - PI * s * C))) <= rho * K + rho * (2 * (J * d))).
   { replace (be * (t * S - t * t / 2 * C - 2 * PI * s * (S - PI * s * C))) with (delta * (2 * PI * be * S) - delta * (2 * PI * be * ((t + 2 * PI * s) / 2) * C)) by field.
@@ -325,7 +326,7 @@ Proof.
     assert (A2 : Rabs (2 * PI * be * ((t + 2 * PI * s) / 2) * C) <= 2 * (J * d)).
     { assert (Z : Rabs ((t + 2 * PI * s) / 2) <= Y) by (apply split_abs in Tt, Q; apply Rabs_le; lra).
       rewrite Rabs_mult, Rabs_mult, Rabs_mult, (Rabs_pos_eq (2 * PI)) by lra. apply Rle_trans with (2 * PI * Rabs be * Y * 1).
-      - apply Rmult_le_compat; auto using Rabs_pos; [repeat apply Rmult_le_pos; auto using Rabs_pos; lra|]. apply Rmult_le_compat_l; [repeat apply Rmult_le_pos; lra|exact Z].
+      - apply Rmult_le_compat; auto using Rabs_pos; [pos|]. apply Rmult_le_compat_l; [pos|exact Z].
       - replace (2 * PI * Rabs be * Y * 1) with (2 * ((2 * PI * PI * Rabs be) * d)) by ring. apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; assumption. }
     assert (A3 := abs_product _ _ _ _ Hdelta A2). apply Rabs_le. lra. }
   (* The computed step. *)
@@ -343,7 +344,7 @@ Proof.
   set (q := beta_m * (e + 8 * u) + r_beta) in *. assert (q0 : 0 <= q) by (unfold q; apply Rplus_le_le_0_compat; [apply Rmult_le_pos; [|unfold u]; lra|exact rb]).
   assert (H3 : Rabs (be * m0 - b * wave) + u * (beta_m * (y * (1.51 + 0.77 * y))) <= y * q * (1 + 0.63 * y)).
   { assert (bY : 0 <= beta_m * y) by (apply Rmult_le_pos; lra). assert (bYY : 0 <= beta_m * y * y) by (apply Rmult_le_pos; lra). assert (beYY : 0 <= beta_m * y * y * e) by (apply Rmult_le_pos; lra).
-    assert (rY : 0 <= r_beta * y * y) by (repeat apply Rmult_le_pos; lra).
+    assert (rY : 0 <= r_beta * y * y) by (pos).
     assert (X : Rabs (be * m0 - b * wave) <= y * q * (1 + 0.63 * y) - u * (beta_m * (y * (1.51 + 0.77 * y)))); [|lra].
     apply split_abs in A6. apply Rabs_le. unfold q, u in *. lra. }
   assert (E0 : 0 <= E_b) by (apply Rle_trans with (2 := HE); apply Rmult_le_pos; [unfold TAU|]; lra).
@@ -352,7 +353,7 @@ Proof.
       replace (TAU * q * d) with (TAU * d * q) by ring. apply Rmult_le_compat_r; [exact q0|]. apply Rmult_le_compat_r; assumption. }
     apply Rmult_le_compat; [apply Rmult_le_pos; assumption|lra|exact yq|lra]. }
   destruct Hv1 as [F _]. assert (Ed : 0 <= E_b * dist) by (apply Rmult_le_pos; lra). assert (Edd : 0 <= E_b * dist * dist) by (apply Rmult_le_pos; lra).
-  assert (Jr : 0 <= J * rho * dist) by (repeat apply Rmult_le_pos; lra). assert (Jd : 0 <= J * dist * dist * dist) by (repeat apply Rmult_le_pos; lra).
+  assert (Jr : 0 <= J * rho * dist) by (pos). assert (Jd : 0 <= J * dist * dist * dist) by (pos).
   assert (K0 : 0 <= K) by (generalize (Rabs_pos (2 * PI * be * S)); lra). assert (Kr : 0 <= K * rho) by (apply Rmult_le_pos; lra).
   assert (Ew : 0 <= E_w) by (generalize (Rabs_pos (W - w)); unfold u in *; lra). assert (B := binade_le v1).
   clearbody y q. set (cc := cosine sigma (ua - (s + delta))) in *. set (SS := S) in *. set (CC := C) in *.
