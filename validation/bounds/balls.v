@@ -51,7 +51,8 @@ Proof.
     assert (e : (-1020 <= mag radix2 m)%Z) by (apply mag_ge_bpow; exact big).
     apply Rle_trans with (bpow radix2 (-53 + (mag radix2 m - 1))).
     + eapply Rle_trans; [apply error_le_half_ulp_round; typeclasses eauto|]. fold rnd. fold m.
-      rewrite ulp_neq_0 by exact z. unfold cexp, FLT_exp. rewrite Z.max_l by lia. change (/ 2) with (bpow radix2 (-1)). rewrite <- bpow_plus.
+      rewrite ulp_neq_0 by exact z. unfold cexp, FLT_exp. rewrite Z.max_l by lia. change (/ 2) with (bpow radix2 (-1)).
+        rewrite <- bpow_plus.
       apply bpow_le. lia.
     + rewrite <- (rnd_id (bpow radix2 _)). 2: apply double_power; lia. apply rnd_le. rewrite bpow_plus, <- u_bpow.
       apply Rmult_le_compat_l; [unfold u; lra|]. apply bpow_mag_le. exact z.
@@ -59,7 +60,8 @@ Qed.
 
 Lemma up_of_a_sum x y t : double x -> double y -> double t -> 0 <= x -> 0 <= y -> 0 <= t -> x + y + t <= up (rnd (rnd (x + y) + t)).
 Proof.
-  intros X Y T x0 y0 t0. destruct (low_sum x y X Y) as [S s0]; [lra|]. set (s := rnd (x + y)) in *. assert (D : double s) by apply rnd_double.
+  intros X Y T x0 y0 t0. destruct (low_sum x y X Y) as [S s0]; [lra|]. set (s := rnd (x + y)) in *.
+    assert (D : double s) by apply rnd_double.
   destruct (low_sum s t D T) as [R r0]; [lra|]. set (r := rnd (s + t)) in *.
   destruct (Rle_lt_dec tiny r) as [big|small].
   - assert (F := up_factor r r0). rewrite tiny_eta in big. generalize eta_positive. unfold u in *. lra.
@@ -126,7 +128,8 @@ Proof.
   { intros e. revert near L0. unfold L, div_least. rewrite e, Rabs_R0.
     assert (N := rnd_negative (0 - rb)). intros _ p.
     match type of p with 0 < rnd ?z => assert (rnd z <= 0) by (apply rnd_negative; lra) end. lra. }
-  unfold div_rad, div_mid. fold L. unit. destruct (B1 (A / B)) as [_ [M _]]. set (q := A / B) in *. set (m := rnd q) in *.
+  unfold div_rad. fold (div_least B rb). fold L. unfold div_mid. unit. destruct (B1 (A / B)) as [_ [M _]]. set (q := A / B) in *.
+    set (m := rnd q) in *.
   assert (m0 := Rabs_pos m). assert (q0 := Rabs_pos q).
   assert (Q : Rabs q <= (1 + u) * Rabs m + eta) by (apply split_abs in M; unfold Rabs, u in *; destruct (Rcase_abs q), (Rcase_abs m); lra).
   destruct (low_sum (Rabs m) tiny) as [L1 N1]; [apply generic_format_abs, rnd_double|apply double_power; lia|rewrite tiny_eta; lra|].

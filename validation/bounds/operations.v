@@ -6,12 +6,14 @@ From Interval Require Import Tactic.
 Require Import rounding tools.
 Open Scope R_scope.
 
-Inductive expr := Leaf (x : R) | Add (a b : expr) | Mul (a b : expr) | Fma (a b c : expr) | Min (a b : expr) | Div (a : expr) (y : R) | Diff (x y : R).
+Inductive expr := Leaf (x : R) | Add (a b : expr) | Mul (a b : expr) | Fma (a b c : expr) | Min (a b : expr) | Div (a : expr) (y : R) |
+  Diff (x y : R).
 Fixpoint value e := match e with
   | Leaf x => x | Add a b => value a + value b | Mul a b => value a * value b | Fma a b c => value a * value b + value c
   | Min a b => Rmin (value a) (value b) | Div a y => value a / y | Diff x y => Rabs (x - y) end.
 Fixpoint count e := match e with
-  | Leaf _ => 0 | Add a b => S (max (count a) (count b)) | Mul a b => S (count a + count b) | Fma a b c => S (max (count a + count b) (count c))
+  | Leaf _ => 0 | Add a b => S (max (count a) (count b)) | Mul a b => S (count a + count b) | Fma a b c => S (max (count a + count b)
+    (count c))
   | Min a b => max (count a) (count b) | Div a _ => S (count a) | Diff _ _ => 1 end%nat.
 (* `m` is what the doubles make of `e`; `low` is what `normal` and `added` say of it (for the absolute value of a difference too). *)
 Definition low x m := x <= (1 + u) * m.
@@ -33,27 +35,37 @@ Proof. intros H L. apply Rmult_le_compat_r; [exact H|]. apply Rle_pow; [unfold u
 Lemma low_positive x m : 0 <= x -> low x m -> 0 <= m. Proof. unfold low, u. intros. lra. Qed.
 Theorem own_roundings e m : computed e m -> 0 <= value e <= p ^ count e * m /\ 0 <= m.
 Proof.
-  intros C. induction C as [x H|a b x y m _ [A xa] _ [B yb] L|a b x y m _ [A xa] _ [B yb] L|a b c x y z m _ [A xa] _ [B yb] _ [D zc] L|a b x y _ [A xa] _ [B yb]|a x y m P _ [A xa] L|x y m L]; cbn [value count].
+  intros C. induction C as [x H|a b x y m _ [A xa] _ [B yb] L|a b x y m _ [A xa] _ [B yb] L|a b c x y z m _ [A xa] _ [B yb] _ [D zc]
+    L|a b x y _ [A xa] _ [B yb]|a x y m P _ [A xa] L|x y m L]; cbn [value count].
   - simpl. lra.
   - assert (m0 : 0 <= m) by (apply (low_positive (x + y)); [lra|exact L]). split; [|exact m0]. split; [lra|].
-    assert (G := grow (count a) (max (count a) (count b)) x xa ltac:(lia)). assert (G' := grow (count b) (max (count a) (count b)) y yb ltac:(lia)).
-    simpl. rewrite (Rmult_comm p), Rmult_assoc. apply Rle_trans with (p ^ max (count a) (count b) * (x + y)); [lra|]. apply Rmult_le_compat_l; [generalize (p1 (max (count a) (count b))); lra|exact L].
-  - assert (m0 : 0 <= m) by (apply (low_positive (x * y)); [apply Rmult_le_pos; assumption|exact L]). split; [|exact m0]. split; [apply Rmult_le_pos; lra|].
+    assert (G := grow (count a) (max (count a) (count b)) x xa ltac:(lia)).
+      assert (G' := grow (count b) (max (count a) (count b)) y yb ltac:(lia)).
+    simpl. rewrite (Rmult_comm p), Rmult_assoc. apply Rle_trans with (p ^ max (count a) (count b) * (x + y)); [lra|].
+      apply Rmult_le_compat_l; [generalize (p1 (max (count a) (count b))); lra|exact L].
+  - assert (m0 : 0 <= m) by (apply (low_positive (x * y)); [apply Rmult_le_pos; assumption|exact L]). split; [|exact m0]. split;
+    [apply Rmult_le_pos; lra|].
     simpl. rewrite (Rmult_comm p), Rmult_assoc, pow_add. apply Rle_trans with ((p ^ count a * p ^ count b) * (x * y)).
     + replace ((p ^ count a * p ^ count b) * (x * y)) with ((p ^ count a * x) * (p ^ count b * y)) by ring. apply Rmult_le_compat; lra.
     + apply Rmult_le_compat_l; [generalize (p1 (count a)) (p1 (count b)); intros; apply Rmult_le_pos; lra|exact L].
-  - assert (xy : 0 <= x * y) by (apply Rmult_le_pos; assumption). assert (m0 : 0 <= m) by (apply (low_positive (x * y + z)); [lra|exact L]). split; [|exact m0].
+  - assert (xy : 0 <= x * y) by (apply Rmult_le_pos; assumption). assert (m0 : 0 <= m) by (apply (low_positive (x * y + z));
+    [lra|exact L]). split; [|exact m0].
     split; [apply Rplus_le_le_0_compat; [apply Rmult_le_pos|]; lra|]. set (n := max (count a + count b) (count c)).
-    assert (G := grow (count a + count b) n (x * y) xy ltac:(unfold n; lia)). assert (G' := grow (count c) n z zc ltac:(unfold n; lia)). rewrite pow_add in G.
+    assert (G := grow (count a + count b) n (x * y) xy ltac:(unfold n; lia)). assert (G' := grow (count c) n z zc ltac:(unfold n; lia)).
+      rewrite pow_add in G.
     assert (V : value a * value b <= (p ^ count a * x) * (p ^ count b * y)) by (apply Rmult_le_compat; lra).
-    simpl. rewrite (Rmult_comm p), Rmult_assoc. apply Rle_trans with (p ^ n * (x * y + z)); [lra|]. apply Rmult_le_compat_l; [generalize (p1 n); lra|exact L].
-  - assert (G := grow (count a) (max (count a) (count b)) x xa ltac:(lia)). assert (G' := grow (count b) (max (count a) (count b)) y yb ltac:(lia)).
+    simpl. rewrite (Rmult_comm p), Rmult_assoc. apply Rle_trans with (p ^ n * (x * y + z)); [lra|]. apply Rmult_le_compat_l;
+      [generalize (p1 n); lra|exact L].
+  - assert (G := grow (count a) (max (count a) (count b)) x xa ltac:(lia)).
+    assert (G' := grow (count b) (max (count a) (count b)) y yb ltac:(lia)).
     unfold Rmin. destruct (Rle_dec (value a) (value b)), (Rle_dec x y); lra.
-  - assert (i := Rinv_0_lt_compat y P). assert (xy : 0 <= x / y) by (apply Rmult_le_pos; lra). assert (m0 : 0 <= m) by (apply (low_positive (x / y)); assumption). split; [|exact m0].
+  - assert (i := Rinv_0_lt_compat y P). assert (xy : 0 <= x / y) by (apply Rmult_le_pos; lra).
+    assert (m0 : 0 <= m) by (apply (low_positive (x / y)); assumption). split; [|exact m0].
     split; [apply Rmult_le_pos; lra|]. simpl. rewrite (Rmult_comm p), Rmult_assoc. apply Rle_trans with (p ^ count a * (x / y)).
     + unfold Rdiv. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; lra.
     + apply Rmult_le_compat_l; [generalize (p1 (count a)); lra|exact L].
-  - assert (m0 := low_positive _ _ (Rabs_pos _) L). unfold low in L. split; [|exact m0]. split; [apply Rabs_pos|]. simpl. rewrite Rmult_1_r. exact L.
+  - assert (m0 := low_positive _ _ (Rabs_pos _) L). unfold low in L. split; [|exact m0]. split; [apply Rabs_pos|]. simpl.
+    rewrite Rmult_1_r. exact L.
 Qed.
 
 (* The bounds, spelled out down to the doubles that enter. *)

@@ -84,11 +84,13 @@ Proof.
   { rewrite <- half_ulp_normal by exact M. apply error_le_half_ulp_round; typeclasses eauto. }
   split; [exact E|split].
   - generalize (binade_le (rnd x)). unfold u in *. lra.
-  - eapply Rle_trans; [apply error_le_half_ulp; typeclasses eauto|]. fold bin. rewrite half_ulp_normal by exact H. generalize (binade_le x). unfold u. lra.
+  - eapply Rle_trans; [apply error_le_half_ulp; typeclasses eauto|]. fold bin. rewrite half_ulp_normal by exact H.
+    generalize (binade_le x). unfold u. lra.
 Qed.
 Theorem B1_sum x y : double x -> double y -> added (x + y) (rnd (x + y)).
 Proof.
-  intros X Y. assert (U : u_ro radix2 53 = u) by (unfold u_ro; rewrite u_bpow; change (-53)%Z with (-1 + (-53 + 1))%Z; rewrite (bpow_plus _ (-1)); reflexivity).
+  intros X Y. assert (U : u_ro radix2 53 = u) by (unfold u_ro; rewrite u_bpow; change (-53)%Z with (-1 + (-53 + 1))%Z;
+    rewrite (bpow_plus _ (-1)); reflexivity).
   assert (P : 0 < u) by (unfold u; lra). split.
   - destruct (@FLT_plus_error_N_round_ex radix2 (-1074) 53 _ (fun z => negb (Z.even z)) x y X Y) as (e & H & E).
     rewrite U in H. fold rnd in E. change (round radix2 bin ZnearestE (x + y)) with (rnd (x + y)) in E. rewrite E at 2.

@@ -42,7 +42,8 @@ Proof. intros [e|e]; unfold sine; rewrite e; generalize (SIN_bound (2 * PI * x))
 Lemma cosine_1 sigma x : sign sigma -> Rabs (cosine sigma x) <= 1.
 Proof. intros [e|e]; unfold cosine; rewrite e; generalize (COS_bound (2 * PI * x)); intros; apply Rabs_le; lra. Qed.
 (* Mean value: functions whose derivative is bounded between two points. *)
-Lemma mean_value (f f' : R -> R) (a b m : R) : (forall x, is_derive f x (f' x)) -> (forall x, Rmin a b <= x <= Rmax a b -> Rabs (f' x) <= m) -> Rabs (f b - f a) <= m * Rabs (b - a).
+Lemma mean_value (f f' : R -> R) (a b m : R) : (forall x, is_derive f x (f' x)) -> (forall x, Rmin a b <= x <= Rmax a b -> Rabs (f' x) <=
+  m) -> Rabs (f b - f a) <= m * Rabs (b - a).
 Proof.
   intros E H. destruct (MVT_abs f f' a b) as (c & e & r). { intros x _. apply is_derive_Reals, E. }
   rewrite e. apply Rmult_le_compat_r; [apply Rabs_pos|apply H; exact r].
@@ -66,7 +67,8 @@ Proof.
   intros s. assert (M := sine_lipschitz sigma x y s). generalize (Rabs_triang (sine sigma x) (sine sigma y - sine sigma x)).
   replace (sine sigma x + (sine sigma y - sine sigma x)) with (sine sigma y) by ring. lra.
 Qed.
-Lemma cosine_near sigma x y : sign sigma -> Rabs (cosine sigma y - cosine sigma x) <= 2 * PI * (Rabs (sine sigma x) + 2 * PI * Rabs (y - x)) * Rabs (y - x).
+Lemma cosine_near sigma x y : sign sigma -> Rabs (cosine sigma y - cosine sigma x) <= 2 * PI * (Rabs (sine sigma x) + 2 * PI * Rabs (y -
+  x)) * Rabs (y - x).
 Proof.
   intros s. apply mean_value with (fun x => - (2 * PI * sine sigma x)).
   - intros z. unfold sine, cosine. auto_derive; [auto|ring].
@@ -96,7 +98,8 @@ End Elapsed.
 Lemma spread_of_starts sigma al be S1 U u0 x w w1 r_u r_w span tilt : sign sigma -> be = 2 * PI * al ->
   Rabs (x - u0) <= r_u -> Rabs (w1 - w) <= r_w -> Rabs (U - u0) + r_u <= span ->
   2 * PI * Rabs be * (Rabs (sine sigma u0) + 2 * PI * r_u) <= tilt ->
-  Rabs ((w1 + be * cosine sigma x) * (U - x) - al * (S1 - sine sigma x) - ((w + be * cosine sigma u0) * (U - u0) - al * (S1 - sine sigma u0)))
+  Rabs ((w1 + be * cosine sigma x) * (U - x) - al * (S1 - sine sigma x) - ((w + be * cosine sigma u0) * (U - u0) - al * (S1 - sine sigma
+    u0)))
     <= r_w * span + r_u * (Rabs w + tilt * span).
 Proof.
   intros s eb Hx Hw Hs Ht. set (f := fun w x => (w + be * cosine sigma x) * (U - x) - al * (S1 - sine sigma x)).
@@ -105,7 +108,8 @@ Proof.
   { apply mean_value with (fun x => - w - 2 * PI * be * sine sigma x * (U - x)).
     - intros y. unfold f, sine, cosine. auto_derive; [auto|]. rewrite eb. ring.
     - intros y H. apply between in H. assert (N := sine_near sigma u0 y s).
-      assert (Y : Rabs (U - y) <= span). { generalize (Rabs_triang (U - u0) (- (y - u0))). rewrite Rabs_Ropp. replace (U - u0 + - (y - u0)) with (U - y) by ring. lra. }
+      assert (Y : Rabs (U - y) <= span). { generalize (Rabs_triang (U - u0) (- (y - u0))). rewrite Rabs_Ropp.
+        replace (U - u0 + - (y - u0)) with (U - y) by ring. lra. }
       assert (Q : Rabs (2 * PI * be * sine sigma y) <= tilt).
       { rewrite !Rabs_mult, (Rabs_pos_eq 2), (Rabs_pos_eq PI) by (generalize PI_above; lra). apply Rle_trans with (2 := Ht).
         apply Rmult_le_compat_l. { generalize (Rabs_pos be) PI_above. nra. }
@@ -114,10 +118,12 @@ Proof.
   assert (B : Rabs (f w1 x - f w x) <= r_w * span).
   { replace (f w1 x - f w x) with ((w1 - w) * (U - x)) by (unfold f; ring). rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos.
     generalize (Rabs_triang (U - u0) (- (x - u0))). rewrite Rabs_Ropp. replace (U - u0 + - (x - u0)) with (U - x) by ring. lra. }
-  assert (G : 0 <= tilt * span). { apply Rmult_le_pos; [|lra]. apply Rle_trans with (2 := Ht). generalize (Rabs_pos be) (Rabs_pos (sine sigma u0)) PI_above. intros.
+  assert (G : 0 <= tilt * span). { apply Rmult_le_pos; [|lra]. apply Rle_trans with (2 := Ht).
+    generalize (Rabs_pos be) (Rabs_pos (sine sigma u0)) PI_above. intros.
     apply Rmult_le_pos; [apply Rmult_le_pos; lra|]. apply Rplus_le_le_0_compat; [lra|]. apply Rmult_le_pos; lra. }
   assert (W := Rabs_pos w).
-  assert (C : (Rabs w + tilt * span) * Rabs (x - u0) <= r_u * (Rabs w + tilt * span)) by (rewrite (Rmult_comm r_u); apply Rmult_le_compat_l; lra).
+  assert (C : (Rabs w + tilt * span) * Rabs (x - u0) <= r_u * (Rabs w + tilt * span)) by (rewrite (Rmult_comm r_u);
+    apply Rmult_le_compat_l; lra).
   change (Rabs (f w1 x - f w u0) <= r_w * span + r_u * (Rabs w + tilt * span)).
   replace (f w1 x - f w u0) with ((f w1 x - f w x) + (f w x - f w u0)) by ring. eapply Rle_trans; [apply Rabs_triang|]. lra.
 Qed.
