@@ -73,8 +73,10 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
             return self.short_bracket(iterate.target, turns + (iterate.at - flight.phase) - iterate.step);
         }
         let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
+        // One unit more than the kernel's for the rounding of the sine at the root.
+        let sine_error = SIN_COS_ERROR + UNIT;
         let Root { at, velocity, sin, rest } =
-            self.root(iterate, error, self.velocity(iterate.velocity), SIN_COS_ERROR, self.pair.bend)?;
+            self.root(iterate, error, self.velocity(iterate.velocity), sine_error, self.pair.bend)?;
         let time = turns + (at.mid() - flight.phase);
         let rounding = UNIT * (2.0 * time.abs() + turns.abs());
         let time = Ball::new(time, up(at.rad() + self.phase_radius() + rounding));
