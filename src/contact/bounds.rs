@@ -100,6 +100,13 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         Self { flight, pair, radii, drift, tilt }
     }
 
+    /// Whether all the starts are on the wall: a start inside has a radius of its height, even where its double is 0.
+    #[inline(always)]
+    pub fn is_on_wall(&self) -> bool {
+        // Lemmas C1 (hops) and C6 begin there.
+        self.flight.height == 0.0 && self.radii.height == 0.0
+    }
+
     /// The radius of the start's phase.
     #[inline(always)]
     pub fn phase_radius(&self) -> f64 {
@@ -156,8 +163,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     pub fn hop_height(&self, h: f64, terms: f64, residual: f64) -> f64 {
         let per_term = self.pair.hop_height + self.pair.beta * self.radii.phase;
         let rounding = UNIT * (3.0 * self.speed() * h + 16.0 * residual.abs());
-        // From a wall the height is exact; one inside whose double is 0 has its radius.
-        SLACK * (terms * per_term + rounding + self.radii.velocity * h + (self.radii.height + f64::MIN_POSITIVE))
+        SLACK * (terms * per_term + rounding + self.radii.velocity * h + f64::MIN_POSITIVE)
     }
 
     /// Lemma C2 for a hop: `terms` is versine plus sine.

@@ -69,7 +69,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let (flight, turns) = (self.flight, iterate.turns);
         // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
         let elapsed = UNIT.mul_add(turns.abs(), (turns + (iterate.at - flight.phase)).abs());
-        if elapsed <= SHORT && flight.height == 0.0 {
+        if elapsed <= SHORT && self.is_on_wall() {
             return self.short_bracket(iterate.target, turns + (iterate.at - flight.phase) - iterate.step);
         }
         let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
@@ -153,8 +153,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let cubic = (2.1 * pair.jerk * distance).mul_add(distance, bend_error * distance.mul_add(4.0, 1.0));
         let rest = SLACK * (cubic.mul_add(distance, velocity_error) + UNIT * binade(velocity));
         let slope = SLACK * (2.0 * pair.jerk).mul_add(distance, curvature);
-        let sine_radius =
-            SLACK * ((sine_error + UNIT) * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
+        let sine_radius = SLACK * (sine_error * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
         Some(Root {
             at: Ball::new(root, radius),
             // One more rounding, which the slack of both terms covers.
@@ -200,7 +199,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let end = bracket.sin.mid() + bracket.sin.rad() < 0.0;
         let leaves = self.flight.velocity > self.radii.velocity;
         let longest = bracket.arrival.time.mag();
-        if start && end && leaves && longest < 0.25 && up(self.speed() * longest + self.radii.height) < 1.0 {
+        if self.is_on_wall() && start && end && leaves && longest < 0.25 && up(self.speed() * longest) < 1.0 {
             Ok(())
         } else {
             Err(Doubt::Departure)
