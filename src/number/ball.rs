@@ -6,7 +6,7 @@
 //! **Lemma B1.** For a rounded-to-nearest operation with exact value `x` and result `m`,
 //! `|x - m| <= UNIT |m| + TINY`, with `UNIT = 2^-53` and `TINY` the smallest normal double (for sums the
 //! second term is not needed; for products and quotients it covers underflow). [`up`] multiplies by
-//! `1 + 8 UNIT`, which covers the roundings of the sums of at most seven non-negative terms that make a
+//! `1 + 8 UNIT`, which covers the roundings of the sums of at most six non-negative terms that make a
 //! radius. An overflow makes the radius infinite or NaN, and a NaN radius certifies nothing: all decisions
 //! are comparisons that fail on NaN.
 
@@ -27,7 +27,7 @@ const SMALLEST: f64 = f64::from_bits(1);
 /// Bits of the ends of a ball.
 const ENCLOSURE_BITS: u32 = 160;
 
-/// An upper bound of a sum of at most seven non-negative terms, from its rounded value (Lemma B1).
+/// An upper bound of a sum of at most six non-negative terms, from its rounded value (Lemma B1).
 #[inline(always)]
 pub(crate) fn up(radius: f64) -> f64 {
     radius * (1.0 + 8.0 * UNIT)

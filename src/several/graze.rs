@@ -1,4 +1,4 @@
-//! Past a contact that may be a graze, under several harmonics: Lemma G1 with the bounds of Lemma H4.
+//! Past a contact that may be a graze, under several harmonics: Lemma H13 of `docs/proofs.md`.
 
 use rug::Float;
 
@@ -25,7 +25,7 @@ pub(crate) fn pass(
     let rates = &harmonics.rates;
     let state = all.state(&bottom);
     let side = state.side(wall);
-    // Lemma G1: the bottom is not before what is free.
+    // Lemma H13: the bottom is not before what is free.
     let before = bottom.since(&free);
     if free.since(&bottom) > 0.0 {
         return None;
