@@ -18,8 +18,9 @@ pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
 /// `turns + whole` for a whole number `whole` that a flight was told to last; `None` where the count ends.
 #[inline]
 pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
-    // Lemma N1: exact where the comparison holds; it fails on NaN.
-    if whole.abs() < MOST as f64 { later(turns, whole as i64) } else { None }
+    // Lemma N1: the cast is exact where the comparison holds, which fails on NaN, and then the sum does not wrap.
+    let count = turns.wrapping_add(whole as i64);
+    (whole.abs() < MOST as f64 && count.unsigned_abs() < MOST as u64).then_some(count)
 }
 
 #[cfg(test)]

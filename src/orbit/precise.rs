@@ -9,7 +9,7 @@ use rug::Float;
 use super::motion::{Motion, scale};
 use super::origin::{Location, Origin};
 use super::plan::Plan;
-use super::set::{Noise, Shape};
+use super::set::{Noise, SHORTEST_EDGE, Shape};
 use crate::contact::multiprecision::{Doubles, Passed, Refined, Start, isolate_first, pass};
 use crate::contact::{Contact, Margins, Undecided};
 use crate::exact::{Enclosure, Exact};
@@ -20,8 +20,6 @@ use crate::pair::{Reduced, Wall};
 
 /// Bits below the radius of a set that its centre is not worth.
 const DROWNED: i64 = 64;
-/// Edges shorter than this fraction of the longest are taken for this long.
-const SHORTEST_EDGE: f64 = f64::from_bits((1023 - 600) << 52);
 
 /// Certified in as many bits as the plan gives each impact.
 #[derive(Debug)]
@@ -61,7 +59,7 @@ impl PreciseSet {
 
     /// Encloses phases and velocities of the set.
     pub fn balls(&self) -> (MpBall, MpBall) {
-        let (phase, velocity) = self.shape.radii();
+        let (phase, velocity) = (self.shape.phase_radius(), self.shape.velocity_radius());
         let ball = |mid: &Float, rad| MpBall::new(mid.clone(), Magnitude::new(rad, self.unit));
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }

@@ -18,6 +18,9 @@
 use crate::contact::SetContact;
 use crate::number::{Ball, TINY, UNIT, up};
 
+/// The edges of an image are longer: so products with them, which may underflow, lose less than is added (Lemma S2).
+pub(super) const SHORTEST_EDGE: f64 = f64::from_bits((1023 - 600) << 52);
+
 /// The parallelogram of a set around its centre.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
@@ -47,28 +50,18 @@ impl Shape {
         Self { axis: (1.0, 0.0), edges: [phase, unscaled], scale }
     }
 
-    /// Bounds the distances of phases from the centre's; underflow is covered (Lemma B1), so it is never 0.
+    /// Bounds the distances of phases from the centre's.
     #[inline(always)]
     pub fn phase_radius(&self) -> f64 {
         let (c, s) = self.axis;
-        up(c.abs() * self.edges[0] + s.abs() * self.edges[1] + TINY)
+        up(c.abs() * self.edges[0] + s.abs() * self.edges[1])
     }
 
-    /// Bounds the distances of velocities, never by 0.
+    /// Bounds the distances of velocities.
     #[inline(always)]
     pub fn velocity_radius(&self) -> f64 {
         let (c, s) = self.axis;
-        up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1] + TINY) + TINY)
-    }
-
-    /// Bounds both distances; of a box that was given, nothing is exactly nothing.
-    #[cfg(feature = "multiprecision")]
-    pub fn radii(&self) -> (f64, f64) {
-        match (self.axis, self.edges) {
-            ((1.0, 0.0), [phase, 0.0]) => (phase, 0.0),
-            ((1.0, 0.0), [phase, _]) => (phase, self.velocity_radius()),
-            _ => (self.phase_radius(), self.velocity_radius()),
-        }
+        up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]))
     }
 
     /// The image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
@@ -82,7 +75,7 @@ impl Shape {
         // Not by `map` of the array, which is not always inlined.
         let turned = |x: Ball, y: Ball| [x * exact(c) + y * exact(s), y * exact(c) - x * exact(s)];
         let columns = [turned(a, b * scale), turned(d * unscale, e)];
-        let (p, q) = (noise.phase, up(noise.velocity * (1.0 / self.scale) + TINY));
+        let (p, q) = (noise.phase, up(noise.velocity * (1.0 / self.scale)));
         let shear = noise.slope * unscale;
         // The longest of both image edges and the error of the centre gives the first axis.
         let edge = |j: usize| (columns[0][j].mid() * self.edges[j], columns[1][j].mid() * self.edges[j]);
@@ -91,7 +84,7 @@ impl Shape {
         // The transpose of the rotation is its inverse up to the factor 1/(c^2 + s^2), within 1 +- 8 UNIT.
         let reach = |edges: [Ball; 2], noise: [Ball; 2]| {
             let image = edges[0].mag() * self.edges[0] + edges[1].mag() * self.edges[1];
-            up(image + noise[0].mag() * p + noise[1].mag() * q + TINY) * (1.0 + 16.0 * UNIT)
+            up(image + noise[0].mag() * p + noise[1].mag() * q + SHORTEST_EDGE) * (1.0 + 16.0 * UNIT)
         };
         let along = [columns[0][0] * c1 + columns[1][0] * s1, columns[0][1] * c1 + columns[1][1] * s1];
         let across = [columns[1][0] * c1 - columns[0][0] * s1, columns[1][1] * c1 - columns[0][1] * s1];
