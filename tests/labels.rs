@@ -137,13 +137,16 @@ fn is_lemma(text: &str) -> bool {
 fn labels(comment: &str) -> Vec<String> {
     let head = comment.split_once(": ").map_or(comment, |(head, _)| head).trim_end_matches(['.', ':']);
     let told = comment.contains(": ");
-    let names: Vec<&str> = head.split([',', ' ']).filter(|name| !name.is_empty() && *name != "and").collect();
+    let is_name = |name: &&str| !["", "and", "Lemma", "Lemmas"].contains(name);
+    let names: Vec<&str> = head.split([',', ' ']).filter(is_name).collect();
     let is_label = |name: &&str| is_lemma(name) || WORDS.contains(name) && (told || *name != "exact");
     let mut labels: Vec<String> = Vec::new();
     if names.iter().all(is_label) {
         labels.extend(names.iter().map(|&name| name.to_owned()));
     }
-    labels.extend(mentioned(comment).filter(|name| !names.contains(name)).map(str::to_owned));
+    labels.extend(mentioned(comment).map(str::to_owned));
+    labels.sort();
+    labels.dedup();
     labels
 }
 

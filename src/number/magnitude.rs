@@ -77,8 +77,8 @@ impl Magnitude {
             return self.fraction;
         }
         match self.exponent - unit {
-            shift @ -1021..=1022 => self.fraction * power_of_two(shift),
-            ..-1021 => f64::MIN_POSITIVE,
+            shift @ -1022..=1022 => self.fraction * power_of_two(shift),
+            ..-1022 => f64::MIN_POSITIVE,
             _ => f64::INFINITY,
         }
     }
@@ -188,9 +188,17 @@ mod tests {
             if there.is_finite() {
                 prop_assert!(exact(Magnitude::new(there, unit)) >= exact(a));
             }
-            let lost = a.exponent - unit < -1021;
+            let lost = a.exponent - unit < -1022;
             prop_assert!(lost || there.is_infinite() || Magnitude::new(there, unit) == a);
         }
+    }
+
+    #[test]
+    fn the_last_binade_of_normal_doubles_is_kept() {
+        let smallest = Magnitude::new(1.9, -1022);
+        assert_eq!(smallest.to_f64(), 1.9 * f64::MIN_POSITIVE);
+        assert_eq!(Magnitude::new(1.9, -1023).to_f64(), f64::MIN_POSITIVE);
+        assert_eq!(smallest.in_units_of(-1022), 1.9);
     }
 
     #[test]

@@ -39,8 +39,9 @@ impl Orbit {
         let radii = self.motion.radii();
         let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2()));
         let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
-        let excess = (of_time - time.log2).max(of_velocity - velocity.log2);
-        if excess.is_nan() { f64::INFINITY } else { excess }
+        let excess = [of_time - time.log2, of_velocity - velocity.log2];
+        // A maximum would pass over a NaN.
+        if excess.iter().any(|x| x.is_nan()) { f64::INFINITY } else { excess[0].max(excess[1]) } // shown
     }
 
     /// Phase and velocity as intervals where doubles are too coarse to show them.

@@ -117,8 +117,7 @@ impl Walk<'_> {
             None => *first = Some((halves, self.impacts)),
             Some((since, before)) if self.period.is_none() => {
                 let cycles: BigInt = (halves - &*since) / 2;
-                let cycles = cycles.to_u64().unwrap_or(u64::MAX);
-                self.period = Some(Period { cycles, impacts: self.impacts - *before });
+                self.period = cycles.to_u64().map(|cycles| Period { cycles, impacts: self.impacts - *before });
             }
             Some(_) => {}
         }
