@@ -8,7 +8,7 @@
 /// Counts are smaller.
 const MOST: i64 = 1 << 62;
 /// Flights of more turns are not followed: turns within one are exact as doubles.
-pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64;
+pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64; // exact: a power of two
 
 /// `turns + more`; `None` where the count ends.
 pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {

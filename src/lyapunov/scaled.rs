@@ -46,18 +46,18 @@ impl Scaled {
             // 2^shift is far less than 2^-FAR; what is no number stays none.
             return Ball::new(0.0, 2f64.powi(-FAR) * (self.mantissa.mag() + 1.0));
         }
-        self.mantissa * Ball::exact(2f64.powi(shift as i32))
+        self.mantissa * Ball::exact(2f64.powi(shift as i32)) // exact: at most 800 in size
     }
 
     pub fn plus(self, other: Self) -> Self {
-        let exponent = self.exponent.max(other.exponent);
+        let exponent = self.exponent.max(other.exponent); // exact: the greater unit
         Self { mantissa: self.in_units_of(exponent) + other.in_units_of(exponent), exponent }
     }
 
     /// Encloses its logarithm; `None` when it may be 0.
     pub fn logarithm(self) -> Option<Ball> {
         let two = logarithm(Ball::exact(2.0))?;
-        Some(logarithm(self.mantissa)? + Ball::exact(self.exponent as f64) * two)
+        Some(logarithm(self.mantissa)? + Ball::exact(self.exponent as f64) * two) // exact: below 2^53, 1000 a flight
     }
 
     /// `self / sum` for a `sum` that is at least twice as large, up to rounding.
