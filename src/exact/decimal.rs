@@ -183,10 +183,10 @@ fn with_power_of_ten<T>(n: u64, f: impl FnOnce(&BigInt) -> T) -> T {
     let powers = POWERS.get_or_init(|| {
         std::iter::successors(Some(BigInt::from(1u8)), |power| Some(power * 10u8)).take(CACHED_POWERS).collect()
     });
-    // exact: indices are of 64 bits
-    match powers.get(n as usize) {
+    let n = usize::try_from(n).expect("a power of ten that fits into memory");
+    match powers.get(n) {
         Some(power) => f(power),
-        None => f(&num_traits::pow(BigInt::from(10u8), n as usize)), // exact: of 64 bits
+        None => f(&num_traits::pow(BigInt::from(10u8), n)),
     }
 }
 
