@@ -261,7 +261,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         // Lemma C4: rising pieces meet at the mirrored phase 0, falling ones at 1/2, where the drift reaches beta. Starts on
         // both sides would not share a piece, and a mirrored phase as near as its rounding may be on the wrong one.
         let mirrored = flight.phase + flight.wall.mirror_phase();
-        let from_zero = (mirrored - mirrored.round()).abs(); // C4: exact below 2 turns
+        let from_zero = (mirrored - mirrored.round()).abs(); // C4: exact (Sterbenz)
         let room = if rising { from_zero } else { 0.5 - from_zero };
         if room.partial_cmp(&(SLACK * self.phase_radius() + 4.0 * UNIT)) != Some(Ordering::Greater) {
             return false;
