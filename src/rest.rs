@@ -13,7 +13,7 @@ pub(crate) fn haste(pair: &Reduced<Ball>) -> f64 {
     let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
     let haste = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
     // Where nothing shakes anything may rest; where nothing is lost only what is at rest.
-    if beta == 0.0 { 0.0 } else { haste.min(f64::MAX) }
+    if beta == 0.0 { 0.0 } else { haste.min(f64::MAX) } // proposes: Z1 is proved where it says so
 }
 
 /// How long, in turns, chatter can last that begins with a bounce at `phase` and `velocity`, both of a whole set, the
@@ -34,18 +34,20 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     if speed > 0.0 && (rebound >= 1.0 || shortest.partial_cmp(&0.5) != Some(Ordering::Less)) {
         return None;
     }
+    // Z2: exactly at rest, exactly there
     if speed == 0.0 && phase.rad() == 0.0 && is_pressed_from(wall, phase.mid()) {
         return Some(0.0);
     }
     // Both roundings, of 2^-54 at most each, are taken in by the edges (Lemma Z1).
     let at = phase.mid() + wall.mirror_phase();
-    let at = at - at.floor();
+    let at = at - at.floor(); // Z1: rounding is in the edges
     let edge = up(phase.rad() + 2f64.powi(-52));
     let (first, last) = ((at - edge).next_down(), (at + edge).next_up());
     let press = -kernel::sin_cos(at).0;
     if !(first > 0.5 && last < 1.0 && press > 0.0) {
         return None;
     }
+    // Z1: exactly at rest
     if speed == 0.0 {
         return Some(0.0);
     }
@@ -59,6 +61,7 @@ pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Bal
     let size = |phase: f64| Ball::new(-kernel::sin_cos(phase).0, kernel::SIN_COS_ERROR);
     let (one, two) = (size(first), size(end));
     let least = swing * if one.mid() < two.mid() { one } else { two };
+    // Z1: the greater end
     let most = swing.mag() * if first <= 0.75 && end >= 0.75 { 1.0 } else { one.mag().max(two.mag()) };
     let least = (least.mid() - least.rad()).next_down();
     if least.partial_cmp(&0.0) != Some(Ordering::Greater) {
@@ -85,10 +88,10 @@ pub(crate) fn duration(speed: f64, rebound: f64, (least, most): (f64, f64), wind
 /// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
 pub(crate) fn is_pressed_from(wall: Wall, phase: f64) -> bool {
     // Exact (Sterbenz).
-    let rest = phase - phase.round();
+    let rest = phase - phase.round(); // Z2: exact
     match wall {
-        Wall::Left => rest.abs() == 0.5,
-        Wall::Right => rest == 0.0,
+        Wall::Left => rest.abs() == 0.5, // Z2: exactly there
+        Wall::Right => rest == 0.0,      // Z2: exactly there
     }
 }
 
@@ -97,7 +100,7 @@ pub(crate) fn is_pressed_from(wall: Wall, phase: f64) -> bool {
 /// The phase is 0 on the left wall and -1/2 on the right one, where the mirrored sine turns positive (Lemma Z2).
 pub fn release(wall: Wall, phase: f64) -> (i64, f64) {
     let mirrored = phase + wall.mirror_phase();
-    (mirrored.floor() as i64 + 1, -wall.mirror_phase())
+    (mirrored.floor() as i64 + 1, -wall.mirror_phase()) // Z2: the turn it lies in, inside the edges of Z1
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@
 /// Counts are smaller.
 const MOST: i64 = 1 << 62;
 /// Flights of more turns are not followed: turns within one are exact as doubles.
-pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64;
+pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64; // exact: a power of two
 
 /// `turns + more`; `None` where the count ends.
 pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
@@ -20,6 +20,7 @@ pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
 pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     // Lemma N1: the cast is exact where the comparison holds, which fails on NaN, and then the sum does not wrap.
     let count = turns.wrapping_add(whole as i64);
+    // N1: exact, a power of two
     (whole.abs() < MOST as f64 && count.unsigned_abs() < MOST as u64).then_some(count)
 }
 

@@ -103,7 +103,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     /// Whether all the starts are on the wall: a start inside has a radius of its height, even where its double is 0.
     #[inline(always)]
     pub fn is_on_wall(&self) -> bool {
-        // Lemmas C1 (hops) and C6 begin there.
+        // C6: it begins there, exactly; so do the hops of C1.
         self.flight.height == 0.0 && self.radii.height == 0.0
     }
 

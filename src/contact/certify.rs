@@ -134,6 +134,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         // Within `reach` of the iterate z' differs from its computed value by the fraction `doubt` at most.
         let inverse = 1.0 / velocity.abs();
         let reach = 2.0 * (residual.abs() + error) * inverse;
+        // C3: no sine is greater than 1
         let curvature = if WIDE { pair.swing * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { pair.swing };
         let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
         let size = step.abs();
@@ -177,7 +178,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[cold]
     fn is_release(self) -> bool {
         let nothing = Radii { height: self.radii.height, ..Radii::default() };
-        self.flight.velocity == 0.0 && self.flight.sin == 0.0 && self.radii == nothing
+        self.flight.velocity == 0.0 && self.flight.sin == 0.0 && self.radii == nothing // C5: all three exactly
     }
 
     /// The drift is so close to `beta` that extrema may or may not exist: treated as if they did (Lemma C4).
@@ -186,7 +187,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     fn is_nearly_monotone(self, arrival: Arrival) -> Result<(), Doubt> {
         let extrema = Extrema::new::<Kernel>(self.flight);
         let (first, _) = extrema.before(arrival.target);
-        let k = (arrival.time.mid() - first).ceil().max(0.0);
+        let k = (arrival.time.mid() - first).ceil().max(0.0); // proposes: C4 is proved for this k
         // The heights were computed `shift` turns at most from the true extrema, where |z'| <= 28 beta shift^2.
         let shift = self.critical_phase();
         self.is_on_first_piece(&extrema, k, &arrival, 60.0 * self.pair.beta * shift * shift * shift)
@@ -235,6 +236,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         }
         // A piece that starts with the flight has no extremum before it.
         let on_departure = extrema.rising == (arrival.target == Target::Far);
+        // C4: extremum 0 ends the first piece
         if on_departure && k == 0.0 {
             return Ok(());
         }
@@ -259,11 +261,12 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         // Lemma C4: rising pieces meet at the mirrored phase 0, falling ones at 1/2, where the drift reaches beta. Starts on
         // both sides would not share a piece, and a mirrored phase as near as its rounding may be on the wrong one.
         let mirrored = flight.phase + flight.wall.mirror_phase();
-        let from_zero = (mirrored - mirrored.round()).abs();
+        let from_zero = (mirrored - mirrored.round()).abs(); // C4: exact (Sterbenz)
         let room = if rising { from_zero } else { 0.5 - from_zero };
         if room.partial_cmp(&(SLACK * self.phase_radius() + 4.0 * UNIT)) != Some(Ordering::Greater) {
             return false;
         }
+        // C4: exactly no velocity
         if flight.velocity == 0.0 && self.radii.velocity == 0.0 {
             flight.sin.abs() > SLACK * (SIN_COS_ERROR + TAU * self.radii.phase)
         } else {

@@ -75,13 +75,13 @@ impl Extrema {
     /// The extrema of `flight`, with `q` clamped into [-1, 1].
     #[inline(always)]
     pub fn new<T: Trigonometry>(flight: &Flight<f64>) -> Self {
-        let q = (flight.drift / flight.beta).clamp(-1.0, 1.0);
+        let q = (flight.drift / flight.beta).clamp(-1.0, 1.0); // C4: beyond 1 only if nearly monotone
         let p = T::acos(q);
         let sine = (-q).mul_add(q, 1.0).sqrt();
-        let rising = flight.velocity > 0.0 || (flight.velocity == 0.0 && flight.sin > 0.0);
+        let rising = flight.velocity > 0.0 || (flight.velocity == 0.0 && flight.sin > 0.0); // C4: exactly no velocity
         // The phase of the start in the mirrored frame, in [0, 1): rising on (p, 1 - p).
         let mirrored = flight.phase + flight.wall.mirror_phase();
-        let start = mirrored - mirrored.floor();
+        let start = mirrored - mirrored.floor(); // C4: whole turns; its rounding is refused near 0
         let (first_max, first_min) = if rising {
             let first_max = 1.0 - p - start;
             (first_max, first_max + 2.0 * p)
@@ -119,8 +119,10 @@ impl Extrema {
         } else if near {
             Some(Piece { target: Target::Near, k: 0.0 })
         } else if drift > 0.0 {
+            // proposes: C4 is proved for this k
             Some(Piece { target: Target::Far, k: ((1.0 - self.max) / drift).ceil().max(1.0) })
         } else if drift < 0.0 {
+            // proposes: C4 is proved for this k
             Some(Piece { target: Target::Near, k: (self.min / -drift).ceil().max(1.0) })
         } else {
             None

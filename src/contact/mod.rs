@@ -147,6 +147,7 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
     if flight.phase.abs().partial_cmp(&2.0) != Some(Ordering::Less) {
         return Verdict::Undecided(Undecided::endless());
     }
+    // exact: one phase for all starts
     let verdict = if radii.phase == 0.0 {
         propose::<Kernel, _>(flight, &Bounds::<false>::new(flight, margins, radii))
     } else {

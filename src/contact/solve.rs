@@ -4,6 +4,8 @@
 //! library's trigonometry), and what [`super::certify`] verifies. It works in plain doubles and allocates
 //! nothing.
 
+// Labels: proposes throughout.
+
 use super::extrema::{Extrema, Piece, Target};
 use crate::flight::Flight;
 use crate::number::Trigonometry;

@@ -70,7 +70,7 @@ pub fn decimal_f64(x: f64) -> String {
     let Some((digits, exponent)) = text.split_once('e').filter(|_| x.is_finite()) else {
         return if x.is_nan() { "nan".into() } else { infinite(x) };
     };
-    let places = digits.split_once('.').map_or(0, |(_, places)| places.len() as i64);
+    let places = digits.split_once('.').map_or(0, |(_, places)| places.len() as i64); // exact: a length
     let integer: BigInt = digits.replace('.', "").parse().expect("digits of a finite double");
     let exponent: i64 = exponent.parse().expect("the exponent of a finite double");
     DecimalDigits::new(&integer, exponent - places).to_string()
@@ -112,7 +112,7 @@ pub(super) fn exact_decimal(x: &Dyadic) -> Option<String> {
     let (digits, exponent) = if x.exponent() >= 0 {
         (x.mantissa() << x.exponent(), 0)
     } else if x.exponent() >= -86 {
-        (x.mantissa() * BigInt::from(5u8).pow(x.exponent().unsigned_abs() as u32), x.exponent())
+        (x.mantissa() * BigInt::from(5u8).pow(x.exponent().unsigned_abs() as u32), x.exponent()) // exact: at most 86
     } else {
         return None;
     };
@@ -148,7 +148,7 @@ pub(super) fn power_of_ten_below(top: i64, divisor: u8) -> i64 {
     // log10 200 = 2.3010299956639...
     let log_divisor: i128 = if divisor == 1 { 0 } else { 23_010_299_956_640 };
     let scaled = i128::from(top) * log_two - log_divisor;
-    Integer::div_floor(&scaled, &10_000_000_000_000) as i64
+    Integer::div_floor(&scaled, &10_000_000_000_000) as i64 // exact: less than |top|
 }
 
 /// True for a number, not zero, too large or too small to be written out digit by digit.
@@ -183,9 +183,10 @@ fn with_power_of_ten<T>(n: u64, f: impl FnOnce(&BigInt) -> T) -> T {
     let powers = POWERS.get_or_init(|| {
         std::iter::successors(Some(BigInt::from(1u8)), |power| Some(power * 10u8)).take(CACHED_POWERS).collect()
     });
-    match powers.get(n as usize) {
+    let n = usize::try_from(n).expect("a power of ten that fits into memory");
+    match powers.get(n) {
         Some(power) => f(power),
-        None => f(&num_traits::pow(BigInt::from(10u8), n as usize)),
+        None => f(&num_traits::pow(BigInt::from(10u8), n)),
     }
 }
 
@@ -204,7 +205,7 @@ impl DecimalDigits {
             Err(_) => integer.magnitude().to_string(),
         };
         let kept = digits.trim_end_matches('0').len();
-        let exponent = exponent + (digits.len() - kept) as i64;
+        let exponent = exponent + (digits.len() - kept) as i64; // exact: a length
         digits.truncate(kept);
         DecimalDigits {
             negative: integer.is_negative(),
@@ -225,8 +226,8 @@ impl std::fmt::Display for DecimalDigits {
         }
         let digits = self.digits.as_str();
         // The value lies in [10^leading, 10^(leading + 1)).
-        let leading = self.exponent + digits.len() as i64 - 1;
-        let zeros = |n: i64| &"000000000000000000000"[..n as usize];
+        let leading = self.exponent + digits.len() as i64 - 1; // exact: a length
+        let zeros = |n: i64| &"000000000000000000000"[..n as usize]; // exact: from 0 to 21
         match leading {
             -7..0 => {
                 f.write_str("0.")?;
@@ -238,7 +239,7 @@ impl std::fmt::Display for DecimalDigits {
                 f.write_str(zeros(self.exponent))
             }
             0..21 => {
-                let (whole, places) = digits.split_at(leading as usize + 1);
+                let (whole, places) = digits.split_at(leading as usize + 1); // exact: from 0 to 20
                 f.write_str(whole)?;
                 f.write_str(".")?;
                 f.write_str(places)

@@ -61,7 +61,7 @@ fn roundest(low: &BigInt, high: &BigInt) -> BigInt {
     let tens = std::iter::successors(Some(BigInt::from(10u8)), |power| Some(power * 10u8));
     tens.map(|ten| high.div_floor(&ten) * ten)
         .take_while(|candidate| candidate >= low)
-        .take(high.bits().max(low.bits()) as usize + 1)
+        .take(high.bits().max(low.bits()) as usize + 1) // exact: as many as it can end on
         .last()
         .unwrap_or_else(|| (low + high).div_floor(&BigInt::from(2u8)))
 }
@@ -69,14 +69,14 @@ fn roundest(low: &BigInt, high: &BigInt) -> BigInt {
 /// `n * 10^quantum` with its last digit in the place of `10^quantum`, and the power of ten if it needs one.
 fn spelled(n: &BigInt, quantum: i64) -> [String; 2] {
     let digits = n.magnitude().to_string();
-    let leading = quantum + digits.len() as i64 - 1;
+    let leading = quantum + digits.len() as i64 - 1; // exact: a length
     let (places, power) = match leading {
         _ if (-20..=0).contains(&quantum) => (-quantum, String::new()),
         -7..21 if quantum <= 0 => (-quantum, String::new()),
         _ => (leading - quantum, format!("e{leading}")),
     };
-    let digits = format!("{digits:0>width$}", width = places as usize + 1);
-    let (whole, rest) = digits.split_at(digits.len() - places as usize);
+    let digits = format!("{digits:0>width$}", width = places as usize + 1); // exact: places are not negative
+    let (whole, rest) = digits.split_at(digits.len() - places as usize); // exact: as above
     let (sign, point) = (if n.is_negative() { "-" } else { "" }, if rest.is_empty() { "" } else { "." });
     [format!("{sign}{whole}{point}{rest}"), power]
 }

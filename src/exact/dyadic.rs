@@ -44,6 +44,7 @@ impl Dyadic {
         match mantissa.trailing_zeros() {
             None => Dyadic { mantissa, exponent: 0 },
             Some(0) => Dyadic { mantissa, exponent },
+            // exact: a length in bits
             Some(zeros) => Dyadic { mantissa: mantissa >> zeros, exponent: join(exponent, zeros as i64) },
         }
     }
@@ -64,9 +65,10 @@ impl Dyadic {
             return None;
         }
         let bits = x.to_bits();
-        let (stored, fraction) = ((bits >> 52) as i64 & 0x7ff, bits & ((1 << 52) - 1));
+        let (stored, fraction) = ((bits >> 52) as i64 & 0x7ff, bits & ((1 << 52) - 1)); // exact: 11 bits
         let magnitude = if stored == 0 { fraction } else { fraction | 1 << 52 };
         let mantissa = BigInt::from(magnitude);
+        // exact: subnormals have the least exponent
         Some(Dyadic::new(if x.is_sign_negative() { -mantissa } else { mantissa }, stored.max(1) - 1075))
     }
 
@@ -127,17 +129,17 @@ impl Dyadic {
             return if round == Round::Up { f64::INFINITY } else { f64::MAX };
         }
         // Doubles near 2^top are the multiples of 2^quantum.
-        let quantum = (top - 52).max(-1074);
+        let quantum = (top - 52).max(-1074); // X1: the finest double; rounded outward below
         let steps = scale_to_integer(&self.mantissa.abs(), join(self.exponent, -quantum), round);
-        let steps: u64 = steps.iter_u64_digits().next().unwrap_or(0);
+        let steps: u64 = steps.iter_u64_digits().next().unwrap_or(0); // exact: at most 2^53, no digits for 0
         // steps <= 2^53, and the bit patterns of nonnegative doubles count the multiples of 2^quantum without a
         // gap: a carry into 2^53 runs into the exponent field, and at the very top into the pattern of infinity.
-        f64::from_bits((((quantum + 1074) as u64) << 52) + steps)
+        f64::from_bits((((quantum + 1074) as u64) << 52) + steps) // exact: not negative
     }
 
     /// `floor(log2 |self|)`, or `None` for zero.
     pub(crate) fn top(&self) -> Option<i64> {
-        (!self.is_zero()).then(|| join(self.exponent, self.mantissa.bits() as i64 - 1))
+        (!self.is_zero()).then(|| join(self.exponent, self.mantissa.bits() as i64 - 1)) // exact: a length in bits
     }
 
     /// The exact negative.
@@ -172,7 +174,7 @@ impl Dyadic {
                 _ => Dyadic::zero(),
             };
         }
-        let excess = self.mantissa.bits() as i64 - i64::from(bits.max(1));
+        let excess = self.mantissa.bits() as i64 - i64::from(bits.max(1)); // X1: one bit at least, rounded outward
         if excess <= 0 {
             return self.clone();
         }
@@ -188,11 +190,12 @@ impl Dyadic {
         if small.is_zero() {
             return large.rounded(bits, round);
         }
-        let exact = small.exponent.min(large.exponent);
+        let exact = small.exponent.min(large.exponent); // exact: the unit of both
         // Tops that differ by two or more cannot cancel: the sum keeps the top of `large` up to one bit, so bits of
         // `small` far below the last bit wanted only matter by their direction. Otherwise the sum is formed exactly,
         // in no more bits than the two mantissas have.
         let cancels = small.top().is_some_and(|small| top - small <= 1);
+        // X1: coarser units round outward
         let unit = if cancels { exact } else { large.exponent.min(top - i64::from(bits) - 4).max(exact) };
         let sum = (&large.mantissa << (large.exponent - unit))
             + scale_to_integer(&small.mantissa, join(small.exponent, -unit), round);
@@ -215,7 +218,7 @@ impl Ord for Dyadic {
         let by_top = match self.top().cmp(&other.top()) {
             // Equal tops: the shift is bounded by the longer mantissa.
             Ordering::Equal => {
-                let unit = self.exponent.min(other.exponent);
+                let unit = self.exponent.min(other.exponent); // exact: the unit of both
                 let (a, b) = (&self.mantissa << (self.exponent - unit), &other.mantissa << (other.exponent - unit));
                 return a.cmp(&b);
             }
@@ -240,7 +243,7 @@ pub(crate) fn compare_rational(x: &Dyadic, y: &BigRational) -> Ordering {
 /// `numerator / denominator` (not zero), rounded to at least `bits` significant bits.
 pub(crate) fn divide(numerator: &BigInt, denominator: &BigInt, bits: u32, round: Round) -> Dyadic {
     // The quotient of integers of lengths n + shift and d has at least n + shift - d bits.
-    let shift = i64::from(bits) + 2 + denominator.bits() as i64 - numerator.bits() as i64;
+    let shift = i64::from(bits) + 2 + denominator.bits() as i64 - numerator.bits() as i64; // exact: lengths in bits
     let (numerator, denominator) = if shift >= 0 {
         (numerator << shift, denominator.clone())
     } else {

@@ -30,7 +30,7 @@ static BEST_PI: Mutex<Option<(u64, BigInt)>> = Mutex::new(None);
 pub(crate) fn pi(bits: u32) -> Enclosure {
     let scale = u64::from(bits);
     let floor = pi_floor(scale);
-    let unit = -(scale as i64);
+    let unit = -(scale as i64); // exact: of 33 bits at most
     let wide = (Dyadic::new(floor.clone(), unit), Dyadic::new(floor + 1, unit));
     let lo = wide.0.rounded(bits, Round::Down);
     let hi = wide.1.rounded(bits, Round::Up);
@@ -91,7 +91,7 @@ fn inverse_tangent(q: u32, scale: u64) -> (BigInt, u64) {
 /// The square root of x >= 0 in `bits` mantissa bits, on the side that `round` says.
 pub(crate) fn sqrt(x: &Dyadic, bits: u32, round: Round) -> Dyadic {
     // Shift to an even exponent and at least 2 bits + 2 digits, so that the integer root has bits + 1.
-    let missing = (2 * i64::from(bits) + 2 - x.mantissa().bits() as i64).max(0);
+    let missing = (2 * i64::from(bits) + 2 - x.mantissa().bits() as i64).max(0); // exact: any shift that leaves it even
     let shift = missing + (x.exponent() - missing).rem_euclid(2);
     let square: BigInt = x.mantissa() << shift;
     let floor = square.sqrt();
@@ -147,13 +147,14 @@ struct Reduced {
 impl Reduced {
     /// Reduces x modulo pi/2, with enough digits of pi for its size and enough digits of r for `bits` correct ones.
     fn new(x: &Dyadic, bits: u32) -> Reduced {
-        let top = x.top().unwrap_or(0);
-        let (small, large) = ((-top).max(0) as u64, (top + 1).max(0) as u64);
+        let top = x.top().unwrap_or(0); // exact: 0 has no top bit
+        let (small, large) = ((-top).max(0) as u64, (top + 1).max(0) as u64); // exact: not negative
         let wanted = u64::from(bits) + small;
         // Guard: tripling loses log2(3) bits a step (`halvings` steps), summing a few times log2(number of terms).
+        // X1: any guard is sound
         let scale = wanted + 2 * tripling_steps(wanted) + 2 * u64::from(wanted.max(2).ilog2()) + 16;
 
-        let shift = x.exponent() + scale as i64;
+        let shift = x.exponent() + scale as i64; // exact: a length in bits
         let fixed = scale_to_integer(x.mantissa(), shift, Round::Down);
         let input_error = u8::from(shift < 0);
 
@@ -164,6 +165,7 @@ impl Reduced {
         let n = ((&wide << 1u8) + &half_pi).div_floor(&(&half_pi << 1u8));
         // n * pi/2 is off by |n| <= 2^(large + 1) units of 2^-(scale + large): 2 of ours, and one for the floor.
         let remainder = (wide - &n * half_pi) >> large;
+        // exact: 0 to 3, no digits for 0
         let quadrant = n.mod_floor(&BigInt::from(4)).iter_u32_digits().next().unwrap_or(0) as u8;
         Reduced { scale, quadrant, remainder, error: BigInt::from(input_error) + 3 }
     }
@@ -177,11 +179,12 @@ impl Reduced {
         } else {
             // Lemma (cofactor).
             let square = (BigInt::one() << (2 * self.scale)) - &sine * &sine;
+            // X1: Lemma (cofactor); a square root has no negative radicand
             (square.max(BigInt::zero()).sqrt(), 2 * sine_error + 3)
         };
         // sin and cos are 1-Lipschitz, so the error of r is carried over as it is.
         let error = error + &self.error;
-        let unit = -(self.scale as i64);
+        let unit = -(self.scale as i64); // exact: a length in bits
         let (lo, hi) = (Dyadic::new(&value - &error, unit), Dyadic::new(&value + &error, unit));
         let enclosure = Enclosure::new(lo, hi).expect("the error is not negative");
         if quadrant >= 2 { enclosure.negated() } else { enclosure }
@@ -196,7 +199,7 @@ fn tripling_steps(scale: u64) -> u64 {
 /// sin r in fixed point for |r| <= 1, and a bound of its error in units.
 fn sine_fixed(r: &BigInt, scale: u64) -> (BigInt, BigInt) {
     let steps = tripling_steps(scale);
-    let parts = BigInt::from(3u8).pow(steps as u32);
+    let parts = BigInt::from(3u8).pow(steps as u32); // exact: a root of a length
     let third = divide_to_integer(&r.abs(), &parts, Round::Down);
     let (mut sine, terms) = sine_series(&third, scale);
     // Lemma (sine), and one unit for the floor of the division by 3^steps.

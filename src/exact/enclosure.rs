@@ -92,8 +92,8 @@ impl Enclosure {
         let corners =
             [self.lo.times(&other.lo), self.lo.times(&other.hi), self.hi.times(&other.lo), self.hi.times(&other.hi)];
         let [first, rest @ ..] = &corners;
-        let lo = rest.iter().fold(first, |least, corner| least.min(corner));
-        let hi = rest.iter().fold(first, |most, corner| most.max(corner));
+        let lo = rest.iter().fold(first, |least, corner| least.min(corner)); // X1: the least corner
+        let hi = rest.iter().fold(first, |most, corner| most.max(corner)); // X1: the greatest corner
         Enclosure { lo: lo.rounded(bits, Round::Down), hi: hi.rounded(bits, Round::Up) }
     }
 
@@ -129,7 +129,7 @@ impl Enclosure {
     pub fn powi(&self, n: i32, bits: u32) -> Option<Enclosure> {
         // Each of the at most 2 * 32 roundings below costs less than an ulp relative, and squaring doubles what is
         // there: n ulps in all, so log2 n + 3 guard bits keep the result within a few ulps.
-        let guarded = bits.saturating_add(3 + n.unsigned_abs().max(1).ilog2());
+        let guarded = bits.saturating_add(3 + n.unsigned_abs().max(1).ilog2()); // X1: any number of bits encloses
         if n < 0 {
             let power = self.powi_unsigned(n.unsigned_abs(), guarded);
             return Enclosure::point(Dyadic::power_of_two(0)).div(&power, bits);
@@ -147,7 +147,7 @@ impl Enclosure {
             (true, true) => self.negated().powi_unsigned(n, bits).negated(),
             (true, false) if n == 0 => Enclosure::point(Dyadic::power_of_two(0)),
             (true, false) if even => {
-                let hi = power(&self.lo, Round::Up).max(power(&self.hi, Round::Up));
+                let hi = power(&self.lo, Round::Up).max(power(&self.hi, Round::Up)); // X1: the greater end
                 Enclosure { lo: Dyadic::zero(), hi }
             }
             (true, false) => Enclosure { lo: power(&self.lo, Round::Up).negated(), hi: power(&self.hi, Round::Up) },
@@ -169,23 +169,23 @@ impl Enclosure {
         let one = Dyadic::power_of_two(0);
         let whole = Enclosure { lo: one.negated(), hi: one };
         if self.is_point() {
-            return f(&self.lo, bits).intersection(&whole).unwrap_or(whole);
+            return f(&self.lo, bits).intersection(&whole).unwrap_or(whole); // X1: both hold it
         }
         let radius_bits = 32;
         let width = self.width();
         if width >= Dyadic::power_of_two(3) {
             return whole; // longer than a period
         }
-        let middle = self.lo.plus(&self.hi, bits.saturating_add(4), Round::Down).scaled(-1);
+        let middle = self.lo.plus(&self.hi, bits.saturating_add(4), Round::Down).scaled(-1); // X1: any middle
         let left = middle.plus(&self.lo.negated(), radius_bits, Round::Up);
         let right = self.hi.plus(&middle.negated(), radius_bits, Round::Up);
-        let radius = left.max(right);
+        let radius = left.max(right); // X1: the farther end
         let value = f(&middle, bits);
         let spread = Enclosure {
             lo: value.lo.plus(&radius.negated(), bits, Round::Down),
             hi: value.hi.plus(&radius, bits, Round::Up),
         };
-        spread.intersection(&whole).unwrap_or(whole)
+        spread.intersection(&whole).unwrap_or(whole) // X1: both hold it
     }
 
     /// The superset with ends of at most `bits` mantissa bits.
@@ -195,12 +195,12 @@ impl Enclosure {
 
     /// The smallest interval that holds both.
     pub fn hull(&self, other: &Enclosure) -> Enclosure {
-        Enclosure { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() }
+        Enclosure { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() } // X1: the outer ends
     }
 
     /// The common part; `None` if there is none.
     pub fn intersection(&self, other: &Enclosure) -> Option<Enclosure> {
-        Enclosure::new((&self.lo).max(&other.lo).clone(), (&self.hi).min(&other.hi).clone())
+        Enclosure::new((&self.lo).max(&other.lo).clone(), (&self.hi).min(&other.hi).clone()) // X1: the inner ends
     }
 
     /// True if the fraction lies inside, ends included.
@@ -234,7 +234,7 @@ impl Enclosure {
 
     /// The largest absolute value of a point inside.
     pub fn mag(&self) -> Dyadic {
-        self.lo.magnitude().max(self.hi.magnitude())
+        self.lo.magnitude().max(self.hi.magnitude()) // X1: the farther end
     }
 
     /// The largest double not above and the smallest double not below; infinite beyond the finite doubles.
@@ -251,7 +251,7 @@ impl Enclosure {
         let middle = Dyadic::from_f64(mid).unwrap_or_else(Dyadic::zero);
         let left = middle.plus(&self.lo.negated(), 64, Round::Up);
         let right = self.hi.plus(&middle.negated(), 64, Round::Up);
-        (mid, left.max(right).to_f64_up().max(0.0))
+        (mid, left.max(right).to_f64_up().max(0.0)) // X1: the farther end; 0 has no sign
     }
 
     /// The integer part (rounded down) that all points share; `None` if they do not, or beyond `2^(2^24)`.

@@ -32,9 +32,10 @@ impl Exact {
             return lower.enclose(bits).hull(&upper.enclose(bits));
         }
         // Construction proved that 65536 bits reach the linear regime, in which every further bit pays; so the budget is not met.
+        // X1: any number of bits encloses
         let budget = bits.saturating_mul(32).saturating_add(4 * CONSTRUCTION_PRECISION);
         let (enclosure, _) = self.settle(bits, budget);
-        enclosure.rounded(bits.saturating_add(3))
+        enclosure.rounded(bits.saturating_add(3)) // X1
     }
 
     /// The first enclosure of a new expression, or why it is refused.
@@ -50,8 +51,8 @@ impl Exact {
         if !self.is_point() {
             return (self.settle_set(bits, budget), true);
         }
-        let doubtful = bits.saturating_mul(16).saturating_add(4096);
-        let mut precision = bits.saturating_add(32);
+        let doubtful = bits.saturating_mul(16).saturating_add(4096); // X1: any number of bits encloses
+        let mut precision = bits.saturating_add(32); // X1
         let mut nonzero_in_time = false;
         loop {
             let enclosure = self.evaluate(precision);
@@ -66,17 +67,17 @@ impl Exact {
             if precision >= budget {
                 return (enclosure, false);
             }
-            let next = precision.saturating_mul(2);
-            precision = if precision < doubtful { next.min(doubtful) } else { next }.min(budget);
+            let next = precision.saturating_mul(2); // X1
+            precision = if precision < doubtful { next.min(doubtful) } else { next }.min(budget); // X1
         }
     }
 
     /// Raises the internal precision until the enclosure of a set stops shrinking by a noticeable part of its magnitude.
     fn settle_set(&self, bits: u32, budget: u32) -> Enclosure {
-        let mut precision = bits.saturating_add(64).min(budget);
+        let mut precision = bits.saturating_add(64).min(budget); // X1: any number of bits encloses
         let mut enclosure = self.evaluate(precision);
         while precision < budget {
-            precision = precision.saturating_mul(2).min(budget);
+            precision = precision.saturating_mul(2).min(budget); // X1
             let finer = self.evaluate(precision);
             let noticeable = finer.mag().scaled(-i64::from(bits) - 1);
             let shrinks = enclosure.width() > finer.width().plus(&noticeable, 64, super::dyadic::Round::Up);
@@ -121,11 +122,12 @@ impl Exact {
                 let divisor = b.evaluate(bits).intersection(away_from_zero).expect("both hold the divisor");
                 a.evaluate(bits).div(&divisor, bits).expect("proved nonzero at construction")
             }
+            // exact: at most 10000
             Form::Power(x, n) => x.evaluate(bits).powi(*n as i32, bits).expect("the exponent is positive"),
             Form::SquareRoot(x) => {
                 // Proved nonnegative at construction, so a part below zero at this precision can be cut off.
                 let x = x.evaluate(bits);
-                let lo = x.lo().max(&Dyadic::zero()).clone();
+                let lo = x.lo().max(&Dyadic::zero()).clone(); // X1: nothing of it lies below 0
                 let radicand = Enclosure::new(lo, x.hi().clone()).expect("the radicand is not negative");
                 radicand.sqrt(bits).expect("cut off at zero")
             }

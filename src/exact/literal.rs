@@ -11,12 +11,12 @@ const LARGEST_DECIMAL_EXPONENT: i64 = 10_000;
 /// `digits * 10^exponent`, exactly; `None` if it is neither zero nor between the accepted magnitudes.
 pub(super) fn exact_decimal(digits: &str, exponent: i64) -> Option<BigRational> {
     let kept = digits.trim_end_matches('0');
-    let exponent = exponent.saturating_add((digits.len() - kept.len()) as i64);
+    let exponent = exponent.saturating_add((digits.len() - kept.len()) as i64); // exact: what is cut off is refused
     let kept = kept.trim_start_matches('0');
     if kept.is_empty() {
         return Some(BigRational::zero());
     }
-    let leading = exponent.saturating_add(kept.len() as i64 - 1);
+    let leading = exponent.saturating_add(kept.len() as i64 - 1); // exact: what is cut off is refused
     if leading.abs() > LARGEST_DECIMAL_EXPONENT {
         return None;
     }
@@ -32,7 +32,7 @@ pub(super) fn exact_decimal(digits: &str, exponent: i64) -> Option<BigRational> 
 fn lowest_terms(integer: BigInt, places: u64) -> Option<BigRational> {
     let exponent = u32::try_from(places).ok()?;
     let five = BigInt::from(5u8).pow(exponent);
-    let twos = integer.trailing_zeros().unwrap_or(0).min(places);
+    let twos = integer.trailing_zeros().unwrap_or(0).min(places); // exact: the twos of both
     if twos > 0 {
         return Some(BigRational::new_raw(integer >> twos, five << (places - twos)));
     }

@@ -221,9 +221,9 @@ impl Node {
     fn new(form: Form) -> Node {
         let (depth, is_point) = match &form {
             Form::Monomial(_) => (0, true),
-            Form::Interval(a, b) => (1 + a.node.depth.max(b.node.depth), false),
+            Form::Interval(a, b) => (1 + a.node.depth.max(b.node.depth), false), // exact: a depth
             Form::Sum(a, b) | Form::Difference(a, b) | Form::Product(a, b) | Form::Quotient(a, b, _) => {
-                (1 + a.node.depth.max(b.node.depth), a.is_point() && b.is_point())
+                (1 + a.node.depth.max(b.node.depth), a.is_point() && b.is_point()) // exact: a depth
             }
             Form::Negative(x) | Form::Power(x, _) | Form::SquareRoot(x) | Form::Sine(x) | Form::Cosine(x) => {
                 (1 + x.node.depth, x.is_point())

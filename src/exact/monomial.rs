@@ -59,9 +59,9 @@ impl Monomial {
         if self.pi_power == 0 {
             return Enclosure::from_rational(&self.rational, bits);
         }
-        let guarded = bits.saturating_add(4);
+        let guarded = bits.saturating_add(4); // X1: any number of bits encloses
         // log2 of the power more bits of pi, since the power multiplies its relative width.
-        let pi = Enclosure::pi(guarded.saturating_add(self.pi_power.unsigned_abs().ilog2() + 1));
+        let pi = Enclosure::pi(guarded.saturating_add(self.pi_power.unsigned_abs().ilog2() + 1)); // X1
         let power = pi.powi(self.pi_power, guarded).expect("pi is not zero");
         power.mul(&Enclosure::from_rational(&self.rational, guarded), bits)
     }
@@ -92,6 +92,7 @@ impl Monomial {
 
     /// The exact power with n >= 0, where it is of moderate size.
     pub(super) fn power(&self, n: u32) -> Option<Monomial> {
+        // exact: what is cut off is refused
         let expected = length(&self.rational).saturating_sub(1).saturating_mul(u64::from(n));
         let n = i32::try_from(n).ok().filter(|_| expected <= LARGEST_FRACTION)?;
         Monomial::if_moderate(self.rational.pow(n), self.pi_power.checked_mul(n))
@@ -149,7 +150,7 @@ fn sine_of_sixths(sixths: u8) -> Option<Monomial> {
 
 /// The bits of the longer of numerator and denominator.
 fn length(x: &BigRational) -> u64 {
-    x.numer().bits().max(x.denom().bits())
+    x.numer().bits().max(x.denom().bits()) // exact: a length in bits
 }
 
 #[cfg(test)]

@@ -99,7 +99,7 @@ impl Exact {
         if n < 0 {
             return Exact::from(1).checked_div(&self.checked_powi(-n)?);
         }
-        let unsigned = n as u32; // at most 10000
+        let unsigned = n as u32; // exact: 0 to 10000
         if let Some(power) = self.as_monomial().and_then(|x| x.power(unsigned)) {
             return Ok(Exact::from_monomial(power));
         }

@@ -214,7 +214,7 @@ impl Reader<'_> {
             return Err(self.found_at(at, EXPONENT));
         }
         // More digits than an i64 holds are too large as well.
-        Ok(digits.parse().unwrap_or(i64::MAX))
+        Ok(digits.parse().unwrap_or(i64::MAX)) // exact: refused as too large
     }
 
     /// A decimal, exactly: digits, a point and more digits, and a power of ten.
@@ -224,7 +224,7 @@ impl Reader<'_> {
         let mut exponent = 0i64;
         if self.take(b'.') {
             let places = self.digits();
-            exponent = -(places.len() as i64);
+            exponent = -(places.len() as i64); // exact: a length
             digits += &places;
         }
         if digits.is_empty() {
@@ -241,6 +241,7 @@ impl Reader<'_> {
                 return Err(self.unexpected("the digits of a power of ten"));
             }
             // Anything that overflows here lies beyond the limit below; zero times it is zero.
+            // exact: refused as too large, or 0
             let written = written.parse::<i64>().unwrap_or(i64::MAX / 4).min(i64::MAX / 4);
             exponent += if sign == Some(b'-') { -written } else { written };
         }
@@ -267,6 +268,7 @@ impl Reader<'_> {
     /// The letters, digits and underscores ahead.
     fn word(&self) -> &str {
         let rest = &self.text[self.at..];
+        // exact: a place in the text
         let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
         &rest[..end]
     }
@@ -320,7 +322,8 @@ impl Reader<'_> {
     /// What stands at a position: a word, one character, or the end.
     fn found_at(&self, at: usize, accepted: &'static str) -> ParseError {
         // Positions are always at the start of a character, since only ASCII is ever consumed.
-        let rest = self.text.get(at..).unwrap_or_default();
+        let rest = self.text.get(at..).unwrap_or_default(); // shown
+        // shown
         let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.')).unwrap_or(rest.len());
         let found = match (rest[..end].is_empty(), rest.chars().next()) {
             (_, None) => "the end".to_owned(),

@@ -128,7 +128,7 @@ fn spell_monomial(x: &Monomial) -> (String, Binding) {
     if (-&x.rational).is_one() {
         return (format!("-{power}"), Binding::Sum);
     }
-    (format!("{number}*{power}"), binding.min(Binding::Product))
+    (format!("{number}*{power}"), binding.min(Binding::Product)) // exact: a rank
 }
 
 /// A decimal if it is short, else `n/d`.
@@ -137,19 +137,19 @@ fn spell_rational(x: &BigRational) -> (String, Binding) {
     match short_decimal(x) {
         Some(decimal) => (decimal, least),
         None if x.is_integer() => (x.numer().to_string(), least),
-        None => (format!("{}/{}", x.numer(), x.denom()), least.min(Binding::Product)),
+        None => (format!("{}/{}", x.numer(), x.denom()), least.min(Binding::Product)), // exact: a rank
     }
 }
 
 /// The exact decimal, if there is one of at most 40 significant digits.
 fn short_decimal(x: &BigRational) -> Option<String> {
-    let twos = x.denom().trailing_zeros().unwrap_or(0);
+    let twos = x.denom().trailing_zeros().unwrap_or(0); // exact: a denominator is not 0
     let (fives, rest) = split_fives(x.denom() >> twos);
     if !rest.is_one() {
         return None;
     }
     // x = n / (2^twos 5^fives) = n 2^(k - twos) 5^(k - fives) / 10^k.
-    let places = twos.max(fives);
+    let places = twos.max(fives); // exact: places for both
     let factor = BigInt::from(5u8).pow(u32::try_from(places - fives).ok()?) << (places - twos);
     let digits = DecimalDigits::new(&(x.numer() * factor), -i64::try_from(places).ok()?);
     (digits.digits.len() <= LONGEST_DECIMAL).then(|| digits.to_string())

@@ -145,8 +145,8 @@ impl Real {
     /// A point near the middle, not outside.
     pub fn middle(&self) -> Self {
         let (lo, hi) = (self.value.lo(), self.value.hi());
-        let sum = lo.plus(hi, self.bits.saturating_add(4), Round::Down);
-        self.with(Enclosure::point(sum.scaled(-1).clamp(lo.clone(), hi.clone())))
+        let sum = lo.plus(hi, self.bits.saturating_add(4), Round::Down); // exact: any point, cut to a member below
+        self.with(Enclosure::point(sum.scaled(-1).clamp(lo.clone(), hi.clone()))) // exact: a member
     }
 
     /// That point.
@@ -176,14 +176,14 @@ impl Real {
 
     /// The square root of the members that are not negative; `None` if there is none.
     pub fn sqrt(&self) -> Option<Self> {
-        let lo = self.value.lo().max(&Dyadic::zero()).clone();
+        let lo = self.value.lo().max(&Dyadic::zero()).clone(); // X1: the members from 0 on
         let value = Enclosure::new(lo, self.value.hi().clone())?.sqrt(self.bits)?;
         Some(self.with(value))
     }
 
     /// The quotient; `None` if the divisor may be 0.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
-        let bits = self.bits.max(divisor.bits);
+        let bits = self.bits.max(divisor.bits); // X1: any number of bits encloses
         self.value.div(&divisor.value, bits).map(|value| Self::new(value, bits))
     }
 
@@ -211,13 +211,13 @@ impl Real {
     /// The members that are at most `most`; a point of `most` if there is none.
     pub fn at_most(&self, most: i64) -> Self {
         let most = Dyadic::new(most.into(), 0);
-        let cut = |end: &Dyadic| end.min(&most).clone();
+        let cut = |end: &Dyadic| end.min(&most).clone(); // X1: the members up to it
         self.with(Enclosure::new(cut(self.value.lo()), cut(self.value.hi())).expect("in order"))
     }
 
     /// The integer part that all members share.
     pub fn floor(&self) -> Option<i64> {
-        self.value.floor().and_then(|n| i64::try_from(n).ok())
+        self.value.floor().and_then(|n| i64::try_from(n).ok()) // exact: shared by all members
     }
 }
 
@@ -241,7 +241,7 @@ macro_rules! operator {
         impl $trait<&Real> for &Real {
             type Output = Real;
             fn $name(self, b: &Real) -> Real {
-                let bits = self.bits.max(b.bits);
+                let bits = self.bits.max(b.bits); // X1: any number of bits encloses
                 Real::new(self.value.$enclosure(&b.value, bits), bits)
             }
         }

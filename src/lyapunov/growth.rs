@@ -123,12 +123,13 @@ impl Growth {
         let squares = self.first.square().plus(second.square());
         // At most 1, where nothing better is known.
         let ratio = self.determinant.in_units_of_sum(squares).map(|determinant| Ball::exact(2.0) * determinant);
-        let ratio = ratio.unwrap_or(Ball::new(0.5, 0.5));
+        let ratio = ratio.unwrap_or(Ball::new(0.5, 0.5)); // L2: 2 D <= S
         let room = Ball::exact(1.0) - ratio * ratio;
         // Singular values are real: what rounding leaves below 0 is none.
-        let root = |x: f64| x.clamp(0.0, 1.0).sqrt();
+        let root = |x: f64| x.clamp(0.0, 1.0).sqrt(); // L2: singular values are real
         let (low, high) = (root((room.mid() - room.rad()).next_down()), root((room.mid() + room.rad()).next_up()));
         let middle = 0.5 * (low + high);
+        // L2: the farther end; a NaN is in both
         let root = Ball::new(middle, up((high - middle).max(middle - low) + 4.0 * f64::EPSILON));
         let larger = half * (Ball::exact(1.0) + root);
         Some(half * (squares.logarithm()? + logarithm(larger)?))

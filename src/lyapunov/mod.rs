@@ -132,10 +132,10 @@ impl Disturbance {
         }
         let growth = self.growth.logarithm_of_norm().filter(|_| !self.is_lost);
         let bounds = growth.and_then(|growth| {
-            let per_impact = growth.checked_div(Ball::exact(impacts as f64))?;
+            let per_impact = growth.checked_div(Ball::exact(impacts as f64))?; // exact: far fewer than 2^53
             Some(Exponent::Finite { per_impact, per_cycle: growth.checked_div(self.turns)? })
         });
-        bounds.unwrap_or(Exponent::Unknown(Unknown::Width))
+        bounds.unwrap_or(Exponent::Unknown(Unknown::Width)) // exact: no bounds are none
     }
 }
 

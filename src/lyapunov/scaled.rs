@@ -12,7 +12,7 @@ pub(super) struct Scaled {
 /// A mantissa beyond `2^(+-LARGEST)` is brought back.
 const LARGEST: i32 = 200;
 /// Of a sum the smaller term is bounded, not computed, when it is less than `2^-FAR` of the larger one.
-const FAR: i64 = 300;
+const FAR: i32 = 300;
 
 impl Scaled {
     pub fn one() -> Self {
@@ -28,7 +28,7 @@ impl Scaled {
             return Self { mantissa, ..self };
         }
         // A power of two that keeps the centre exact; the radius may lose what is below the normal range.
-        let shift = binary as i32;
+        let shift = binary.clamp(-1000.0, 1000.0) as i32; // exact: 2^+-shift is a normal double
         let scale = 2f64.powi(-shift);
         let mantissa = Ball::new(mantissa.mid() * scale, up(mantissa.rad() * scale + f64::MIN_POSITIVE));
         Self { mantissa, exponent: self.exponent + i64::from(shift) }
@@ -42,22 +42,22 @@ impl Scaled {
     /// The mantissa in units of `2^exponent`, for an exponent that is not much smaller than its own.
     pub fn in_units_of(self, exponent: i64) -> Ball {
         let shift = self.exponent - exponent;
-        if shift < -FAR - 2 * i64::from(LARGEST) {
-            // Less than 2^(2 LARGEST) times 2^shift.
-            return Ball::new(0.0, 2f64.powi(-(FAR as i32)) * self.mantissa.mag().max(1.0));
+        if shift < -i64::from(FAR + 2 * LARGEST) {
+            // 2^shift is far less than 2^-FAR; what is no number stays none.
+            return Ball::new(0.0, 2f64.powi(-FAR) * (self.mantissa.mag() + 1.0));
         }
-        self.mantissa * Ball::exact(2f64.powi(shift as i32))
+        self.mantissa * Ball::exact(2f64.powi(shift as i32)) // exact: at most 800 in size
     }
 
     pub fn plus(self, other: Self) -> Self {
-        let exponent = self.exponent.max(other.exponent);
+        let exponent = self.exponent.max(other.exponent); // exact: the greater unit
         Self { mantissa: self.in_units_of(exponent) + other.in_units_of(exponent), exponent }
     }
 
     /// Encloses its logarithm; `None` when it may be 0.
     pub fn logarithm(self) -> Option<Ball> {
         let two = logarithm(Ball::exact(2.0))?;
-        Some(logarithm(self.mantissa)? + Ball::exact(self.exponent as f64) * two)
+        Some(logarithm(self.mantissa)? + Ball::exact(self.exponent as f64) * two) // exact: below 2^53, 1000 a flight
     }
 
     /// `self / sum` for a `sum` that is at least twice as large, up to rounding.

@@ -235,7 +235,7 @@ impl Enclosing for Ball {
     #[inline(always)]
     fn certain_sign(&self) -> Option<Ordering> {
         // Two doubles compare exactly; a NaN does not at all.
-        if self.mid.abs() > self.rad || self.rad == 0.0 { self.mid.partial_cmp(&0.0) } else { None }
+        if self.mid.abs() > self.rad || self.rad == 0.0 { self.mid.partial_cmp(&0.0) } else { None } // B2: a point
     }
     #[inline(always)]
     fn as_ball(&self) -> Ball {

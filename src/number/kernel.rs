@@ -88,7 +88,7 @@ const A: [f64; 9] = [
 ];
 
 /// `1.5 * 2^50`: next to it the doubles are the multiples of 1/4.
-const MAGIC: f64 = (3_u64 << 49) as f64;
+const MAGIC: f64 = (3_u64 << 49) as f64; // K1: exact
 
 /// How far sine and cosine at `h` turns have left their values and slopes at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,10 +142,10 @@ pub fn sin_cos(u: f64) -> (f64, f64) {
     // Turn by k quarters: along = cos(pi k/2), across = sin(pi k/2) are -1, 0 or 1, so nothing rounds. No branch:
     // a random k would defeat its prediction.
     let unit = |quarter: u64| {
-        let is_odd = (quarter & 1).wrapping_neg();
+        let is_odd = (quarter & 1).wrapping_neg(); // K1: all bits or none
         f64::from_bits((1.0_f64.to_bits() ^ ((quarter & 2) << 62)) & !is_odd)
     };
-    let (along, across) = (unit(k), unit(k.wrapping_sub(1)));
+    let (along, across) = (unit(k), unit(k.wrapping_sub(1))); // K1: the quarter before, modulo 4
     (sine.mul_add(along, cosine * across), cosine.mul_add(along, -(sine * across)))
 }
 

@@ -5,7 +5,7 @@ use super::{Ball, Number, up};
 /// `1/(2 k + 1)` for `k < 12` are the coefficients of `atanh(z)/z` in `z^2`.
 const TERMS: u32 = 12;
 /// The rest of that series for `z^2 <= 0.0295`: at most `0.0295^12/(25 * 0.97) < 2^-65`.
-const REST: f64 = 1.0 / (1_u128 << 65) as f64;
+const REST: f64 = 1.0 / (1_u128 << 65) as f64; // B3: exact, a power of two
 /// How far `ln 2 = 0.69314718055994530941723...` is from the nearest double.
 const LN_2_ERROR: f64 = 2.4e-17;
 
@@ -28,7 +28,7 @@ pub fn logarithm(x: Ball) -> Option<Ball> {
 
 /// Encloses `ln x` of a normal double `x > 0`. Lemma B3
 fn logarithm_of(x: f64) -> Ball {
-    let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023;
+    let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023; // B3: 11 bits
     // x = m 2^k with m in [sqrt(1/2), sqrt(2)], about; both factors are exact.
     let m = f64::from_bits((x.to_bits() & ((1 << 52) - 1)) | (1023 << 52));
     let (m, k) = if m > std::f64::consts::SQRT_2 { (0.5 * m, exponent + 1) } else { (m, exponent) };

@@ -19,12 +19,12 @@ pub struct Magnitude {
 
 /// The binary exponent of a positive normal double: it is in `[2^e, 2^(e + 1))`.
 fn exponent_of(x: f64) -> i64 {
-    ((x.to_bits() >> 52) & 0x7ff) as i64 - 1023
+    ((x.to_bits() >> 52) & 0x7ff) as i64 - 1023 // M0: 11 bits
 }
 
 /// `2^n` for a normal result.
 fn power_of_two(n: i64) -> f64 {
-    f64::from_bits(((n + 1023) as u64) << 52)
+    f64::from_bits(((n + 1023) as u64) << 52) // M0: from 1 to 2046
 }
 
 impl Magnitude {
@@ -35,13 +35,14 @@ impl Magnitude {
 
     /// `x * 2^exponent` for `x >= 0`, rounded up below the normal range; a NaN is no bound.
     pub fn new(x: f64, exponent: i64) -> Self {
+        // M0: exactly nothing
         if x == 0.0 {
             return Self::ZERO;
         }
         if !x.is_finite() {
             return Self::INFINITE;
         }
-        let x = x.max(f64::MIN_POSITIVE);
+        let x = x.max(f64::MIN_POSITIVE); // M0: the smallest normal double stands for less
         let own = exponent_of(x);
         Self { fraction: x * power_of_two(-own / 2) * power_of_two(-own - -own / 2), exponent: own + exponent }
     }
@@ -53,7 +54,7 @@ impl Magnitude {
 
     /// Whether it is 0, exactly.
     pub fn is_zero(self) -> bool {
-        self.fraction == 0.0
+        self.fraction == 0.0 // M0: exactly nothing
     }
 
     /// Whether it bounds anything.
@@ -68,7 +69,7 @@ impl Magnitude {
 
     /// `log2`, to nearest; minus infinity for 0.
     pub fn log2(self) -> f64 {
-        self.fraction.log2() + self.exponent as f64
+        self.fraction.log2() + self.exponent as f64 // shown
     }
 
     /// In units of `2^unit`, rounded up; at least the smallest normal double unless it is 0.
@@ -77,8 +78,8 @@ impl Magnitude {
             return self.fraction;
         }
         match self.exponent - unit {
-            shift @ -1021..=1022 => self.fraction * power_of_two(shift),
-            ..-1021 => f64::MIN_POSITIVE,
+            shift @ -1022..=1022 => self.fraction * power_of_two(shift),
+            ..-1022 => f64::MIN_POSITIVE,
             _ => f64::INFINITY,
         }
     }
@@ -188,9 +189,17 @@ mod tests {
             if there.is_finite() {
                 prop_assert!(exact(Magnitude::new(there, unit)) >= exact(a));
             }
-            let lost = a.exponent - unit < -1021;
+            let lost = a.exponent - unit < -1022;
             prop_assert!(lost || there.is_infinite() || Magnitude::new(there, unit) == a);
         }
+    }
+
+    #[test]
+    fn the_last_binade_of_normal_doubles_is_kept() {
+        let smallest = Magnitude::new(1.9, -1022);
+        assert_eq!(smallest.to_f64(), 1.9 * f64::MIN_POSITIVE);
+        assert_eq!(Magnitude::new(1.9, -1023).to_f64(), f64::MIN_POSITIVE);
+        assert_eq!(smallest.in_units_of(-1022), 1.9);
     }
 
     #[test]

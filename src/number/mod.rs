@@ -53,7 +53,7 @@ impl Number for f64 {
     }
     #[inline(always)]
     fn checked_div(self, b: Self) -> Option<Self> {
-        (b != 0.0).then(|| self / b)
+        (b != 0.0).then(|| self / b) // proposes: floats
     }
     #[inline(always)]
     fn turn(&self) -> Self {

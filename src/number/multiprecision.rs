@@ -91,6 +91,7 @@ impl MpBall {
     /// Encloses an enclosure, with a centre of `bits` bits.
     pub fn enclosing(x: &Enclosure, bits: u32) -> Self {
         let (low, high) = (float_of(x.lo()), float_of(x.hi()));
+        // M1: any centre; the radius is measured from it
         let middle: Float = Float::with_val(low.prec().max(high.prec()) + 1, &low + &high) / 2u32;
         let mid = Float::with_val(bits, &middle);
         // Differences of two numbers, rounded away from 0.
@@ -102,7 +103,7 @@ impl MpBall {
 
     /// The number that the double `x` is, exactly, with so many bits.
     pub fn from_f64_bits(x: f64, bits: u32) -> Self {
-        Self::exact(Float::with_val(bits.max(f64::MANTISSA_DIGITS), x))
+        Self::exact(Float::with_val(bits.max(f64::MANTISSA_DIGITS), x)) // M1: bits enough for a double
     }
 
     /// The centre.
@@ -140,7 +141,7 @@ impl MpBall {
 
     /// Whether all of `other` lies inside.
     pub fn contains(&self, other: &Self) -> bool {
-        let bits = self.bits().max(other.bits()) + 2;
+        let bits = self.bits().max(other.bits()) + 2; // M1: any number of bits
         let (distance, _) = Float::with_val_round(bits, &self.mid - &other.mid, Round::AwayZero);
         magnitude(&distance) + other.rad <= self.rad
     }
@@ -179,6 +180,7 @@ impl MpBall {
         let rad = Enclosure::point(fraction.scaled(exponent));
         // Enough bits for all between the top of one and the bottom of the other.
         let spread = mid.top().map_or(0, |top| (top - exponent).unsigned_abs());
+        // X1: any number of bits encloses
         let bits = u32::try_from(spread).map_or(u32::MAX / 2, |spread| self.bits().max(spread) + 64);
         let mid = Enclosure::point(mid);
         Some(mid.sub(&rad, bits).hull(&mid.add(&rad, bits)))
@@ -187,7 +189,7 @@ impl MpBall {
     /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter turns they are exact.
     pub fn sin_cos(&self) -> (Self, Self) {
         if let Some(quarter) = self.quarter() {
-            let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize];
+            let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize]; // exact: 0 to 3
             return (Self::from_f64(at(0)), Self::from_f64(at(1)));
         }
         let angle = self.turn() * self.clone();
@@ -203,7 +205,7 @@ impl MpBall {
     fn quarter(&self) -> Option<i32> {
         let quarters = Float::with_val(self.bits(), &self.mid * 4u32);
         let is_one = self.rad.is_zero() && quarters.is_integer() && quarters.clone().abs() <= 8u32;
-        is_one.then(|| quarters.to_f64() as i32)
+        is_one.then(|| quarters.to_f64() as i32) // exact: at most 8 in size
     }
 
     /// Encloses `acos(q) / (2 pi)` for all `q` in the ball that lie in `[-1, 1]`.
@@ -214,7 +216,7 @@ impl MpBall {
         };
         // acos falls: each end bounds the other side.
         let end = |x: Float, round: Round| {
-            let inside = x.clamp(&-1, &1);
+            let inside = x.clamp(&-1, &1); // M1: cut with [-1, 1]
             Float::with_val_round(bits, inside.acos_ref(), round).0
         };
         let low = end(Float::with_val_round(bits, &self.mid + &rad, Round::Up).0, Round::Down);
@@ -266,7 +268,7 @@ impl MpBall {
 impl Add for MpBall {
     type Output = Self;
     fn add(self, b: Self) -> Self {
-        let bits = self.bits().max(b.bits());
+        let bits = self.bits().max(b.bits()); // M1: any number of bits
         let (mid, error) = rounding(Float::with_val_round(bits, &self.mid + &b.mid, Round::Nearest));
         Self { mid, rad: self.rad + b.rad + error }
     }
@@ -299,7 +301,7 @@ impl MpBall {
 impl Mul for MpBall {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
-        let bits = self.bits().max(b.bits());
+        let bits = self.bits().max(b.bits()); // M1: any number of bits
         let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
         Self { mid, rad: self.product_spread(&b) + error }
     }
@@ -311,7 +313,7 @@ impl Number for MpBall {
     }
 
     fn mul_add(self, b: Self, c: Self) -> Self {
-        let bits = self.bits().max(b.bits()).max(c.bits());
+        let bits = self.bits().max(b.bits()).max(c.bits()); // M1: any number of bits
         let product = self.mid.mul_add_ref(&b.mid, &c.mid);
         let (mid, error) = rounding(Float::with_val_round(bits, product, Round::Nearest));
         Self { mid, rad: self.product_spread(&b) + c.rad + error }
@@ -319,7 +321,7 @@ impl Number for MpBall {
 
     fn checked_div(self, b: Self) -> Option<Self> {
         let least = b.mig()?;
-        let bits = self.bits().max(b.bits());
+        let bits = self.bits().max(b.bits()); // M1: any number of bits
         let (mid, error) = rounding(Float::with_val_round(bits, &self.mid / &b.mid, Round::Nearest));
         let spread = (self.rad + magnitude(&mid) * b.rad).over(least);
         // The rounding is that of the centres' quotient; a member's quotient differs by |m| r_b / |b| of it more.
@@ -358,7 +360,7 @@ impl Enclosing for MpBall {
         Self::new(self.mid.clone(), Magnitude::new(radius, 0))
     }
     fn is_interior_to(&self, outer: &Self) -> bool {
-        let bits = self.bits().max(outer.bits());
+        let bits = self.bits().max(outer.bits()); // M1: any number of bits
         let (distance, _) = Float::with_val_round(bits, &self.mid - &outer.mid, Round::AwayZero);
         magnitude(&distance) + self.rad < outer.rad
     }
@@ -389,7 +391,7 @@ fn float_of(x: &Dyadic) -> Float {
     let magnitude = Integer::from_digits(&digits, Order::Lsf);
     let mantissa = if sign == Sign::Minus { -magnitude } else { magnitude };
     let shift = i32::try_from(x.exponent()).expect("exponents of exact numbers are far smaller");
-    Float::with_val(mantissa.significant_bits().max(1), mantissa) << shift
+    Float::with_val(mantissa.significant_bits().max(1), mantissa) << shift // exact: 0 takes a bit
 }
 
 /// A float as a dyadic number, exactly.

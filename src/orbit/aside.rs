@@ -103,7 +103,7 @@ impl Orbit {
             None => finite(phase),
         };
         let span = Enclosure::from_f64_bounds(0.0, time)?;
-        let enclosed = enclosed.add(&span, self.shown.saturating_add(64));
+        let enclosed = enclosed.add(&span, self.shown.saturating_add(64)); // X1: any number of bits encloses
         let release = match for_ever {
             true => None,
             false => Some(self.release_of(wall, turns, phase.mid())?),
@@ -158,7 +158,7 @@ impl Orbit {
     #[cfg(feature = "multiprecision")]
     pub(super) fn pass_graze(&mut self) -> Option<Progress> {
         let passed = self.motion.pass_graze()?;
-        let whole = passed.at.mid().to_f64().round();
+        let whole = passed.at.mid().to_f64().round(); // exact: any whole number is taken off
         let turns = turns::after(self.cursor.turns, whole)?;
         let at = passed.at.clone() - MpBall::from_f64(whole);
         if self.is_past(turns, at.to_ball()) {

@@ -30,7 +30,7 @@ impl Recent {
 
     /// Those kept, in order of time.
     fn in_order(&self) -> Vec<Passing> {
-        let (late, early) = self.states.split_at(self.next.min(self.states.len()));
+        let (late, early) = self.states.split_at(self.next.min(self.states.len())); // exact: an index
         [early, late].concat()
     }
 }
@@ -46,7 +46,7 @@ impl Orbit {
         if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
             return None;
         }
-        let (mut states, digits) = (self.recent.in_order(), self.settings.digits.min(DIGITS));
+        let (mut states, digits) = (self.recent.in_order(), self.settings.digits.min(DIGITS)); // shown
         let Some(several) = &self.given.several else {
             let problem = |word: &_, cycles| Problem::of(self.given.exact.clone(), self.pair, word, cycles).ok();
             return find_attractor(&states, digits, problem);

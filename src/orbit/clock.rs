@@ -57,8 +57,8 @@ impl Clock {
         let slowness = within("pair.gap", pair.gap(), period.checked_div(pair.gap()))?;
         let start = within("start.time", time, phase(&rate, &shift, time))?;
         let origin = nearest(&start);
-        let shown = BITS.saturating_add(shown);
-        let bits = shown.saturating_add(u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2));
+        let shown = BITS.saturating_add(shown); // X1: any number of bits encloses
+        let bits = shown.saturating_add(u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2)); // X1
         let (period, delay, speed) = (period.enclose(bits), delay.enclose(bits), speed.enclose(shown));
         let relative = |of: &Enclosure, to: &Enclosure| of.width().to_f64_up() / to.mig().to_f64_down();
         Ok(Self {
@@ -79,7 +79,7 @@ impl Clock {
 
     /// How many turns after the start of a period of so many turns phases are counted from.
     pub(crate) fn turns_into(&self, period: u32) -> i64 {
-        self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0)
+        self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0) // exact: below 2^32
     }
 
     /// The whole turns that phases are counted from.
@@ -125,7 +125,7 @@ impl Clock {
     fn spread(&self, turns: i64, velocity: Ball) -> (f64, f64) {
         let Some([per_turn, once, per_unit]) = self.spread else { return (0.0, 0.0) };
         let turns = Dyadic::new(&self.origin + turns, 0);
-        let turns = turns.to_f64_up().abs().max(turns.to_f64_down().abs()) + 2.0;
+        let turns = turns.to_f64_up().abs().max(turns.to_f64_down().abs()) + 2.0; // shown: widths, not bounds
         (per_turn.mul_add(turns, once), per_unit * velocity.mag())
     }
 
@@ -155,7 +155,7 @@ impl Clock {
     /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
     pub fn time_in_period(&self, rest: &Enclosure) -> Enclosure {
         let turns = rest.sub(&self.shift.enclose(self.shown), self.shown);
-        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), self.shown);
+        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), self.shown); // exact: a whole number
         turns.sub(&whole, self.shown).mul(&self.period, self.shown)
     }
 
@@ -178,7 +178,7 @@ fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError>
 /// A whole number nearest to the value, or next to it.
 fn nearest(value: &Exact) -> BigInt {
     let low = value.enclose(BITS).lo().to_rational();
-    (low + BigRational::new(1.into(), 2.into())).floor().to_integer()
+    (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
 }
 
 /// A number as an interval.

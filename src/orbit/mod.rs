@@ -143,7 +143,7 @@ impl Orbit {
         let shown = match settings.arithmetic {
             Arithmetic::Bits(bits) => bits,
             // Of log2(10) bits a digit, and a few more.
-            _ => settings.digits.saturating_mul(10) / 3 + 64,
+            _ => settings.digits.saturating_mul(10) / 3 + 64, // shown
         };
         let clock = Clock::new(pair, &start.time, shown)?;
         let (turns, given) = Given::new(pair, start, &clock)?;
@@ -192,7 +192,7 @@ impl Orbit {
     fn look_ahead(&mut self) {
         #[cfg(feature = "multiprecision")]
         if self.settings.arithmetic == Arithmetic::Auto {
-            let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts));
+            let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.settings.clone() };
             self.raise = Some(Raise::new(self.given.clone(), self.start.turns, self.until, &settings));
         }
@@ -212,7 +212,7 @@ impl Orbit {
 
     /// The most bits that an impact so far was computed with: 53 in double precision.
     pub fn bits(&self) -> u32 {
-        self.bits.max(self.motion.bits())
+        self.bits.max(self.motion.bits()) // shown
     }
 
     /// The bits of each impact, once it is computed in multiprecision.
@@ -340,13 +340,13 @@ impl Orbit {
         let Some(wall) = self.cursor.wall else { return false };
         if self.given.several.is_some() {
             // A rest is told once the chatter left is shorter than the digits show.
-            let least = self.widths[0].linear.max(f64::MIN_POSITIVE);
+            let least = self.widths[0].linear.max(f64::MIN_POSITIVE); // proposes: Z1 is proved where it says so
             return self.cursor.index == self.listed && (self.cursor.velocity.mid() * self.haste).abs() <= least;
         }
         let phase = self.cursor.phase.mid() + wall.mirror_phase();
         // Chatter that begins now would have to end before the pressure does.
         let shortest = (self.cursor.velocity.mid() * self.haste).abs();
-        shortest <= phase.ceil() - phase && self.cursor.index == self.listed
+        shortest <= phase.ceil() - phase && self.cursor.index == self.listed // proposes
     }
 
     /// All that was asked for is listed.

@@ -77,8 +77,8 @@ pub(super) const PASSING_BITS: u32 = 128;
 
 /// A power of two near the velocities to come.
 pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
-    let speed = pair.beta.mag().max(velocity.mag()).clamp(2f64.powi(-400), 2f64.powi(400));
-    2f64.powi(speed.log2().round() as i32)
+    let speed = pair.beta.mag().max(velocity.mag()).clamp(2f64.powi(-400), 2f64.powi(400)); // S2: any power of two
+    2f64.powi(speed.log2().round() as i32) // S2: any power of two
 }
 
 /// Plain doubles, nothing proved.
@@ -239,6 +239,6 @@ impl Motion for IntervalMotion {
             State::Wall { set, .. } => (set.phase_ball(), set.velocity_ball()),
             State::Inside { phase, height, .. } => (*phase, *height),
         };
-        -phase.rad().max(velocity.rad()).log2()
+        -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by
     }
 }

@@ -24,8 +24,9 @@ impl Orbit {
     pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
         // More than 2^53 turns are rounded, and then the ball of phases is not worth anything: it is widened by that.
         let whole = to.turns - from.turns;
+        // N1: twice what the cast below may round
         let rounding = if whole.unsigned_abs() < 1 << 53 { 0.0 } else { f64::EPSILON * whole as f64 };
-        Ball::new(whole as f64, rounding.abs()) + (to.phase - from.phase)
+        Ball::new(whole as f64, rounding.abs()) + (to.phase - from.phase) // N1
     }
 
     /// The Jacobian (A.7) of the flight between two impacts in a row, times in turns, velocities in gaps a turn.

@@ -7,6 +7,8 @@
 //! what was asked for, what the rest of the orbit will eat, and that much more; precision falls as the orbit goes on.
 //! A plan proves nothing. One that falls short is raised, by what was missing.
 
+// Labels: proposes throughout.
+
 use std::sync::Arc;
 
 use super::given::Given;

@@ -82,7 +82,7 @@ impl PreciseSet {
         let unit = greatest_exponent(&[edges[0], edges[1], phase, velocity]);
         let edges = edges.map(|edge| match edge.in_units_of(unit) {
             0.0 => 0.0,
-            edge => edge.max(SHORTEST_EDGE),
+            edge => edge.max(SHORTEST_EDGE), // M4: enlarges the set
         });
         let noise = Noise { phase: phase.in_units_of(unit), velocity: velocity.in_units_of(unit), slope };
         (self.shape.with_edges(edges).image(jacobian, &noise), unit)
@@ -91,15 +91,16 @@ impl PreciseSet {
 
 /// The exponent of the greatest of them, 0 when all are 0.
 fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
-    magnitudes.iter().filter_map(|x| x.exponent()).max().unwrap_or(0)
+    magnitudes.iter().filter_map(|x| x.exponent()).max().unwrap_or(0) // M4: any unit will do for nothing
 }
 
 /// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
 pub(super) fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     let planned = plan.bits(index);
     let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
-    let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit);
+    let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit); // proposes: bits to compute with
     match radius.exponent() {
+        // proposes
         Some(exponent) => planned.min((DROWNED - exponent).clamp(i64::from(LEAST_BITS), i64::from(planned)) as u32),
         None => planned,
     }
@@ -216,7 +217,7 @@ impl Motion for PreciseMotion {
             State::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
-        let whole = set.phase.clone().round().to_f64();
+        let whole = set.phase.clone().round().to_f64(); // exact: within a few turns
         set.phase -= whole;
         let (phase, velocity) = set.balls();
         self.index += 1;
@@ -251,7 +252,7 @@ impl Motion for PreciseMotion {
             State::Wall { set, .. } => set.log2_radii(),
             State::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
         };
-        -a.max(b)
+        -a.max(b) // proposes: bits to raise by
     }
 
     fn radii(&self) -> Option<(f64, f64)> {

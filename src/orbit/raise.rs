@@ -2,6 +2,8 @@
 //!
 //! Exact data are as exact in every precision, so a chaotic orbit has to start anew with the bits that it eats.
 
+// Labels: proposes throughout.
+
 use super::Settings;
 use super::clock::Phase;
 use super::given::Given;

@@ -139,13 +139,13 @@ impl StateSet {
     /// Encloses the phases of the set.
     #[inline(always)]
     pub fn phase_ball(&self) -> Ball {
-        Ball::new(self.phase, self.shape.phase_radius().min(self.box_radii.0))
+        Ball::new(self.phase, self.shape.phase_radius().min(self.box_radii.0)) // S2: cut with the box of C3
     }
 
     /// Encloses the velocities of the set.
     #[inline(always)]
     pub fn velocity_ball(&self) -> Ball {
-        Ball::new(self.velocity, self.shape.velocity_radius().min(self.box_radii.1))
+        Ball::new(self.velocity, self.shape.velocity_radius().min(self.box_radii.1)) // S2: cut with the box of C3
     }
 
     /// The image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.

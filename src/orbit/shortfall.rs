@@ -37,10 +37,11 @@ impl Orbit {
     fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.widths;
         let radii = self.motion.radii();
-        let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2()));
+        let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2())); // shown
         let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
-        let excess = (of_time - time.log2).max(of_velocity - velocity.log2);
-        if excess.is_nan() { f64::INFINITY } else { excess }
+        let excess = [of_time - time.log2, of_velocity - velocity.log2];
+        // A maximum would pass over a NaN.
+        if excess.iter().any(|x| x.is_nan()) { f64::INFINITY } else { excess[0].max(excess[1]) } // shown
     }
 
     /// Phase and velocity as intervals where doubles are too coarse to show them.
@@ -110,7 +111,7 @@ impl Orbit {
         let now = || self.clock.time(turns, &finite(phase));
         let time = match undecided.time {
             Some(since) => {
-                let whole = since.mid().floor();
+                let whole = since.mid().floor(); // N1: the rest is kept
                 let rest = phase + (since - Ball::exact(whole));
                 let at = turns::after(turns, whole).map(|turns| self.clock.time(turns, &finite(rest)));
                 (at.clone().unwrap_or_else(now), at)

@@ -82,7 +82,7 @@ impl Still {
 pub(super) fn quarter_turn(phase: &Exact) -> Option<(Exact, Exact)> {
     let quarters = phase.as_rational()? * BigInt::from(4);
     let quarter = quarters.is_integer().then(|| quarters.to_integer())?;
-    let quarter = (quarter % BigInt::from(4)).to_i64()?.rem_euclid(4) as usize;
+    let quarter = (quarter % BigInt::from(4)).to_i64()?.rem_euclid(4) as usize; // exact: 0 to 3
     let at = |shift: usize| Exact::from([0, 1, 0, -1][(quarter + shift) % 4]);
     Some((at(0), at(1)))
 }

@@ -54,14 +54,16 @@ struct Guess<'s> {
 /// The periods that the end of a motion nearly repeats after, the shortest first.
 fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
     let count = states.len();
+    // proposes
     (1..count.min(LONGEST + 1)).filter_map(move |period| {
         let (last, before) = (&states[count - 1], &states[count - 1 - period]);
         let is_near = last.apart(before).is_some_and(|apart| apart < NEAR);
         // So does the period before it, as far as there is one: chaos that has only come near a state once does not.
         let earlier = states[..count - 1].iter().rev().zip(states[..count - 1 - period].iter().rev()).take(period);
         let repeats = |(now, then): (&Passing, &Passing)| now.apart(then).is_some_and(|apart| apart < NEAR_BEFORE);
-        let cycles = last.since(before).round();
+        let cycles = last.since(before).round(); // proposes
         (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
+            // proposes: at most 10^6
             .then(|| Guess { states: &states[count - 1 - period..count - 1], cycles: cycles as u32 })
     })
 }
@@ -69,7 +71,7 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
 impl Passing {
     /// Turns since another one.
     fn since(&self, before: &Self) -> f64 {
-        (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid())
+        (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid()) // proposes
     }
 
     /// How far two states on one wall differ, in turns less whole ones and in parts of the velocities.
@@ -77,7 +79,7 @@ impl Passing {
         let since = self.since(before);
         let (now, then) = (self.velocity.mid(), before.velocity.mid());
         let apart = (now - then).abs() / (now.abs() + then.abs() + f64::MIN_POSITIVE);
-        (self.wall == before.wall).then(|| (since - since.round()).abs() + apart)
+        (self.wall == before.wall).then(|| (since - since.round()).abs() + apart) // proposes
     }
 }
 
@@ -93,7 +95,7 @@ impl Guess<'_> {
     fn phases(&self, period: i64) -> Vec<f64> {
         let first = self.states[0].turns;
         let base = first - first.rem_euclid(period);
-        self.states.iter().map(|state| (state.turns - base) as f64 + state.phase.mid()).collect()
+        self.states.iter().map(|state| (state.turns - base) as f64 + state.phase.mid()).collect() // proposes
     }
 }
 
@@ -143,6 +145,7 @@ impl Problem {
     fn in_period(&self, state: &Passing) -> Ball {
         match i64::from(self.period()) {
             1 => state.phase,
+            // N1: less than a period, of 32 bits
             period => state.phase + Ball::exact(state.turns.rem_euclid(period) as f64),
         }
     }

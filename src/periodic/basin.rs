@@ -50,6 +50,7 @@ impl Problem {
     pub fn basins<'p>(&'p self, orbit: &'p Finding<Ball>) -> impl Iterator<Item = Basin> + 'p {
         // Only of an orbit that is one the lemma speaks.
         let bases = (orbit.physical == Some(true)).then(|| self.bases(orbit)).flatten();
+        // exact: a few halvings
         let sizes = (0..HALVINGS).flat_map(|n| SHORTER.map(|shorter| (LARGEST * 0.5f64.powi(n as i32), shorter)));
         bases.into_iter().flat_map(move |bases| {
             let ellipses = sizes.clone().flat_map(move |size| bases.map(|basis| (basis, size)));
@@ -106,6 +107,7 @@ impl Problem {
     /// The orbit's eigenvectors, that of the larger eigenvalue first, or the two parts of a complex one; and the first
     /// with what is perpendicular to it, where they are nearly parallel. In floats: any invertible matrix will do.
     fn bases(&self, orbit: &Finding<Ball>) -> Option<[Basis; 2]> {
+        // proposes
         let speed = (0..self.chain().impacts()).map(|i| self.chain().before(&orbit.legs, i).mag()).fold(0.0, f64::max);
         // Velocities in units of the orbit's greatest, so that both coordinates are of one order.
         let [[a, b], [c, d]] = orbit.monodromy.map(|row| row.map(Ball::mid));
@@ -142,7 +144,7 @@ impl Basin {
     pub fn holds(&self, wall: Wall, phase: Ball, velocity: Ball) -> bool {
         let [phase0, velocity0] = self.centre;
         let ahead = phase - phase0;
-        let periods = (ahead.mid() / self.period).round() * self.period;
+        let periods = (ahead.mid() / self.period).round() * self.period; // Q3: any whole number of periods, exact
         let x = [ahead - Ball::exact(periods), velocity - velocity0];
         let s = self.inverse.map(|row| row[0] * x[0] + row[1] * x[1]);
         wall == self.wall && length(s.map(Ball::mag)) < self.radius
@@ -161,7 +163,7 @@ impl Basin {
 
 /// The whole turns of a phase's middle, and the rest.
 fn in_turn(phase: Ball) -> (f64, Ball) {
-    let turns = phase.mid().floor();
+    let turns = phase.mid().floor(); // exact: any whole number is taken off
     (turns, phase - Ball::exact(turns))
 }
 
@@ -193,6 +195,7 @@ fn contraction(g: &Matrix) -> Option<f64> {
     };
     // Guesses a little above the largest one, where both may nearly be one double root; the signs decide.
     let (sum, product) = (sum.mid() + sum.rad(), product.mid() - product.rad());
+    // proposes: the signs decide (Lemma Q2)
     let guess = (0.5 * (sum + (sum * sum - 4.0 * product).max(0.0).sqrt())).sqrt();
     [1e-9, 1e-6, 1e-3]
         .map(|more| guess * (1.0 + more) + more)

@@ -133,6 +133,7 @@ impl Chain {
             let since = phases[j].clone() - phases[i].clone();
             let time = if j == 0 { since + N::from_f64(f64::from(self.cycles)) } else { since };
             let displacement = self.displacement(i);
+            // T1: -1, 0 or 1, exact
             match if displacement == 0.0 { shaking.hop(&time, &waves[i]) } else { None } {
                 Some(Hop { drift, after, before }) => Some(Leg { time, drift, after, before }),
                 None => flight(shaking, time, [&waves[i], &waves[j]], displacement),

@@ -1,5 +1,7 @@
 //! Where orbits may be: from floating motions that nearly close, and from phases spread evenly. Nothing is proved.
 
+// Labels: proposes throughout.
+
 use super::chain::Chain;
 use super::newton::{is_plausible, polish};
 use super::shaken::{Passing, Shaken};

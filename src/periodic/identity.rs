@@ -28,6 +28,7 @@ impl View {
     /// The phases that the motion has in this view, up to whole common periods nearest to those of `other`.
     fn phases<N: Enclosing>(self, chain: &Chain, phases: &[N], other: &[N]) -> Vec<N> {
         let count = phases.len();
+        // T6: mirrored views are of chains that have a mirror
         let half = if self.mirrored { chain.mirror().unwrap_or(0.0) } else { 0.0 };
         let moved = |i: usize| {
             let at = i + self.shift;
@@ -36,6 +37,7 @@ impl View {
         };
         let middle = |x: &N| -> f64 { Ball::mid(x.as_ball()) };
         let period = f64::from(chain.period());
+        // T6: any whole number of periods, exact
         let turns = N::from_f64(period * ((middle(&moved(0)) - middle(&other[0])) / period).round());
         (0..count).map(|i| moved(i) - turns.clone()).collect()
     }

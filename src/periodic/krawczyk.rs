@@ -103,5 +103,5 @@ pub fn refine<N: Enclosing, S: Shaking<N>>(
 
 /// `log2` of the greatest radius.
 pub(super) fn widest<N: Enclosing>(balls: &[N]) -> f64 {
-    balls.iter().map(Enclosing::log2_radius).fold(f64::NEG_INFINITY, f64::max)
+    balls.iter().map(Enclosing::log2_radius).fold(f64::NEG_INFINITY, f64::max) // shown: widths, not bounds
 }

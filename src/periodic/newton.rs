@@ -18,7 +18,7 @@ pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>)
     for _ in 0..MOST_STEPS {
         let inverse = Preconditioner::new(&chain.slopes(shaking, &legs)?)?;
         let step = newton_step(chain, shaking, &legs, &inverse);
-        let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max); // proposes
         let taken = keep_order(chain, &legs.legs, &step);
         phases.iter_mut().zip(&step).for_each(|(x, s)| *x += taken * s);
         // Lost, or a NaN, which `max` above passes over; the kernel takes 2^40 turns.
@@ -53,7 +53,7 @@ fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
         let time = legs[i].time;
         if change < -(1.0 - KEPT) * time { (1.0 - KEPT) * time / -change } else { 1.0 }
     };
-    (0..step.len()).map(room).fold(1.0, f64::min)
+    (0..step.len()).map(room).fold(1.0, f64::min) // proposes
 }
 
 /// Whether these phases are in order and each impact comes from inside the gap, as far as doubles can tell.

@@ -111,6 +111,7 @@ impl<N: Enclosing> Finding<N> {
     /// `log2` of the widths of the widest phase, and of the widest velocity.
     pub(super) fn widths(&self) -> [f64; 2] {
         let velocities = self.legs.iter().map(|leg| leg.before.log2_radius());
+        // shown: widths, not bounds
         [1.0 + widest(&self.proved.phases), 1.0 + velocities.fold(f64::NEG_INFINITY, f64::max)]
     }
 
@@ -124,7 +125,7 @@ impl<N: Enclosing> Finding<N> {
     ) -> Option<PeriodicOrbit> {
         let period = BigRational::from_integer(chain.period().into());
         let first = self.proved.phases[0].as_enclosure()?.lo().to_rational();
-        let turns = (first / &period).floor() * period;
+        let turns = (first / &period).floor() * period; // exact: a whole number
         // More than the ends of these balls have.
         let room = bits + 160;
         let turns = Enclosure::from_rational(&turns, room);

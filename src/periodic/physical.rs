@@ -69,7 +69,7 @@ pub(super) fn all_first<N: Enclosing>(
     let walls = chain.walls();
     let mut all = Some(true);
     for (i, leg) in legs.iter().enumerate() {
-        let turns = phases[i].as_ball().mid().floor();
+        let turns = phases[i].as_ball().mid().floor(); // T5: any whole number of turns
         let start = phases[i].clone() - N::from_f64(turns);
         let end = start.clone() + leg.time.clone();
         let before = chain.before(legs, i).clone();

@@ -13,7 +13,7 @@ use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 
 /// The smallest radius of a domain that is tried in doubles.
-const LEAST_DOMAIN: f64 = 1.0 / (1_u64 << 46) as f64;
+const LEAST_DOMAIN: f64 = 1.0 / (1_u64 << 46) as f64; // exact: a power of two
 /// Bits that what is not about widths (stability, first contacts) is tried with at most.
 #[cfg(feature = "multiprecision")]
 const DECIDING_BITS: u32 = 1024;
@@ -93,13 +93,13 @@ impl Problem {
         mut best: Option<PeriodicOrbit>,
     ) -> Option<PeriodicOrbit> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
-        let wanted = (f64::from(precision.digits) * 10f64.log2()) as u32 + 64;
+        let wanted = (f64::from(precision.digits) * 10f64.log2()) as u32 + 64; // proposes: bits to try
         let mut last = f64::INFINITY;
-        let mut bits = if narrow { 128 } else { wanted.max(128) };
+        let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
         while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
             let shaking = shaken.precise(bits);
             let guess = self.polish_precisely(&shaking, &inverse, guess, bits);
-            let least = 2f64.powi(-((bits - 8).min(1000) as i32));
+            let least = 2f64.powi(-((bits - 8).min(1000) as i32)); // T3: any radius
             let finding = self.attempt(&shaking, &inverse, &guess, least, |phases, legs| {
                 shaken.is_physical_precisely(&shaking, &self.chain, phases, legs)
             });

@@ -41,8 +41,9 @@ impl<N: Phased> Shaking<N> for Sum<N> {
 
     fn moment(&self, turns: f64, rest: &N) -> Waves<N> {
         let (low, high) = rest.bounds();
-        let whole = (0.5 * (low + high)).floor();
+        let whole = (0.5 * (low + high)).floor(); // H11: any whole number of turns
         let rest = rest.clone() - N::from_f64(whole);
+        // H11: whole, polished phases are below 2^40
         let each: Vec<_> = self.harmonics.waves((turns + whole) as i64, &rest).map(|(_, wave)| wave).collect();
         Waves { sums: self.harmonics.sums_of(&each), each }
     }
@@ -136,7 +137,7 @@ impl Several {
         match self.first(shaking, launch(claim.from, claim.turns, claim.start.clone(), after)) {
             Ok(FirstContact { found, .. }) => {
                 let phase = claim.start.clone() + found.at.rest.with_radius(found.reach);
-                claim.is_at(shaking, Found { wall: found.wall, turns: found.at.turns as f64, phase })
+                claim.is_at(shaking, Found { wall: found.wall, turns: found.at.turns as f64, phase }) // N1: below 2^52
             }
             // It stays on its wall.
             Err(Doubt::Rest) => Some(false),
@@ -161,6 +162,7 @@ struct FirstContact<N> {
 /// The start of a flight from a wall.
 fn launch<N: Phased>(wall: Wall, turns: f64, phase: N, velocity: N) -> Launch<N> {
     let height = N::from_f64(0.0);
+    // H11: whole, polished phases are below 2^40
     Launch { wall: Some(wall), height, turns: turns as i64, phase, velocity, is_release: false }
 }
 
@@ -187,7 +189,7 @@ impl Shaken for Several {
 
     fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
         let after = -self.floats.restitution * velocity;
-        let launch = launch(wall, phase.floor(), phase - phase.floor(), after);
+        let launch = launch(wall, phase.floor(), phase - phase.floor(), after); // proposes
         let found = self.first(&self.floats, launch).ok()?.found;
         Some((found.wall, phase + found.at.time(), found.centre_velocity))
     }

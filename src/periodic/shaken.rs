@@ -104,10 +104,10 @@ impl Shaken for One {
         let pair = &self.court.centre;
         let after = wall.inward(pair.rebound(velocity));
         // The whole turns are kept apart: they are not shaken.
-        let rest = phase - phase.floor();
+        let rest = phase - phase.floor(); // proposes
         let flight = Flight::from_wall(pair, wall, rest, after, kernel::sin_cos(rest));
         let contact = first_contact_f64::<Kernel>(&flight)?;
-        Some((contact.wall, phase.floor() + contact.turns + contact.phase, contact.velocity))
+        Some((contact.wall, phase.floor() + contact.turns + contact.phase, contact.velocity)) // proposes
     }
 
     fn step(&self, wall: Wall, _: f64, phase: Ball, before: Ball) -> Option<Step> {

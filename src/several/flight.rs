@@ -26,8 +26,8 @@ const LONGEST_STEP: f64 = (1_u64 << 53) as f64;
 impl<N: Phased> Instant<N> {
     /// So many turns after the start, as fine as `like`.
     pub fn new(turns: f64, like: &N) -> Self {
-        let whole = turns.round();
-        Self { turns: whole as i64, rest: like.like(turns - whole) }
+        let whole = turns.round(); // N1: any whole number; the rest is kept
+        Self { turns: whole as i64, rest: like.like(turns - whole) } // N1: below 2^52
     }
 
     /// About so much later: an exact time.
@@ -35,24 +35,25 @@ impl<N: Phased> Instant<N> {
         let rest = self.rest.later(step);
         // Lemma N1: a time of any length is one; what is not taken for whole turns stays with the rest.
         let whole = rest.bounds().0.round().clamp(-LONGEST_STEP, LONGEST_STEP);
+        // N1: nothing to take off
         if whole == 0.0 {
             return Self { turns: self.turns, rest };
         }
         // Exact, up to the rounding that makes it another exact time.
-        Self { turns: self.turns + whole as i64, rest: rest.later(&rest.like(-whole)) }
+        Self { turns: self.turns + whole as i64, rest: rest.later(&rest.like(-whole)) } // N1: below 2^53 a step
     }
 
     /// An upper bound of the time from `earlier` to here.
     pub fn since(&self, earlier: &Self) -> f64 {
         let rest = (self.rest.clone() - earlier.rest.clone()).bounds().1;
-        ((self.turns - earlier.turns) as f64 + rest).next_up()
+        ((self.turns - earlier.turns) as f64 + rest).next_up() // N1: exact before the horizon, 2^52
     }
 
     /// As a number.
     pub fn time(&self) -> N {
         match self.turns {
             0 => self.rest.clone(),
-            turns => N::from_f64(turns as f64) + self.rest.clone(),
+            turns => N::from_f64(turns as f64) + self.rest.clone(), // N1: exact up to the horizon; more is refused
         }
     }
 }

@@ -56,7 +56,7 @@ impl Touch {
             return None;
         }
         let bound = |x: f64| Magnitude::new(x, 0);
-        let rate = bound(side.rate.0.abs().max(side.rate.1.abs()));
+        let rate = bound(side.rate.0.abs().max(side.rate.1.abs())); // B2: the farther end
         // The lowest height, and when: the bottom is not exactly where the velocity vanishes.
         let excess = *depth + (rate * rate).over(bound(bend));
         let double = excess + excess;
@@ -96,8 +96,9 @@ impl Touch {
         if !(is_inside && room(&velocity.clone().signed(wall.sign()))) {
             return None;
         }
-        let whole = phase.clone().round().to_f64();
+        let whole = phase.clone().round().to_f64(); // exact: within a few turns
         let touched = start.clone() + bottom.time().widened(self.window);
+        // N1: below 2^52
         Some(Passed { wall, at: touched, turns: at.turns as f64 + whole, phase: phase - whole, height, velocity })
     }
 }

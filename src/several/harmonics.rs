@@ -48,7 +48,7 @@ pub(crate) struct Ticks {
 }
 
 /// A double far below every phase, above the error of as many ticks as there can be turns.
-const TICK: f64 = 1.0 / (1_u64 << 63) as f64;
+const TICK: f64 = 1.0 / (1_u64 << 63) as f64; // exact: a power of two
 
 impl Ticks {
     fn new(ratio: &Exact, shift: &Exact) -> Self {
@@ -56,7 +56,7 @@ impl Ticks {
             let enclosure = x.enclose(320);
             let middle = enclosure.lo().to_rational() + enclosure.hi().to_rational();
             let scaled = middle * num_rational::BigRational::from_integer(num_bigint::BigInt::from(1) << 127);
-            let whole = scaled.floor().to_integer();
+            let whole = scaled.floor().to_integer(); // H1: rounded down to ticks
             let modulus = num_bigint::BigInt::from(1) << 128;
             let wrapped = num_integer::Integer::mod_floor(&whole, &modulus);
             let ticks = u128::try_from(wrapped).expect("less than the modulus");
@@ -71,8 +71,9 @@ impl Ticks {
     /// The phase in `[-1/2, 1/2]`, to nearest.
     #[inline]
     fn phase(&self, turns: i64) -> f64 {
-        let ticks = self.ratio.wrapping_mul(turns as u128).wrapping_add(self.shift);
+        let ticks = self.ratio.wrapping_mul(turns as u128).wrapping_add(self.shift); // H1: modulo whole turns
         // The upper half is within 2^-64 of it, and is rounded once.
+        // H1: the upper half with its sign, rounded once
         ((ticks >> 64) as i64) as f64 * (1.0 / 18_446_744_073_709_551_616.0)
     }
 
@@ -80,6 +81,7 @@ impl Ticks {
     #[inline]
     fn error(&self, turns: i64) -> f64 {
         let (of_ratio, of_shift) = self.radii;
+        // H1: exactly known, or times the turns
         let intervals = if of_ratio == 0.0 { of_shift } else { up(of_ratio * (turns as f64).abs() + of_shift) };
         up(intervals + (2f64.powi(-55) + TICK))
     }
@@ -141,6 +143,7 @@ impl Phased for Ball {
     }
     #[inline]
     fn bounds(&self) -> (f64, f64) {
+        // B2: a point
         if self.rad() == 0.0 {
             return (self.mid(), self.mid());
         }
@@ -183,7 +186,7 @@ impl Phased for MpBall {
     fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
         let turns = MpBall::exact(rug::Float::with_val(TURN_BITS, turns));
         let phase = turns.mul_add(ratio.clone(), shift.clone());
-        let whole = MpBall::exact(phase.mid().clone().round());
+        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of turns
         let bits = phase.bits() - TURN_BITS;
         (phase - whole).rounded(bits)
     }
@@ -197,11 +200,11 @@ impl Phased for MpBall {
         MpBall::exact(self.mid().clone())
     }
     fn later(&self, step: &MpBall) -> MpBall {
-        let bits = self.bits().max(step.bits());
+        let bits = self.bits().max(step.bits()); // exact: any time; it is an exact number
         MpBall::exact(rug::Float::with_val(bits, self.mid() + step.mid()))
     }
     fn ratio_to(&self, divisor: &MpBall) -> Option<MpBall> {
-        let bits = self.bits().max(divisor.bits());
+        let bits = self.bits().max(divisor.bits()); // exact: any number; it is an exact one
         let ratio = rug::Float::with_val(bits, self.mid() / divisor.mid());
         ratio.is_finite().then(|| MpBall::exact(ratio))
     }
@@ -221,7 +224,7 @@ pub(super) fn enclosing(x: &Exact, bits: u32) -> MpBall {
 /// An upper bound of the absolute values.
 pub(super) fn magnitude<N: Phased>(x: &N) -> f64 {
     let (low, high) = x.bounds();
-    low.abs().max(high.abs())
+    low.abs().max(high.abs()) // B2: the farther end; next to a NaN is infinity
 }
 
 /// The harmonics in an arithmetic.

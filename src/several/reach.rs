@@ -48,18 +48,21 @@ impl Band {
 fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
     let see = |from: f64, width: f64| {
         let middle = from + 0.5 * width;
-        let turns = middle.round();
-        let Sums { sine, cosine, .. } = harmonics.sums(turns as i64, &Ball::exact(middle - turns));
+        let turns = middle.round(); // exact: below 4096
+        let Sums { sine, cosine, .. } = harmonics.sums(turns as i64, &Ball::exact(middle - turns)); // exact: below 4096
         let (low, high) = sine.signed_bounds(sign);
         let half = 0.5 * width;
         (low, up(high + up(half * up(cosine.mag() + up(0.5 * harmonics.rates.second * half)))))
     };
-    let width = 1.0 / PARTS as f64;
+    let width = 1.0 / PARTS as f64; // exact: a power of two
+    // exact: below 2^15
     let mut parts: Vec<(f64, f64)> = (0..period * PARTS).map(|i| (i as f64 * width, width)).collect();
     let (mut best, mut bound) = (-harmonics.rates.shift, harmonics.rates.shift);
     while bound - best > TIGHT * harmonics.rates.shift && parts.len() <= MOST_PARTS {
         let seen: Vec<_> = parts.iter().map(|&(from, width)| (from, width, see(from, width))).collect();
+        // H6: any value bounds the greatest from below
         best = seen.iter().map(|(.., (low, _))| *low).fold(best, f64::max);
+        // H6: rates are below 2^400, so no NaN
         bound = seen.iter().map(|(.., (_, high))| *high).fold(best, f64::max).min(bound);
         let halves = |from: f64, width: f64| [(from, 0.5 * width), (from + 0.5 * width, 0.5 * width)];
         let open = seen.into_iter().filter(|(.., (_, high))| *high > best);
@@ -118,6 +121,7 @@ fn window((low, high): (f64, f64), drift: (f64, f64), (least, most): (f64, f64))
     // Differences of numbers of the order of a gap and of the band.
     let size = 8.0 * f64::EPSILON * (1.0 + low.abs() + high.abs() + least.abs() + most.abs());
     let (from, until) = (up(up(behind + size) / slowest), ((ahead - size) / fastest) * (1.0 - 4.0 * f64::EPSILON));
+    // H6: not before the start; no NaN, as `until` is finite
     (until > 0.0 && until.is_finite()).then_some((from.max(0.0), until))
 }
 

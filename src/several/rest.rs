@@ -30,6 +30,7 @@ pub(crate) fn accumulation(
     if !is_positive(least) {
         return None;
     }
+    // H7: exactly at rest
     if speed == 0.0 {
         return Some(0.0);
     }
@@ -37,7 +38,7 @@ pub(crate) fn accumulation(
     let window = up(up(4.0 * speed) / (least * (1.0 - rebound)).next_down());
     let rates = &harmonics.rates;
     let jerk = magnitude(&harmonics.jerk(turns, &phase));
-    let change = up(rates.third.min(up(jerk + up(rates.fourth * window))) * window);
+    let change = up(rates.third.min(up(jerk + up(rates.fourth * window))) * window); // H7: the smaller of two bounds
     let (least, most) = ((least - change).next_down(), up(most + change));
     if !(is_positive(1.0 - rebound) && is_positive(least)) {
         return None;
@@ -153,7 +154,7 @@ fn bracket<N: Phased>(
         let back = p.ratio_to(&at.rest.like(0.5 * (slope(&at).0 + slope(&at).1)))?;
         let size = back.bounds().0.abs();
         if (low <= 0.0 && high >= 0.0) || !is_positive(0.75 * before - size) {
-            let error = low.abs().max(high.abs());
+            let error = low.abs().max(high.abs()); // B2: the farther end
             let steepness = -slope(&at).1;
             let widest = up(2.0 * error / steepness);
             let least = (steepness - up(harmonics.rates.fourth * widest)).next_down();
@@ -195,7 +196,7 @@ impl Zero {
                 Some(back) => at = at.later(&-back),
                 None => return known.rounded(bits + 32),
             }
-            level = if level > bits { level } else { (2 * level).min(bits + 1) };
+            level = if level > bits { level } else { (2 * level).min(bits + 1) }; // proposes: bits
         }
     }
 

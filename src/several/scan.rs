@@ -63,7 +63,7 @@ enum Valley<N> {
 const PIECES: u32 = 1 << 20;
 /// Pieces in a row that are shorter than [`SHORT_PIECE`] times the flight so far.
 const SHORT_PIECES: u32 = 256;
-const SHORT_PIECE: f64 = 1.0 / (1 << 20) as f64;
+const SHORT_PIECE: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 /// Steps of Newton's method at most.
 const STEPS: u32 = 64;
 const WALLS: [Wall; 2] = [Wall::Left, Wall::Right];
@@ -101,7 +101,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             true => 8.0 * jerk.0 / self.rates.fourth,
             false => -8.0 * rate.0 / bend.1,
         };
-        let third = up(jerk.0.abs().max(jerk.1.abs()) + up(self.rates.fourth * horizon));
+        let third = up(jerk.0.abs().max(jerk.1.abs()) + up(self.rates.fourth * horizon)); // B2: the farther end
         let is_short = 0.0 < horizon
             && horizon < self.horizon
             && (start.is_release || bend.1 <= 0.0)
@@ -189,10 +189,10 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             _ => return Err(Doubt::Departure),
         };
         let far = Side { room: (1.0, 1.0), rate: (-rate.1, -rate.0), bend: (-bend.1, -bend.0) };
-        let mut time = far.reach(&self.rates, most).min(self.horizon);
+        let mut time = far.reach(&self.rates, most).min(self.horizon); // H3: any time up to the horizon
         if second < 0.0 {
             // Bounces may be as short as they like.
-            time = time.min(-0.875 * first / second);
+            time = time.min(-0.875 * first / second); // H3: any time; a NaN is passed over
         }
         for _ in 0..STEPS {
             let size = first + time * (second.abs() + time * rest);
@@ -208,14 +208,14 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
 
     /// Longer than any piece can be proved free: the third derivative alone may cross the gap.
     fn longest(&self) -> f64 {
-        (12.0 / self.rates.third).cbrt().min(self.horizon)
+        (12.0 / self.rates.third).cbrt().min(self.horizon) // H2: any time up to the horizon
     }
 
     /// How far both walls are proved not to be touched (Lemma H2).
     fn step(&self, at: &Instant<N>, sides: &[Side; 2]) -> f64 {
         let most = self.longest();
         let mut step = sides[0].reach(&self.rates, most);
-        step = sides[1].reach(&self.rates, step.max(0.0));
+        step = sides[1].reach(&self.rates, step.max(0.0)); // H2: any time
         let like = &self.all.launch.phase;
         for _ in 0..STEPS {
             let time = at.later(&like.like(step)).since(at);
@@ -252,7 +252,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         if !(is_positive(bend) && at.since(&bottom) < 0.0) {
             return Valley::Unclear;
         }
-        let rate = lowest.rate.0.abs().max(lowest.rate.1.abs());
+        let rate = lowest.rate.0.abs().max(lowest.rate.1.abs()); // B2: the farther end
         // Lemma B1: the square may underflow.
         if lowest.room.0 - up(up(rate * rate + TINY) / bend) > 0.0 {
             return Valley::Past(bottom);
@@ -320,7 +320,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
         let (reach, least) = self.bracket(&side)?;
         let error = magnitude(centre.room(wall));
         // The acceleration there, which may be far less than at other times.
-        let bend = up(side.bend.0.abs().max(side.bend.1.abs()) + up(self.rates.third * reach));
+        let bend = up(side.bend.0.abs().max(side.bend.1.abs()) + up(self.rates.third * reach)); // B2: the farther end
         Some(Found {
             wall,
             reach,
@@ -335,9 +335,9 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
 
     /// Within which time of a state each flight touches the wall, and its least speed there.
     fn bracket(&self, side: &Side) -> Option<(f64, f64)> {
-        let error = side.room.0.abs().max(side.room.1.abs());
+        let error = side.room.0.abs().max(side.room.1.abs()); // B2: the farther end
         let speed = -side.rate.1;
-        let bend = side.bend.0.abs().max(side.bend.1.abs());
+        let bend = side.bend.0.abs().max(side.bend.1.abs()); // B2: the farther end
         // Twice what the speed here makes of it.
         let widest = up(2.0 * error / speed);
         let least = (speed - up(up(bend + up(self.rates.third * widest)) * widest)).next_down();
@@ -372,5 +372,5 @@ impl<N: Phased> Doubt<N> {
 fn ball<N: Phased>(x: &N) -> Ball {
     let (low, high) = x.bounds();
     let middle = 0.5 * (low + high);
-    Ball::new(middle, up((high - middle).max(middle - low)))
+    Ball::new(middle, up((high - middle).max(middle - low))) // B2: the farther end; a NaN is in both
 }

@@ -112,13 +112,14 @@ pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, E
 /// Bits of the whole turns of a phase: so many more enclose it as finely as one of less than a turn.
 fn whole_bits(phase: &Exact) -> u32 {
     let top = phase.enclose(64).mag().top();
-    top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0)
+    top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0) // X1: any number of bits encloses
 }
 
 /// The same phase near 0: within 2 of it (Lemma H1).
 fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
-        Some(fraction) => fraction.round().to_integer(),
+        Some(fraction) => fraction.round().to_integer(), // exact: any whole number is taken off
+        // exact: any whole number is taken off
         None => phase.enclose(160 + whole_bits(&phase)).lo().to_rational().round().to_integer(),
     };
     phase.checked_sub(&Exact::from(near))

@@ -89,7 +89,7 @@ impl Cubic {
         }
         // A tangent bounds the convex part.
         let Some(valley) = self.valley() else { return false };
-        let valley = valley.min(inflection);
+        let valley = valley.min(inflection); // H2: any point of the convex part
         let slope = self.slope(valley).abs() + self.slack(valley);
         self.least(valley) - up(slope * inflection) > 0.0
     }
@@ -115,7 +115,7 @@ impl Cubic {
             for _ in 0..4 {
                 s -= self.value(s) / self.slope(s);
             }
-            return s.min(valley);
+            return s.min(valley); // proposes: is_free decides
         }
         let mut s = most;
         for _ in 0..4 {

@@ -142,7 +142,7 @@ impl Range<'_> {
                 places.push(Place { x: x.clone(), at: self.at(x), mark: Some(*mark) });
             }
         }
-        places.sort_by(|a, b| order(&a.x, &b.x).unwrap_or(Ordering::Equal));
+        places.sort_by(|a, b| order(&a.x, &b.x).unwrap_or(Ordering::Equal)); // W8: what cannot be told apart keeps its order
         let mut parts: Vec<Option<Part>> = places.windows(2).map(|ends| Some(part(&ends[0], &marks))).collect();
         if self.runs_down() {
             places.reverse();
@@ -193,7 +193,7 @@ impl Range<'_> {
         }
         if !COUNTS.contains(&self.count) {
             let accepted = format!("must be from {} to {}", COUNTS.start(), COUNTS.end());
-            return Err(Error::range("count", &Exact::from(self.count as i64), &accepted));
+            return Err(Error::range("count", &Exact::from(self.count as i64), &accepted)); // shown
         }
         Ok(())
     }
@@ -231,7 +231,7 @@ impl Range<'_> {
     /// The grid, by `x`.
     fn grid(&self, bits: u32) -> Result<Vec<Place>, Error> {
         let step = |index: usize| {
-            let part = Exact::from(index as i64).checked_div(&Exact::from(self.count as i64 - 1))?;
+            let part = Exact::from(index as i64).checked_div(&Exact::from(self.count as i64 - 1))?; // exact: a count
             self.from.checked_add(&self.to.checked_sub(&self.from)?.checked_mul(&part)?)
         };
         let place = |index: usize| {

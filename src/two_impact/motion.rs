@@ -172,6 +172,7 @@ impl Flight<'_> {
         let (a, sine, cosine) = critical(&self.drift)?;
         let turn = Real::pi(self.theta.bits()) * 2;
         // Both ends lie on rising pieces, around half a turn.
+        // exact: shared by all members
         let [first, last] = [self.theta.clone(), self.theta + self.length].map(|end| end.over(&turn)?.floor());
         let (first, last) = (first?, last?);
         let mut answer = Some(true);

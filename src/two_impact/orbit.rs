@@ -70,7 +70,7 @@ impl Orbit {
         let velocity = &motion.speed * amplitude * frequency;
         // Digits count from the unit, not from a greater number's first digit.
         let of = |x: &Real| {
-            let beyond = x.enclosure().mag().top().map_or(0, |top| top.clamp(0, 4096) as u32);
+            let beyond = x.enclosure().mag().top().map_or(0, |top| top.clamp(0, 4096) as u32); // shown
             x.enclosure().rounded(shown + beyond)
         };
         let impact =
@@ -107,6 +107,7 @@ impl Orbit {
 /// A phase modulo `2 pi`, in `[0, 2 pi)` but for bounds that hold 0.
 fn reduced(phase: &Real) -> Real {
     let turn = Real::pi(phase.bits()) * 2;
+    // exact: any whole number is taken off
     let turns = phase.over(&turn).and_then(|turns| turns.ends()[1].floor()).expect("a phase of a few turns");
     phase - turn * turns
 }

@@ -220,7 +220,7 @@ impl Bounds {
 
 /// Bits that are worth so many digits.
 pub(super) fn digits_to_bits(digits: u32) -> u32 {
-    (f64::from(digits) * 10f64.log2()).ceil() as u32
+    (f64::from(digits) * 10f64.log2()).ceil() as u32 // proposes: bits to try
 }
 
 /// Whether phases and speed have so many digits.

@@ -36,7 +36,7 @@ impl Affine {
     /// Each slope holds the partial derivative over the hulls of all the terms, `centre` the value where each of them is
     /// at any point of its own `centre`.
     pub fn of(centre: Real, terms: &[(&Real, &Self)]) -> Self {
-        let length = terms.iter().map(|(_, x)| x.columns.len()).max().unwrap_or(0);
+        let length = terms.iter().map(|(_, x)| x.columns.len()).max().unwrap_or(0); // exact: no terms, no columns
         let mut columns = vec![Real::zero(COLUMN_BITS); length];
         let mut spread = Real::zero(COLUMN_BITS);
         for (slope, x) in terms {
@@ -82,8 +82,8 @@ impl Affine {
     pub fn accuracy(&self) -> Option<u32> {
         let unknown =
             (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).enclosure().mag();
-        let size = self.centre.enclosure().mag().top().unwrap_or(0);
-        unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0))
+        let size = self.centre.enclosure().mag().top().unwrap_or(0); // proposes: bits to compute with
+        unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0)) // proposes
     }
 
     /// How far the deviations reach.

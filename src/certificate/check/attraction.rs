@@ -63,7 +63,7 @@ impl Certificate {
             let ClaimKind::Impact { index, velocity, .. } = &claim.kind else { return None };
             let passing = || {
                 let phase = enclosure(&claim.time).mul(&rate, BITS).add(&shift, BITS);
-                let whole = phase.lo().to_rational().round();
+                let whole = phase.lo().to_rational().round(); // Q3: any whole number of turns
                 let rest = ball(phase.sub(&Enclosure::from_rational(&whole, BITS), BITS))?;
                 let velocity = ball(enclosure(velocity).mul(&slowness, BITS))?;
                 Some(Passing {
@@ -114,14 +114,14 @@ impl Attraction {
         let widths = self.impacts.iter().flat_map(|(_, bounds)| bounds).map(|[lower, upper]| upper - lower);
         let narrowest = widths.filter(Signed::is_positive).min();
         let digits = narrowest.and_then(|width| width.to_f64()).map_or(0.0, |width| -width.log10());
-        (digits.max(0.0) as u32).saturating_add(MORE_DIGITS).min(MOST_DIGITS)
+        (digits.max(0.0) as u32).saturating_add(MORE_DIGITS).min(MOST_DIGITS) // proposes: digits to prove the orbit to
     }
 }
 
 /// A phase shifted by the whole turns that bring it nearest to the claimed one.
 fn near(phase: Enclosure, [lower, upper]: &[BigRational; 2]) -> Enclosure {
     let middle = lower.to_f64().zip(upper.to_f64()).map_or(0.0, |(lower, upper)| 0.5 * (lower + upper));
-    let turns = ((middle - phase.mid_rad().0) / std::f64::consts::TAU).round();
+    let turns = ((middle - phase.mid_rad().0) / std::f64::consts::TAU).round(); // Q3: any whole number of turns
     let Some(turns) = Enclosure::from_f64_bounds(2.0 * turns, 2.0 * turns) else { return phase };
     phase.add(&Enclosure::pi(BITS + 64).mul(&turns, BITS + 64), BITS + 64)
 }

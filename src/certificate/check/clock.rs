@@ -42,6 +42,7 @@ impl Clock {
 
     /// The clock of phases counted from `quarters` quarter turns; `None` beyond what exact expressions hold.
     pub fn at_quarter_turns(data: &Data, quarters: &BigInt, bits: u32) -> Option<Self> {
+        // X1: any number of bits encloses
         let bits = with_turns(data, bits).saturating_add(u32::try_from(quarters.bits()).ok()?);
         let halves = Exact::from_rational(BigRational::new(quarters.clone(), 2.into()));
         let phase = halves.checked_mul(&Exact::pi()).ok()?;
@@ -77,9 +78,9 @@ impl Clock {
 
 /// Bits that also hold the whole turns of the start.
 fn with_turns(data: &Data, bits: u32) -> u32 {
-    let time = data.time.enclose(64).mag().top().unwrap_or(0).max(0);
-    let turns = u32::try_from(data.turns.bits()).unwrap_or(u32::MAX / 4);
-    bits.saturating_add(turns.max(u32::try_from(time).unwrap_or(0)))
+    let time = data.time.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
+    let turns = u32::try_from(data.turns.bits()).unwrap_or(u32::MAX / 4); // X1
+    bits.saturating_add(turns.max(u32::try_from(time).unwrap_or(0))) // X1
 }
 
 /// Where `found` lies.

@@ -33,7 +33,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
     let most = flight.bits();
     let mut bits = FIRST_BITS;
     loop {
-        let coarse = flight.rounded(bits.min(most));
+        let coarse = flight.rounded(bits.min(most)); // X1: any number of bits encloses
         match isolate(&coarse, from, wall, claimed) {
             Err(Doubt::Open(_)) if bits < most => bits *= 4,
             Err(doubt) => return Err(doubt),
@@ -127,7 +127,7 @@ fn is_short(width: &Real, whole: &Real) -> bool {
 /// worth. Nothing is proved of it.
 pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
     let most = flight.bits();
-    let mut bits = guess.bits().min(most);
+    let mut bits = guess.bits().min(most); // proposes: a guess of Newton's
     let mut h = Real::point(guess.mid(), bits);
     let mut before = None;
     for _ in 0..STEPS {
@@ -143,7 +143,7 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
         before = Some(size);
         match (is_last, bits < most) {
             (true, false) => return h,
-            (true, true) => (bits, before) = ((2 * bits).min(most), None),
+            (true, true) => (bits, before) = ((2 * bits).min(most), None), // proposes
             (false, _) => {}
         }
     }

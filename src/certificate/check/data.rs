@@ -189,10 +189,10 @@ impl Data {
 impl Piece {
     /// The two halves along a datum.
     pub fn halves(&self, datum: usize) -> [Self; 2] {
-        let (k, n) = self.parts.get(datum).copied().unwrap_or_default();
+        let (k, n) = self.parts.get(datum).copied().unwrap_or_default(); // exact: not cut yet, the whole
         [2 * k, 2 * k + 1].map(|k| {
             let mut half = self.clone();
-            half.parts.resize(half.parts.len().max(datum + 1), (0, 0));
+            half.parts.resize(half.parts.len().max(datum + 1), (0, 0)); // exact: a length
             half.parts[datum] = (k, n + 1);
             half
         })
@@ -204,7 +204,7 @@ impl Piece {
         if x.is_point() {
             return Affine::fixed(whole);
         }
-        let (k, n) = self.parts.get(j).copied().unwrap_or_default();
+        let (k, n) = self.parts.get(j).copied().unwrap_or_default(); // exact: not cut yet, the whole
         let [lo, hi] = [whole.enclosure().lo(), whole.enclosure().hi()].map(|end| Real::point(end.clone(), bits));
         let size = hi - &lo;
         let cut = |k: u32| lo.clone() + &(size.clone() * &Real::point(Dyadic::new(k.into(), -i64::from(n)), bits));
@@ -229,7 +229,7 @@ fn phase(harmonic: &Harmonic, start: &Start) -> Result<(Exact, BigInt), Error> {
 
 /// A whole number within 1 of an exact value, or of one of a set of values.
 fn nearest(x: &Exact) -> BigInt {
-    let top = x.enclose(64).mag().top().unwrap_or(0).max(0);
-    let near = x.enclose(64 + u32::try_from(top).unwrap_or(0));
-    Enclosure::point(near.lo().clone()).floor().unwrap_or_default()
+    let top = x.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
+    let near = x.enclose(64 + u32::try_from(top).unwrap_or(0)); // X1
+    Enclosure::point(near.lo().clone()).floor().unwrap_or_default() // exact: any whole number is taken off
 }

@@ -115,10 +115,12 @@ impl Certificate {
                     widest => {
                         let is_stuck = stuck.0 == event;
                         stuck = if is_stuck { stuck } else { (event, bits) };
+                        // proposes: the bits to try
                         let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
                         if widest.is_some() || is_enough {
                             return Ok(Verdict::Undecided(Finding { event, message }));
                         }
+                        // proposes
                         bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(effort.bits);
                         pieces.push(piece);
                     }
@@ -135,9 +137,9 @@ impl Certificate {
 
     /// The bits to try next when `bits` last up to `event`: what the remaining events need at the same rate.
     fn more_bits(&self, bits: u32, event: usize) -> u32 {
-        let rate: f64 = self.events().len() as f64 / (event as f64 + 1.0);
-        let wanted = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0);
-        wanted as u32
+        let rate: f64 = self.events().len() as f64 / (event as f64 + 1.0); // proposes
+        let wanted = f64::from(bits) * (1.1 * rate).clamp(2.0, 16.0); // proposes
+        wanted as u32 // proposes: 16 times the bits at most
     }
 }
 

@@ -48,10 +48,10 @@ impl Walk<'_> {
     fn turning(&self, rest: &Rest) -> Option<Real> {
         let origin = Real::zero(self.bits);
         let set = self.parameters.shaking(&origin, Affine::hull);
-        let mut bits = FIRST_BITS.min(self.bits);
+        let mut bits = FIRST_BITS.min(self.bits); // X1: any number of bits encloses
         let bracket = loop {
             match turning(&set.rounded(bits), rest, bits, self.parameters.parts) {
-                None if bits < self.bits => bits = (4 * bits).min(self.bits),
+                None if bits < self.bits => bits = (4 * bits).min(self.bits), // X1
                 found => break found?,
             }
         };
@@ -67,7 +67,7 @@ impl Walk<'_> {
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
         let lasting = Real::rational(&common.clone().into(), self.bits) * &turn;
         let periods = (root.clone() - &before.phase).over(&lasting)?.middle() + &Real::int(1, self.bits).half();
-        let periods = BigInt::from(periods.floor()?);
+        let periods = BigInt::from(periods.floor()?); // exact: shared by all members
         let later = before.phase.clone() + &(Real::rational(&periods.clone().into(), self.bits) * &lasting);
         let jerk = self.parameters.shaking(&Real::zero(self.bits), Affine::hull).jerk(&later.hull(root));
         let is_same = periods.is_positive() && (jerk.is_positive() || jerk.is_negative());

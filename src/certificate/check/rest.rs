@@ -98,6 +98,7 @@ impl Walk<'_> {
         let odd = i64::from(wall == Wall::Right);
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
         let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
+        // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
         let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
         // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
@@ -117,8 +118,7 @@ impl Walk<'_> {
             None => *first = Some((halves, self.impacts)),
             Some((since, before)) if self.period.is_none() => {
                 let cycles: BigInt = (halves - &*since) / 2;
-                let cycles = cycles.to_u64().unwrap_or(u64::MAX);
-                self.period = Some(Period { cycles, impacts: self.impacts - *before });
+                self.period = cycles.to_u64().map(|cycles| Period { cycles, impacts: self.impacts - *before });
             }
             Some(_) => {}
         }

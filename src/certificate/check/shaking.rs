@@ -42,7 +42,7 @@ impl Term {
         let member = |x: &Affine| member(x).rounded(bits);
         let rate = self.rate.as_ref().map(member);
         let passed = rate.as_ref().map(|rate| rate.clone() * since);
-        let phase = member(&self.phase) + passed.as_ref().unwrap_or(since);
+        let phase = member(&self.phase) + passed.as_ref().unwrap_or(since); // exact: the rate is 1
         let (sin, cos) = phase.sin_cos();
         Wave { amplitude: member(&self.amplitude), rate, phase, sin, cos }
     }

@@ -113,7 +113,7 @@ impl Departure {
     /// The bits that are worth computing: none far below what is not known of the set anyway.
     fn bits(&self, most: u32) -> u32 {
         let known = [&self.phase, &self.velocity].into_iter().filter_map(Affine::accuracy).max();
-        known.map_or(most, |known| known.saturating_add(SPARE_BITS).min(most))
+        known.map_or(most, |known| known.saturating_add(SPARE_BITS).min(most)) // X1: any number of bits encloses
     }
 
     /// The flights of the whole set.

@@ -33,7 +33,7 @@ impl Still {
             return None;
         }
         let quarter = i32::try_from(((&quarters % 4) + 4) % 4).ok()?;
-        let sin = [0, 1, 0, -1][quarter as usize];
+        let sin = [0, 1, 0, -1][quarter as usize]; // exact: 0 to 3
         // How far the ball is from each wall at the start, and how much farther it swings towards it.
         let gap = data.half_gap.checked_mul(&Exact::from(2)).ok()?;
         let zero = || Exact::from(0);

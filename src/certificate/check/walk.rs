@@ -93,6 +93,7 @@ impl<'c> Walk<'c> {
 
     /// The phase `W t + tau` of phases counted from the origin.
     pub fn absolute(&self, phase: &Real) -> Real {
+        // X1: any number of bits encloses
         let bits = phase.bits().saturating_add(u32::try_from(self.halves.bits()).unwrap_or(0));
         let dropped = Real::rational(&self.halves.clone().into(), bits) * &Real::pi(bits);
         dropped + &self.parameters.origin() + phase

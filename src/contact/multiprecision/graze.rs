@@ -85,7 +85,7 @@ fn go_on(
 ) -> Option<(f64, Float, MpBall, MpBall)> {
     let bits = flight.drift.bits();
     let at = Float::with_val(bits + 64, time.mid() + step) + flight.phase.mid();
-    let turns = at.to_f64().round();
+    let turns = at.to_f64().round(); // exact: any whole number is taken off
     let phase = Float::with_val(bits, at - turns);
     let point = MpBall::exact(phase.clone());
     let (sin, cos) = flight.wall.mirror(point.sin_cos());

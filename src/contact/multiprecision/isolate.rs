@@ -35,7 +35,7 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
         [Some(Ordering::Greater), _] | [_, Some(Ordering::Less)] => monotone(flight)?,
         _ => return Err(graze(flight, None, zero)),
     };
-    let turns = (flight.phase.mid().to_f64() + piece.guess.to_f64()).round();
+    let turns = (flight.phase.mid().to_f64() + piece.guess.to_f64()).round(); // exact: any whole number is taken off
     if turns.partial_cmp(&LONGEST_FLIGHT) != Some(Ordering::Less) {
         return Err(endless(flight));
     }
@@ -81,7 +81,7 @@ fn monotone(flight: &Flight<MpBall>) -> Result<Piece, Undecided> {
         |x: MpBall| x.checked_div(flight.drift.clone()).map(|x| x.mid().clone()).ok_or_else(|| endless(flight));
     let mean = quotient(-base)?;
     let spread = quotient(flight.alpha.clone())?.abs();
-    let guess = mean.clone().max(&Float::new(53));
+    let guess = mean.clone().max(&Float::new(53)); // proposes
     Ok(Piece { target, end: None, between: (mean.clone() - &spread, mean + spread), guess })
 }
 
@@ -115,6 +115,7 @@ impl Turning {
         let sine = p.sin_cos().0;
         let double = p.clone() + p.clone();
         let mirrored = flight.phase.clone() + MpBall::from_f64(flight.wall.mirror_phase());
+        // M3: all starts are on its piece
         let whole = if rising { mirrored.mid().clone().floor() } else { mirrored.mid().clone().round() };
         let start = mirrored - MpBall::exact(whole);
         let (first_max, first_min) = if rising {
@@ -173,7 +174,7 @@ impl Kind {
     /// The number, by the middles, of the first extremum beyond the wall when each comes nearer by `step`.
     fn crossing(&self, step: &MpBall) -> Option<f64> {
         let ratio = Float::with_val(self.room.bits(), self.room.mid() / step.mid());
-        let k = ratio.ceil().to_f64().max(1.0);
+        let k = ratio.ceil().to_f64().max(1.0); // proposes: C4 is proved for this k
         (k < LONGEST_FLIGHT).then_some(k)
     }
 }
@@ -218,7 +219,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
 
 /// Newton steps, kept inside the piece, until the height is as small as the balls can tell; then Lemma C3.
 fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated, Undecided> {
-    let bits = flight.drift.bits().max(flight.phase.bits());
+    let bits = flight.drift.bits().max(flight.phase.bits()); // M3: any number of bits
     let whole = MpBall::from_f64(turns);
     let phase_of = |time: &Float| {
         let since = Float::with_val(bits + 64, time - turns);

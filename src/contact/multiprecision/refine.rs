@@ -121,7 +121,7 @@ impl Isolated {
     /// The precisions of the steps before the last, rising to a quarter of `bits`.
     fn ladder(&self, flight: &Flight<MpBall>, bits: u32) -> Vec<u32> {
         // Bits that a step loses: an error of the phase counts against |z'| / z''.
-        let lost = (8.0 + (flight.steepest().log2() - self.least.log2()).max(0.0)).ceil() as u32;
+        let lost = (8.0 + (flight.steepest().log2() - self.least.log2()).max(0.0)).ceil() as u32; // proposes
         let known = -self.reach.log2();
         let mut levels = Vec::new();
         let mut needed = bits;
@@ -130,7 +130,7 @@ impl Isolated {
             if f64::from(needed) <= known {
                 break;
             }
-            levels.push((needed + lost).max(LEAST_BITS));
+            levels.push((needed + lost).max(LEAST_BITS)); // proposes
         }
         levels.reverse();
         levels

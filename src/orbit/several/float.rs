@@ -1,5 +1,7 @@
 //! Plain doubles, nothing proved.
 
+// Labels: proposes throughout.
+
 use std::sync::Arc;
 
 #[cfg(feature = "multiprecision")]

@@ -48,7 +48,7 @@ impl IntervalMotion {
             Location::Inside(height) => State::Inside { height, phase, velocity },
         };
         // Of a phase that is rounded the centre is another.
-        let waves = if phase.rad() == 0.0 { several.waves(f64::MANTISSA_DIGITS) } else { None };
+        let waves = if phase.rad() == 0.0 { several.waves(f64::MANTISSA_DIGITS) } else { None }; // exact: a point
         Self { several: several.clone(), pair: *pair, turns: several.turns, state, waves }
     }
 
@@ -111,7 +111,7 @@ fn set_contact(found: &Found<Ball>, phase: Ball, middle: f64) -> SetContact {
     SetContact {
         all: Contact {
             wall: found.wall,
-            turns: found.at.turns as f64,
+            turns: found.at.turns as f64, // N1: below 2^52
             phase: Ball::new(at, up(found.reach + phase.rad() + (phase.mid() - middle).abs() + rounding)),
             time: time.widened(found.reach),
             velocity: Ball::new(velocity.mid(), up(found.velocity.rad() + apart)),
@@ -170,6 +170,6 @@ impl Motion for IntervalMotion {
             State::Wall { set, .. } => (set.phase_ball(), set.velocity_ball()),
             State::Inside { phase, height, .. } => (*phase, *height),
         };
-        -phase.rad().max(velocity.rad()).log2()
+        -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by
     }
 }

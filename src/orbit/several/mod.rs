@@ -103,7 +103,7 @@ impl Several {
             let turns = known.turns.checked_sub(zero.turns);
             period.zip(turns).is_some_and(|(period, turns)| turns % period == 0) && known.is_same(zero)
         };
-        let number = self.known.iter().position(is_known).unwrap_or(self.known.len());
+        let number = self.known.iter().position(is_known).unwrap_or(self.known.len()); // exact: the next number
         if number == self.known.len() {
             self.known.push(zero.clone());
         }

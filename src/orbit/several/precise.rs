@@ -141,6 +141,7 @@ impl PreciseMotion {
             let (size, noise) = (room.mag(), room.rad());
             if size <= noise + noise || size >= before {
                 // Half a turn is one time in two ways: tell it as the isolated one is told.
+                // M3: any instant; it is looked at again
                 let turns = MpBall::from_f64((at.turns - isolated.turns) as f64);
                 let at = Instant { turns: isolated.turns, rest: at.rest.later(&turns) };
                 let is_near = limit.contains(&at.rest);
@@ -178,7 +179,7 @@ impl PreciseMotion {
         let start = all.phase.to_ball();
         let contact = Contact {
             wall: isolated.wall,
-            turns: isolated.turns as f64,
+            turns: isolated.turns as f64, // N1: below 2^52
             phase: start + MpBall::new(isolated.rest.clone(), Magnitude::new(isolated.reach, 0)).to_ball(),
             time: isolated.time,
             velocity: isolated.velocity,
@@ -235,7 +236,7 @@ impl Motion for PreciseMotion {
             State::Inside { height, phase, velocity } => self.first(&self.inside(height, phase, velocity))?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
-        let whole = set.phase.clone().round().to_f64();
+        let whole = set.phase.clone().round().to_f64(); // exact: within a few turns
         set.phase -= whole;
         let (phase, velocity) = set.balls();
         let turns = contact.turns + whole;
@@ -275,7 +276,7 @@ impl Motion for PreciseMotion {
             State::Wall { set, .. } => set.log2_radii(),
             State::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
         };
-        -a.max(b)
+        -a.max(b) // proposes: bits to raise by
     }
 
     fn radii(&self) -> Option<(f64, f64)> {
@@ -296,7 +297,7 @@ impl Motion for PreciseMotion {
 /// The harmonics in so many bits at least.
 impl Several {
     pub(super) fn harmonics_in(&self, bits: u32) -> Harmonics<MpBall> {
-        Harmonics::new(&self.spectrum, bits.max(LEAST_BITS))
+        Harmonics::new(&self.spectrum, bits.max(LEAST_BITS)) // M1: any number of bits
     }
 
     fn restitution_in(&self, bits: u32) -> MpBall {

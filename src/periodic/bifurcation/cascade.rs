@@ -139,7 +139,7 @@ impl Survey<'_> {
             for (end, from) in ends.iter_mut().zip(ways) {
                 let path = follow(&lead.ring, &self.floats, from, self.range, lead.step);
                 for station in &path.stations {
-                    range = [range[0].min(station.parameter()), range[1].max(station.parameter())];
+                    range = [range[0].min(station.parameter()), range[1].max(station.parameter())]; // shown
                 }
                 way.reverse();
                 way.extend(path.stations.iter().skip(usize::from(!way.is_empty())).cloned());
@@ -153,7 +153,7 @@ impl Survey<'_> {
                 ends[1] = End::Closed;
             }
             let is_proved = is_one_curve(&lead.ring, &self.floats, &self.setting.doubles(), &way);
-            let range = [range[0].max(self.range[0]), range[1].min(self.range[1])];
+            let range = [range[0].max(self.range[0]), range[1].min(self.range[1])]; // shown
             let (word, cycles, symmetric) = (lead.ring.word(), lead.ring.chain().cycles(), lead.ring.is_mirrored());
             self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends, is_proved });
         }
@@ -256,7 +256,7 @@ fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
     let (p, phases) = x.split_last()?;
     let distance = |half: &Ring| {
         let apart = |i: usize| (phases[i + half.unknowns()] - phases[i] - half.turns()).abs();
-        (0..half.unknowns()).map(apart).fold(0.0, f64::max)
+        (0..half.unknowns()).map(apart).fold(0.0, f64::max) // proposes
     };
     let half = ring.halves().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     let middle = |i: usize| 0.5 * (phases[i] + phases[i + half.unknowns()] - half.turns());

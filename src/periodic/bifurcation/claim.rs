@@ -111,7 +111,7 @@ impl Condition for Graze<'_> {
 }
 
 /// The largest radius that is tried where doubles prove none, `2^-20`.
-const SMALL: f64 = 1.0 / (1 << 20) as f64;
+const SMALL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
 /// A zero to prove, and what it then is.
 struct Claim<'s, S> {
@@ -149,7 +149,7 @@ impl<S: Condition> Claim<'_, S> {
         best: Option<Point>,
     ) -> Option<Point> {
         let mut best = best;
-        let mut bits = (f64::from(self.precision.digits) * 10f64.log2()) as u32 + 80;
+        let mut bits = (f64::from(self.precision.digits) * 10f64.log2()) as u32 + 80; // proposes: bits to try
         // Twice is enough where the precision is what lacks.
         for _ in 0..3 {
             if bits > self.precision.max_bits {
@@ -211,6 +211,7 @@ impl<S: Condition> Claim<'_, S> {
         let symmetric = if ring.is_mirrored() { Some(true) } else { orbit.as_ref().and_then(|orbit| orbit.symmetric) };
         let orbit = orbit.map(|orbit| PeriodicOrbit { symmetric, ..orbit });
         let room = bits + 160;
+        // exact: a whole number
         let turns = Enclosure::from_rational(&phases[0].as_enclosure()?.lo().to_rational().floor(), room);
         let impact = |i: usize| {
             Some(PeriodicImpact {

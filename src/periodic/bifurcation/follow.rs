@@ -1,5 +1,7 @@
 //! Floats follow a branch through its folds to its end and note where something changes sign. Nothing is proved.
 
+// Labels: proposes throughout.
+
 use super::ring::Ring;
 use super::system::Family;
 use super::trace::{Nearest, Station, Tests, correct};

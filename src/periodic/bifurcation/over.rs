@@ -128,7 +128,7 @@ impl Over {
             Ok(if self.key == Key::Restitution { reduced.restitution.mid() } else { reduced.alpha.mid() })
         };
         let (a, b) = (end(&self.low)?, end(&self.high)?);
-        Ok([a.min(b), a.max(b)])
+        Ok([a.min(b), a.max(b)]) // proposes
     }
 
     /// About what these ends without units are in the units of the scene, the smaller one first.
@@ -139,6 +139,6 @@ impl Over {
             Key::Gap => of(pair.excitation().reference().amplitude()) / x,
             Key::Restitution | Key::Frequency => x,
         });
-        [a.min(b), a.max(b)]
+        [a.min(b), a.max(b)] // shown
     }
 }

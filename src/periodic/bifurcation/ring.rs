@@ -74,12 +74,12 @@ impl Ring {
 
     /// Turns after which the unknowns repeat.
     pub fn turns(&self) -> f64 {
-        f64::from(self.chain.cycles()) * self.unknowns as f64 / self.chain.impacts() as f64
+        f64::from(self.chain.cycles()) * self.unknowns as f64 / self.chain.impacts() as f64 // Y1: N or N/2, exact
     }
 
     /// The phases of all impacts.
     pub fn lift<N: Number>(&self, phases: &[N]) -> Vec<N> {
-        let later = |i: usize| N::from_f64((i / self.unknowns) as f64 * self.turns());
+        let later = |i: usize| N::from_f64((i / self.unknowns) as f64 * self.turns()); // Y1: 0 or 1, exact
         (0..self.chain.impacts()).map(|i| phases[i % self.unknowns].clone() + later(i)).collect()
     }
 

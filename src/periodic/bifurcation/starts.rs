@@ -1,5 +1,7 @@
 //! Where branches begin: orbits of the word at values spread over the range. Nothing is proved.
 
+// Labels: proposes throughout.
+
 use super::super::chain::Chain;
 use super::super::guess::guesses;
 use super::super::identity::View;

@@ -1,5 +1,7 @@
 //! Floating point proposes: a branch followed by pseudo-arclength, and what changes sign along it. Nothing is proved.
 
+// Labels: proposes throughout.
+
 use nalgebra::{DMatrix, DVector};
 
 use super::ring::Ring;

@@ -43,8 +43,9 @@ impl<'c> Terms<'c> {
     pub fn new(chain: &'c Chain, pair: &Reduced<Ball>) -> Self {
         let [alpha, beta, restitution] = [pair.alpha, pair.beta, pair.restitution].map(Interval::of);
         let one = Interval::point(1.0);
+        // exact: neither is negative
         let (alpha, beta) = (Interval::new(alpha.lo.max(0.0), alpha.hi), Interval::new(beta.lo.max(0.0), beta.hi));
-        let restitution = Interval::new(restitution.lo.max(0.0), restitution.hi.min(1.0));
+        let restitution = Interval::new(restitution.lo.max(0.0), restitution.hi.min(1.0)); // exact: from 0 to 1
         let lossy = one + restitution;
         // Lemma T8.
         let impacts = Interval::point(chain.impacts() as f64);
@@ -54,7 +55,7 @@ impl<'c> Terms<'c> {
         let kicks = (lossy * (impacts - one) * beta).hi;
         let general = (Interval::point(longest) + Interval::point(kicks)).hi;
         let lost = (lossy * beta).over(one - restitution).map_or(f64::MAX, |drift| drift.hi);
-        let drift = general.min(lost);
+        let drift = general.min(lost); // T8: the smaller of two bounds
         let crossing = one.over(Interval::point(drift) + beta).map_or(f64::MAX, |time| time.lo);
         let swing = (PI * beta * lossy).times(2.0);
         Self { chain, beta, restitution, lossy, swing, drift, crossing }
@@ -62,8 +63,8 @@ impl<'c> Terms<'c> {
 
     /// How wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
     pub fn spread(&self) -> f64 {
-        let relative = self.beta.width() / self.beta.hi.max(f64::MIN_POSITIVE);
-        relative.max(self.restitution.width())
+        let relative = self.beta.width() / self.beta.hi.max(f64::MIN_POSITIVE); // proposes: when to stop
+        relative.max(self.restitution.width()) // proposes
     }
 
     /// The velocity of the box over these phases.
@@ -115,7 +116,7 @@ impl<'c> Terms<'c> {
     /// `h_i = u_{i+1} - u_i`, and its least value.
     fn cut_time(&self, part: &mut Part, i: usize) -> Option<()> {
         let (j, shift) = (self.chain.next(i), self.shift(i));
-        let least = if self.chain.displacement(i) == 0.0 { 0.0 } else { self.crossing };
+        let least = if self.chain.displacement(i) == 0.0 { 0.0 } else { self.crossing }; // T8: -1, 0 or 1, exact
         let (from, to) = (part.phases[i], part.phases[j] + shift);
         let time = part.times[i].cut(to - from)?.from(least)?;
         part.times[i] = time;
@@ -129,6 +130,7 @@ impl<'c> Terms<'c> {
         let time = part.times[i];
         let wave = self.wave(&part.phases, i, time);
         let displacement = self.chain.displacement(i);
+        // T9: -1, 0 or 1, exact
         if displacement == 0.0 {
             part.drifts[i] = part.drifts[i].cut(wave)?;
             return Some(());
@@ -148,7 +150,7 @@ impl<'c> Terms<'c> {
     fn middle(&self, phases: &[Interval], i: usize, time: Interval) -> Interval {
         let end = phases[self.chain.next(i)] + self.shift(i);
         let half = time.times(0.5);
-        let narrower = |x: Interval, y: Interval| x.cut(y).unwrap_or(x);
+        let narrower = |x: Interval, y: Interval| x.cut(y).unwrap_or(x); // T9: the first holds it anyway
         narrower(narrower((phases[i] + end).times(0.5), phases[i] + half), end - half)
     }
 
@@ -161,10 +163,13 @@ impl<'c> Terms<'c> {
     pub fn ratios(&self, phases: &[Interval], i: usize, time: Interval) -> [Interval; 2] {
         let displacement = self.chain.displacement(i);
         let straight =
+            // T9: -1, 0 or 1, exact
             if displacement == 0.0 { Some(Interval::point(0.0)) } else { Interval::point(displacement).over(time) };
         let drift = straight.map(|straight| straight + self.wave(phases, i, time));
+        // T9: nothing is known
         let by_time = |phase: Interval| drift.and_then(|drift| (drift - self.speed(phase)).over(time)).unwrap_or(ALL);
         let ratios = [by_time(phases[i]), by_time(phases[self.chain.next(i)])];
+        // T9: -1, 0 or 1, exact
         if displacement != 0.0 {
             return ratios;
         }
@@ -173,7 +178,7 @@ impl<'c> Terms<'c> {
         let bend = time.bend() * middle.cos();
         let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
         let hop = [-(self.beta * (bend + swing(middle - quarter))), -(self.beta * (bend - swing(middle + quarter)))];
-        [0, 1].map(|end| ratios[end].cut(hop[end]).unwrap_or(hop[end]))
+        [0, 1].map(|end| ratios[end].cut(hop[end]).unwrap_or(hop[end])) // T9: the second holds it anyway
     }
 
     /// The impact law and the directions before and after it.
@@ -249,6 +254,6 @@ impl Part {
 
     /// The width of the widest phase.
     pub fn width(&self) -> f64 {
-        self.phases.iter().map(|x| x.width()).fold(0.0, f64::max)
+        self.phases.iter().map(|x| x.width()).fold(0.0, f64::max) // proposes: when to stop
     }
 }

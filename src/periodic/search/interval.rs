@@ -45,13 +45,13 @@ impl Interval {
     /// A ball that holds the interval.
     pub fn ball(self) -> Ball {
         let mid = self.middle();
-        Ball::new(mid, up((mid - self.lo).max(self.hi - mid)))
+        Ball::new(mid, up((mid - self.lo).max(self.hi - mid))) // T9: the farther end
     }
 
     /// A double inside, about the middle.
     #[inline(always)]
     pub fn middle(self) -> f64 {
-        (0.5 * (self.lo + self.hi)).clamp(self.lo, self.hi)
+        (0.5 * (self.lo + self.hi)).clamp(self.lo, self.hi) // T9: inside
     }
 
     /// `hi - lo`, to nearest: it decides nothing.
@@ -63,6 +63,7 @@ impl Interval {
     /// The members in both; `None` when there is none.
     #[inline(always)]
     pub fn cut(self, other: Self) -> Option<Self> {
+        // T9: the inner ends; a NaN cuts nothing
         let both = Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) };
         (both.lo <= both.hi).then_some(both)
     }
@@ -70,7 +71,7 @@ impl Interval {
     /// The least interval that holds both.
     #[inline(always)]
     pub fn hull(self, other: Self) -> Self {
-        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) } // T9: the outer ends, of finite intervals
     }
 
     /// The members of at least `low`.
@@ -118,7 +119,7 @@ impl Interval {
     #[inline(always)]
     pub fn times(self, x: f64) -> Self {
         let (a, b) = (self.lo * x, self.hi * x);
-        outward(a.min(b), a.max(b))
+        outward(a.min(b), a.max(b)) // T9: the outer ends
     }
 
     /// `cos 2 pi u` over the interval.
@@ -128,6 +129,7 @@ impl Interval {
         }
         let ends = [kernel::sin_cos(self.lo).1, kernel::sin_cos(self.hi).1];
         let error = 2.0 * SIN_COS_ERROR;
+        // K1: no cosine is beyond 1
         let (mut lo, mut hi) = ((ends[0].min(ends[1]) - error).max(-1.0), (ends[0].max(ends[1]) + error).min(1.0));
         if self.holds_whole(0.0) {
             hi = 1.0;
@@ -146,19 +148,19 @@ impl Interval {
     /// Whether a whole number plus `shift` may be a member.
     #[inline(always)]
     fn holds_whole(self, shift: f64) -> bool {
-        (self.hi - shift).next_up().floor() >= (self.lo - shift).next_down().ceil()
+        (self.hi - shift).next_up().floor() >= (self.lo - shift).next_down().ceil() // T9: whole ends, outward
     }
 
     /// The part where `cos 2 pi u` is in `range`, if the interval lies in one half turn; all of it otherwise.
     pub fn where_cos(self, range: Self) -> Option<Self> {
-        let half = (2.0 * self.middle()).floor();
+        let half = (2.0 * self.middle()).floor(); // T9: any half turn; the ends are compared
         if self.lo < 0.5 * half || self.hi > 0.5 * (half + 1.0) {
             return Some(self);
         }
         // Lemma K3; from an even half turn on the cosine falls.
         let angle = |x: f64, error: f64| kernel::acos_coarse(x.clamp(-1.0, 1.0)) + error * 2.0 * ACOS_ERROR;
         let (near, far) = (angle(range.hi, -1.0), angle(range.lo, 1.0));
-        let is_even = half.rem_euclid(2.0) == 0.0;
+        let is_even = half.rem_euclid(2.0) == 0.0; // exact: a whole number
         let part = if is_even {
             outward(0.5 * half + near, 0.5 * half + far)
         } else {
@@ -170,22 +172,22 @@ impl Interval {
     /// `S(h) = sin(pi h)/(pi h)`, an even function. Lemma T9
     pub fn sinc(self) -> Self {
         if self.lo < 0.0 {
-            return Self::new(0.0, self.hi.max(-self.lo)).sinc();
+            return Self::new(0.0, self.hi.max(-self.lo)).sinc(); // T9: even
         }
         let ends = if self.hi <= 1.0 {
             Self::new(falling_sinc(self.hi).lo, falling_sinc(self.lo).hi)
         } else {
             let wave = self.times(0.5).sin();
             let bound = if self.lo > 0.0 { wave.over(self * PI) } else { None };
-            bound.unwrap_or(Self::new(-0.25, 1.0))
+            bound.unwrap_or(Self::new(-0.25, 1.0)) // T9: -1/4 < S <= 1
         };
-        Self { lo: ends.lo.max(-0.25), hi: ends.hi.min(1.0) }
+        Self { lo: ends.lo.max(-0.25), hi: ends.hi.min(1.0) } // T9: -1/4 < S <= 1
     }
 
     /// `g(h) = (1 - S(h))/h`, an odd function. Lemma T9
     pub fn bend(self) -> Self {
         if self.lo < 0.0 {
-            let most = Self::new(0.0, self.hi.max(-self.lo)).bend().hi;
+            let most = Self::new(0.0, self.hi.max(-self.lo)).bend().hi; // T9: odd
             return Self::new(-most, most);
         }
         let square = PI * PI;
@@ -193,9 +195,9 @@ impl Interval {
         let cube = Self::point(self.hi) * Self::point(self.hi) * Self::point(self.hi);
         // Three roundings of terms that are at most `high` where it matters.
         let low = (square * Self::point(self.lo)).lo / 6.0 - (square * square * cube).hi / 120.0;
-        let series = Self::new((low - 8.0 * UNIT * high).max(0.0), high);
+        let series = Self::new((low - 8.0 * UNIT * high).max(0.0), high); // T9: 0 <= g
         let direct = (Self::point(1.0) - self.sinc()).over(self);
-        direct.and_then(|direct| direct.cut(series)).unwrap_or(series)
+        direct.and_then(|direct| direct.cut(series)).unwrap_or(series) // T9: both hold it
     }
 }
 
@@ -205,17 +207,17 @@ fn falling_sinc(h: f64) -> Interval {
     let square = x * x;
     let series = Interval::new(1.0 - (square.hi / 6.0).next_up().next_up(), 1.0);
     let direct = Interval::point(0.5 * h).sin().over(x);
-    direct.and_then(|direct| direct.cut(series)).unwrap_or(series)
+    direct.and_then(|direct| direct.cut(series)).unwrap_or(series) // T9: both hold it
 }
 
 #[inline(always)]
 fn least(x: [f64; 4]) -> f64 {
-    x[0].min(x[1]).min(x[2].min(x[3]))
+    x[0].min(x[1]).min(x[2].min(x[3])) // T9: a NaN is 0 times infinity, next to a 0
 }
 
 #[inline(always)]
 fn greatest(x: [f64; 4]) -> f64 {
-    x[0].max(x[1]).max(x[2].max(x[3]))
+    x[0].max(x[1]).max(x[2].max(x[3])) // T9
 }
 
 impl Add for Interval {

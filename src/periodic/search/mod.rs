@@ -89,7 +89,7 @@ impl Problem {
 impl Search<'_> {
     /// Depth first, so that little is kept.
     fn run(&mut self, budget: Budget) {
-        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(self.terms.spread() / 16.0);
+        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(self.terms.spread() / 16.0); // proposes: when to stop
         let mut open = vec![self.terms.all()];
         let mut looked = 0;
         while let Some(part) = open.pop() {
@@ -173,10 +173,10 @@ impl Search<'_> {
 fn halves(part: Part, slopes: &Slopes<Interval>) -> [Part; 2] {
     let mut weights = vec![0.0; part.phases.len()];
     for (_, j, slope) in slopes.entries() {
-        weights[j] += slope.lo.abs().max(slope.hi.abs()).min(1e6);
+        weights[j] += slope.lo.abs().max(slope.hi.abs()).min(1e6); // proposes: where to halve
     }
     let weight = |j: &usize| weights[*j] * part.phases[*j].width();
-    let widest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0);
+    let widest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
     let Interval { lo, hi } = part.phases[widest];
     let middle = part.phases[widest].middle();
     let mut other = part.clone();
