@@ -1,8 +1,8 @@
 """Scenes that start next to where a simulator has to choose: an extremum, a graze, a release, a wall.
 
-One quantity of each is 0 or +-10^-6 to 10^-60 (or a power of two as small) away from a touch, from a quarter turn, from
-no velocity or from no drift, exactly: values are expressions. The quarter turns are in tau and the start is at time 0 or
-so little before or after it. Lengths are told in gaps, times in turns, velocities in gaps a turn.
+One quantity of each is 0 or +-10^-6 to 10^-60 (or a power of two as small) away from a touch, from a quarter turn,
+from no velocity or from no drift, exactly: values are expressions. The quarter turns are in tau and the start is at time
+0 or so little before or after it. Lengths are told in gaps, times in turns, velocities in gaps a turn.
 """
 import random
 from collections import namedtuple
@@ -100,7 +100,7 @@ def at_wall(draw, speed):
 
 
 def next_to_an_extremum(draw):
-    """Inside the gap, next to a wall: without velocity, with hardly any, or aimed at an extremum just passed or ahead."""
+    """Inside the gap, next to a wall: with hardly any velocity, or none, or aimed at an extremum just passed or ahead."""
     ratio, phase = draw.choice(RATIOS), draw.choice((turns, quarter))(draw)
     place = f"{sign(draw)}(1/2 - {small(draw)})" if draw.random() < 0.8 else f"{sign(draw)}(1/4)"
     time, velocity = offset(draw), draw.choice(("0", f"{sign(draw)}{small(draw)}"))
@@ -144,7 +144,7 @@ def far_touch(draw):
 
 
 def aimed_hop(lowest):
-    """The phase in turns, as a decimal, from which a hop of the left wall has its lowest point on it, at `lowest` radians.
+    """The phase in turns, as a decimal, from which a hop of the left wall touches it again at `lowest` radians.
 
     Before it the ball was at sin(lowest) - sin(lowest - s) - s cos(lowest) amplitudes: at its highest for s = 2 lowest,
     and below the wall for s = 2 pi.
@@ -197,7 +197,8 @@ def no_drift(draw):
 
 def drift_of_the_box(draw):
     """The drift is the greatest speed of the box, or nearly: two extrema meet and vanish."""
-    ratio, phase, time = draw.choice(("1/20", "1", "7/2", "1/500", "25")), draw.choice((turns, quarter))(draw), offset(draw)
+    ratio, phase = draw.choice(("1/20", "1", "7/2", "1/500", "25")), draw.choice((turns, quarter))(draw)
+    time = offset(draw)
     rest = f"2*pi*({ratio})*({sign(draw)}1 - {cosine(f'({phase}) + ({time})')})"
     velocity = f"{rest} + ({offset(draw)})"
     return tables(draw, ratio, phase, time, {"position": draw.choice(("0", "1/4", "-0.4")), "velocity": velocity})
