@@ -1,8 +1,8 @@
 """Scenes that start next to where a simulator has to choose: an extremum, a graze, a release, a wall.
 
 One quantity of each is 0 or +-10^-6 to 10^-60 (or a power of two as small) away from a touch, from a quarter turn,
-from no velocity or from no drift, exactly: values are expressions. The quarter turns are in tau and the start is at time
-0 or so little before or after it. Lengths are told in gaps, times in turns, velocities in gaps a turn.
+from no velocity or from no drift, exactly: values are expressions. The quarter turns are in tau and the start is at
+time 0 or so little before or after it. Lengths are told in gaps, times in turns, velocities in gaps a turn.
 """
 import random
 from collections import namedtuple
@@ -100,7 +100,7 @@ def at_wall(draw, speed):
 
 
 def next_to_an_extremum(draw):
-    """Inside the gap, next to a wall: with hardly any velocity, or none, or aimed at an extremum just passed or ahead."""
+    """Inside the gap, next to a wall: hardly any velocity, or none, or aimed at an extremum just passed or ahead."""
     ratio, phase = draw.choice(RATIOS), draw.choice((turns, quarter))(draw)
     place = f"{sign(draw)}(1/2 - {small(draw)})" if draw.random() < 0.8 else f"{sign(draw)}(1/4)"
     time, velocity = offset(draw), draw.choice(("0", f"{sign(draw)}{small(draw)}"))
@@ -110,7 +110,7 @@ def next_to_an_extremum(draw):
 
 
 def touch(ratio, begin, end, whole):
-    """(v, way): with velocity v at the phase `begin` an extremum is at the phase `end`, and the ball is `way` on then."""
+    """(v, way): with velocity v at the phase `begin` an extremum is at the phase `end`, `way` further on."""
     drift = f"2*pi*({ratio})*{cosine(end)}"
     way = f"({drift}*(({end}) - ({begin}) + {whole}) - ({ratio})*({sine(end)} - {sine(begin)}))"
     return f"({drift} - 2*pi*({ratio})*{cosine(begin)})", way

@@ -21,7 +21,7 @@ PROCESSES = 2
 # Of the resting scenes with small e or small A/d, so many must come to rest, or the scenes are badly drawn.
 RESTING = 0.6
 # So many scenes may end before all was compared: undecided, in doubles above all, or beyond this proof. Of the
-# straddling ones it is a third: most of 10^-17 to 10^-60 is nothing to doubles and 64 bits, and without drift nothing ever comes.
+# straddling ones it is a third: most of 10^-17 to 10^-60 is nothing to 64 bits, and without drift nothing ever comes.
 CUT_SHORT = {"resting scenes": 0.2, "extreme scenes": 0.1, SEVERAL: 0.1, STRADDLING: 0.4}
 # Of those that `auto` runs, in 1,024 bits, so many may be undecided.
 STRADDLING_AUTO = 0.3

@@ -1,7 +1,7 @@
 """What follows a graze that so many bits do not tell from a miss: the proof tells, and the rows are judged with it.
 
 Such a graze is listed in place of an impact or of nothing, and what follows encloses both continuations. The proved
-orbit says which: the graze is replaced by the proved impact, or left out, and the rows then are those of a plain listing.
+orbit says which: the graze is replaced by the proved impact, or left out, and the rows are those of a plain listing.
 """
 from flint import arb, ctx
 
