@@ -15,13 +15,16 @@ from mirror import check_overlap, mirror, reflected
 from orbit import FIRST_BITS
 from program import listing
 from random_scenes import toml
-from rest_controls import check_rest_controls
+from rest_controls import check_first_controls, check_rest_controls
 from scene import Scene
 from simulate import exact
 from timeline import Timeline
+from untold import told
 
 # A motion that is said never to touch a wall is followed for so many periods.
 NEVER = 100
+# A velocity of 10^-60 in 256 bits is told from its neighbours.
+STRADDLING_DIGITS = 140
 
 
 def check_outcome(verdict, outcome, rows, impacts):
@@ -47,15 +50,20 @@ def check_never(scene, rows):
     raise Disagreement(f"a motion that never touches a wall, proved to touch the {wall} one")
 
 
-def judge_scene(tables, binary, impacts, digits, arithmetic):
-    """(rows, tally): what the program lists of a scene, and a Counter of what was found to agree."""
+def judge_scene(tables, binary, impacts, digits, arithmetic, max_bits=None):
+    """(rows, tally): what the program lists of a scene, and a Counter of what was found to agree.
+
+    With `max_bits`, bits may not tell whether a wall is touched, or that a chatter ends: what is listed after such a
+    graze, or of such a chatter, is judged, too.
+    """
     arguments = ["--impacts", str(impacts), "--digits", str(digits), "--arithmetic", arithmetic]
+    arguments += ["--max-bits", str(max_bits)] if max_bits else []
     scene, is_auto = Scene(tomllib.loads(toml(tables))), arithmetic == "auto"
-    timeline = Timeline(scene, digits)
+    timeline = Timeline(scene, digits, STRADDLING_DIGITS, True) if max_bits else Timeline(scene, digits)
 
     def check(rows):
         check_order(rows)
-        return judge(rows, timeline, is_auto)
+        return judge(told(rows, timeline) if max_bits else rows, timeline, is_auto and not max_bits)
 
     rows, outcome = listing(binary, toml(tables), arguments)
     verdict = check(rows)
@@ -71,8 +79,10 @@ def judge_scene(tables, binary, impacts, digits, arithmetic):
         tally["beyond"] += 1
         return rows, tally
     check_outcome(verdict, outcome, rows, impacts)
+    if max_bits:
+        tally["spoiled"] += check_first_controls(rows, exact(scene.motion().period().mid()), check, Disagreement)
     cycle, limit = exact(scene.motion().period().mid()), chatter_limit(scene, digits)
-    tally["spoiled"] = check_rest_controls(rows, cycle, limit, check, Disagreement) + spoil(outcome, verdict)
+    tally["spoiled"] += check_rest_controls(rows, cycle, limit, check, Disagreement) + spoil(outcome, verdict)
     return rows, tally
 
 

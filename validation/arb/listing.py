@@ -144,6 +144,9 @@ def judge(rows, timeline, is_sharp=True):
     limit = chatter_limit(timeline.scene, timeline.digits)
     for stretch in stretches(rows):
         proved = origin.prove(len(stretch.impacts) + stretch.grazed, stretch.rest is not None)
+        if timeline.is_patient and proved.rest is not None and len(proved.impacts) < len(stretch.impacts):
+            on = origin.prove_on(len(stretch.impacts), proved)
+            proved = on if len(on.impacts) >= len(stretch.impacts) else proved
         if proved.reason is not None and len(proved.impacts) < len(stretch.impacts):
             verdict.proved_end = proved.reason
             stretch = Stretch(stretch.impacts[: len(proved.impacts)], None, None)

@@ -123,6 +123,12 @@ def leave(motion, wall, time, velocity, released=False):
     return Flight(motion, wall, time, arb(0) if wall == LEFT else motion.gap, -motion.restitution * velocity, released)
 
 
+def check_width(impact, widest, digits):
+    """Raises Undecided unless the balls of time and velocity are narrow enough."""
+    if not (2 * impact.time.rad() < widest[0] and 2 * impact.velocity.rad() < widest[1]):
+        raise Undecided(f"wider than {digits} digits")
+
+
 def orbit_at(scene, impacts, digits, bits, coarse_bits, settle=None):
     """(impacts, rest, reason): the impacts as far as these precisions prove them, and why they end there, or None.
 
@@ -135,16 +141,16 @@ def orbit_at(scene, impacts, digits, bits, coarse_bits, settle=None):
         try:
             states, first = walk.begin(scene)
             if first is not None:
+                check_width(first, widest, digits)
                 found.append(first)
             while len(found) < impacts:
                 rest = settle(walk, states) if settle else None
                 if rest is not None:
                     return found, rest, None
                 after = walk.step(states)
-                time, velocity = after.balls()
-                if not (2 * time.rad() < widest[0] and 2 * velocity.rad() < widest[1]):
-                    raise Undecided(f"wider than {digits} digits")
-                found.append(Impact(len(found) + 1, MAPPING[states.wall, after.wall], after.wall, time, velocity))
+                impact = Impact(len(found) + 1, MAPPING[states.wall, after.wall], after.wall, *after.balls())
+                check_width(impact, widest, digits)
+                found.append(impact)
                 states = after
         except Undecided as reason:
             return found, None, type(reason)(f"impact {len(found) + 1}: {reason}")

@@ -1,4 +1,4 @@
-"""What is to be judged, in six parts, each a list of jobs; a job is judged in a process of its own."""
+"""What is to be judged, in seven parts, each a list of jobs; a job is judged in a process of its own."""
 from collections import Counter, namedtuple
 
 from compare import Disagreement, describe, judge, run_binary
@@ -11,6 +11,7 @@ from random_scenes import is_calm, scenes, toml
 from several_check import judge_untold, judge_written
 from several_corners import several_corners, untold_corners, written
 from several_scenes import several_scenes
+from straddling_scenes import straddling_scenes
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
 DIGITS = 9
@@ -21,13 +22,17 @@ IN_DOUBLES = 60
 Job = namedtuple("Job", "part name judge arguments scene")
 # How much of everything is judged; 200 impacts of a scene unless it says otherwise.
 Amount = namedtuple(
-    "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts intervals"
+    "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts straddling "
+    "intervals",
 )
-FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 40)
-QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 8)
+FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40)
+QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 20, 8)
 INTERVAL_IMPACTS = 20
-SEVERAL = "several harmonics"
-PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, "interval scenes"]
+# Bits that tell 10^-60 from nothing, and end soon where nothing can be told.
+STRADDLING_BITS = 1024
+STRADDLING_WAYS = ["auto", "interval", "64", "128", "256"]
+SEVERAL, STRADDLING = "several harmonics", "straddling scenes"
+PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes"]
 
 
 def way(number):
@@ -70,6 +75,23 @@ def judge_random(tables, impacts, digits, arithmetic, may_be_calm, binary):
         tally["undecided by auto"] = tally["undecided"]
     if may_be_calm and is_calm(tables):
         tally.update(calm=1, calm_resting=tally["resting"])
+    return tally, ""
+
+
+def straddling_jobs(amount, seed):
+    """Starts next to where a simulator has to choose, in all arithmetics in turn."""
+    for number, (family, tables, impacts) in enumerate(straddling_scenes(amount, seed)):
+        arithmetic = STRADDLING_WAYS[number % len(STRADDLING_WAYS)]
+        name = f"{STRADDLING} {number}, {family}, {arithmetic}"
+        yield Job(STRADDLING, name, judge_straddling, (tables, impacts, arithmetic), toml(tables))
+
+
+def judge_straddling(tables, impacts, arithmetic, binary):
+    """The tally, with a count of the grazes that the arithmetic does not tell from impacts or misses."""
+    rows, tally = judge_scene(tables, binary, impacts, DIGITS, arithmetic, STRADDLING_BITS)
+    tally["untold grazes"] = sum(row["event"] == "graze" for row in rows)
+    if arithmetic == "auto":
+        tally["by auto"], tally["undecided by auto"] = 1, tally["undecided"]
     return tally, ""
 
 
@@ -122,6 +144,7 @@ def jobs(amount, seed, parts):
         Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables)) for corner in corners()
     ]
     found += several_jobs(amount, seed)
+    found += straddling_jobs(amount.straddling, seed)
     found += [
         Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))
         for scene in interval_scenes(amount.intervals, seed)

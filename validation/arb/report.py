@@ -6,7 +6,7 @@ import flint
 # Columns of the table: a heading, and the counts that are summed in it.
 COLUMNS = [
     ("scenes", ["scenes"]), ("impacts", ["impacts"]), ("rests", ["rests"]), ("releases", ["releases"]),
-    ("grazes", ["grazes"]), ("enclosures", ["enclosures"]), ("hold all of the Arb ball", ["held"]),
+    ("grazes", ["grazes"]), ("untold grazes", ["untold grazes"]), ("enclosures", ["enclosures"]), ("hold all of the Arb ball", ["held"]),
     ("spoiled copies refused", ["spoiled"]),
 ]
 OUTCOMES = [
@@ -21,7 +21,8 @@ Motions written in more than one way are counted once. Enclosures that do not ho
 was also judged in its mirror image. Undecided are listings that impact-pair itself ends early, most of them in doubles
 or by the width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze, with a
 flight too long to follow part by part, or that never impact (followed for 100 periods): judged up to there, and not
-counted as proved after it."""
+counted as proved after it. An untold graze is listed where the arithmetic of a straddling scene (doubles, 64, 128 or 256
+bits, or auto in at most 1,024) does not tell a touch from a miss: the proof tells, and what follows was judged with it."""
 
 
 def table(totals, columns, heading):
@@ -59,7 +60,7 @@ def write_report(folder, amount, seed, totals, remarks, failures, seconds):
     lines.append(
         f"Made by `validation/arb/run --report` in {seconds:.0f} s with python-flint {flint.__version__}, seed {seed}, "
         f"{amount.extremes} extreme scenes of {amount.extreme_impacts} impacts, {amount.resting} resting ones of "
-        f"{amount.resting_impacts}, {amount.several} with several harmonics of {amount.several_impacts}."
+        f"{amount.resting_impacts}, {amount.several} with several harmonics of {amount.several_impacts}, {amount.straddling} straddling ones."
     )
     Path(folder).mkdir(parents=True, exist_ok=True)
     (Path(folder) / "arb.md").write_text("\n".join(lines) + "\n", encoding="utf-8")

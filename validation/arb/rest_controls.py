@@ -4,14 +4,15 @@ from fractions import Fraction
 from compare import bounds
 from simulate import decimal_below
 
-PLACES = 80
+PLACES = 160
+OTHER = {"left": "right", "right": "left"}
 
 
-def moved(row, by):
-    """The row with its time later by so much, exactly enough."""
+def moved(row, by, name="time"):
+    """The row with its time later by so much, exactly enough, or another quantity larger."""
     return row | {
-        f"time_{side}": decimal_below(value + by, PLACES)
-        for side, value in zip(("lower", "upper"), bounds(row, "time"))
+        f"{name}_{side}": decimal_below(value + by, PLACES)
+        for side, value in zip(("lower", "upper"), bounds(row, name))
     }
 
 
@@ -39,7 +40,7 @@ def spoiled(rows, period, limit):
         return
     at = releases[-1] - 1
     rest, release = rows[at : at + 2]
-    other = {"left": "right", "right": "left"}[rest["wall"]]
+    other = OTHER[rest["wall"]]
 
     def changed(*new):
         return rows[:at] + list(new) + rows[at + 2 :]
@@ -50,8 +51,10 @@ def spoiled(rows, period, limit):
         )
         yield f"a release {word} by more than its width", changed(rest, moved(release, sign * past(release, period)))
         yield f"a release one cycle {word}", changed(rest, moved(release, sign * period))
-    yield "a rest and its release left out", changed()
-    yield "a release left out", changed(rest)
+    if rows[at + 2 :]:
+        # Otherwise the copy only ends sooner.
+        yield "a rest and its release left out", changed()
+        yield "a release left out", changed(rest)
     yield "a rest left out", changed(release)
     yield "a rest on the other wall", changed(rest | {"wall": other}, release)
     yield "a release from the other wall", changed(rest, release | {"wall": other})
@@ -73,10 +76,37 @@ def spoiled_chatter(rows, at, limit):
         yield "an impact of a chatter left out", renumbered(rows[: at - 2] + rows[at - 1 :])
 
 
+def spoiled_first(rows, period):
+    """(name, copy) pairs; the first event, if it is an impact, is the one that is spoiled."""
+    if not rows or rows[0]["event"] != "impact":
+        return
+    row, rest = rows[0], rows[1:]
+    yield "the first impact on the other wall", [row | {"wall": OTHER[row["wall"]]}, *rest]
+    lower, upper = bounds(row, "velocity")
+    for sign, word in ((1, "larger"), (-1, "smaller")):
+        by = sign * (Fraction(101, 100) * (upper - lower) + abs(lower) / 10**20)
+        yield f"a first velocity {word} by more than its width", [moved(row, by, "velocity"), *rest]
+    yield "the first impact earlier by more than its width", [moved(row, -past(row, period)), *rest]
+    if not rest:
+        yield "the first impact later by more than its width", [moved(row, past(row, period))]
+    elif bounds(row, "time")[1] < bounds(rest[0], "time")[0]:
+        yield "the first impact left out", renumbered(rest)
+
+
+def check_first_controls(rows, period, judge, refusal):
+    """The same for the first impact."""
+    return refused(spoiled_first(rows, period), judge, refusal)
+
+
 def check_rest_controls(rows, period, limit, judge, refusal):
     """How many spoiled copies were refused; all must be."""
+    return refused(spoiled(rows, period, limit), judge, refusal)
+
+
+def refused(copies, judge, refusal):
+    """How many of the copies were refused; all must be."""
     count = 0
-    for name, copy in spoiled(rows, period, limit):
+    for name, copy in copies:
         try:
             judge(copy)
         except refusal:

@@ -21,10 +21,13 @@ CLOSER = 8
 
 
 class Timeline:
-    """The legs of a scene, for comparisons with listings to so many digits; computed when they are asked for."""
+    """The legs of a scene, for comparisons with listings to so many digits; computed when they are asked for.
 
-    def __init__(self, scene, digits):
-        self.scene, self.digits = scene, digits
+    `width`: so many digits are proved at least. `is_patient`: a chatter may be listed on when it is too short for that.
+    """
+
+    def __init__(self, scene, digits, width=30, is_patient=False):
+        self.scene, self.digits, self.width, self.is_patient = scene, digits, width, is_patient
         self.proved = {}
         chatter = scene.motion().restitution
         # Impacts from the last one that a listing needs to the rest that `settle_within` sees, and some to spare.
@@ -35,7 +38,7 @@ class Timeline:
         known = self.proved.get(key)
         if known is None or known[0] < impacts and known[1].rest is None:
             settle = settle_within(self.digits)
-            known = impacts, prove(scene, impacts, max(30, self.digits + 20), settle, MOST_BITS)
+            known = impacts, prove(scene, impacts, max(self.width, self.digits + 20), settle, MOST_BITS)
             self.proved[key] = known
         return known[1]
 
@@ -56,10 +59,16 @@ class Origin:
         """`Proved` with so many impacts at least, and the rest, if there is one and `resting`."""
         return self.timeline.leg(self.key, self.scene, impacts + (self.timeline.spare if resting else 0))
 
+    def prove_on(self, impacts, proved):
+        """The same rest, and so many impacts before it, however little time is left."""
+        on = prove(self.scene, impacts, self.timeline.width, None, MOST_BITS)
+        return on._replace(rest=proved.rest, bits=max(on.bits, proved.bits))
+
     def prove_closer(self, impacts):
         """`Proved` with its rest known to more digits than any listing of the timeline's shows; it takes more impacts."""
         digits = self.timeline.digits + CLOSER
-        return prove(self.scene, impacts + CLOSER * self.timeline.spare, max(30, digits + 20), settle_within(digits), MOST_BITS)
+        width, more = max(self.timeline.width, digits + 20), CLOSER * self.timeline.spare
+        return prove(self.scene, impacts + more, width, settle_within(digits), MOST_BITS)
 
     def began(self, bits):
         """When it begins in the leg's own time, as a ball."""
