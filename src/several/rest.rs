@@ -211,10 +211,16 @@ impl Zero {
         }
     }
 
-    /// Whether two zeros of phases that differ by whole common periods are proved to be the same (Lemma H9).
-    pub fn is_same(&self, other: &Self) -> bool {
-        let hull = up((self.near - other.near).abs() + self.reach + other.reach);
-        let overlap = (self.near - other.near).abs() <= self.reach + other.reach;
-        self.wall == other.wall && overlap && self.least - up(2.0 * self.fourth * hull) > 0.0
+    /// Whether two zeros are proved to be whole numbers of `period` turns apart (Lemma H9).
+    pub fn is_later_by_whole(&self, period: i64, other: &Self) -> bool {
+        let apart = self.near - other.near;
+        // exact: -1, 0 or 1; half a turn is told in two ways
+        let whole = apart.round();
+        // N1: a difference of counts, and one turn
+        let turns = self.turns - other.turns + whole as i64;
+        let between = (apart - whole).abs() + UNIT;
+        let hull = up(between + self.reach + other.reach);
+        let is_one = self.least - up(2.0 * self.fourth * hull) > 0.0;
+        self.wall == other.wall && turns % period == 0 && between <= 2.0 * UNIT + self.reach + other.reach && is_one
     }
 }

@@ -99,10 +99,7 @@ impl Several {
     /// The number of a release, the same for all that are whole common periods apart (Lemma H9).
     pub fn number_of(&mut self, zero: &Zero) -> usize {
         let period = self.spectrum.period.and_then(|period| i64::try_from(period).ok());
-        let is_known = |known: &Zero| {
-            let turns = known.turns.checked_sub(zero.turns);
-            period.zip(turns).is_some_and(|(period, turns)| turns % period == 0) && known.is_same(zero)
-        };
+        let is_known = |known: &Zero| period.is_some_and(|period| known.is_later_by_whole(period, zero));
         let number = self.known.iter().position(is_known).unwrap_or(self.known.len()); // exact: the next number
         if number == self.known.len() {
             self.known.push(zero.clone());
