@@ -1,7 +1,7 @@
 //! Orbits under several harmonics: against the same motion under one, against themselves in other arithmetics, mirrored.
 
 use impact_pair::exact::Enclosure;
-use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Progress, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Period, Progress, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::scene::Scene;
 use proptest::prelude::*;
@@ -240,4 +240,27 @@ fn only_commensurate_motions_are_called_periodic() {
     assert!(matches!(outcome, Some(Outcome::Periodic(period)) if period.cycles % 3 == 0), "{outcome:?}");
     let other = Case { frequencies: vec!["pi".into(), "sqrt(5)*pi".into()], ..commensurate };
     assert_eq!(other.events(Arithmetic::Auto, 120).1, Some(Outcome::ImpactsReached));
+}
+
+/// Half a turn is told as 1/2 or as -1/2 of the next: two releases there are whole periods apart all the same (Lemma H9).
+#[test]
+fn a_period_between_releases_at_half_a_turn_is_counted_in_whole_turns() {
+    let text = |phase: &str, wall: &str, velocity: &str| {
+        format!(
+            "excitation = {{ amplitude = [\"0.0977766639*0.002\", \"1.18576041e-05*0.0977766639*0.002\"], \
+             frequency = [0.37, 0.185], phase = \"{phase}\" }}\npair = {{ gap = 0.002, restitution = 0.257253855 }}\n\
+             start = {{ time = -0.000604953832, wall = \"{wall}\", velocity = {velocity} }}"
+        )
+    };
+    let ends = [text("pi", "right", "7.52918614e-13"), text("0", "left", "-7.52918614e-13")].map(|text| {
+        let scene = Scene::parse(&text).unwrap();
+        let mut orbit = scene.orbit(Settings { impacts: Some(50), ..Settings::default() }).unwrap();
+        let times: Vec<_> = orbit.by_ref().collect::<Vec<_>>().iter().map(|impact| orbit.bounds(impact).0).collect();
+        assert_eq!(orbit.outcome(), Some(&Outcome::Periodic(Period { cycles: 6, impacts: 20 })));
+        times
+    });
+    // The mirror image: the same times, those that are repeated as well.
+    for (a, b) in ends[0].iter().zip(&ends[1]) {
+        assert!(a.intersection(b).is_some(), "{a:?} {b:?}");
+    }
 }

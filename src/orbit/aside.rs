@@ -139,11 +139,11 @@ impl Orbit {
             return self.finish(Outcome::TimeReached);
         }
         let event = self.hand_out(Progress::Release(release));
-        let number = match (&mut self.given.several, &zero) {
+        let (number, counted) = match (&mut self.given.several, &zero) {
             (Some(several), Some(zero)) => several.number_of(zero),
-            _ => usize::from(wall == Wall::Right),
+            _ => (usize::from(wall == Wall::Right), turns),
         };
-        self.recurrence.release(number, turns, self.listed);
+        self.recurrence.release(number, counted, self.listed);
         self.given.leave(wall, mid, zero, self.shown);
         let velocity = Ball::exact(0.0);
         self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };

@@ -211,16 +211,17 @@ impl Zero {
         }
     }
 
-    /// Whether two zeros are proved to be whole numbers of `period` turns apart (Lemma H9).
-    pub fn is_later_by_whole(&self, period: i64, other: &Self) -> bool {
-        let apart = self.near - other.near;
-        // exact: -1, 0 or 1; half a turn is told in two ways
+    /// The whole turns of `later`, told as those of `self` are, if both are proved to be a multiple of `period` turns apart
+    /// (Lemma H9).
+    pub fn turns_of_same(&self, period: i64, later: &Self) -> Option<i64> {
+        let apart = later.near - self.near;
+        // exact: -1, 0 or 1, as half a turn is told in two ways
         let whole = apart.round();
-        // N1: a difference of counts, and one turn
-        let turns = self.turns - other.turns + whole as i64;
+        let turns = later.turns + whole as i64; // N1: one turn more
         let between = (apart - whole).abs() + UNIT;
-        let hull = up(between + self.reach + other.reach);
+        let hull = up(between + self.reach + later.reach);
         let is_one = self.least - up(2.0 * self.fourth * hull) > 0.0;
-        self.wall == other.wall && turns % period == 0 && between <= 2.0 * UNIT + self.reach + other.reach && is_one
+        let overlap = between <= 2.0 * UNIT + self.reach + later.reach;
+        (self.wall == later.wall && (turns - self.turns) % period == 0 && overlap && is_one).then_some(turns)
     }
 }

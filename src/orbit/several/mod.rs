@@ -96,15 +96,16 @@ impl Several {
         self.harmonics.sums(turns, &phase).swing
     }
 
-    /// The number of a release, the same for all that are whole common periods apart (Lemma H9).
-    pub fn number_of(&mut self, zero: &Zero) -> usize {
+    /// The number of a release, the same for all that are whole common periods apart, and its turns as those of the first of
+    /// them are told (Lemma H9).
+    pub fn number_of(&mut self, zero: &Zero) -> (usize, i64) {
         let period = self.spectrum.period.and_then(|period| i64::try_from(period).ok());
-        let is_known = |known: &Zero| period.is_some_and(|period| known.is_later_by_whole(period, zero));
-        let number = self.known.iter().position(is_known).unwrap_or(self.known.len()); // exact: the next number
-        if number == self.known.len() {
+        let known = self.known.iter().enumerate();
+        let same = known.filter_map(|(number, known)| Some((number, known.turns_of_same(period?, zero)?))).next();
+        same.unwrap_or_else(|| {
             self.known.push(zero.clone());
-        }
-        number
+            (self.known.len() - 1, zero.turns)
+        })
     }
 
     /// Encloses the phase of a release, less the whole turns, in so many bits.

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""The parts of the validation suite: what each runs, on what it waits, and what it does in small and in full.
+
+Two parts run at a time, of those that use cargo one: it uses all cores itself. A part that has passed and whose inputs have not
+changed since is not run again, where it says so. On failure the last lines are shown, and the command that runs the part alone.
+"""
+import argparse
+import hashlib
+import os
+import subprocess
+import sys
+import time
+from collections import namedtuple
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve()
+STATE = ROOT / "target" / "validation-parts"
+# One profile for tests, truth and command line: optimised, with the checks of a debug build.
+PROFILE = ["--profile", "validation"]
+PROGRAM = TARGET / "validation" / "impact-pair"
+TAIL = 40
+
+# `small` and `full` are shell commands; `inputs` are files or folders whose bytes decide whether it has to run again.
+Part = namedtuple("Part", "name small full after cargo inputs", defaults=((), False, ()))
+
+
+def cargo(name, small, full=None, after=()):
+    return Part(name, small, full or small, after, True, ())
+
+
+def by_program(name):
+    """A folder of validation/ that judges the program, and writes a page of the report."""
+    return Part(name, f"validation/{name}/run --quick --report $REPORT", f"validation/{name}/run --report $REPORT", ("program", "python"))
+
+
+TEST = f"cargo test {' '.join(PROFILE)}"
+LINT = "cargo clippy --workspace --all-targets"
+NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
+NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
+FRESH = "STRADDLE_CASES=1000000 STRADDLE_SEED=fresh"
+
+PARTS = [
+    Part("python", "validation/environment", "validation/environment"),
+    Part("kernel", "validation/kernel/prove", "validation/kernel/prove --deep",
+         inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
+    Part("bounds", "validation/bounds/prove", "validation/bounds/prove",
+         inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
+    cargo("formatting", "cargo fmt --all --check"),
+    cargo("program", f"cargo build {' '.join(PROFILE)} -p impact-pair-cli", after=("formatting",)),
+    cargo("tests", f"{TEST} --workspace",
+          f"{TEST} --workspace --features png,parquet && {TEST} -p impact-pair -p impact-pair-cli --no-default-features"
+          f" && cargo test -p impact-pair --benches && {FRESH} {TEST} -p impact-pair --test straddle -- --nocapture", ("program",)),
+    cargo("lints", f"{LINT} -- -D warnings",
+          f"{LINT} -- -D warnings && {LINT} --features png,parquet -- -D warnings"
+          " && cargo clippy -p impact-pair -p impact-pair-cli --no-default-features --all-targets -- -D warnings", ("tests",)),
+    cargo("no C", f"{NO_C} && cargo check --quiet -p impact-pair --no-default-features", after=("lints",)),
+    cargo("documentation", "RUSTDOCFLAGS='-D warnings' cargo doc --no-deps --workspace --quiet", after=("lints",)),
+    cargo("instructions", "validation/instructions", after=("tests",)),
+    Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
+         ("program",)),
+    Part("gallery", "docs/gallery/make --check", "docs/gallery/make --check", ("program",)),
+    *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "coq"]),
+    cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
+          ("tests", "python", "instructions")),
+]
+
+
+def stamp(part, full):
+    """A file that is there once the part has passed with these inputs."""
+    if not part.inputs:
+        return None
+    digest = hashlib.sha256(b"full" if full else b"small")
+    for name in part.inputs:
+        found = ROOT / name
+        for file in sorted(found.rglob("*")) if found.is_dir() else [found]:
+            if file.is_file():
+                digest.update(str(file.relative_to(ROOT)).encode() + file.read_bytes())
+    return STATE / f"{part.name}-{digest.hexdigest()[:16]}"
+
+
+def run(part, full, environment):
+    """(exit code, seconds, what it wrote, whether it had passed before)"""
+    passed = stamp(part, full)
+    if passed and passed.exists():
+        return 0, 0.0, None, True
+    log, began = STATE / f"{part.name.replace(' ', '-')}.log", time.monotonic()
+    with log.open("wb") as out:
+        command = ["bash", "-o", "pipefail", "-c", part.full if full else part.small]
+        code = subprocess.run(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out, check=False).returncode
+    if code == 0 and passed:
+        passed.touch()
+    return code, time.monotonic() - began, log, False
+
+
+def told(part, code, seconds, log, before):
+    """A line of the part; on failure its end as well."""
+    said = "unchanged since it passed" if before else f"{'passed' if code == 0 else 'FAILED'} {seconds:6.0f} s"
+    print(f"{time.strftime('%H:%M:%S')}  {part.name:14} {said}", flush=True)
+    if code != 0:
+        lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
+        print("\n".join(["", *lines[-TAIL:], "", f"all of it: {log.relative_to(ROOT)}; this part alone: validation/run --only '{part.name}'"]))
+    elif log:
+        # Test runners' own last words.
+        results = [line for line in log.read_text(encoding="utf-8", errors="replace").splitlines() if line.startswith("test result:")]
+        if results:
+            print("\n".join(results), flush=True)
+
+
+def run_all(parts, full, environment):
+    """Seconds by part, or None at a failure."""
+    waiting, running, seconds = list(parts), {}, {}
+    names = {part.name for part in parts}
+    with ThreadPoolExecutor(2) as pool:
+        while waiting or running:
+            for part in list(waiting):
+                is_ready = all(name in seconds for name in part.after if name in names)
+                is_alone = part.cargo and any(other.cargo for other in running.values())
+                if len(running) < 2 and is_ready and not is_alone:
+                    waiting.remove(part)
+                    running[pool.submit(run, part, full, environment)] = part
+            for done in wait(running, return_when=FIRST_COMPLETED).done:
+                part = running.pop(done)
+                code, took, log, before = done.result()
+                told(part, code, took, log, before)
+                if code != 0:
+                    return None
+                seconds[part.name] = took
+    return seconds
+
+
+def write_report(folder, full, seconds, began):
+    """Every page says in its third line what was found."""
+    version = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+    minutes = (time.monotonic() - began) / 60
+    lines = ["# Validation report", "", f"Written by `validation/run{' --full' if full else ''}` on {time.strftime('%Y-%m-%d')} of version "
+             f"`{version or 'unknown'}`: every part below passed; {minutes:.0f} minutes.", "", "| part | found |", "|---|---|"]
+    for page in sorted(folder.glob("*.md")):
+        if page.name != "README.md":
+            title, _, found = page.read_text(encoding="utf-8").split("\n")[:3]
+            lines.append(f"| [{title.removeprefix('# ')}]({page.name}) | {found} |")
+    lines += ["", "| part | seconds |", "|---|---|", *(f"| {name} | {took:.0f} |" for name, took in seconds.items())]
+    (folder / "README.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="validation/run", description=__doc__.splitlines()[0])
+    parser.add_argument("--full", action="store_true", help="all that there is, for releases")
+    parser.add_argument("--only", action="append", metavar="PART", choices=[part.name for part in PARTS], help="this part; may be repeated")
+    parser.add_argument("--list", action="store_true", help="the parts and what they run")
+    parser.add_argument("--report", type=Path, help="folder of the report: validation/report with --full, else target/report")
+    asked = parser.parse_args()
+    if asked.list:
+        for part in PARTS:
+            print(f"{part.name:14} {part.small}" + (f"\n{'':14} --full: {part.full}" if part.full != part.small else ""))
+        return 0
+    report = (asked.report or ROOT / ("validation/report" if asked.full else "target/report")).resolve()
+    report.mkdir(parents=True, exist_ok=True)
+    STATE.mkdir(parents=True, exist_ok=True)
+    environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report)}
+    if asked.full and not asked.only:
+        for page in report.glob("*.md"):
+            page.unlink()
+    began = time.monotonic()
+    seconds = run_all([part for part in PARTS if not asked.only or part.name in asked.only], asked.full, environment)
+    if seconds is None:
+        return 1
+    if not asked.only:
+        write_report(report, asked.full, seconds, began)
+        print(f"all passed in {time.monotonic() - began:.0f} s; {report / 'README.md'}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
