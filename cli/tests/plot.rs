@@ -35,12 +35,13 @@ fn bad_questions_are_refused() {
     assert_cmd_snapshot!("no_such_scene", plot(&["scenes/none.toml", "--all", "--output", "a.svg"]));
 }
 
-#[cfg(feature = "png")]
 #[test]
 fn other_endings_are_refused() {
     let scene = "scenes/figure-12.toml";
     assert_cmd_snapshot!("pdf", plot(&[scene, "--all", "--output", "a.pdf"]));
     assert_cmd_snapshot!("no_ending", plot(&[scene, "--all", "--output", "-"]));
+    #[cfg(not(feature = "png"))]
+    assert_cmd_snapshot!("no_png", plot(&[scene, "--all", "--output", "a.png"]));
 }
 
 #[test]

@@ -304,8 +304,6 @@ fn the_table() {
 
 #[test]
 fn the_command_line() {
-    // Without the feature there is a format less.
-    #[cfg(feature = "parquet")]
     assert_cmd_snapshot!("arguments_of_sweep", sweep(&["--help"]));
     let scene = "scenes/figure-14.toml";
     assert_cmd_snapshot!("nothing_to_sweep_over", sweep(&[scene]));
@@ -322,6 +320,8 @@ fn the_command_line() {
     assert_cmd_snapshot!("one_file_for_output_and_plot", with(&["--output", "a.svg", "--plot", "a.svg"]));
     assert_cmd_snapshot!("resume_without_output", with(&["--resume"]));
     assert_cmd_snapshot!("merge_with_a_scene", with(&["--merge", "a.jsonl"]));
+    #[cfg(not(feature = "parquet"))]
+    assert_cmd_snapshot!("no_parquet", with(&["--format", "parquet"]));
     assert_cmd_snapshot!("merge_of_no_file", sweep(&["--merge", "no-such.jsonl"]));
 }
 

@@ -45,7 +45,6 @@ fn the_table() {
 fn the_command_line() {
     assert_cmd_snapshot!("arguments_of_trade", trade(&["--help"]));
     assert_cmd_snapshot!("no_impacts", trade(&["scenes/figure-12.toml", "--impacts", "0"]));
-    #[cfg(feature = "png")]
     assert_cmd_snapshot!("picture_of_another_kind", trade(&["scenes/figure-12.toml", "--plot", "trade.pdf"]));
     assert_cmd_snapshot!("trade_as_csv", trade(&["scenes/figure-12.toml", "--format", "csv"]));
     let twice = ["scenes/figure-12.toml", "--output", "a.svg", "--plot", "a.svg"];

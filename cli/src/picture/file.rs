@@ -10,9 +10,10 @@ pub fn path(text: &str) -> Result<PathBuf, String> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => Ok(path),
         Some("png") if cfg!(feature = "png") => Ok(path),
-        Some("png") => Err("accepted is a name that ends in .svg; this build has no PNG (feature png)".into()),
-        _ if cfg!(feature = "png") => Err("accepted is a name that ends in .svg or .png".into()),
-        _ => Err("accepted is a name that ends in .svg".into()),
+        Some("png") => {
+            Err("accepted is a name that ends in .svg; this build has no PNG: build with --features png".into())
+        }
+        _ => Err("accepted is a name that ends in .svg, or in .png in a build with --features png".into()),
     }
 }
 

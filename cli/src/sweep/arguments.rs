@@ -103,8 +103,7 @@ pub enum SweepFormat {
     Csv,
     /// JSON Lines, schema impact-pair/sweep/1: the head, a point a line
     Jsonl,
-    /// Apache Parquet: the columns of csv, bounds as doubles rounded outward
-    #[cfg(feature = "parquet")]
+    /// Apache Parquet: the columns of csv, bounds as doubles rounded outward (a build with --features parquet)
     Parquet,
 }
 

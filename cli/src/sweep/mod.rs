@@ -32,6 +32,9 @@ use record::Head;
 use work::Work;
 use write::Sweep;
 
+/// Parquet is left out of a build that does not ask for it.
+const NO_PARQUET: &str = "--format is parquet, but this build has no Parquet: build with --features parquet";
+
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
     keep_files_apart(arguments)?;
     match &arguments.scene {
@@ -60,6 +63,9 @@ fn format(arguments: &SweepArguments) -> Result<SweepFormat> {
     let format = arguments.format.unwrap_or(usual);
     if arguments.shard.is_some() && format != SweepFormat::Jsonl {
         bail!("--format is not jsonl, but a shard is written as jsonl, to be put together by --merge");
+    }
+    if format == SweepFormat::Parquet && cfg!(not(feature = "parquet")) {
+        bail!(NO_PARQUET);
     }
     Ok(format)
 }

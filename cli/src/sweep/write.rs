@@ -41,6 +41,8 @@ impl Sweep {
             SweepFormat::Csv => self.csv(out),
             #[cfg(feature = "parquet")]
             SweepFormat::Parquet => super::parquet::write(self, out),
+            #[cfg(not(feature = "parquet"))]
+            SweepFormat::Parquet => anyhow::bail!(super::NO_PARQUET),
         }
     }
 
