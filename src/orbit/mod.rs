@@ -395,6 +395,7 @@ impl Orbit {
 impl Iterator for Orbit {
     type Item = Impact;
 
+    #[inline]
     fn next(&mut self) -> Option<Impact> {
         loop {
             match self.fly() {
