@@ -128,7 +128,7 @@ fn r14_what_the_phase_or_the_height_of_a_public_flight_leaves_open_is_not_certif
     let ball = |x: f64| Ball::exact(x);
     let pair = |alpha: f64| Reduced {
         alpha: ball(alpha),
-        beta: Ball::new(alpha * 6.283_185_307_179_586, 1e-15),
+        beta: Ball::new(alpha * std::f64::consts::TAU, 1e-15),
         restitution: ball(0.5),
     };
     // Mirrored, this phase loses all but 2^-16 of its last places.
