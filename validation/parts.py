@@ -42,11 +42,9 @@ NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 FRESH = "STRADDLE_CASES=1000000 STRADDLE_SEED=fresh"
 
 PARTS = [
-    Part("python", "validation/environment", "validation/environment"),
-    Part("kernel", "validation/kernel/prove", "validation/kernel/prove --deep",
-         inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
-    Part("bounds", "validation/bounds/prove", "validation/bounds/prove",
-         inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
+    Part("python", *2 * ("validation/environment",)),
+    Part("kernel", *2 * ("validation/kernel/prove",), inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
+    Part("bounds", *2 * ("validation/bounds/prove",), inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
     cargo("formatting", "cargo fmt --all --check"),
     cargo("program", f"cargo build {' '.join(PROFILE)} -p impact-pair-cli", after=("formatting",)),
     cargo("tests", f"{TEST} --workspace",
@@ -60,7 +58,7 @@ PARTS = [
     cargo("instructions", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
          ("program",)),
-    Part("gallery", "docs/gallery/make --check", "docs/gallery/make --check", ("program",)),
+    Part("gallery", *2 * ("docs/gallery/make --check",), ("program",)),
     *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "coq"]),
     cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),

@@ -72,8 +72,7 @@ impl Ticks {
     #[inline]
     fn phase(&self, turns: i64) -> f64 {
         let ticks = self.ratio.wrapping_mul(turns as u128).wrapping_add(self.shift); // H1: modulo whole turns
-        // The upper half is within 2^-64 of it, and is rounded once.
-        // H1: the upper half with its sign, rounded once
+        // H1: the upper half with its sign is within 2^-64 of it, and is rounded once
         ((ticks >> 64) as i64) as f64 * (1.0 / 18_446_744_073_709_551_616.0)
     }
 
