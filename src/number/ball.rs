@@ -291,6 +291,17 @@ mod tests {
     }
 
     #[test]
+    fn beyond_the_kernels_domain_nothing_is_known_of_sine_and_cosine() {
+        // A quarter turn and half a turn: cosines 0 and -1.
+        for (phase, sin, cos) in
+            [(2f64.powi(50) + 0.25, 1.0, 0.0), (2f64.powi(51) + 0.5, 0.0, -1.0), (f64::NAN, 0.0, 0.0)]
+        {
+            let (s, c) = Ball::exact(phase).sin_cos();
+            assert!((sin - s.mid).abs() <= s.rad && (cos - c.mid).abs() <= c.rad, "{phase}: {s:?} {c:?}");
+        }
+    }
+
+    #[test]
     fn a_divisor_that_may_vanish_is_refused() {
         assert!(Ball::exact(1.0).checked_div(Ball::new(1e-3, 1e-3)).is_none());
         assert!(Ball::exact(1.0).checked_div(Ball::exact(0.0)).is_none());
