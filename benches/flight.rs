@@ -5,15 +5,13 @@
 
 #![allow(missing_docs)] // the macros below make a public function
 
-mod common;
-
 use std::hint::black_box;
 
-use common::figures;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use impact_pair::contact::{Margins, Radii, first_contact, first_contact_f64};
 use impact_pair::number::{Kernel, Std, Trigonometry};
 use impact_pair::orbit::Arithmetic;
+use impact_pair_benches::figures;
 
 const FLIGHTS: u64 = 1000;
 

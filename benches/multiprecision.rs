@@ -4,18 +4,16 @@
 //! first guess from doubles, steps of the fourth order that quadruple the bits, one sine and cosine at full precision
 //! an impact. It proves nothing, has no radii and never looks back at the residual.
 
-mod common;
-
 use std::hint::black_box;
 use std::time::Instant;
 
-use common::figures;
 use impact_pair::contact::first_contact_f64;
 use impact_pair::exact::Exact;
 use impact_pair::flight::Flight;
 use impact_pair::number::{Kernel, MpBall, kernel};
 use impact_pair::orbit::{Orbit, Plan, Settings};
 use impact_pair::pair::{Reduced, Wall};
+use impact_pair_benches::{Figure, figures};
 use rug::Float;
 use rug::float::Constant;
 
@@ -34,7 +32,7 @@ fn main() {
     }
 }
 
-fn row(figure: &common::Figure, impacts: u64, rounds: usize) {
+fn row(figure: &Figure, impacts: u64, rounds: usize) {
     let settings = Settings { impacts: Some(impacts), ..Settings::default() };
     let certified = || Orbit::new(&figure.pair, &figure.start, settings.clone()).expect("printed data");
     let mut orbit = certified();
@@ -97,7 +95,7 @@ struct PlainFlight {
 }
 
 impl<'p> Plain<'p> {
-    fn new(figure: &common::Figure, plan: &'p Plan) -> Self {
+    fn new(figure: &Figure, plan: &'p Plan) -> Self {
         let bits = plan.bits(0);
         let float = |x: &Exact| MpBall::enclosing(&x.enclose(bits), bits).mid().clone();
         let exact = figure.pair.exact().expect("printed data");

@@ -6,16 +6,14 @@
 
 #![allow(missing_docs)] // the macros below make a public function
 
-mod common;
-
 use std::hint::black_box;
 
-use common::figures;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use impact_pair::orbit::Start;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Budget, Precision, Problem, newton::polish};
 use impact_pair::{Excitation, Harmonic, ImpactPair};
+use impact_pair_benches::figures;
 
 /// `A/d`, `e`, the word and its cycles: orbits of the paper and beyond, from two impacts to twenty.
 const ORBITS: [(&str, &str, &str, u32); 7] = [

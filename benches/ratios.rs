@@ -5,17 +5,15 @@
 //! the standard library's trigonometry, plain doubles with our kernel, the certified flight, and the certified
 //! step of an orbit. `width` is the median bracket in units in the last place of the time since the start.
 
-mod common;
-
 use std::hint::black_box;
 use std::time::Instant;
 
-use common::{Figure, Launch, figures};
 use impact_pair::contact::{Contact, Margins, Radii, Verdict, first_contact, first_contact_f64};
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, Kernel, Std, Trigonometry};
 use impact_pair::orbit::Arithmetic;
 use impact_pair::pair::{Reduced, Wall};
+use impact_pair_benches::{Figure, Launch, figures};
 
 const ROUNDS: usize = 301;
 const FLIGHTS: u64 = 1000;

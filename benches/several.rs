@@ -5,15 +5,13 @@
 //! figure itself, on the path of one harmonic. Each number is the median over the rounds of the time of an orbit over
 //! its impacts, as many as doubles certify; `width` is the median diameter of the enclosed phases, in turns.
 
-mod common;
-
 use std::hint::black_box;
 use std::time::Instant;
 
-use common::{Figure, figures};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::{Excitation, Harmonic, ImpactPair};
+use impact_pair_benches::{Figure, figures};
 
 const ROUNDS: usize = 101;
 const TERMS: [usize; 6] = [1, 2, 3, 4, 8, 16];

@@ -5,14 +5,12 @@
 
 #![allow(missing_docs)] // the macros below make a public function
 
-mod common;
-
 use std::hint::black_box;
 use std::time::Duration;
 
-use common::{Figure, figures};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair_benches::{Figure, figures};
 
 const IMPACTS: u64 = 200;
 /// 128 bits take figure 14 through all its impacts.

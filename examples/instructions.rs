@@ -2,8 +2,9 @@
 //!
 //! `instructions ARITHMETIC FIGURE IMPACTS [gap]`; `gap` starts figure 12 inside the gap instead of on the wall.
 
-#[path = "../benches/common/mod.rs"]
-mod common;
+#[path = "../benches/figures.rs"]
+#[allow(dead_code, reason = "the benches need more of it")]
+mod figures;
 
 use std::hint::black_box;
 
@@ -15,7 +16,7 @@ fn main() {
         eprintln!("usage: instructions ARITHMETIC FIGURE IMPACTS [gap]");
         std::process::exit(2);
     };
-    let mut figure = common::figures().into_iter().find(|figure| figure.name == name).expect("fig12 to fig17");
+    let mut figure = figures::figures().into_iter().find(|figure| figure.name == name).expect("fig12 to fig17");
     if !place.is_empty() {
         let value = |text: &str| text.parse().expect("a number");
         // Half a flight after the impact at t = 0 of figure 12.

@@ -7,6 +7,7 @@ changed since is not run again, where it says so. On failure the last lines are 
 import argparse
 import hashlib
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -21,6 +22,8 @@ STATE = ROOT / "target" / "validation-parts"
 PROFILE = ["--profile", "validation"]
 PROGRAM = TARGET / "validation" / "impact-pair"
 TAIL = 40
+# What runs now: stopped when another part fails, or the user interrupts.
+RUNNING = set()
 
 # `small` and `full` are shell commands; `inputs` are files or folders whose bytes decide whether it has to run again.
 Part = namedtuple("Part", "name small full after cargo inputs", defaults=((), False, ()))
@@ -35,27 +38,29 @@ def by_program(name):
     return Part(name, f"validation/{name}/run --quick --report $REPORT", f"validation/{name}/run --report $REPORT", ("program", "python"))
 
 
-TEST = f"cargo test {' '.join(PROFILE)}"
-LINT = "cargo clippy --workspace --all-targets"
+# Cargo builds the library anew for each choice of packages: the same one everywhere, so that it is built once.
+TEST = f"cargo test {' '.join(PROFILE)} --workspace"
+LINT = f"cargo clippy {' '.join(PROFILE)} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
+MANY = "IMPACT_PAIR_MULTIPLIER=5"
 FRESH = "STRADDLE_CASES=1000000 STRADDLE_SEED=fresh"
 
 PARTS = [
     Part("python", *2 * ("validation/environment",)),
     Part("kernel", *2 * ("validation/kernel/prove",), inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
-    Part("bounds", *2 * ("validation/bounds/prove",), inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
+    Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove", inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
     cargo("formatting", "cargo fmt --all --check"),
-    cargo("program", f"cargo build {' '.join(PROFILE)} -p impact-pair-cli", after=("formatting",)),
-    cargo("tests", f"{TEST} --workspace",
-          f"{TEST} --workspace --features png,parquet && {TEST} -p impact-pair -p impact-pair-cli --no-default-features"
-          f" && cargo test -p impact-pair --benches && {FRESH} {TEST} -p impact-pair --test straddle -- --nocapture", ("program",)),
-    cargo("lints", f"{LINT} -- -D warnings",
-          f"{LINT} -- -D warnings && {LINT} --features png,parquet -- -D warnings"
-          " && cargo clippy -p impact-pair -p impact-pair-cli --no-default-features --all-targets -- -D warnings", ("tests",)),
-    cargo("no C", f"{NO_C} && cargo check --quiet -p impact-pair --no-default-features", after=("lints",)),
-    cargo("documentation", "RUSTDOCFLAGS='-D warnings' cargo doc --no-deps --workspace --quiet", after=("lints",)),
-    cargo("instructions", "validation/instructions", after=("tests",)),
+    cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
+    cargo("tests", TEST,
+          f"{MANY} {TEST} --features png,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
+          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture", ("program",)),
+    cargo("lints", f"{LINT} --workspace -- -D warnings",
+          f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,parquet -- -D warnings"
+          f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
+    cargo("no C", f"{NO_C} && cargo check --quiet {' '.join(PROFILE)} -p impact-pair --no-default-features", after=("lints",)),
+    cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {' '.join(PROFILE)} --no-deps --workspace --quiet", after=("lints",)),
+    cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
          ("program",)),
     Part("gallery", *2 * ("docs/gallery/make --check",), ("program",)),
@@ -79,22 +84,27 @@ def stamp(part, full):
 
 
 def run(part, full, environment):
-    """(exit code, seconds, what it wrote, whether it had passed before)"""
+    """(exit code, (seconds, seconds of processor time), what it wrote, whether it had passed before)"""
     passed = stamp(part, full)
     if passed and passed.exists():
-        return 0, 0.0, None, True
+        return 0, (0.0, 0.0), None, True
     log, began = STATE / f"{part.name.replace(' ', '-')}.log", time.monotonic()
     with log.open("wb") as out:
         command = ["bash", "-o", "pipefail", "-c", part.full if full else part.small]
-        code = subprocess.run(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out, check=False).returncode
+        process = subprocess.Popen(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out, start_new_session=True)
+        RUNNING.add(process.pid)
+        _, status, usage = os.wait4(process.pid, 0)
+        RUNNING.remove(process.pid)
+        code = process.returncode = os.waitstatus_to_exitcode(status)
     if code == 0 and passed:
         passed.touch()
-    return code, time.monotonic() - began, log, False
+    return code, (time.monotonic() - began, usage.ru_utime + usage.ru_stime), log, False
 
 
 def told(part, code, seconds, log, before):
     """A line of the part; on failure its end as well."""
-    said = "unchanged since it passed" if before else f"{'passed' if code == 0 else 'FAILED'} {seconds:6.0f} s"
+    took, worked = seconds
+    said = "unchanged since it passed" if before else f"{'passed' if code == 0 else 'FAILED'} {took:5.0f} s, {worked:5.0f} s of processor time"
     print(f"{time.strftime('%H:%M:%S')}  {part.name:14} {said}", flush=True)
     if code != 0:
         lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
@@ -104,6 +114,11 @@ def told(part, code, seconds, log, before):
         results = [line for line in log.read_text(encoding="utf-8", errors="replace").splitlines() if line.startswith("test result:")]
         if results:
             print("\n".join(results), flush=True)
+
+
+def stop():
+    for leader in list(RUNNING):
+        os.killpg(leader, signal.SIGTERM)
 
 
 def run_all(parts, full, environment):
@@ -123,6 +138,7 @@ def run_all(parts, full, environment):
                 code, took, log, before = done.result()
                 told(part, code, took, log, before)
                 if code != 0:
+                    stop()
                     return None
                 seconds[part.name] = took
     return seconds
@@ -138,7 +154,7 @@ def write_report(folder, full, seconds, began):
         if page.name != "README.md":
             title, _, found = page.read_text(encoding="utf-8").split("\n")[:3]
             lines.append(f"| [{title.removeprefix('# ')}]({page.name}) | {found} |")
-    lines += ["", "| part | seconds |", "|---|---|", *(f"| {name} | {took:.0f} |" for name, took in seconds.items())]
+    lines += ["", "| part | seconds | of processor time |", "|---|---|---|", *(f"| {name} | {took:.0f} | {worked:.0f} |" for name, (took, worked) in seconds.items())]
     (folder / "README.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -161,6 +177,7 @@ def main():
         for page in report.glob("*.md"):
             page.unlink()
     began = time.monotonic()
+    signal.signal(signal.SIGINT, lambda *_: (stop(), os._exit(130)))
     seconds = run_all([part for part in PARTS if not asked.only or part.name in asked.only], asked.full, environment)
     if seconds is None:
         return 1

@@ -25,6 +25,8 @@ pub(in crate::certificate) struct Claimed {
     pub from: Real,
     /// Where to look.
     pub guess: Real,
+    /// At the latest, where a claim says so.
+    pub to: Option<Real>,
 }
 
 /// The contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
@@ -58,11 +60,26 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
         // Where no contact is found near the guess, one before it, or none at all, may be.
+        refute(flight, from, wall, claimed)?;
         clear(flight, from, &guessed, &claimed.from)?;
         return Err(Doubt::Open(format!("no contact with the {} wall is found there", wall.name())));
     };
     clear(flight, from, &before, &claimed.from)?;
     Ok(before.hull(&after))
+}
+
+/// Whether no first contact with `wall` comes within the claimed bounds (Lemma V1).
+fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<(), Doubt> {
+    let Some(to) = &claimed.to else { return Ok(()) };
+    let [from_claimed, to] = [&claimed.from, to].map(|h| h.rounded(flight.bits()));
+    if flight.height(&from_claimed.hull(&to)).is_apart_from(&flight.level(wall)) {
+        return Err(Doubt::False(format!("the ball is not at the {} wall then", wall.name())));
+    }
+    match clear(flight, from, &to, &claimed.from) {
+        Ok(()) => Err(Doubt::False(format!("no contact with the {} wall comes by then", wall.name()))),
+        Err(Doubt::Open(_)) => Ok(()),
+        Err(doubt) => Err(doubt),
+    }
 }
 
 /// Two points around `h`, the ball between the walls at the first and beyond `wall` at the second, `y'` not 0 between them.

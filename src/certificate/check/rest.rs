@@ -60,7 +60,7 @@ impl Walk<'_> {
                 Beside::Across => {
                     // No claim says where.
                     let guess = bounce(&self.departure, &self.parameters)?;
-                    let landing = self.land(claim.wall, &Claimed { from: Real::zero(self.bits), guess })?;
+                    let landing = self.land(claim.wall, &Claimed { from: Real::zero(self.bits), guess, to: None })?;
                     self.departure = Departure::rebound(&self.parameters, &landing);
                 }
             }

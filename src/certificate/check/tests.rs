@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Data, Verdict};
+use super::{Data, Effort, Verdict};
 use crate::Scene;
 use crate::certificate::tests::found_again;
 use crate::certificate::{Certificate, Conclusion, Event, arithmetic, head, write_json};
@@ -67,6 +67,29 @@ fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
 
 fn event(document: &Value, name: &str) -> usize {
     document["events"].as_array().unwrap().iter().position(|event| event["event"] == name).expect(name)
+}
+
+#[test]
+fn a_contact_that_does_not_come_is_refuted_in_the_first_bits() {
+    let document = certificate("8", "wall = \"left\", velocity = 0", "0.5", 3);
+    let refuted = |edit: fn(&mut Vec<Value>)| {
+        let mut copy = document.clone();
+        edit(copy["events"].as_array_mut().unwrap());
+        let certificate = Certificate::parse(&copy.to_string()).unwrap();
+        let effort = Effort { bits: 192, ..Effort::default() };
+        match certificate.check_within(&effort, |_| {}).unwrap() {
+            Verdict::Refuted(finding) => finding.message,
+            other => panic!("{other:?}"),
+        }
+    };
+    // A rest, a release, impacts on the right, the left and the left wall.
+    let elsewhere = refuted(|events| (events[3]["wall"], events[3]["mapping"]) = (json!("right"), json!("P3")));
+    assert_eq!(elsewhere, "the ball is not at the right wall then");
+    let twice = refuted(|events| {
+        events[4] = events[3].clone();
+        (events[4]["index"], events[4]["mapping"]) = (json!(3), json!("P4"));
+    });
+    assert_eq!(twice, "no contact with the left wall comes by then");
 }
 
 /// Bounds of time and velocity of the first impacts of [`proved`], from the right wall on by turns; from

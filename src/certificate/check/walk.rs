@@ -158,7 +158,11 @@ impl<'c> Walk<'c> {
         let zero = Real::zero(self.bits);
         let later = if from.is_positive() { from.hull(&to) } else { zero.hull(&to) };
         let guess = Real::point(later.mid(), self.bits);
-        if guess.is_positive() { Ok(Claimed { from, guess }) } else { Err(Doubt::Open("the time is too near".into())) }
+        if guess.is_positive() {
+            Ok(Claimed { from, guess, to: Some(to) })
+        } else {
+            Err(Doubt::Open("the time is too near".into()))
+        }
     }
 
     pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {

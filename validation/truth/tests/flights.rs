@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 fn plain_random_flights_from_a_wall_are_certified_in_narrow_brackets() {
     let mut random = Random::seeded(101);
     let mut tally = Tally::new("plain random");
-    for index in 0..cases(120_000) {
+    for index in 0..cases(24_000) {
         let alpha = random.magnitude(-3.0, 3.0);
         let case = Case {
             alpha,
@@ -41,7 +41,7 @@ fn starts_inside_the_gap_at_any_speed_or_none() {
     let mut random = Random::seeded(102);
     let mut tally = Tally::new("inside");
     let mut resting = Tally::new("inside at rest");
-    for index in 0..cases(30_000) {
+    for index in 0..cases(6_000) {
         let alpha = random.magnitude(-3.0, 3.0);
         let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
         let mut start = from(&mut random);
@@ -66,7 +66,7 @@ fn releases_and_hops_of_almost_no_speed() {
     let mut released = Tally::new("v+ = 0");
     let mut tallies = [-3.0, -6.0, -9.0, -12.0, -15.0].map(|e| (e, Tally::new(&format!("chatter hops to 1e{e}"))));
     let mut free = Tally::new("tiny v+ while the wall recedes");
-    for index in 0..cases(20_000) {
+    for index in 0..cases(4_000) {
         let points = if index % 8 == 0 { 1000 } else { 0 };
         let (alpha, from) = (random.magnitude(-3.0, 3.0), wall(&mut random));
         let any = phase_in_frame(from, random.uniform(-0.5, 0.5));
@@ -93,7 +93,7 @@ fn releases_and_hops_of_almost_no_speed() {
 fn flights_of_up_to_a_hundred_thousand_turns_and_of_a_billionth() {
     let mut random = Random::seeded(104);
     let (mut long, mut short) = (Tally::new("long"), Tally::new("short"));
-    for index in 0..cases(20_000) {
+    for index in 0..cases(4_000) {
         let points = if index % 8 == 0 { 1000 } else { 0 };
         let from = wall(&mut random);
         // A small drift and no room to touch either wall in the first turn.
@@ -119,7 +119,7 @@ fn flights_of_up_to_a_hundred_thousand_turns_and_of_a_billionth() {
 fn shaking_enormous_tiny_and_absent() {
     let mut random = Random::seeded(105);
     let (mut huge, mut tiny) = (Tally::new("huge alpha"), Tally::new("tiny alpha"));
-    for index in 0..cases(15_000) {
+    for index in 0..cases(3_000) {
         let points = if index % 8 == 0 { 1000 } else { 0 };
         let from = from(&mut random);
         let phase = random.uniform(-0.5, 0.5);
@@ -139,7 +139,7 @@ fn shaking_enormous_tiny_and_absent() {
 fn drifts_within_ulps_of_beta() {
     let mut random = Random::seeded(106);
     let mut tally = Tally::new("monotone border");
-    for index in 0..cases(25_000) {
+    for index in 0..cases(5_000) {
         let (alpha, from) = (random.magnitude(-3.0, 2.0), from(&mut random));
         let phase = random.uniform(-0.5, 0.5);
         let mirrored = if from == From::Right { -1.0 } else { 1.0 };
@@ -160,7 +160,7 @@ fn drifts_within_ulps_of_beta() {
 fn phases_at_quarter_turns_and_halves() {
     let mut random = Random::seeded(107);
     let mut tally = Tally::new("quarter turns");
-    for index in 0..cases(25_000) {
+    for index in 0..cases(5_000) {
         let alpha = random.magnitude(-3.0, 3.0);
         let quarter = 0.25 * (random.below(5) as f64 - 2.0);
         let phase = match random.below(3) {
@@ -186,7 +186,7 @@ fn near_grazes_on_either_side() {
     let mut misses = Vec::new();
     for digits in 1..=15 {
         let mut tally = Tally::new(&format!("graze missed or cut by 1e-{digits}"));
-        while tally.asked < cases(2500) {
+        while tally.asked < cases(500) {
             let side = if random.below(2) == 0 { 1.0 } else { -1.0 };
             let miss = side * 10f64.powi(-digits) * random.uniform(0.3, 1.0);
             if let Some(case) = near_graze(&mut random, miss) {
@@ -205,7 +205,7 @@ fn mirror_images_get_the_same_bracket() {
     let mut random = Random::seeded(109);
     let (mut pairs, mut same) = (0, 0);
     let mut tally = Tally::new("mirrored");
-    for _ in 0..cases(15_000) {
+    for _ in 0..cases(3_000) {
         let alpha = random.magnitude(-3.0, 3.0);
         // A multiple of 2^-53 in [-1/2, 0]: adding 1/2 is exact.
         let phase = -(random.below(1 << 52) as f64) / (1u64 << 53) as f64;
@@ -230,7 +230,7 @@ fn boxes_hold_the_contacts_of_their_members() {
     let mut random = Random::seeded(110);
     let mut wide = Tally::new("boxes 1e-3..1e-8");
     let mut narrow = Tally::new("boxes 1e-8..1e-14");
-    for index in 0..cases(15_000) {
+    for index in 0..cases(3_000) {
         let alpha = random.magnitude(-2.0, 2.0);
         let from = from(&mut random);
         let velocity = TAU * alpha * random.magnitude(if index % 3 == 0 { -6.0 } else { -1.0 }, 1.0);
@@ -259,7 +259,7 @@ fn boxes_hold_the_contacts_of_their_members() {
 fn boxes_that_may_rest_are_certified_for_all_their_members_or_not_at_all() {
     let mut random = Random::seeded(111);
     let mut tally = Tally::new("boxes around rest");
-    for index in 0..cases(8_000) {
+    for index in 0..cases(1_600) {
         let (alpha, from) = (random.magnitude(-2.0, 2.0), from(&mut random));
         let release = 0.5 * random.below(2) as f64;
         let near = release + random.magnitude(-9.0, -1.0) * if random.below(2) == 0 { 1.0 } else { -1.0 };

@@ -1,5 +1,4 @@
 //! The workloads of the benches: the flights of figures 12-17, from their printed data.
-#![allow(dead_code, reason = "not every bench needs all of it")]
 
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, kernel};
@@ -9,8 +8,11 @@ use impact_pair::{Harmonic, ImpactPair};
 
 /// A figure of the paper: its number and its data.
 pub struct Figure {
+    /// `fig12` to `fig17`
     pub name: &'static str,
+    /// Its impact pair.
     pub pair: ImpactPair,
+    /// Its start, on the left wall.
     pub start: Start,
 }
 
@@ -59,8 +61,11 @@ impl Figure {
 /// The start of one flight.
 #[derive(Clone, Copy)]
 pub struct Launch {
+    /// The wall it leaves.
     pub wall: Wall,
+    /// In turns.
     pub phase: f64,
+    /// After the impact, relative to the gap.
     pub velocity: f64,
 }
 
