@@ -7,6 +7,7 @@ changed since is not run again, where it says so. On failure the last lines are 
 import argparse
 import hashlib
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -71,10 +72,10 @@ PARTS = [
 
 
 def stamp(part, full):
-    """A file that is there once the part has passed with these inputs."""
-    if not part.inputs:
+    """A file that is there once the part has passed with these inputs; the full run is whole."""
+    if full or not part.inputs:
         return None
-    digest = hashlib.sha256(b"full" if full else b"small")
+    digest = hashlib.sha256()
     for name in part.inputs:
         found = ROOT / name
         for file in sorted(found.rglob("*")) if found.is_dir() else [found]:
@@ -110,10 +111,10 @@ def told(part, code, seconds, log, before):
         lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
         print("\n".join(["", *lines[-TAIL:], "", f"all of it: {log.relative_to(ROOT)}; this part alone: validation/run --only '{part.name}'"]))
     elif log:
-        # Test runners' own last words.
-        results = [line for line in log.read_text(encoding="utf-8", errors="replace").splitlines() if line.startswith("test result:")]
-        if results:
-            print("\n".join(results), flush=True)
+        # Test runners' own last words, in one line.
+        passed = re.findall(r"^test result: ok. (\d+) passed", log.read_text(encoding="utf-8", errors="replace"), re.M)
+        if passed:
+            print(f"{'':10}{sum(map(int, passed))} tests of {len(passed)} programs passed", flush=True)
 
 
 def stop():

@@ -71,8 +71,8 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
 /// Whether no first contact with `wall` comes within the claimed bounds (Lemma V1).
 fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<(), Doubt> {
     let Some(to) = &claimed.to else { return Ok(()) };
-    let [from_claimed, to] = [&claimed.from, to].map(|h| h.rounded(flight.bits()));
-    if flight.height(&from_claimed.hull(&to)).is_apart_from(&flight.level(wall)) {
+    let [_, to] = to.rounded(flight.bits()).ends();
+    if flight.height(&claimed.from.hull(&to)).is_apart_from(&flight.level(wall)) {
         return Err(Doubt::False(format!("the ball is not at the {} wall then", wall.name())));
     }
     match clear(flight, from, &to, &claimed.from) {
@@ -100,7 +100,7 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
     None
 }
 
-/// The ball is strictly between the walls on all of `(0, end]`, where the flight begins as `from` says.
+/// The ball is strictly between the walls on all of `(0, end]`, up to the least member of `end`, where the flight begins as `from` says.
 ///
 /// A contact before `claimed` proves the claim false; a later one may be what is claimed.
 pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) -> Result<(), Doubt> {
