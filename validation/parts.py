@@ -45,7 +45,7 @@ LINT = f"cargo clippy {' '.join(PROFILE)} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=5"
-FRESH = "STRADDLE_CASES=1000000 STRADDLE_SEED=fresh"
+FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 
 PARTS = [
     Part("python", *2 * ("validation/environment",)),
@@ -110,11 +110,16 @@ def told(part, code, seconds, log, before):
     if code != 0:
         lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
         print("\n".join(["", *lines[-TAIL:], "", f"all of it: {log.relative_to(ROOT)}; this part alone: validation/run --only '{part.name}'"]))
-    elif log:
-        # Test runners' own last words, in one line.
-        passed = re.findall(r"^test result: ok. (\d+) passed", log.read_text(encoding="utf-8", errors="replace"), re.M)
-        if passed:
-            print(f"{'':10}{sum(map(int, passed))} tests of {len(passed)} programs passed", flush=True)
+    elif log and (found := said_by_tests(log)):
+        print(f"{'':10}{found}", flush=True)
+
+
+def said_by_tests(log):
+    """Test runners' own last words in one line, if there are any."""
+    text = log.read_text(encoding="utf-8", errors="replace")
+    passed = [int(count) for count in re.findall(r"^test result: ok. (\d+) passed", text, re.M)]
+    starts = [f"; {told}" for told in re.findall(r"^\d+ starts from seed \d+", text, re.M)]
+    return f"{sum(passed)} tests of {len(passed)} programs passed{''.join(starts)}" if passed else ""
 
 
 def stop():
@@ -145,16 +150,25 @@ def run_all(parts, full, environment):
     return seconds
 
 
-def write_report(folder, full, seconds, began):
-    """Every page says in its third line what was found."""
-    version = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+def version():
+    """What is tested, as git calls it."""
+    command = ["git", "describe", "--always", "--dirty"]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip() or "unknown"
+
+
+def write_report(folder, made, seconds, began):
+    """Every page says in its third line what was found; every file gets a last line that says when it was made."""
     minutes = (time.monotonic() - began) / 60
-    lines = ["# Validation report", "", f"Written by `validation/run{' --full' if full else ''}` on {time.strftime('%Y-%m-%d')} of version "
-             f"`{version or 'unknown'}`: every part below passed; {minutes:.0f} minutes.", "", "| part | found |", "|---|---|"]
+    lines = ["# Validation report", "", f"{made}: every part below passed; {minutes:.0f} minutes.", "", "| part | found |", "|---|---|"]
     for page in sorted(folder.glob("*.md")):
         if page.name != "README.md":
-            title, _, found = page.read_text(encoding="utf-8").split("\n")[:3]
+            text = page.read_text(encoding="utf-8")
+            title, _, found = text.split("\n")[:3]
             lines.append(f"| [{title.removeprefix('# ')}]({page.name}) | {found} |")
+            page.write_text(f"{text.rstrip()}\n\n{made}.\n", encoding="utf-8")
+    for picture in folder.glob("*.svg"):
+        picture.write_text(f"{picture.read_text(encoding='utf-8').rstrip()}\n<!-- {made.replace('--', '- -')} -->\n", encoding="utf-8")
+    lines.append(f"| The library's own tests | {said_by_tests(STATE / 'tests.log')} |")
     lines += ["", "| part | seconds | of processor time |", "|---|---|---|", *(f"| {name} | {took:.0f} | {worked:.0f} |" for name, (took, worked) in seconds.items())]
     (folder / "README.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
@@ -174,16 +188,17 @@ def main():
     report.mkdir(parents=True, exist_ok=True)
     STATE.mkdir(parents=True, exist_ok=True)
     environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report)}
+    # The report that goes is part of the version.
+    began, made = time.monotonic(), f"Made by `validation/run{' --full' if asked.full else ''}` on {time.strftime('%Y-%m-%d')} of version `{version()}`"
     if asked.full and not asked.only:
-        for page in report.glob("*.md"):
-            page.unlink()
-    began = time.monotonic()
+        for file in [*report.glob("*.md"), *report.glob("*.svg")]:
+            file.unlink()
     signal.signal(signal.SIGINT, lambda *_: (stop(), os._exit(130)))
     seconds = run_all([part for part in PARTS if not asked.only or part.name in asked.only], asked.full, environment)
     if seconds is None:
         return 1
     if not asked.only:
-        write_report(report, asked.full, seconds, began)
+        write_report(report, made, seconds, began)
         print(f"all passed in {time.monotonic() - began:.0f} s; {report / 'README.md'}")
     return 0
 
