@@ -45,6 +45,27 @@ fn holds(x: &Enclosure, number: f64, within: f64) -> bool {
     low <= number + within && number - within <= high && high - low < within
 }
 
+/// `d/A = sqrt(4 + 9 pi^2)` is the widest gap with equispaced orbits of one cycle at `e = 1/2` (the fold of section 3.1); just below
+/// it there are two, `10^-9` apart, which enclosures to 5 digits cannot tell apart.
+#[test]
+fn r17_orbits_next_to_a_fold_are_counted_once() {
+    let pair = pair("(1+1e-18)/sqrt(4+9*pi^2)", "0.5");
+    let few = Precision { digits: 5, ..Precision::default() };
+    let census = problem(&pair, "LR", 1).find(&pair, &start(), few);
+    let stabilities: Vec<_> = census.orbits.iter().map(|orbit| orbit.stability).collect();
+    assert_eq!(stabilities, [Stability::Stable, Stability::Unstable]);
+}
+
+/// The first image of a box takes next to nothing off it here, the later ones all.
+#[test]
+fn r17_a_box_is_narrowed_whatever_its_first_image_takes_off() {
+    let census = all(&pair("0.02", "0.8"), "LR", 3);
+    let stable: Vec<_> = census.orbits.iter().filter(|orbit| orbit.stability == Stability::Stable).collect();
+    let [orbit] = stable[..] else { panic!("one stable orbit") };
+    // `two-impact --cycles 3`: 5.36615398045 rad.
+    assert!(holds(&orbit.impacts[0].phase, 5.366_153_980_45 / std::f64::consts::TAU, 1e-11));
+}
+
 /// Figures 12, 13 and 15: eigenvalues proved elsewhere by Arb (`validation/paper`).
 #[test]
 fn the_attractors_of_the_figures_are_found_with_their_eigenvalues() {

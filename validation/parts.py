@@ -23,6 +23,8 @@ STATE = ROOT / "target" / "validation-parts"
 PROFILE = ["--profile", "validation"]
 PROGRAM = TARGET / "validation" / "impact-pair"
 TAIL = 40
+# Seconds after which a part has failed; ten times as many in full.
+PATIENCE = 1800
 # What runs now: stopped when another part fails, or the user interrupts.
 RUNNING = set()
 
@@ -59,7 +61,7 @@ PARTS = [
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,parquet -- -D warnings"
           f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
-    cargo("no C", f"{NO_C} && cargo check --quiet {' '.join(PROFILE)} -p impact-pair --no-default-features", after=("lints",)),
+    cargo("no C", f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test flight --test orbit", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {' '.join(PROFILE)} --no-deps --workspace --quiet", after=("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
@@ -91,7 +93,8 @@ def run(part, full, environment):
         return 0, (0.0, 0.0), None, True
     log, began = STATE / f"{part.name.replace(' ', '-')}.log", time.monotonic()
     with log.open("wb") as out:
-        command = ["bash", "-o", "pipefail", "-c", part.full if full else part.small]
+        limit = ["timeout", "--verbose", str(PATIENCE * (10 if full else 1))]
+        command = [*limit, "bash", "-o", "pipefail", "-c", part.full if full else part.small]
         process = subprocess.Popen(command, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, stdout=out, stderr=out, start_new_session=True)
         RUNNING.add(process.pid)
         _, status, usage = os.wait4(process.pid, 0)

@@ -250,6 +250,21 @@ fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
     for (path, value) in [("from", json!(1)), ("word", json!("P2 P1")), ("cycles", json!(2))] {
         assert!(!matches!(spoiled(path, value), Verdict::Confirmed { .. }), "{path}");
     }
+    // Ten turns later: true of all impacts together, of one alone it is another orbit.
+    let later = |copy: &mut Value, impact: usize| {
+        let phase = &mut copy["outcome"]["orbit"]["impacts"][impact]["phase"];
+        let at: f64 = phase[0].as_str().unwrap().parse().unwrap();
+        let moved = at + 10.0 * std::f64::consts::TAU;
+        *phase = json!([format!("{:.9}", moved - 1e-8), format!("{:.9}", moved + 1e-8)]);
+    };
+    for impact in 0..2 {
+        let mut copy = document.clone();
+        later(&mut copy, impact);
+        assert!(matches!(verdict(&copy), Verdict::Refuted(_)), "impact {impact}");
+    }
+    let mut copy = document.clone();
+    (0..2).for_each(|impact| later(&mut copy, impact));
+    assert!(matches!(verdict(&copy), Verdict::Confirmed { .. }));
     // Wider bounds are true as well.
     assert!(matches!(spoiled("orbit/trace", json!(["-0.4", "-0.3"])), Verdict::Confirmed { .. }));
 }

@@ -54,6 +54,28 @@ impl View {
     }
 }
 
+/// Whether an orbit is one of those known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Identity {
+    /// It is proved to be none of them.
+    New,
+    /// It is proved to be one of them.
+    Known,
+    /// Neither is proved.
+    Open,
+}
+
+impl Identity {
+    /// From the verdicts on each of them.
+    pub fn of(verdicts: impl Iterator<Item = Option<bool>>) -> Self {
+        match any(verdicts) {
+            Some(false) => Self::New,
+            Some(true) => Self::Known,
+            None => Self::Open,
+        }
+    }
+}
+
 /// Whether `one` is the orbit `other`, told from whichever impact.
 pub(super) fn is_one_orbit<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(View::of(chain, false).map(|view| view.is_same(chain, one, other)))

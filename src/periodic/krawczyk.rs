@@ -19,6 +19,8 @@ pub struct Proved<N> {
 /// `2^-5`, the largest radius of a domain that is tried, in turns, and the factor from one to the next.
 const LARGEST: f64 = 0.031_25;
 const FINER: f64 = 0.125;
+/// Images that take less than a quarter of a bit off an enclosure.
+const MOST_SLOW: u32 = 64;
 
 /// The flights over a box, if each is proved to take time: only then are they flights at all.
 pub(super) fn flights<N: Enclosing, S: Shaking<N>>(
@@ -88,14 +90,17 @@ pub fn refine<N: Enclosing, S: Shaking<N>>(
     inverse: &Preconditioner,
     proved: &mut Proved<N>,
 ) {
-    // Each image holds the orbit; a further one is worth its price while it takes something off the widest radius.
+    // Each image holds the orbit; a further one is worth its price while it takes something off the widest radius. Near a
+    // bifurcation the first ones take little, and the narrower the box the more.
+    let mut slow = 0;
     while let Some(narrower) = image(chain, shaking, inverse, &proved.phases) {
         let gain = widest(&proved.phases) - widest(&narrower);
         if !(gain > 0.0 && is_inside(&narrower, &proved.domain)) {
             break;
         }
         proved.phases = narrower;
-        if gain < 0.25 {
+        slow += u32::from(gain < 0.25); // proposes: when to stop
+        if slow > MOST_SLOW {
             break;
         }
     }

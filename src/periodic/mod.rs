@@ -38,7 +38,7 @@ pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
-use identity::is_one_orbit;
+use identity::{Identity, is_one_orbit};
 pub use krawczyk::Proved;
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::Budget;
@@ -60,6 +60,9 @@ impl Default for Precision {
         Self { digits: 9, max_bits: MAX_BITS }
     }
 }
+
+/// Digits that orbits are told apart by, where those asked for do not do.
+const FINE_DIGITS: u32 = 14;
 
 /// What shakes the box.
 #[derive(Clone, Debug)]
@@ -171,19 +174,37 @@ impl Problem {
     fn find_under<S: Shaken>(&self, shaken: &S, pair: &ImpactPair, start: &Start, precision: Precision) -> Census {
         let mut found: Vec<PeriodicOrbit> = Vec::new();
         for guess in guess::guesses(&self.chain, shaken, pair, start) {
-            if self.is_known(&guess, &found) {
+            if self.is_known(&guess, &found) || self.settles_on_known(shaken, &guess, &found) {
                 continue;
             }
-            if let Some(orbit) = self.prove(&guess, precision) {
-                let is_new =
-                    |known: &PeriodicOrbit| is_one_orbit(&self.chain, &orbit.proved, &known.proved) != Some(true);
-                if found.iter().all(is_new) {
-                    found.push(orbit);
-                }
+            if let Some((orbit, Identity::New)) = self.prove_beside(&guess, precision, &found) {
+                found.push(orbit);
             }
         }
         found.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
         Census { orbits: found, ..Census::default() }
+    }
+
+    /// The orbit near a guess, and whether it is one of those known: what the digits asked for do not tell apart is proved to
+    /// more. Lemma T6
+    fn prove_beside(
+        &self,
+        guess: &[f64],
+        precision: Precision,
+        known: &[PeriodicOrbit],
+    ) -> Option<(PeriodicOrbit, Identity)> {
+        let mut found = None;
+        for digits in [precision.digits, FINE_DIGITS, 2 * FINE_DIGITS] {
+            let digits = digits.max(precision.digits); // proposes: digits to prove it to
+            let orbit = self.prove(guess, Precision { digits, ..precision })?;
+            let verdicts = known.iter().map(|other| is_one_orbit(&self.chain, &orbit.proved, &other.proved));
+            let identity = Identity::of(verdicts);
+            found = Some((orbit, identity));
+            if identity != Identity::Open {
+                break;
+            }
+        }
+        found
     }
 
     /// Whether a guess lies where a known orbit is the only one.

@@ -140,7 +140,6 @@ impl<N: Enclosing> Finding<N> {
         // Lemma T4, from the exact parameter.
         let power = i32::try_from(2 * chain.impacts()).ok()?;
         let determinant = restitution.enclose(room).powi(power, bits + 16)?;
-        let in_doubles = |balls: &[N]| balls.iter().map(Enclosing::as_ball).collect();
         Some(PeriodicOrbit {
             period: chain.period(),
             impacts: (0..chain.impacts()).map(impact).collect::<Option<_>>()?,
@@ -153,7 +152,23 @@ impl<N: Enclosing> Finding<N> {
             stability: self.stability,
             bits,
             is_narrow,
-            proved: Proved { phases: in_doubles(&self.proved.phases), domain: in_doubles(&self.proved.domain) },
+            proved: Proved {
+                phases: self.proved.phases.iter().map(Enclosing::as_ball).collect(),
+                domain: self.proved.domain.iter().map(inside_in_doubles).collect(),
+            },
         })
     }
+}
+
+/// A ball of doubles inside the ball, so that what holds no second orbit still holds none (Lemma T6); where there is no room for
+/// one, a point.
+fn inside_in_doubles<N: Enclosing>(x: &N) -> Ball {
+    let inner = || {
+        let (lo, hi) = x.as_enclosure()?.to_f64_bounds();
+        let (lo, hi) = (lo.next_up(), hi.next_down());
+        let mid = lo.midpoint(hi);
+        let rad = (mid - lo).min(hi - mid).next_down(); // T6: inward
+        (rad > 0.0).then(|| Ball::new(mid, rad)) // T6: nothing lies inside a point
+    };
+    inner().unwrap_or_else(|| Ball::exact(x.as_ball().mid()))
 }

@@ -138,6 +138,27 @@ impl Problem {
         best
     }
 
+    /// Whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
+    /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floats comes no nearer than to many points.
+    #[cfg(feature = "multiprecision")]
+    pub(super) fn settles_on_known<S: Shaken>(&self, shaken: &S, guess: &[f64], known: &[PeriodicOrbit]) -> bool {
+        const BITS: u32 = 128;
+        let is_precise = known.iter().any(|orbit| orbit.bits > f64::MANTISSA_DIGITS);
+        let settled = || {
+            let guess = self.polished(guess)?;
+            let inverse = newton::precondition(&self.chain, shaken.floats(), &guess)?;
+            let settled = self.polish_precisely(&shaken.precise(BITS), &inverse, &guess, BITS);
+            Some(settled.iter().map(|x| x.as_ball().mid()).collect::<Vec<f64>>())
+        };
+        is_precise && settled().is_some_and(|guess| self.is_known(&guess, known))
+    }
+
+    /// Doubles are all there is.
+    #[cfg(not(feature = "multiprecision"))]
+    pub(super) fn settles_on_known<S: Shaken>(&self, _: &S, _: &[f64], _: &[PeriodicOrbit]) -> bool {
+        false
+    }
+
     /// A guess in so many bits, by simplified Newton steps; nothing is proved.
     #[cfg(feature = "multiprecision")]
     fn polish_precisely<B: Shaking<MpBall>>(
@@ -148,8 +169,8 @@ impl Problem {
         bits: u32,
     ) -> Vec<MpBall> {
         let mut phases: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
-        // Each step in doubles adds some forty bits.
-        for _ in 0..bits / 32 {
+        // Each step in doubles adds some forty bits, near a bifurcation a few.
+        for _ in 0..bits / 8 {
             match krawczyk::image(&self.chain, shaking, inverse, &phases) {
                 Some(next) => phases = next.iter().map(Enclosing::centre).collect(),
                 None => break,

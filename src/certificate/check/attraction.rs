@@ -11,7 +11,7 @@ use super::contact::Doubt;
 use crate::certificate::attraction::Attraction;
 use crate::certificate::periodic::{PeriodicDocument, phase_in_radians};
 use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::{Enclosure, Exact, decimal_digits};
+use crate::exact::{Dyadic, Enclosure, Exact, decimal_digits};
 use crate::number::Ball;
 use crate::periodic::{Attractor, Passing, PeriodicOrbit, Problem, find_attractor};
 use crate::turns;
@@ -95,12 +95,17 @@ impl Certificate {
         if claim.impacts.len() != impacts.len() {
             return Err(Doubt::False(format!("the orbit has {} impacts", impacts.len())));
         }
-        for (claimed, found) in claim.impacts.iter().zip(impacts) {
+        let phases: Vec<_> = impacts.iter().map(|impact| phase_in_radians(&impact.phase, *bits)).collect();
+        // One shift for the whole orbit: its impacts come at their distances.
+        let shift =
+            claim.impacts.first().zip(phases.first()).map(|((_, [claimed, _]), found)| turns_between(found, claimed));
+        let shift = shift.unwrap_or_else(|| Enclosure::point(Dyadic::zero()));
+        for ((claimed, found), phase) in claim.impacts.iter().zip(impacts).zip(phases) {
             let (wall, [claimed_phase, claimed_velocity]) = claimed;
             if *wall != found.wall {
                 return Err(Doubt::False("an impact of the orbit is on the other wall".into()));
             }
-            inside("phase", &near(phase_in_radians(&found.phase, *bits), claimed_phase), claimed_phase)?;
+            inside("phase", &phase.add(&shift, BITS + 64), claimed_phase)?;
             inside("velocity", &document.velocity(&found.velocity, *bits), claimed_velocity)?;
         }
         let numbers = [trace, determinant, &one.re, &one.im, &other.re, &other.im];
@@ -118,12 +123,13 @@ impl Attraction {
     }
 }
 
-/// A phase shifted by the whole turns that bring it nearest to the claimed one.
-fn near(phase: Enclosure, [lower, upper]: &[BigRational; 2]) -> Enclosure {
+/// The whole turns that bring a phase nearest to the claimed one, in radians.
+fn turns_between(phase: &Enclosure, [lower, upper]: &[BigRational; 2]) -> Enclosure {
     let middle = lower.to_f64().zip(upper.to_f64()).map_or(0.0, |(lower, upper)| 0.5 * (lower + upper));
     let turns = ((middle - phase.mid_rad().0) / std::f64::consts::TAU).round(); // Q3: any whole number of turns
-    let Some(turns) = Enclosure::from_f64_bounds(2.0 * turns, 2.0 * turns) else { return phase };
-    phase.add(&Enclosure::pi(BITS + 64).mul(&turns, BITS + 64), BITS + 64)
+    let twice =
+        Enclosure::from_f64_bounds(2.0 * turns, 2.0 * turns).unwrap_or_else(|| Enclosure::point(Dyadic::zero()));
+    Enclosure::pi(BITS + 64).mul(&twice, BITS + 64)
 }
 
 fn enclosure([lower, upper]: &[BigRational; 2]) -> Enclosure {

@@ -6,7 +6,7 @@ mod newton;
 
 use super::census::{Census, Region};
 use super::chain::Slopes;
-use super::identity::is_one_orbit;
+use super::identity::{Identity, is_one_orbit};
 use super::krawczyk::Proved;
 use super::newton::is_plausible;
 use super::orbit::{PeriodicImpact, PeriodicOrbit};
@@ -136,24 +136,24 @@ impl Search<'_> {
         if self.known.iter().any(is_inside) {
             return true;
         }
-        let Some(orbit) = self.orbit_near(part) else { return false };
-        let is_done = is_inside(&orbit);
-        let is_new = |known: &PeriodicOrbit| is_one_orbit(chain, &orbit.proved, &known.proved) != Some(true);
-        if self.known.iter().all(is_new) {
+        let Some((orbit, identity)) = self.orbit_near(part) else { return false };
+        // An orbit that may be a known one stays a question.
+        let is_done = identity != Identity::Open && is_inside(&orbit);
+        if identity == Identity::New {
             self.known.push(orbit);
         }
         is_done
     }
 
-    /// An orbit in or beside the part that Newton's iteration leads to, proved.
-    fn orbit_near(&self, part: &Part) -> Option<PeriodicOrbit> {
+    /// An orbit in or beside the part that Newton's iteration leads to, proved, and whether it is known.
+    fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
         let (chain, pair) = (&self.problem.chain, &self.court.centre);
         let phases = polish(chain, pair, part.centre())?;
         let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
         if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
             return None;
         }
-        self.problem.prove(&phases, self.precision)
+        self.problem.prove_beside(&phases, self.precision, &self.known)
     }
 
     /// What is said of a part that stays open.
