@@ -5,6 +5,7 @@ Two parts run at a time, of those that use cargo one: it uses all cores itself. 
 changed since is not run again, where it says so. On failure the last lines are shown, and the command that runs the part alone.
 """
 import argparse
+import contextlib
 import hashlib
 import os
 import re
@@ -52,7 +53,8 @@ FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 PARTS = [
     Part("python", *2 * ("validation/environment",)),
     Part("kernel", *2 * ("validation/kernel/prove",), inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
-    Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove", inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
+    Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
+         inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
     cargo("formatting", "cargo fmt --all --check"),
     cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
     cargo("tests", TEST,
@@ -127,7 +129,9 @@ def said_by_tests(log):
 
 def stop():
     for leader in list(RUNNING):
-        os.killpg(leader, signal.SIGTERM)
+        # It may have ended just now.
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(leader, signal.SIGTERM)
 
 
 def run_all(parts, full, environment):

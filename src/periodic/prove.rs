@@ -98,7 +98,8 @@ impl Problem {
         let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
         while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
             let shaking = shaken.precise(bits);
-            let guess = self.polish_precisely(&shaking, &inverse, guess, bits);
+            // Each step in doubles adds some forty bits.
+            let guess = self.polish_precisely(&shaking, &inverse, guess, bits, bits / 32);
             let least = 2f64.powi(-((bits - 8).min(1000) as i32)); // T3: any radius
             let finding = self.attempt(&shaking, &inverse, &guess, least, |phases, legs| {
                 shaken.is_physical_precisely(&shaking, &self.chain, phases, legs)
@@ -147,7 +148,8 @@ impl Problem {
         let settled = || {
             let guess = self.polished(guess)?;
             let inverse = newton::precondition(&self.chain, shaken.floats(), &guess)?;
-            let settled = self.polish_precisely(&shaken.precise(BITS), &inverse, &guess, BITS);
+            // Near a bifurcation a step adds a few bits.
+            let settled = self.polish_precisely(&shaken.precise(BITS), &inverse, &guess, BITS, BITS / 8);
             Some(settled.iter().map(|x| x.as_ball().mid()).collect::<Vec<f64>>())
         };
         is_precise && settled().is_some_and(|guess| self.is_known(&guess, known))
@@ -159,7 +161,7 @@ impl Problem {
         false
     }
 
-    /// A guess in so many bits, by simplified Newton steps; nothing is proved.
+    /// A guess in so many bits, by so many simplified Newton steps; nothing is proved.
     #[cfg(feature = "multiprecision")]
     fn polish_precisely<B: Shaking<MpBall>>(
         &self,
@@ -167,10 +169,10 @@ impl Problem {
         inverse: &Preconditioner,
         guess: &[f64],
         bits: u32,
+        steps: u32,
     ) -> Vec<MpBall> {
         let mut phases: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
-        // Each step in doubles adds some forty bits, near a bifurcation a few.
-        for _ in 0..bits / 8 {
+        for _ in 0..steps {
             match krawczyk::image(&self.chain, shaking, inverse, &phases) {
                 Some(next) => phases = next.iter().map(Enclosing::centre).collect(),
                 None => break,

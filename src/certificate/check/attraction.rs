@@ -97,8 +97,8 @@ impl Certificate {
         }
         let phases: Vec<_> = impacts.iter().map(|impact| phase_in_radians(&impact.phase, *bits)).collect();
         // One shift for the whole orbit: its impacts come at their distances.
-        let shift =
-            claim.impacts.first().zip(phases.first()).map(|((_, [claimed, _]), found)| turns_between(found, claimed));
+        let first = claim.impacts.first().zip(phases.first());
+        let shift = first.and_then(|((_, [claimed, _]), found)| turns_between(found, claimed));
         let shift = shift.unwrap_or_else(|| Enclosure::point(Dyadic::zero()));
         for ((claimed, found), phase) in claim.impacts.iter().zip(impacts).zip(phases) {
             let (wall, [claimed_phase, claimed_velocity]) = claimed;
@@ -123,13 +123,12 @@ impl Attraction {
     }
 }
 
-/// The whole turns that bring a phase nearest to the claimed one, in radians.
-fn turns_between(phase: &Enclosure, [lower, upper]: &[BigRational; 2]) -> Enclosure {
+/// The whole turns that bring a phase nearest to the claimed one, in radians; `None` beyond doubles.
+fn turns_between(phase: &Enclosure, [lower, upper]: &[BigRational; 2]) -> Option<Enclosure> {
     let middle = lower.to_f64().zip(upper.to_f64()).map_or(0.0, |(lower, upper)| 0.5 * (lower + upper));
     let turns = ((middle - phase.mid_rad().0) / std::f64::consts::TAU).round(); // Q3: any whole number of turns
-    let twice =
-        Enclosure::from_f64_bounds(2.0 * turns, 2.0 * turns).unwrap_or_else(|| Enclosure::point(Dyadic::zero()));
-    Enclosure::pi(BITS + 64).mul(&twice, BITS + 64)
+    let twice = Enclosure::from_f64_bounds(2.0 * turns, 2.0 * turns)?;
+    Some(Enclosure::pi(BITS + 64).mul(&twice, BITS + 64))
 }
 
 fn enclosure([lower, upper]: &[BigRational; 2]) -> Enclosure {
