@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use serde_json::Value;
 
 use super::read::Entry;
-use crate::error::Error;
+use crate::Error;
 use crate::mapping::Word;
 use crate::pair::Wall;
 

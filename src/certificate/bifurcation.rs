@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::document::scene;
 use super::periodic::PeriodicDocument;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::decimal_bounds;
 use crate::mapping::Word;
 use crate::orbit::Start;

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 use serde_json::{Map, Value, json};
 
 use super::document::scene;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Enclosure, Exact, decimal_bounds};
 use crate::mapping::Word;
 use crate::orbit::Start;

@@ -7,7 +7,7 @@ use serde_json::{Deserializer, Map, Value};
 
 use super::attraction::Attraction;
 use super::document::ORBIT_SCHEMA;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Exact;
 use crate::excitation::{Excitation, Harmonic};
 use crate::mapping::Mapping;
@@ -23,7 +23,7 @@ use crate::pair::{ImpactPair, Wall};
 /// #     pair = { gap = 9.42497, restitution = 0.5 }
 /// #     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// #     run = { impacts = 3 }"#)?;
-/// # let mut orbit = scene.orbit(scene.settings())?;
+/// # let mut orbit = Orbit::of(&scene, scene.settings())?;
 /// # let mut events = Vec::new();
 /// # while let Some(impact) = orbit.next() { events.push(Event::new(&orbit, &impact)) }
 /// # let head = certificate::head(scene.pair(), scene.start(), Arithmetic::Auto, certificate::arithmetic(&orbit));

@@ -2,7 +2,7 @@ use super::*;
 use crate::Scene;
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
-use crate::orbit::{Arithmetic, Impact, Settings};
+use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -30,7 +30,7 @@ fn exact(x: f64) -> BigRational {
 /// The document and the impacts it was made of.
 fn document(scene: &Scene, arithmetic: Arithmetic) -> (Value, Vec<Impact>) {
     // As few bits as there are in multiprecision: chaos ends soon.
-    let mut orbit = scene.orbit(Settings { arithmetic, max_bits: 64, ..scene.settings() }).unwrap();
+    let mut orbit = Orbit::of(scene, Settings { arithmetic, max_bits: 64, ..scene.settings() }).unwrap();
     let impacts: Vec<Impact> = orbit.by_ref().collect();
     let events: Vec<Event> = impacts.iter().map(|impact| Event::new(&orbit, impact)).collect();
     let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
@@ -116,7 +116,7 @@ fn an_undecided_outcome_carries_its_reason_and_enclosure() {
 #[test]
 fn an_orbit_that_did_not_end_was_interrupted() {
     let scene = scene("1", "wall = \"left\", velocity = -12.56636");
-    let mut orbit = scene.orbit(scene.settings()).unwrap();
+    let mut orbit = Orbit::of(&scene, scene.settings()).unwrap();
     let before = Conclusion::of(&orbit, scene.start(), None).json();
     assert_eq!(
         before,
@@ -202,7 +202,7 @@ proptest! {
 fn attracted() -> Value {
     let scene = scene("2", "wall = \"left\", velocity = -12.56636");
     let settings = Settings { attractor: true, impacts: Some(20), ..scene.settings() };
-    let mut orbit = scene.orbit(settings).unwrap();
+    let mut orbit = Orbit::of(&scene, settings).unwrap();
     let events: Vec<Event> = orbit.by_ref().collect::<Vec<_>>().iter().map(|x| Event::new(&orbit, x)).collect();
     let head = head(scene.pair(), scene.start(), Arithmetic::Auto, super::arithmetic(&orbit));
     let mut text = Vec::new();

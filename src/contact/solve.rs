@@ -10,6 +10,7 @@ use super::extrema::{Extrema, Piece, Target};
 use crate::flight::Flight;
 use crate::number::Trigonometry;
 use crate::number::kernel::Departure;
+use crate::pair::Inward;
 
 /// Flights longer than this many turns are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;

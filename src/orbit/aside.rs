@@ -9,7 +9,7 @@ use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 use crate::rest;
 use crate::several::Zero;
 use crate::turns;

@@ -7,6 +7,7 @@ use crate::certificate::phase_in_radians;
 use crate::exact::Enclosure;
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, Enclosing, Number};
+use crate::pair::Inward;
 use crate::rest;
 
 impl Orbit {

@@ -27,7 +27,7 @@ mod shaken;
 pub mod shaking;
 mod stability;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Exact;
 use crate::mapping::Word;
 use crate::number::Ball;
@@ -108,7 +108,9 @@ impl Problem {
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let Some(several) = Several::new(pair)? else {
-            return Self::of(pair.exact()?, pair.reduced()?, word, cycles);
+            let exact = Reduced::exact(pair)?;
+            let reduced = exact.enclosed()?;
+            return Self::of(exact, reduced, word, cycles);
         };
         Ok(Self {
             word: word.clone(),

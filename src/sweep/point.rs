@@ -1,7 +1,7 @@
 //! One point of a sweep: an orbit, followed past a transient, and what is proved of it.
 
+use crate::Error;
 use crate::certificate::{Conclusion, Event, phase_in_radians};
-use crate::error::Error;
 use crate::exact::Enclosure;
 use crate::lyapunov::{Disturbance, Exponent};
 use crate::mapping::Word;
@@ -80,7 +80,7 @@ pub struct Point {
 /// When a value is beyond the range of double-precision flights.
 pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Result<Option<Point>, Error> {
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
-    let mut orbit = scene.orbit(Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
+    let mut orbit = Orbit::of(scene, Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
     let mut window = Window::new(&orbit, asked.transient);
     let mut last = None;
     loop {

@@ -65,7 +65,7 @@ fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, us
 /// Runs and checks; with words on what is refuted.
 pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
     let settings = settings(number, case.impacts);
-    let Ok(orbit) = case.scene.orbit(settings.clone()) else { return (Judgement::NoScene, String::new()) };
+    let Ok(orbit) = Orbit::of(&case.scene, settings.clone()) else { return (Judgement::NoScene, String::new()) };
     let (text, events) = document(&case.scene, &settings, orbit);
     if events == 0 {
         return (Judgement::Nothing, String::new());

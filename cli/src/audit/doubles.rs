@@ -10,7 +10,7 @@ use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::certificate;
 use impact_pair::exact::{Enclosure, Exact, decimal_bounds, decimal_f64};
-use impact_pair::orbit::{Arithmetic, Outcome, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings};
 use num_rational::BigRational;
 use serde_json::Value;
 
@@ -73,7 +73,7 @@ impl Doubles {
 
 /// The impacts of an orbit as a list; `None` when it is interrupted or undecided.
 fn list(scene: &Scene, settings: Settings) -> Result<Option<Vec<Listed>>> {
-    let mut orbit = scene.orbit(settings)?;
+    let mut orbit = Orbit::of(scene, settings)?;
     let mut rows = Vec::new();
     let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
         let (time, velocity) = orbit.bounds(&impact);

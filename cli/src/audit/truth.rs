@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use impact_pair::certificate::{Bounds, Conclusion, Event, Kind, arithmetic};
 use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::orbit::{Outcome, Place, Settings};
+use impact_pair::orbit::{Orbit, Outcome, Place, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::{Error, Scene};
 use num_rational::BigRational;
@@ -76,7 +76,7 @@ impl Truth {
         tolerance: &Tolerance,
         progress: &Progress,
     ) -> Result<Self, Error> {
-        let mut orbit = scene.orbit(settings)?;
+        let mut orbit = Orbit::of(scene, settings)?;
         let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
         let mut last: Option<Event> = None;
         let ended: ControlFlow<()> = follow(&mut orbit, progress, |orbit, step| {

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context, Error, Result};
 use impact_pair::Scene;
+use impact_pair::orbit::Orbit;
 use impact_pair::sweep::{Asked, Grid, follow};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
@@ -70,7 +71,7 @@ impl Work<'_> {
             _ => vec![0, self.grid.points() - 1],
         };
         corners.into_iter().try_for_each(|point| {
-            self.scene.with(&self.grid.values(point)?)?.orbit(self.asked.settings.clone())?;
+            Orbit::of(&self.scene.with(&self.grid.values(point)?)?, self.asked.settings.clone())?;
             Ok(())
         })
     }

@@ -99,7 +99,7 @@ pub fn measure(
 ) -> Result<Option<Measured>> {
     let settings = rung.settings(asked);
     let is_certified = is_certified(settings.arithmetic);
-    let begin = || scene.orbit(settings.clone());
+    let begin = || Orbit::of(scene, settings.clone());
     let mut orbit = begin()?;
     let Seen { last, widths, times } = observe(&mut orbit, units, progress);
     if orbit.outcome().is_none() {

@@ -24,7 +24,7 @@ mod still;
 mod walk;
 
 use super::Certificate;
-use crate::error::Error;
+use crate::Error;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
 pub(super) use flight::Flight;

@@ -8,7 +8,7 @@ use crate::Scene;
 use crate::certificate::tests::found_again;
 use crate::certificate::{Certificate, Conclusion, Event, arithmetic, head, write_json};
 use crate::exact::Enclosure;
-use crate::orbit::{Arithmetic, Progress, Settings};
+use crate::orbit::{Arithmetic, Orbit, Progress, Settings};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
 fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {
@@ -22,7 +22,7 @@ fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) ->
 fn orbit(scene: &str) -> Value {
     let scene = Scene::parse(scene).unwrap();
     let settings = Settings { arithmetic: Arithmetic::Interval, attractor: false, ..scene.settings() };
-    let mut orbit = scene.orbit(settings).unwrap();
+    let mut orbit = Orbit::of(&scene, settings).unwrap();
     let mut events: Vec<Event> = Vec::new();
     loop {
         let progress = orbit.advance();

@@ -11,7 +11,7 @@ use super::isolate::{Turning, is_rising};
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
 use crate::number::{Magnitude, MpBall, Number};
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 
 /// A graze that was passed, and where to go on from.
 #[derive(Debug)]

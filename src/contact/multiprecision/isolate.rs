@@ -10,6 +10,7 @@ use crate::contact::solve::inverse_smoothstep;
 use crate::contact::{Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
 /// Where the solver looks: times since the start.

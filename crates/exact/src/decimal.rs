@@ -26,7 +26,7 @@ const CACHED_POWERS: usize = 512;
 /// end is not zero but beyond `2^(+-2^18)`.)
 ///
 /// ```
-/// use impact_pair::exact::{Enclosure, Exact, decimal_bounds};
+/// use impact_pair_exact::{Enclosure, Exact, decimal_bounds};
 /// let third = Exact::parse("1/3").unwrap().enclose(10);
 /// assert_eq!(decimal_bounds(&third), ["0.3333129", "0.3333741"]);
 /// assert_eq!(decimal_bounds(&Enclosure::from_f64_bounds(0.25, 0.25).unwrap()), ["0.25", "0.25"]);
@@ -40,7 +40,7 @@ pub fn decimal_bounds(x: &Enclosure) -> [String; 2] {
 /// An infinite end is printed as `inf` or `-inf`; a NaN stands for the whole line.
 ///
 /// ```
-/// # use impact_pair::exact::decimal_bounds_f64;
+/// # use impact_pair_exact::decimal_bounds_f64;
 /// assert_eq!(decimal_bounds_f64(1.0, 2.5), ["1", "2.5"]);
 /// assert_eq!(decimal_bounds_f64(1e-300, f64::INFINITY)[1], "inf");
 /// ```
@@ -62,7 +62,7 @@ pub fn decimal_bounds_f64(lo: f64, hi: f64) -> [String; 2] {
 /// The shortest decimal that reads back as the same double; it bounds nothing.
 ///
 /// ```
-/// # use impact_pair::exact::decimal_f64;
+/// # use impact_pair_exact::decimal_f64;
 /// assert_eq!([decimal_f64(0.1), decimal_f64(-2.0), decimal_f64(1e-300)], ["0.1", "-2", "1e-300"]);
 /// ```
 pub fn decimal_f64(x: f64) -> String {
@@ -260,7 +260,7 @@ impl std::fmt::Display for DecimalDigits {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Exact;
+    use crate::Exact;
     use num_rational::BigRational;
     use proptest::prelude::*;
 

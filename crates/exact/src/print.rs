@@ -34,7 +34,7 @@ impl Exact {
     /// (An interval inside an expression, which only arithmetic can make, is written but not read back.)
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// let x = Exact::parse("0.10").unwrap();
     /// assert_eq!(x.text(), "0.10");
     /// assert_eq!((x * Exact::pi()).text(), "0.1*pi");

@@ -70,7 +70,7 @@ impl Exact {
     /// The quotient. **Errors** if the divisor cannot be proved nonzero at up to 4096 bits, or too deep or too large.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// let third = Exact::from(1).checked_div(&Exact::from(3)).unwrap();
     /// assert_eq!(third.text(), "1/3");
     /// assert!(third.checked_div(&Exact::from(0)).is_err());
@@ -115,7 +115,7 @@ impl Exact {
     /// The square root. **Errors** if the value cannot be proved nonnegative at up to 4096 bits, or too deep.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// assert_eq!(Exact::parse("4*pi^2/9").unwrap().checked_sqrt().unwrap().text(), "2/3*pi");
     /// ```
     pub fn checked_sqrt(&self) -> Result<Exact, ExactError> {

@@ -17,7 +17,7 @@ impl Exact {
     /// `self / other` as a fraction, where the expressions show that it is one.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// let ratio = |a: &str, b: &str| Exact::parse(a).unwrap().fraction_of(&Exact::parse(b).unwrap());
     /// assert_eq!(ratio("3*pi", "2*pi").unwrap().to_string(), "3/2");
     /// assert_eq!(ratio("sqrt(2)*pi/5", "pi*sqrt(2)").unwrap().to_string(), "1/5");

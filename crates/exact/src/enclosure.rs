@@ -17,7 +17,7 @@ const LARGEST_INTEGER: i64 = 1 << 24;
 /// The closed interval `[lo, hi]` of real numbers, with dyadic ends and `lo <= hi`.
 ///
 /// ```
-/// use impact_pair::exact::Enclosure;
+/// use impact_pair_exact::Enclosure;
 /// let pi = Enclosure::pi(100);
 /// let (lo, hi) = pi.to_f64_bounds();
 /// assert_eq!(lo, std::f64::consts::PI); // the double just below pi

@@ -52,7 +52,7 @@ pub enum ExactError {
 /// Why a text is not an exact real number: the byte column (from 1), what was found there and what is accepted.
 ///
 /// ```
-/// use impact_pair::exact::Exact;
+/// use impact_pair_exact::Exact;
 /// let error = Exact::parse("10*pie").unwrap_err();
 /// assert_eq!(error.column(), 4);
 /// assert_eq!(error.to_string(), "column 4: found `pie`, accepted are a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign");

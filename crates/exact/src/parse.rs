@@ -35,11 +35,11 @@ impl Exact {
     /// over 10000, decimals beyond 1e10000 or below 1e-10000, values beyond 2^40000.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// assert_eq!(Exact::parse("-2^2 + 1/4")?.as_rational().unwrap().to_string(), "-15/4");
     /// assert!(Exact::parse("[3, 2]").is_err());
     /// assert!(Exact::parse("nan").is_err());
-    /// # Ok::<(), impact_pair::exact::ParseError>(())
+    /// # Ok::<(), impact_pair_exact::ParseError>(())
     /// ```
     pub fn parse(text: &str) -> Result<Exact, ParseError> {
         if text.len() > LONGEST_TEXT {

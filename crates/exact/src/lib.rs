@@ -9,12 +9,12 @@
 //! `error`.
 //!
 //! ```
-//! use impact_pair::exact::Exact;
+//! use impact_pair_exact::Exact;
 //! let quarter = Exact::parse("(10*pi*0 + pi/2) / (2*pi)")?;
 //! assert_eq!(quarter.as_rational().unwrap().to_string(), "1/4");
 //! let gap = Exact::parse("9.42497")?; // not the double 9.42497, which is another number
 //! assert!(gap.compare(&Exact::from_f64(9.42497).unwrap()).unwrap().is_ne());
-//! # Ok::<(), impact_pair::exact::ParseError>(())
+//! # Ok::<(), impact_pair_exact::ParseError>(())
 //! ```
 
 mod decimal;
@@ -41,9 +41,8 @@ use num_traits::One;
 
 pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
 pub use digits::decimal_digits;
-pub use dyadic::Dyadic;
 use dyadic::Round;
-pub(crate) use dyadic::compare_rational;
+pub use dyadic::{Dyadic, compare_rational};
 pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};
 pub use fold::Operation;
@@ -108,7 +107,7 @@ impl Exact {
     /// Exactly `x`; `None` for NaN and the infinities.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// assert_eq!(Exact::from_f64(0.1).unwrap().as_rational().unwrap().denom(), &(1u64 << 55).into());
     /// assert!(Exact::from_f64(f64::NAN).is_none());
     /// ```
@@ -131,7 +130,7 @@ impl Exact {
     /// **Errors** if an end is not a point, or `lower <= upper` cannot be proved.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// let turn = Exact::interval(&Exact::from(0), &(Exact::from(2) * Exact::pi())).unwrap();
     /// assert_eq!(turn.text(), "[0, 2*pi]");
     /// ```
@@ -162,7 +161,7 @@ impl Exact {
     /// The ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// let (lower, upper) = Exact::parse("[9.42, 3*pi]").unwrap().ends().unwrap();
     /// assert_eq!((lower.text(), upper.text()), ("9.42".into(), "3*pi".into()));
     /// ```

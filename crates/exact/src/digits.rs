@@ -15,7 +15,7 @@ use super::enclosure::Enclosure;
 /// `2.00(-1,+3)` is `[1.99, 2.03]`. A point is plain.
 ///
 /// ```
-/// # use impact_pair::exact::{Exact, decimal_digits};
+/// # use impact_pair_exact::{Exact, decimal_digits};
 /// let shown = |text: &str| decimal_digits(&Exact::parse(text).unwrap().enclose(30));
 /// assert_eq!(shown("[3.140625, 3.15625]"), "3.1(4,6)");
 /// assert_eq!(shown("[-3.15625, -3.140625]"), "-3.1(6,4)");
@@ -84,7 +84,7 @@ fn spelled(n: &BigInt, quantum: i64) -> [String; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{Dyadic, Exact};
+    use crate::{Dyadic, Exact};
     use num_rational::BigRational;
     use proptest::prelude::*;
 

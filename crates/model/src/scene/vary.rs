@@ -3,19 +3,19 @@
 use std::str::FromStr;
 
 use super::Scene;
-use crate::error::Error;
-use crate::exact::Exact;
+use crate::error::{Error, within};
 use crate::excitation::Harmonic;
-use crate::orbit::{Place, Start};
-use crate::pair::{ImpactPair, within};
+use crate::pair::ImpactPair;
+use crate::start::{Place, Start};
+use impact_pair_exact::Exact;
 
 /// A parameter or a datum of the start, as the scene file names it.
 ///
 /// ```
-/// use impact_pair::scene::Key;
+/// use impact_pair_model::scene::Key;
 /// assert_eq!("amplitude".parse::<Key>()?, Key::Amplitude);
 /// assert_eq!("start.velocity".parse::<Key>()?.name(), "start.velocity");
-/// # Ok::<(), impact_pair::Error>(())
+/// # Ok::<(), impact_pair_model::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Key {
@@ -85,13 +85,20 @@ impl Key {
     }
 }
 
+const ON_A_WALL: &str = "the scene starts on a wall (give it a start.position instead)";
+
+fn not_a_key(text: &str) -> Error {
+    let keys = Key::ALL.map(Key::name).join(", ");
+    Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}"))
+}
+
 impl FromStr for Key {
     type Err = Error;
 
     /// The table of a parameter (`pair.gap`) may be left out, that of the start may not.
     fn from_str(text: &str) -> Result<Self, Error> {
         let short = text.strip_prefix("excitation.").or_else(|| text.strip_prefix("pair.")).unwrap_or(text);
-        Self::ALL.into_iter().find(|key| key.name() == short).ok_or_else(|| Error::key_to_vary(text))
+        Self::ALL.into_iter().find(|key| key.name() == short).ok_or_else(|| not_a_key(text))
     }
 }
 
@@ -128,7 +135,7 @@ impl Scene {
             Key::StartVelocity => self.start.velocity = value,
             Key::StartPosition => match &mut self.start.place {
                 Place::Inside(position) => *position = value,
-                Place::Wall(_) => return Err(Error::position_on_wall(&value)),
+                Place::Wall(_) => return Err(Error::range("start.position", &value, ON_A_WALL)),
             },
         }
         self.pair = ImpactPair::new(excitation, gap, restitution)?;

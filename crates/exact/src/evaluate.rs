@@ -23,7 +23,7 @@ impl Exact {
     /// The result depends on the expression and `bits` only, not on what was computed before.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// let (lo, hi) = Exact::parse("sqrt(2)").unwrap().enclose(60).to_f64_bounds();
     /// assert_eq!((lo, hi), (std::f64::consts::SQRT_2.next_down(), std::f64::consts::SQRT_2));
     /// ```
@@ -141,7 +141,7 @@ impl Exact {
     /// `Equal` is answered only where the normal form shows a zero.
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// use std::cmp::Ordering;
     /// assert_eq!(Exact::parse("pi - 355/113").unwrap().sign(), Some(Ordering::Less));
     /// assert_eq!(Exact::parse("sin(7*pi)").unwrap().sign(), Some(Ordering::Equal));
@@ -172,7 +172,7 @@ impl Exact {
     /// The proved order of two numbers, or of all numbers of one set and all of the other; `None` as for [`sign`](Exact::sign).
     ///
     /// ```
-    /// # use impact_pair::exact::Exact;
+    /// # use impact_pair_exact::Exact;
     /// use std::cmp::Ordering;
     /// let gap = Exact::parse("[9.42, 9.43]").unwrap();
     /// assert_eq!(gap.compare(&Exact::from(9)), Some(Ordering::Greater));

@@ -13,7 +13,7 @@ use super::{Dyadic, Enclosure, Exact, Round};
 /// an operator.
 ///
 /// ```
-/// use impact_pair::exact::{Exact, Real};
+/// use impact_pair_exact::{Exact, Real};
 /// let x = Real::of(&Exact::parse("1/3").unwrap(), 80);
 /// assert!((x.sin().square() + x.cos().square() - 1).to_f64().abs() < 1e-23);
 /// ```

@@ -4,9 +4,9 @@ mod harmonic;
 
 use std::cmp::Ordering;
 
-use crate::error::Error;
-use crate::exact::{Exact, ExactError};
-pub use harmonic::{Harmonic, displacement_velocity_acceleration};
+use crate::error::{Error, within};
+pub use harmonic::Harmonic;
+use impact_pair_exact::{Exact, ExactError};
 
 /// The displacement of the box: one harmonic or several. **Equations** (1), (9)
 ///
@@ -15,12 +15,12 @@ pub use harmonic::{Harmonic, displacement_velocity_acceleration};
 /// equation (9) and costs no more.
 ///
 /// ```
-/// use impact_pair::{Excitation, Harmonic};
+/// use impact_pair_model::{Excitation, Harmonic};
 /// let term = |a: &str, w: &str| Harmonic::new(a.parse().unwrap(), w.parse().unwrap(), "0".parse().unwrap());
 /// let square_wave = Excitation::new(vec![term("1", "pi")?, term("1/3", "3*pi")?, term("1/5", "5*pi")?])?;
 /// assert_eq!(square_wave.reference().frequency().text(), "5*pi");
 /// assert!(Excitation::new(vec![term("1/2", "pi")?, term("1/2", "pi")?])?.only().is_some());
-/// # Ok::<(), impact_pair::Error>(())
+/// # Ok::<(), impact_pair_model::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Excitation {
@@ -44,7 +44,7 @@ impl Excitation {
             match harmonics.iter_mut().find(|other| are_in_step(other, term)) {
                 Some(other) => {
                     let sum = other.amplitude().checked_add(amplitude);
-                    *other = other.with_amplitude(crate::pair::within("excitation.amplitude", amplitude, sum)?);
+                    *other = other.with_amplitude(within("excitation.amplitude", amplitude, sum)?);
                 }
                 None => harmonics.push(term.clone()),
             }
@@ -81,7 +81,7 @@ impl Excitation {
     }
 
     /// Whether no parameter is an interval of values.
-    pub(crate) fn is_point(&self) -> bool {
+    pub fn is_point(&self) -> bool {
         self.terms.iter().all(Harmonic::is_point)
     }
 }

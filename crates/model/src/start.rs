@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use crate::error::{Error, is_at_least, is_at_most};
-use crate::exact::Exact;
-use crate::pair::{ImpactPair, Wall, within};
+use crate::error::{Error, is_at_least, is_at_most, within};
+use crate::pair::{ImpactPair, Wall};
+use impact_pair_exact::Exact;
 
 /// The initial data of an orbit, exact or intervals of values; a box of data is a set of starts.
 #[derive(Clone, Debug)]

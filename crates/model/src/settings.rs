@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::error::Error;
-use crate::exact::Exact;
+use impact_pair_exact::Exact;
 
 /// What computes the orbit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -22,6 +22,22 @@ pub enum Arithmetic {
     Bits(u32),
 }
 
+impl Arithmetic {
+    /// An arithmetic that this build does not have.
+    pub fn unknown(text: &str) -> Error {
+        let (least, most) = BITS.into_inner();
+        let bits = if cfg!(feature = "multiprecision") {
+            format!("or a number of bits from {least} to {most}")
+        } else {
+            "and, in a build with multiprecision, numbers of bits".to_owned()
+        };
+        Error::out_of_range(
+            None,
+            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval {bits}"),
+        )
+    }
+}
+
 /// How far an orbit is followed, and how.
 #[derive(Clone, Debug)]
 pub struct Settings {
@@ -35,8 +51,7 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// Bits that [`Arithmetic::Auto`] takes at most.
     pub max_bits: u32,
-    /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit:
-    /// [`Outcome::Attracted`](super::Outcome::Attracted).
+    /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit.
     pub attractor: bool,
 }
 
@@ -59,21 +74,6 @@ impl Default for Settings {
     }
 }
 
-/// A width asked for; below the range of doubles it is 0 there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Width {
-    pub linear: f64,
-    pub log2: f64,
-}
-
-impl Width {
-    /// `10^-digits` of `unit`, less a fiftieth, which printing may add.
-    pub fn new(digits: u32, unit: f64) -> Self {
-        let log2 = unit.log2() - f64::from(digits) * 10f64.log2();
-        Self { linear: 0.98 * unit * 10f64.powi(-(digits.min(400) as i32)), log2: log2 + 0.98f64.log2() } // shown
-    }
-}
-
 /// As the command line says it: `auto`, `float`, `interval`, or a number of bits.
 impl FromStr for Arithmetic {
     type Err = Error;
@@ -85,7 +85,7 @@ impl FromStr for Arithmetic {
             "interval" => Ok(Self::Interval),
             _ => match text.parse() {
                 Ok(bits) if BITS.contains(&bits) && cfg!(feature = "multiprecision") => Ok(Self::Bits(bits)),
-                _ => Err(Error::arithmetic(text)),
+                _ => Err(Self::unknown(text)),
             },
         }
     }

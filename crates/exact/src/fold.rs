@@ -37,7 +37,7 @@ impl Exact {
     /// Replaces each operation, innermost first, by what `f` makes of it.
     ///
     /// ```
-    /// # use impact_pair::exact::{Exact, Operation};
+    /// # use impact_pair_exact::{Exact, Operation};
     /// let x = Exact::parse("sqrt(2) + 3*pi").unwrap();
     /// let operations = x.fold(&mut |operation| match operation {
     ///     Operation::Sum(a, b) => a + b + 1,

@@ -1,8 +1,7 @@
 //! One harmonic, equation (9).
 
 use crate::error::Error;
-use crate::exact::Exact;
-use crate::number::Number;
+use impact_pair_exact::Exact;
 
 /// One harmonic: the displacement `A sin(W t + tau)` of the box. **Equation** (9)
 #[derive(Clone, Debug)]
@@ -47,13 +46,4 @@ impl Harmonic {
     pub(super) fn with_amplitude(&self, amplitude: Exact) -> Self {
         Self { amplitude, ..self.clone() }
     }
-}
-
-/// `E/d`, `E'/d` and `E''/d` at the phase of the given sine and cosine, per turn and turn squared.
-///
-/// **Equation** (9) and its derivatives; `alpha = A/d`.
-pub fn displacement_velocity_acceleration<N: Number + Copy>(alpha: N, (sin, cos): (N, N)) -> (N, N, N) {
-    let turn = alpha.turn();
-    let displacement = alpha * sin;
-    (displacement, turn * alpha * cos, -(turn * turn * displacement))
 }

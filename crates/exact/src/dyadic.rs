@@ -29,7 +29,7 @@ pub(crate) enum Round {
 /// **Panics** where a sum of exponents leaves `i64`, which needs magnitudes beyond `2^(2^62)`.
 ///
 /// ```
-/// use impact_pair::exact::Dyadic;
+/// use impact_pair_exact::Dyadic;
 /// assert_eq!(Dyadic::new(12.into(), -3), Dyadic::from_f64(1.5).unwrap());
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -138,7 +138,7 @@ impl Dyadic {
     }
 
     /// `floor(log2 |self|)`, or `None` for zero.
-    pub(crate) fn top(&self) -> Option<i64> {
+    pub fn top(&self) -> Option<i64> {
         (!self.is_zero()).then(|| join(self.exponent, self.mantissa.bits() as i64 - 1)) // exact: a length in bits
     }
 
@@ -153,12 +153,12 @@ impl Dyadic {
     }
 
     /// The exact product.
-    pub(crate) fn times(&self, other: &Dyadic) -> Dyadic {
+    pub fn times(&self, other: &Dyadic) -> Dyadic {
         Dyadic::new(&self.mantissa * &other.mantissa, join(self.exponent, other.exponent))
     }
 
     /// The exact product with `2^shift`.
-    pub(crate) fn scaled(&self, shift: i64) -> Dyadic {
+    pub fn scaled(&self, shift: i64) -> Dyadic {
         Dyadic::new(self.mantissa.clone(), join(self.exponent, shift))
     }
 
@@ -235,7 +235,7 @@ impl PartialOrd for Dyadic {
 }
 
 /// Compares a dyadic with a fraction, exactly.
-pub(crate) fn compare_rational(x: &Dyadic, y: &BigRational) -> Ordering {
+pub fn compare_rational(x: &Dyadic, y: &BigRational) -> Ordering {
     let scaled = &x.mantissa * y.denom();
     Dyadic::new(scaled, x.exponent).cmp(&Dyadic::new(y.numer().clone(), 0))
 }

@@ -5,7 +5,7 @@ use std::ops::{Range, RangeInclusive};
 use toml_edit::{Item, Key, TableLike, Value};
 
 use crate::error::Error;
-use crate::exact::Exact;
+use impact_pair_exact::Exact;
 
 const NUMBER: &str = "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
 

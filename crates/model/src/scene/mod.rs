@@ -14,10 +14,11 @@ use std::ops::RangeInclusive;
 use toml_edit::{Document, TomlError};
 
 use crate::error::Error;
-use crate::exact::Exact;
 use crate::excitation::{Excitation, Harmonic};
-use crate::orbit::{Arithmetic, Orbit, Settings, Start};
 use crate::pair::{ImpactPair, Wall};
+use crate::settings::{Arithmetic, Settings};
+use crate::start::Start;
+use impact_pair_exact::Exact;
 use section::{Entry, Section, line_of, quoted};
 pub use vary::Key;
 
@@ -27,15 +28,15 @@ pub const DIGITS: RangeInclusive<u32> = 1..=400;
 /// What a scene file says.
 ///
 /// ```
-/// use impact_pair::Scene;
+/// use impact_pair_model::Scene;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
 /// assert_eq!(scene.pair().gap().text(), "9.42497");
-/// assert_eq!(scene.orbit(scene.settings())?.count(), 100);
-/// # Ok::<(), impact_pair::Error>(())
+/// assert_eq!(scene.settings().impacts, Some(100));
+/// # Ok::<(), impact_pair_model::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -123,17 +124,12 @@ impl Scene {
         self.run.settings(Arithmetic::Auto)
     }
 
-    /// The orbit of the scene.
-    ///
-    /// # Errors
-    /// When a value is beyond the range of double-precision flights.
-    pub fn orbit(&self, settings: Settings) -> Result<Orbit, Error> {
+    /// The error with the line of its key, where that stands in the file.
+    pub fn located(&self, error: Error, settings: &Settings) -> Error {
         let is_ours = |until: &Exact| self.run.until.as_ref().is_some_and(|ours| ours.text() == until.text());
-        let until_is_ours = settings.until.as_ref().is_none_or(is_ours);
-        Orbit::new(&self.pair, &self.start, settings).map_err(|error| {
-            // A time to stop at that is not the file's has no line in it.
-            if error.key() == Some("run.until") && !until_is_ours { error } else { at_its_line(error, &self.lines) }
-        })
+        // A time to stop at that is not the file's has no line in it.
+        let is_strange = error.key() == Some("run.until") && !settings.until.as_ref().is_none_or(is_ours);
+        if is_strange { error } else { at_its_line(error, &self.lines) }
     }
 }
 
