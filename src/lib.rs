@@ -72,6 +72,7 @@
 
 pub mod certificate;
 pub mod contact;
+pub mod document;
 pub mod excitation;
 pub mod flight;
 pub mod lyapunov;
@@ -84,7 +85,7 @@ pub mod rest;
 mod several;
 pub mod sweep;
 pub mod switch_plane;
-mod turns;
+pub mod turns;
 pub mod two_impact;
 
 #[doc(inline)]

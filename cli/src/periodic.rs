@@ -4,9 +4,10 @@ use std::io::{self, Write};
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
-use impact_pair::certificate::PeriodicDocument;
+use impact_pair::document::Units;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
+use impact_pair::turns;
 
 use crate::Answer;
 use crate::arguments::{PeriodicArguments, PeriodicFormat};
@@ -18,8 +19,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
-    let document =
-        PeriodicDocument::new(scene.pair(), scene.start(), problem.word(), arguments.cycles).with_context(named)?;
+    let units = Units::new(scene.pair()).with_context(named)?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
     let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
@@ -29,8 +29,11 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     };
     let write = "cannot write the output";
     match arguments.format {
-        PeriodicFormat::Table => table(&mut out, &scene, &problem, &document, &census).context(write)?,
-        PeriodicFormat::Json => writeln!(out, "{}", document.json(&census)).context(write)?,
+        PeriodicFormat::Table => table(&mut out, &scene, &problem, &units, &census).context(write)?,
+        PeriodicFormat::Json => {
+            let document = units.document((pair, start), (problem.word(), arguments.cycles), &census);
+            writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
+        }
     }
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
     out.commit()?;
@@ -42,13 +45,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     Ok(if census.is_certified() { Answer::Complete } else { Answer::Incomplete })
 }
 
-fn table(
-    out: &mut impl Write,
-    scene: &Scene,
-    problem: &Problem,
-    document: &PeriodicDocument<'_>,
-    census: &Census,
-) -> io::Result<()> {
+fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> io::Result<()> {
     heading::write(out, scene)?;
     let cycles = problem.chain().cycles();
     writeln!(out, "word {} in {cycles} cycle{}", problem.word(), if cycles == 1 { "" } else { "s" })?;
@@ -61,9 +58,9 @@ fn table(
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
         writeln!(out, "  {:5}  {}{:31}  velocity before", "wall", turn("turn"), "phase W t + tau")?;
         for impact in &found.impacts {
-            let turn = turn(&document.turn(&impact.phase, found.period).to_string());
-            let phase = decimal_digits(&document.phase(&impact.phase, found.bits));
-            let velocity = decimal_digits(&document.velocity(&impact.velocity, found.bits));
+            let turn = turn(&turns::in_period(&impact.phase, found.period).to_string());
+            let phase = decimal_digits(&turns::in_radians(&impact.phase, found.bits));
+            let velocity = decimal_digits(&units.velocity(&impact.velocity, found.bits));
             writeln!(out, "  {:5}  {turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }

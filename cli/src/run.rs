@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::certificate::{Conclusion, Event, arithmetic};
+use impact_pair::document::{Conclusion, Event, arithmetic};
 use impact_pair::orbit::{Orbit, Settings};
 
 use crate::Answer;

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Event, Kind, is_certified};
+use impact_pair::document::{Event, Kind, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 

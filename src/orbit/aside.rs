@@ -1,6 +1,7 @@
 //! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
 
-use super::event::{Graze, Outcome, Period, Progress, Release, Rest, finite};
+use super::Period;
+use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
 use super::shortfall::Shortfall;
 use super::still::Still;
 use super::{Cursor, Orbit};

@@ -24,8 +24,8 @@ mod width;
 
 pub use clock::Clock;
 pub use course::{Course, CoursePoint};
-pub use event::{Graze, Impact, Outcome, Period, Progress, Release, Rest};
-pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Place, Settings, Start};
+pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
+pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
 

@@ -14,7 +14,7 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::certificate::{Conclusion, Event, arithmetic, is_certified};
+use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
 use impact_pair::orbit::Orbit;
 
 use crate::Answer;

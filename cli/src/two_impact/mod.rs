@@ -9,10 +9,12 @@ use std::io::{self, Write};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
+use impact_pair::certificate::document::one_a_line;
+use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Place, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown, manifolds, periodic};
+use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown};
 
 use crate::output::Output;
 use crate::picture::encoded;
@@ -64,10 +66,11 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     let wall = arguments.wall.wall();
     let text = match arguments.format {
         TwoImpactFormat::Json => {
-            let document = |(cycles, answer): &(u32, Answer)| {
-                periodic((scene.pair(), scene.start()), &unknown, (*cycles, answer), wall)
+            let text = |(cycles, answer): &(u32, Answer)| {
+                let document = document::two_impact((scene.pair(), scene.start()), &unknown, (*cycles, answer), wall);
+                one_a_line(&document, &["orbits"])
             };
-            let documents: Vec<String> = answers.iter().map(document).collect();
+            let documents: Vec<String> = answers.iter().map(text).collect();
             match documents.as_slice() {
                 [one] => format!("{one}\n"),
                 all => format!("[{}]\n", all.join(",\n")),
@@ -102,7 +105,10 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         cycles.filter(|n| is_one || n % 2 == 1).map(|n| range.manifold(n, digits)).collect::<Result<_, _>>()?;
     let text = match arguments.format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
-        TwoImpactFormat::Json => manifolds((scene.pair(), scene.start()), axis, &curves),
+        TwoImpactFormat::Json => {
+            let document = document::manifolds((scene.pair(), scene.start()), axis, &curves);
+            format!("{}\n", one_a_line(&document, &["curves", "points"]))
+        }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
     write(arguments, &text)?;

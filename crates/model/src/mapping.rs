@@ -3,11 +3,14 @@
 use std::fmt;
 use std::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 use crate::error::Error;
 use crate::pair::Wall;
 
 /// A mapping from one switch-plane to the next. **Equations** (24)-(27)
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub enum Mapping {
     /// S+ -> S-, right wall to left wall; `D = -d` (A.1), (A.2).
     P1,

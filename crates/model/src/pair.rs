@@ -3,9 +3,12 @@
 use crate::error::Error;
 use crate::excitation::{Excitation, Harmonic};
 use impact_pair_exact::Exact;
+use serde::{Deserialize, Serialize};
 
 /// A wall of the box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
 pub enum Wall {
     /// `y = -d/2`: switch-plane Sigma-, arrivals with `v <= 0`.
     Left,

@@ -2,13 +2,15 @@
 
 use std::fmt;
 
-use super::document::is_certified;
+use impact_pair_certificate::document::{Decimal, EventDocument, EventName, Skipped};
+
+use super::orbit::is_certified;
 use crate::exact::{Enclosure, decimal_bounds, decimal_digits, decimal_f64};
 use crate::mapping::Mapping;
 use crate::orbit::{Impact, Orbit, Progress};
 use crate::pair::Wall;
 
-/// An event of an orbit with its bounds in the units of the scene. Its `Display` is the JSON of one line.
+/// An event of an orbit with its bounds in the units of the scene.
 #[derive(Clone, Debug)]
 pub struct Event {
     /// Counts the impacts from 1; for other events the last impact's.
@@ -66,36 +68,34 @@ impl Event {
     }
 
     /// The word of the orbit JSON.
-    pub fn name(&self) -> &'static str {
+    pub fn name(&self) -> EventName {
         match self.kind {
-            Kind::Impact { .. } => "impact",
-            Kind::Graze => "graze",
-            Kind::Rest { .. } => "rest",
-            Kind::Release => "release",
+            Kind::Impact { .. } => EventName::Impact,
+            Kind::Graze => EventName::Graze,
+            Kind::Rest { .. } => EventName::Rest,
+            Kind::Release => EventName::Release,
         }
     }
 }
 
-impl fmt::Display for Event {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Names and decimals need no escapes. Written by hand, since an orbit has millions of these.
-        write!(f, r#"{{"event":"{}","#, self.name())?;
-        if let Kind::Impact { mapping, .. } = self.kind {
-            write!(f, r#""index":{},"mapping":"#, self.index)?;
-            match mapping {
-                Some(mapping) => write!(f, r#""{mapping}","#)?,
-                None => f.write_str("null,")?,
+impl From<&Event> for EventDocument {
+    fn from(event: &Event) -> Self {
+        let plain = Self {
+            event: event.name(),
+            index: None,
+            mapping: None,
+            wall: event.wall,
+            time: event.time.document(),
+            velocity: None,
+            skipped: None,
+        };
+        match &event.kind {
+            Kind::Impact { mapping, velocity } => {
+                let velocity = Some(velocity.document());
+                Self { index: Some(event.index), mapping: Some(*mapping), velocity, ..plain }
             }
-        }
-        let [t0, t1] = self.time.decimals();
-        write!(f, r#""wall":"{}","time":["{t0}","{t1}"]"#, self.wall.name())?;
-        match &self.kind {
-            Kind::Impact { velocity, .. } => {
-                let [v0, v1] = velocity.decimals();
-                write!(f, r#","velocity":["{v0}","{v1}"]}}"#)
-            }
-            Kind::Rest { is_accumulation: true } => f.write_str(r#","skipped":"infinite"}"#),
-            Kind::Rest { is_accumulation: false } | Kind::Graze | Kind::Release => f.write_str("}"),
+            Kind::Rest { is_accumulation: true } => Self { skipped: Some(Skipped::Infinite), ..plain },
+            Kind::Rest { is_accumulation: false } | Kind::Graze | Kind::Release => plain,
         }
     }
 }
@@ -124,6 +124,10 @@ impl Bounds {
                 [x.clone(), x]
             }
         }
+    }
+
+    fn document(&self) -> [Decimal; 2] {
+        self.decimals().map(Decimal::printed)
     }
 }
 

@@ -1,5 +1,7 @@
 use super::*;
 use crate::Scene;
+use crate::certificate::document::SceneDocument;
+use crate::certificate::{Certificate, Verdict};
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
@@ -32,17 +34,9 @@ fn document(scene: &Scene, arithmetic: Arithmetic) -> (Value, Vec<Impact>) {
     // As few bits as there are in multiprecision: chaos ends soon.
     let mut orbit = Orbit::of(scene, Settings { arithmetic, max_bits: 64, ..scene.settings() }).unwrap();
     let impacts: Vec<Impact> = orbit.by_ref().collect();
-    let events: Vec<Event> = impacts.iter().map(|impact| Event::new(&orbit, impact)).collect();
-    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
-    let mut text = Vec::new();
-    write_json(
-        &mut text,
-        &head(scene.pair(), scene.start(), arithmetic, super::arithmetic(&orbit)),
-        &conclusion,
-        &events,
-    )
-    .unwrap();
-    (serde_json::from_slice(&text).unwrap(), impacts)
+    let settings = Settings { arithmetic, max_bits: 64, ..scene.settings() };
+    let document = super::orbit(scene.pair(), scene.start(), settings).unwrap();
+    (serde_json::to_value(document).unwrap(), impacts)
 }
 
 fn brackets(bounds: &Value, ball: Ball, map: impl Fn(BigRational) -> BigRational) -> bool {
@@ -117,13 +111,13 @@ fn an_undecided_outcome_carries_its_reason_and_enclosure() {
 fn an_orbit_that_did_not_end_was_interrupted() {
     let scene = scene("1", "wall = \"left\", velocity = -12.56636");
     let mut orbit = Orbit::of(&scene, scene.settings()).unwrap();
-    let before = Conclusion::of(&orbit, scene.start(), None).json();
+    let before = json!(Conclusion::of(&orbit, scene.start(), None).document());
     assert_eq!(
         before,
         json!({"kind": "undecided", "reason": "budget", "message": "interrupted before the first impact", "time": ["0", null]})
     );
     let event = orbit.next().map(|impact| Event::new(&orbit, &impact));
-    let after = Conclusion::of(&orbit, scene.start(), event.as_ref()).json();
+    let after = json!(Conclusion::of(&orbit, scene.start(), event.as_ref()).document());
     assert_eq!(after["message"], "interrupted after impact 1");
     assert!(value(&after["time"][0]) > rational("1") && after["time"][1].is_null());
 }
@@ -142,23 +136,8 @@ fn floats_claim_nothing() {
 }
 
 /// Where the impacts that a document lists come, and how fast, found again: times and velocities.
-pub(super) fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
-    let certificate = Certificate::parse(&document.to_string()).unwrap();
-    let data = check::Data::new(certificate.pair(), certificate.start()).unwrap();
-    let mut walk = check::Walk::new(&certificate, &data, &check::Piece::default(), 192);
-    let mut found = Vec::new();
-    for claim in certificate.events() {
-        // Whether the set lies inside the printed bounds does not matter here.
-        let _ = walk.confirm(claim);
-        if !matches!(claim.kind, ClaimKind::Impact { .. }) {
-            continue;
-        }
-        // Wide sets need not all land on one wall.
-        let Some(landing) = walk.landing.take() else { break };
-        let (time, velocity) = (walk.clock.time(&landing.phase.hull()), walk.clock.velocity(&landing.velocity.hull()));
-        found.push((time.enclosure().clone(), velocity.enclosure().clone()));
-    }
-    found
+fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
+    Certificate::parse(&document.to_string()).unwrap().retraced(192).unwrap()
 }
 
 proptest! {
@@ -187,7 +166,7 @@ proptest! {
         prop_assume!(impacts.len() == 3);
         let mut member = set.clone();
         let parts = parts.map(Some);
-        member["scene"] = super::scene(scene(parts).pair(), scene(parts).start());
+        member["scene"] = json!(SceneDocument::new(scene(parts).pair(), scene(parts).start()));
         let found = found_again(&set);
         prop_assert!(size < 6 || !found.is_empty());
         for ((phases, velocities), (phase, velocity)) in found.iter().zip(found_again(&member)) {
@@ -202,12 +181,7 @@ proptest! {
 fn attracted() -> Value {
     let scene = scene("2", "wall = \"left\", velocity = -12.56636");
     let settings = Settings { attractor: true, impacts: Some(20), ..scene.settings() };
-    let mut orbit = Orbit::of(&scene, settings).unwrap();
-    let events: Vec<Event> = orbit.by_ref().collect::<Vec<_>>().iter().map(|x| Event::new(&orbit, x)).collect();
-    let head = head(scene.pair(), scene.start(), Arithmetic::Auto, super::arithmetic(&orbit));
-    let mut text = Vec::new();
-    write_json(&mut text, &head, &Conclusion::of(&orbit, scene.start(), events.last()), &events).unwrap();
-    serde_json::from_slice(&text).unwrap()
+    serde_json::to_value(super::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
 }
 
 #[cfg(feature = "multiprecision")]

@@ -1,13 +1,13 @@
-//! How an orbit ended, in words and in JSON.
+//! How an orbit ended, in words and as a document.
 
 use std::fmt;
 
-use serde_json::{Value, json};
+use impact_pair_certificate::document::{Decimal, OutcomeDocument, PeriodicOrbitDocument, bounds};
 
 use super::event::{Bounds, Event};
-use super::periodic::orbit_json;
+use super::periodic::periodic_orbit;
 use crate::contact::Reason;
-use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_digits};
+use crate::exact::{Enclosure, Exact, decimal_digits};
 use crate::orbit::{Orbit, Outcome, Period, Start};
 use crate::pair::Wall;
 use crate::periodic::Attractor;
@@ -19,7 +19,16 @@ pub struct Conclusion {
     message: String,
     doubt: Option<Doubt>,
     period: Option<Period>,
-    attractor: Option<Value>,
+    attracted: Option<Attracted>,
+}
+
+/// What the outcome says of the orbit that the motion converges to.
+#[derive(Clone, Debug)]
+struct Attracted {
+    word: String,
+    cycles: u32,
+    from: u64,
+    orbit: PeriodicOrbitDocument,
 }
 
 /// What is known of the event that was not decided.
@@ -36,7 +45,7 @@ impl Conclusion {
         let index = last.map_or(0, |event| event.index);
         let after = if index == 0 { "before the first impact".into() } else { format!("after impact {index}") };
         let kind = orbit.outcome().map_or("undecided", Outcome::kind);
-        let said = |message: String| Self { kind, message, doubt: None, period: None, attractor: None };
+        let said = |message: String| Self { kind, message, doubt: None, period: None, attracted: None };
         match orbit.outcome() {
             Some(Outcome::ImpactsReached) => said(counted(index)),
             Some(Outcome::TimeReached) => said(format!("{} up to the time asked for", counted(index))),
@@ -53,7 +62,11 @@ impl Conclusion {
                     "{}; proved to converge to a stable orbit of {every} ({word}), from impact {from} on",
                     counted(index)
                 );
-                Self { attractor: Some(attractor_json(orbit, attractor)), ..said(message) }
+                let found = &attractor.orbit;
+                let units = |velocity: &Enclosure| orbit.clock().velocity(velocity);
+                let orbit = periodic_orbit(found, units);
+                let attracted = Attracted { word: word.to_string(), cycles: *cycles, from: *from, orbit };
+                Self { attracted: Some(attracted), ..said(message) }
             }
             Some(Outcome::RestsForever(wall)) => said(format!("{after} at rest on the {} wall for ever", wall.name())),
             Some(Outcome::NeverImpacts) => said(format!("{after} no wall is ever touched again")),
@@ -89,34 +102,29 @@ impl Conclusion {
     }
 
     /// The `outcome` of the orbit JSON.
-    pub fn json(&self) -> Value {
-        let Some(doubt) = &self.doubt else {
-            let mut outcome = json!({"kind": self.kind, "message": self.message});
-            if let Some(Period { cycles, impacts }) = self.period {
-                outcome["period"] = json!({"cycles": cycles, "impacts": impacts});
-            }
-            if let (Value::Object(outcome), Some(Value::Object(attractor))) = (&mut outcome, &self.attractor) {
-                outcome.extend(attractor.clone());
-            }
-            return outcome;
-        };
-        let mut outcome = json!({"kind": self.kind, "reason": doubt.reason.name(), "message": self.message});
-        if let Some(wall) = doubt.wall {
-            outcome["wall"] = json!(wall.name());
+    pub fn document(&self) -> OutcomeDocument {
+        let plain = OutcomeDocument::new(self.kind, self.message.clone());
+        if let Some(doubt) = &self.doubt {
+            let (reason, time) = (Some(doubt.reason.name().to_owned()), Some(doubt.bounds()));
+            return OutcomeDocument { reason, wall: doubt.wall, time, ..plain };
         }
-        let [from, to] = doubt.bounds();
-        outcome["time"] = json!([from, to]);
-        outcome
+        let Some(Attracted { word, cycles, from, orbit }) = self.attracted.clone() else {
+            return OutcomeDocument { period: self.period, ..plain };
+        };
+        OutcomeDocument { word: Some(word), cycles: Some(cycles), from: Some(from), orbit: Some(orbit), ..plain }
     }
 }
 
 impl Doubt {
     /// From when to when it may happen; open when there is no latest time.
-    fn bounds(&self) -> [Option<String>; 2] {
+    fn bounds(&self) -> [Option<Decimal>; 2] {
         let (from, to) = &self.time;
         match to {
-            Some(to) => decimal_bounds(&from.hull(to)).map(Some),
-            None => [Some(decimal_bounds(from)[0].clone()), None],
+            Some(to) => bounds(&from.hull(to)).map(Some),
+            None => {
+                let [earliest, _] = bounds(from);
+                [Some(earliest), None]
+            }
         }
     }
 }
@@ -148,16 +156,6 @@ fn counted(impacts: u64) -> String {
 fn every(impacts: u64, cycles: u64) -> String {
     let cycles = if cycles == 1 { "cycle".into() } else { format!("{cycles} cycles") };
     format!("{} every {cycles}", counted(impacts))
-}
-
-/// What the outcome says of the orbit that the motion converges to.
-fn attractor_json(orbit: &Orbit, attractor: &Attractor) -> Value {
-    json!({
-        "word": attractor.word.to_string(),
-        "cycles": attractor.cycles,
-        "from": attractor.from,
-        "orbit": orbit_json(&attractor.orbit, |velocity| orbit.clock().velocity(velocity)),
-    })
 }
 
 fn explanation(reason: Reason) -> &'static str {
