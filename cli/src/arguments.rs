@@ -376,7 +376,7 @@ pub struct TradeArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the rungs: the time of an impact over the certified digits
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
     /// No notes and no progress on stderr
     #[arg(long, short)]

@@ -11,7 +11,6 @@ mod listing;
 mod man;
 mod output;
 mod periodic;
-mod picture;
 mod plot;
 mod progress;
 mod prove;

@@ -6,13 +6,13 @@ use impact_pair_certificate::document::{
 };
 
 use super::{Asked, Axis, Grid, Point, State};
-use crate::Scene;
 use crate::document::is_certified;
 use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
 use crate::orbit::{Outcome, Period};
 use crate::scene::Key;
+use crate::{Error, Scene};
 
 /// What a sweep is about; a `summary` leaves the impacts out, a shard is told by its number and of how many.
 pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Option<[u64; 2]>) -> SweepHead {
@@ -37,6 +37,20 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Opt
         summary,
         shard,
     }
+}
+
+/// The grid that a head tells of.
+///
+/// # Errors
+/// When it is none, or has another number of points.
+pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
+    let axis = |over: &SweepAxis| format!("{}={}..{}:{}", over.key, over.from, over.to, over.count).parse::<Axis>();
+    let grid = Grid::new(head.over.iter().map(axis).collect::<Result<_, _>>()?)?;
+    if grid.points() != head.points {
+        let message = format!("points is {}, but the grid has {}", head.points, grid.points());
+        return Err(Error::out_of_range(None, message));
+    }
+    Ok(grid)
 }
 
 /// What is certified at the point of this number and these values.

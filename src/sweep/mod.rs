@@ -7,6 +7,6 @@ mod document;
 mod grid;
 mod point;
 
-pub use document::{head, record};
+pub use document::{grid, head, record};
 pub use grid::{Axis, Grid, MOST_POINTS};
 pub use point::{Asked, Attraction, Point, State, follow};

@@ -6,6 +6,7 @@ use clap::{ArgGroup, Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
+use impact_pair_plot::orbit::Panel;
 
 use crate::arguments::{bits, digits, point};
 
@@ -60,47 +61,11 @@ pub struct PlotArguments {
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
     /// The picture, which appears whole or not at all; its ending says what it is
-    #[arg(long, short, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
+    #[arg(long, short, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
     pub output: PathBuf,
     /// No notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,
-}
-
-/// A panel of the paper's figures 12-17.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
-pub enum Panel {
-    /// (a) y over t
-    #[value(alias = "a")]
-    Displacement,
-    /// (b) y' over t
-    #[value(alias = "b")]
-    Velocity,
-    /// (c) y' over y
-    #[value(alias = "c")]
-    PhasePlane,
-    /// (d) x' over x, with x = y + E(t)
-    #[value(alias = "d")]
-    AbsolutePhasePlane,
-    /// (e) impacts on both walls, y' over W t mod 2 pi, (18)-(21)
-    #[value(alias = "e")]
-    SwitchPlane,
-    /// (f) impacts on both walls, x' over x, (22)
-    #[value(alias = "f")]
-    AbsoluteSwitchPlane,
-    /// (g) impacts on the left wall, y' over W t mod 2 pi: the Poincaré section of Sigma-
-    #[value(alias = "g")]
-    SectionLeft,
-    /// (h) impacts on the right wall: the Poincaré section of Sigma+
-    #[value(alias = "h")]
-    SectionRight,
-}
-
-impl Panel {
-    /// Whether it shows impacts alone.
-    pub fn is_section(self) -> bool {
-        self >= Self::SwitchPlane
-    }
 }
 
 impl PlotArguments {

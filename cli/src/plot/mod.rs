@@ -1,14 +1,6 @@
 //! `impact-pair plot SCENE`: the panels of the paper's figures 12-17, of certified orbits.
 
 pub mod arguments;
-mod frame;
-mod panel;
-mod recorder;
-mod sheet;
-mod symbols;
-#[cfg(test)]
-mod tests;
-mod trace;
 
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
@@ -16,23 +8,21 @@ use std::ops::ControlFlow;
 use anyhow::{Context, Result};
 use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
 use impact_pair::orbit::Orbit;
+use impact_pair_plot::orbit::{Recorder, Sheet, Style, end_of};
+use impact_pair_plot::picture::encoded;
 
 use crate::Answer;
 use crate::ending::Ending;
 use crate::follow::follow;
 use crate::output::Output;
-use crate::picture::encoded;
 use crate::progress::{Progress, interruption};
 use crate::scene;
 use arguments::PlotArguments;
-use panel::Style;
-use recorder::Recorder;
-use sheet::Sheet;
 
 pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     scene::keep(&arguments.scene, Some(&arguments.output))?;
-    let settings = arguments.settings(&scene, |cycles| recorder::end_of(&scene, cycles));
+    let settings = arguments.settings(&scene, |cycles| end_of(&scene, cycles));
     let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
 
     // From here on Ctrl-C keeps what is certified.
@@ -54,7 +44,15 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let ending = Ending { conclusion, computed: arithmetic(&orbit), wide: orbit.first_wide(), settings: &settings };
     let trace = recorder.finish(&orbit, &settings, impacts);
     let style = Style { is_certified: is_certified(settings.arithmetic) };
-    let sheet = Sheet { scene: &scene, trace: &trace, arguments, style, verdict: ending.to_string() };
+    let sheet = Sheet {
+        scene: &scene,
+        trace: &trace,
+        panels: arguments.panels(),
+        cycles: arguments.cycles,
+        orbit_cycles: arguments.orbit_cycles,
+        style,
+        verdict: ending.to_string(),
+    };
     let failed = || format!("cannot draw {}", arguments.output.display());
     let bytes = sheet.svg().and_then(|svg| encoded(svg, &arguments.output)).with_context(failed)?;
     out.write_all(&bytes).with_context(failed)?;

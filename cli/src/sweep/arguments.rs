@@ -6,6 +6,7 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
 use impact_pair::sweep::Axis;
+use impact_pair_plot::sweep::Show;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all that was asked is certified at every point; 1 at some points it is not, or the sweep was interrupted; \
@@ -80,7 +81,7 @@ pub struct SweepArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the bifurcation diagram, or of two keys the map of outcomes
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path)]
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
     /// What the diagram shows over the parameter
     #[arg(long, value_enum, default_value_t, requires = "plot")]
@@ -105,16 +106,6 @@ pub enum SweepFormat {
     Jsonl,
     /// Apache Parquet: the columns of csv, bounds as doubles rounded outward (a build with --features parquet)
     Parquet,
-}
-
-/// The vertical axis of a diagram.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Show {
-    /// W t + tau of each impact
-    #[default]
-    Phase,
-    /// y' before each impact
-    Velocity,
 }
 
 /// One of several parts of a sweep.

@@ -5,7 +5,6 @@ mod columns;
 mod journal;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod plot;
 mod record;
 mod work;
 mod write;
@@ -21,10 +20,12 @@ use impact_pair::Scene;
 use impact_pair::certificate::document::SweepHead;
 use impact_pair::orbit::Settings;
 use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair_plot::picture::encoded;
+use impact_pair_plot::sweep::Records;
 
 use crate::Answer;
 use crate::output::Output;
-use crate::picture::encoded;
+
 use crate::progress::interruption;
 use crate::scene;
 use arguments::{SweepArguments, SweepFormat};
@@ -168,7 +169,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) ->
     if let Some(path) = &arguments.plot {
         let failed = || format!("cannot draw {}", path.display());
         let mut picture = Output::open(Some(path))?;
-        let svg = plot::svg(sweep, arguments.show).with_context(failed)?;
+        let svg = impact_pair_plot::sweep::svg(sweep, arguments.show).with_context(failed)?;
         picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
         picture.commit()?;
     }

@@ -1,8 +1,8 @@
 //! The lines of a sweep: its head, and a record a point, as JSON; all other formats are made from these.
 
 use anyhow::{Result, bail};
-use impact_pair::certificate::document::{SWEEP_SCHEMA, SweepAxis, SweepHead, SweepRecord};
-use impact_pair::sweep::{Axis, Grid};
+use impact_pair::certificate::document::{SWEEP_SCHEMA, SweepHead, SweepRecord};
+use impact_pair::sweep;
 use serde::Serialize;
 
 use super::arguments::Shard;
@@ -16,7 +16,7 @@ pub fn read_head(line: &str) -> Result<SweepHead> {
     if head.schema != SWEEP_SCHEMA {
         bail!("the schema is {}, but accepted is {SWEEP_SCHEMA}", head.schema);
     }
-    grid(&head)?;
+    sweep::grid(&head)?;
     Ok(head)
 }
 
@@ -27,16 +27,6 @@ pub fn read_record(line: &str) -> Result<SweepRecord, serde_json::Error> {
 /// A head or a record.
 pub fn line(document: &impl Serialize) -> String {
     serde_json::to_string(document).expect("plain data")
-}
-
-/// The grid, anew.
-pub fn grid(head: &SweepHead) -> Result<Grid> {
-    let axis = |over: &SweepAxis| format!("{}={}..{}:{}", over.key, over.from, over.to, over.count).parse::<Axis>();
-    let grid = Grid::new(head.over.iter().map(axis).collect::<Result<_, _>>()?)?;
-    if grid.points() != head.points {
-        bail!("points is {}, but the grid has {}", head.points, grid.points());
-    }
-    Ok(grid)
 }
 
 /// The points that belong to it.

@@ -4,6 +4,7 @@ use std::io::Write;
 
 use anyhow::Result;
 use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair_plot::sweep::Records;
 
 use super::arguments::SweepFormat;
 use super::columns::{Cell, Kind, columns, rows};
@@ -26,11 +27,6 @@ impl Sweep {
             }
         }
         Ok(())
-    }
-
-    /// The same as records.
-    pub fn each_record(&mut self, mut hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()> {
-        self.each(|text, _| hand(read_record(text)?))
     }
 
     pub fn write(&mut self, out: &mut Output, format: SweepFormat) -> Result<()> {
@@ -68,5 +64,15 @@ impl Sweep {
             }
             Ok(())
         })
+    }
+}
+
+impl Records for Sweep {
+    fn head(&self) -> &SweepHead {
+        &self.head
+    }
+
+    fn each_record(&mut self, mut hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()> {
+        self.each(|text, _| hand(read_record(text)?))
     }
 }

@@ -11,8 +11,7 @@ use super::judge::Judgement;
 use super::labels::{self, Area, Label};
 use super::ladder::Rung;
 use super::measure::Measured;
-use crate::heading;
-use crate::picture::{self, BLUE, Canvas, Drawn, GREEN, VERMILION, greek, words};
+use impact_pair_plot::picture::{self, BLUE, Canvas, Drawn, GREEN, VERMILION, greek, words};
 
 const SIZE: (u32, u32) = (900, 620);
 const FONT: i32 = 15;
@@ -176,7 +175,7 @@ const LEGEND: u32 = 52;
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
-    let parameters = greek(&format!("{}; {}", heading::parameters(scene), heading::start(scene)));
+    let parameters = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
     let asked = format!("{} asked for; {PROGRAM}; medians on one machine", greek(&trade.goal()));
     for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (asked, FONT)].into_iter().enumerate() {
         root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, &BLACK, HPos::Left)))?;

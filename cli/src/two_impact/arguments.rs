@@ -60,7 +60,7 @@ pub struct TwoImpactArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the manifold
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = crate::picture::path, requires = "manifold")]
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
     /// No notes on stderr
     #[arg(long, short)]

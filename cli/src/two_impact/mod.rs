@@ -2,7 +2,6 @@
 
 pub mod arguments;
 mod csv;
-mod plot;
 mod table;
 
 use std::io::{self, Write};
@@ -17,9 +16,9 @@ use impact_pair::pair::Wall;
 use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown};
 
 use crate::output::Output;
-use crate::picture::encoded;
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
+use impact_pair_plot::picture::encoded;
 
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let scene = scene::read(&arguments.scene)?;
@@ -115,7 +114,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     if let Some(path) = &arguments.plot {
         let mut picture = Output::open(Some(path))?;
         let failed = || format!("cannot draw {}", path.display());
-        let svg = plot::svg(scene, axis, &curves).with_context(failed)?;
+        let svg = impact_pair_plot::two_impact::svg(scene, axis, &curves).with_context(failed)?;
         picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
         picture.commit()?;
     }

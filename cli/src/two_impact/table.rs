@@ -6,15 +6,13 @@ use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::pair::Wall;
 use impact_pair::two_impact::{Answer, Axis, Manifold, Orbit, Part, Stability, Unknown};
 
-use crate::heading;
-
 /// The bits that eigenvalues are shown to.
 const FEW: u32 = 24;
 
 /// The motions of each N.
 pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[(u32, Answer)], wall: Wall) -> String {
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
-    lines.push(heading::parameters(scene));
+    lines.push(scene.parameters_in_words());
     match unknown {
         Unknown::Velocity => lines.push("given A and d: all motions with two impacts in N cycles".into()),
         Unknown::Amplitude(speed) => lines.push(format!("given d and |v| = {speed}: A_N (68), equispaced")),
@@ -90,7 +88,7 @@ pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
         Axis::Frequency => "W",
         Axis::Velocity(_) => "v",
     };
-    lines.push(format!("{}\nA_N (68) over {name}: where something changes\n", heading::parameters(scene)));
+    lines.push(format!("{}\nA_N (68) over {name}: where something changes\n", scene.parameters_in_words()));
     lines.push(format!("{:>4}  {:9}  {name:26}{:26}from there on", "N", "mark", "A_N"));
     for curve in curves {
         let last = curve.points.len() - 1;

@@ -8,6 +8,7 @@
 
 mod section;
 mod vary;
+mod words;
 
 use std::ops::RangeInclusive;
 

@@ -5,10 +5,9 @@ use std::collections::BTreeMap;
 use impact_pair::sweep;
 use plotters::prelude::*;
 
-use super::super::arguments::Show;
-use super::super::write::Sweep;
 use super::legend::{self, CAPTION, LINE, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
+use super::{Records, Show};
 use crate::picture::{Axis, BLUE, Canvas, GREEN, SCALE, VERMILION};
 use impact_pair::certificate::document::{SweepImpact, SweepRecord};
 
@@ -63,9 +62,9 @@ impl Class {
 type Columns = BTreeMap<i32, Vec<i32>>;
 
 /// Draws axes and words; the data are handed back.
-pub fn draw(sweep: &mut Sweep, axis: &sweep::Axis, show: Show, root: &Canvas<'_>) -> Drawn<String> {
+pub fn draw(sweep: &mut impl Records, axis: &sweep::Axis, show: Show, root: &Canvas<'_>) -> Drawn<String> {
     let (present, greatest) = survey(sweep)?;
-    legend::caption(&sweep.head, root)?;
+    legend::caption(sweep.head(), root)?;
     for (i, class) in present.iter().enumerate() {
         let place = ((24 + 310 * (i as i32 % 3)) * SCALE, CAPTION + LINE * (i as i32 / 3) + LINE / 2);
         legend::key(root, place, class.colour(), class.name())?;
@@ -107,7 +106,7 @@ pub fn draw(sweep: &mut Sweep, axis: &sweep::Axis, show: Show, root: &Canvas<'_>
 }
 
 /// The classes that there are, and the greatest speed.
-fn survey(sweep: &mut Sweep) -> Drawn<(Vec<Class>, f64)> {
+fn survey(sweep: &mut impl Records) -> Drawn<(Vec<Class>, f64)> {
     let (mut present, mut greatest) = (Vec::new(), f64::MIN_POSITIVE);
     sweep.each_record(|record| {
         present.push(Class::of(&record));

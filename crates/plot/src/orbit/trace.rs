@@ -123,8 +123,11 @@ impl Crossing {
 /// All that is drawn of an orbit.
 #[derive(Clone, Debug)]
 pub struct Trace {
+    /// Flights, jumps and rests.
     pub strokes: Vec<Stroke>,
+    /// Events.
     pub marks: Vec<Mark>,
+    /// Impacts.
     pub crossings: Vec<Crossing>,
     /// `d/2`
     pub wall: Span,

@@ -11,16 +11,14 @@ mod map;
 use std::error::Error as StdError;
 
 use anyhow::Result;
+use impact_pair::certificate::document::{ExtendedBounds, SweepHead, SweepRecord};
 use impact_pair::exact::Exact;
+use impact_pair::sweep;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 
 use self::cells::Cells;
-use super::arguments::Show;
-use super::record;
-use super::write::Sweep;
 use crate::picture::{self, Axis, Canvas, SCALE, on_top};
-use impact_pair::certificate::document::ExtendedBounds;
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
@@ -28,8 +26,35 @@ const FONT: i32 = 15 * SCALE;
 
 type Drawn<T> = Result<T, Box<dyn StdError>>;
 
-pub fn svg(sweep: &mut Sweep, show: Show) -> Result<String> {
-    let grid = record::grid(&sweep.head)?;
+/// A sweep whose records can be read several times.
+pub trait Records {
+    /// What it is about.
+    fn head(&self) -> &SweepHead;
+
+    /// Hands on the points that are there, in order.
+    ///
+    /// # Errors
+    /// Those of `hand`, and when a record cannot be read.
+    fn each_record(&mut self, hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()>;
+}
+
+/// The vertical axis of a diagram.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum Show {
+    /// W t + tau of each impact
+    #[default]
+    Phase,
+    /// y' before each impact
+    Velocity,
+}
+
+/// The picture as SVG: a diagram over one key, a map over two.
+///
+/// # Errors
+/// When it cannot be drawn, or the sweep cannot be read.
+pub fn svg(sweep: &mut impl Records, show: Show) -> Result<String> {
+    let grid = sweep::grid(sweep.head())?;
     let mut data = String::new();
     let mut svg = picture::svg(SIZE, SCALE, |root| {
         data = match grid.axes() {

@@ -6,8 +6,7 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
 
-use super::arguments::Panel;
-use super::frame::Frame;
+use super::frame::{Frame, Panel};
 use super::recorder::{Recorder, end_of};
 use super::trace::{Kind, Part, Span, Trace};
 

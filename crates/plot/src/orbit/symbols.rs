@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::arguments::Panel;
+use super::frame::Panel;
 use super::panel::{FONT, Style};
 use super::trace::{Kind, Part, Trace};
 use crate::picture::{Canvas, Drawn, LETTER, SCALE, Shape, VERMILION, words};

@@ -24,6 +24,7 @@ pub struct Style {
 }
 
 impl Style {
+    /// The colour of curves.
     pub fn curve(self) -> RGBColor {
         if self.is_certified { BLUE } else { VERMILION }
     }

@@ -5,6 +5,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 /// Reads the name of a picture.
+///
+/// # Errors
+/// When its ending is none that this build writes.
 pub fn path(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     match path.extension().and_then(|ending| ending.to_str()) {
@@ -18,6 +21,9 @@ pub fn path(text: &str) -> Result<PathBuf, String> {
 }
 
 /// The bytes of the picture for a file of this name.
+///
+/// # Errors
+/// When it cannot be turned into a PNG.
 pub fn encoded(svg: String, path: &Path) -> Result<Vec<u8>> {
     match path.extension().is_some_and(|ending| ending == "png") {
         #[cfg(feature = "png")]

@@ -23,21 +23,33 @@ pub const SCALE: i32 = 4;
 /// How wide a letter is on average, in sizes of its font: what a reader's fonts do is not known here.
 pub const LETTER: f64 = 0.47;
 
-/// The colours, of those that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same
-/// again.
+// Of the colours that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same again.
+/// Blue.
 pub const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
+/// Vermilion.
 pub const VERMILION: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
+/// Bluish green.
 pub const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
+/// Orange.
 pub const ORANGE: RGBColor = RGBColor(0xe6, 0x9f, 0x00);
+/// Reddish purple.
 pub const PURPLE: RGBColor = RGBColor(0xcc, 0x79, 0xa7);
+/// Sky blue.
 pub const SKY: RGBColor = RGBColor(0x56, 0xb4, 0xe9);
+/// Yellow.
 pub const YELLOW: RGBColor = RGBColor(0xf0, 0xe4, 0x42);
+/// Grey.
 pub const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
 
+/// A canvas that becomes SVG.
 pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+/// Whether something could be drawn.
 pub type Drawn = Result<(), Box<dyn StdError>>;
 
 /// The SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
+///
+/// # Errors
+/// Those of `draw`.
 pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn) -> Result<String> {
     let mut text = String::new();
     let drawn = (size.0 * scale as u32, size.1 * scale as u32);

@@ -8,7 +8,7 @@ use impact_pair::scene::Key;
 use impact_pair::sweep::{self, Grid};
 use plotters::prelude::*;
 
-use super::super::write::Sweep;
+use super::Records;
 use super::kind::{Kind, OTHER, UNDECIDED, colours};
 use super::legend::{self, CAPTION, LINE, described};
 use super::{Cells, Drawn, Plane, value};
@@ -25,7 +25,7 @@ struct Outcomes {
 }
 
 impl Outcomes {
-    fn of(sweep: &mut Sweep, grid: &Grid, is_one_pair: bool) -> Drawn<Self> {
+    fn of(sweep: &mut impl Records, grid: &Grid, is_one_pair: bool) -> Drawn<Self> {
         let mut kinds: Vec<Kind> = Vec::new();
         let mut points = vec![None; usize::try_from(grid.points())?];
         sweep.each_record(|mut record| {
@@ -45,12 +45,12 @@ impl Outcomes {
 }
 
 /// Draws axes and words; the data are handed back.
-pub fn draw(sweep: &mut Sweep, grid: &Grid, root: &Canvas<'_>) -> Drawn<String> {
+pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<String> {
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
     let is_one_pair = [x, y].iter().all(|axis| axis.key >= Key::StartTime);
     let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
     let colours = colours(&outcomes.kinds);
-    legend::caption(&sweep.head, root)?;
+    legend::caption(sweep.head(), root)?;
     let left = root.dim_in_pixel().0 as i32 - BESIDE;
     beside(root, left, &outcomes.kinds, &colours, is_one_pair)?;
     let (area, _) = root.split_vertically(CAPTION).1.split_horizontally(left);

@@ -6,12 +6,10 @@ use impact_pair::certificate::document::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::arguments::{Panel, PlotArguments};
-use super::frame::Frame;
+use super::frame::{Frame, Panel};
 use super::panel::{self, FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::heading;
 use crate::picture::{self, Canvas, Dots, Drawn, LETTER, SCALE, greek, words};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
@@ -23,15 +21,27 @@ const MARGIN: i32 = 16 * SCALE;
 
 /// A picture of a trace.
 pub struct Sheet<'s> {
+    /// Whose orbit it is.
     pub scene: &'s Scene,
+    /// What is drawn.
     pub trace: &'s Trace,
-    pub arguments: &'s PlotArguments,
+    /// The panels, in their order on the sheet.
+    pub panels: Vec<Panel>,
+    /// Cycles that the time panels show.
+    pub cycles: u32,
+    /// Cycles that the phase planes show.
+    pub orbit_cycles: u32,
+    /// How it is drawn.
     pub style: Style,
     /// What is certified, in one line.
     pub verdict: String,
 }
 
 impl Sheet<'_> {
+    /// The picture as SVG.
+    ///
+    /// # Errors
+    /// When it cannot be drawn.
     pub fn svg(&self) -> Result<String> {
         // Whether there are boxes wide enough to be seen, and the legend has to explain them, the drawing tells.
         let (svg, has_boxes) = self.drawn(true)?;
@@ -40,14 +50,14 @@ impl Sheet<'_> {
 
     /// The picture, with or without boxes in its legend, and whether there are any in its panels.
     fn drawn(&self, explains_boxes: bool) -> Result<(String, bool)> {
-        let panels = self.arguments.panels();
+        let panels = &self.panels;
         let columns = if panels.len() == 1 { 1 } else { 2 };
         let (width, height) = if columns == 1 { ALONE } else { TOGETHER };
         let rows = panels.len().div_ceil(columns);
         let whole = SCALE * width * columns as i32;
         let caption = self.caption(whole - 2 * MARGIN);
         let head = MARGIN + LINE * caption.len() as i32;
-        let entries = symbols::entries(self.trace, &panels, explains_boxes);
+        let entries = symbols::entries(self.trace, panels, explains_boxes);
         let (legend, lines) = symbols::lay_out(&entries, self.style, whole - 2 * MARGIN);
         let top = head + lines * symbols::LINE + MARGIN / 2;
         let size = (whole / SCALE, top / SCALE + height * rows as i32);
@@ -69,7 +79,7 @@ impl Sheet<'_> {
     }
 
     fn cycles(&self, panel: Panel) -> u32 {
-        if panel.is_of_time() { self.arguments.cycles } else { self.arguments.orbit_cycles }
+        if panel.is_of_time() { self.cycles } else { self.orbit_cycles }
     }
 
     /// Title, parameters, start, what is certified, and the program; each in lines of this width.
@@ -80,7 +90,7 @@ impl Sheet<'_> {
             Some(_) => String::new(),
             None => format!("; cycles and phases of W = {}", excitation.reference().frequency()),
         };
-        let data = greek(&format!("{}; {}{of_what}", heading::parameters(scene), heading::start(scene)));
+        let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let said = format!("{}; {PROGRAM}", self.verdict);
         let title = scene.title().map(str::to_owned);
         let letters = (f64::from(width) / (LETTER * f64::from(FONT))) as usize;

@@ -4,12 +4,48 @@ use std::f64::consts::TAU;
 
 use impact_pair::pair::Wall;
 
-use super::arguments::Panel;
 use super::trace::{Crossing, Part, Point, Span, Stroke, Trace};
 use crate::picture::Axis;
 
 /// Free room beyond the walls, in parts of the gap.
 const BEYOND_THE_WALLS: f64 = 0.08;
+
+/// A panel of the paper's figures 12-17.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum Panel {
+    /// (a) y over t
+    #[cfg_attr(feature = "clap", value(alias = "a"))]
+    Displacement,
+    /// (b) y' over t
+    #[cfg_attr(feature = "clap", value(alias = "b"))]
+    Velocity,
+    /// (c) y' over y
+    #[cfg_attr(feature = "clap", value(alias = "c"))]
+    PhasePlane,
+    /// (d) x' over x, with x = y + E(t)
+    #[cfg_attr(feature = "clap", value(alias = "d"))]
+    AbsolutePhasePlane,
+    /// (e) impacts on both walls, y' over W t mod 2 pi, (18)-(21)
+    #[cfg_attr(feature = "clap", value(alias = "e"))]
+    SwitchPlane,
+    /// (f) impacts on both walls, x' over x, (22)
+    #[cfg_attr(feature = "clap", value(alias = "f"))]
+    AbsoluteSwitchPlane,
+    /// (g) impacts on the left wall, y' over W t mod 2 pi: the Poincaré section of Sigma-
+    #[cfg_attr(feature = "clap", value(alias = "g"))]
+    SectionLeft,
+    /// (h) impacts on the right wall: the Poincaré section of Sigma+
+    #[cfg_attr(feature = "clap", value(alias = "h"))]
+    SectionRight,
+}
+
+impl Panel {
+    /// Whether it shows impacts alone.
+    pub fn is_section(self) -> bool {
+        self >= Self::SwitchPlane
+    }
+}
 
 /// A panel of a trace: its axes and what is drawn on them.
 pub struct Frame<'t> {

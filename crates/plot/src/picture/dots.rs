@@ -9,15 +9,20 @@ use super::{SCALE, hex, on_top};
 /// What stands at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
+    /// A disc.
     Dot,
+    /// A cross.
     Cross,
 }
 
 /// Points of one shape and colour, in pixels of the canvas.
 #[derive(Clone, Debug)]
 pub struct Dots {
+    /// Their shape.
     pub shape: Shape,
+    /// Their colour.
     pub colour: RGBColor,
+    /// Where they are.
     pub places: Vec<(i32, i32)>,
 }
 

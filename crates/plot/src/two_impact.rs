@@ -62,6 +62,10 @@ struct Stretch {
     points: Vec<(f64, f64)>,
 }
 
+/// The picture as SVG.
+///
+/// # Errors
+/// When it cannot be drawn.
 pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold]) -> Result<String> {
     picture::svg(SIZE, SCALE, |root| draw(scene, axis, curves, root))
 }

@@ -1,0 +1,8 @@
+//! Pictures: orbits as in figures 12-17, sweeps, and the manifolds of figures 10 and 11, as SVG.
+//!
+//! All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a band or a box.
+
+pub mod orbit;
+pub mod picture;
+pub mod sweep;
+pub mod two_impact;

@@ -1,0 +1,17 @@
+//! An orbit in the eight panels of figures 12-17.
+
+mod frame;
+mod panel;
+mod recorder;
+mod sheet;
+mod symbols;
+mod trace;
+
+pub use frame::Panel;
+pub use panel::Style;
+pub use recorder::{Recorder, end_of};
+pub use sheet::Sheet;
+pub use trace::Trace;
+
+#[cfg(test)]
+mod tests;
