@@ -90,7 +90,7 @@ impl Wave for f64 {
 }
 
 /// A ball as proofs see it, in any arithmetic.
-pub trait Enclosing: Wave {
+pub trait Enclosing: Wave + nalgebra::Scalar {
     /// The centre alone.
     fn centre(&self) -> Self;
     /// How members differ from the centre: a ball around 0.

@@ -13,6 +13,7 @@ mod basin;
 pub mod bifurcation;
 mod census;
 pub mod chain;
+mod equations;
 mod guess;
 mod identity;
 pub mod krawczyk;
@@ -181,7 +182,7 @@ impl Problem {
                 found.push(orbit);
             }
         }
-        found.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
+        found.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
         Census { orbits: found, ..Census::default() }
     }
 
@@ -210,7 +211,7 @@ impl Problem {
     /// Whether a guess lies where a known orbit is the only one.
     fn is_known(&self, guess: &[f64], found: &[PeriodicOrbit]) -> bool {
         let point: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
-        let point = Proved { domain: point.clone(), phases: point };
+        let point = Proved { domain: point.clone(), at: point };
         found.iter().any(|known| is_one_orbit(&self.chain, &point, &known.proved) == Some(true))
     }
 }

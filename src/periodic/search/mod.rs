@@ -81,7 +81,7 @@ impl Problem {
         search.run(budget);
         let mut orbits = search.known;
         // Only motions are looked for; a chain that is proved to be none is listed where a guess led to it.
-        orbits.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
+        orbits.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
         Ok(Census { orbits, exhaustive: search.undecided.is_empty(), undecided: search.undecided, is_search: true })
     }
 }
@@ -130,7 +130,7 @@ impl Search<'_> {
     /// Whether the part lies where a known orbit is the only one; looks for the orbit if it is not known yet.
     fn is_done(&mut self, part: &Part) -> bool {
         let balls: Vec<Ball> = part.phases.iter().map(|x| x.ball()).collect();
-        let whole = Proved { domain: balls.clone(), phases: balls };
+        let whole = Proved { domain: balls.clone(), at: balls };
         let chain = &self.problem.chain;
         let is_inside = |known: &PeriodicOrbit| is_one_orbit(chain, &whole, &known.proved) == Some(true);
         if self.known.iter().any(is_inside) {
