@@ -22,10 +22,10 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         PeriodicDocument::new(scene.pair(), scene.start(), problem.word(), arguments.cycles).with_context(named)?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
-    let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
+    let (start, precision) = (scene.start(), arguments.precision(&scene));
     let census = match arguments.all {
-        true => problem.find_all(pair, start, precision, Budget::default()).with_context(named)?,
-        false => problem.find(pair, start, precision),
+        true => problem.find_all(start, precision, Budget::default()).with_context(named)?,
+        false => problem.find(start, precision),
     };
     let write = "cannot write the output";
     match arguments.format {
@@ -35,7 +35,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
     out.commit()?;
     if !census.is_certified() && !arguments.quiet && !said_already {
-        let harmonics = pair.excitation().harmonics().len();
+        let harmonics = scene.pair().excitation().harmonics().len();
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{}", conclusion(&census, harmonics));
     }

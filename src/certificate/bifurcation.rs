@@ -8,7 +8,6 @@ use crate::error::Error;
 use crate::exact::decimal_bounds;
 use crate::mapping::Word;
 use crate::orbit::Start;
-use crate::pair::ImpactPair;
 use crate::periodic::bifurcation::{Branch, Diagram, End, Over, Point, Unproved};
 
 /// The schema of the bifurcation JSON.
@@ -17,16 +16,12 @@ pub const BIFURCATION_SCHEMA: &str = "impact-pair/bifurcations/1";
 /// Bifurcations of a word's orbits over a parameter as they are handed on.
 #[derive(Clone, Debug)]
 pub struct BifurcationDocument<'d> {
-    /// The pair; the parameter's own value in it only names the scene.
-    pub pair: &'d ImpactPair,
     /// The start: it only names the scene.
     pub start: &'d Start,
     /// The word asked for.
     pub word: &'d Word,
     /// Its cycles.
     pub cycles: u32,
-    /// The parameter and its range.
-    pub over: &'d Over,
 }
 
 impl BifurcationDocument<'_> {
@@ -35,26 +30,27 @@ impl BifurcationDocument<'_> {
     /// # Errors
     /// When a value is beyond what exact expressions hold.
     pub fn json(&self, diagram: &Diagram) -> Result<Value, Error> {
-        let points = diagram.points.iter().map(|point| self.point(point)).collect::<Result<Vec<_>, _>>()?;
+        let points = diagram.points.iter().map(|point| self.point(diagram, point)).collect::<Result<Vec<_>, _>>()?;
+        let Over { key, low, high } = diagram.over();
         let entries = [
             ("schema", json!(BIFURCATION_SCHEMA)),
             ("program", json!(super::PROGRAM)),
-            ("scene", scene(self.pair, self.start)),
+            ("scene", scene(diagram.pair(), self.start)),
             ("word", json!(self.word.to_string())),
             ("cycles", json!(self.cycles)),
-            ("over", json!({"key": self.over.key.name(), "low": self.over.low.text(), "high": self.over.high.text()})),
+            ("over", json!({"key": key.name(), "low": low.text(), "high": high.text()})),
             // Each point is proved; that there are no others is not.
             ("exhaustive", json!(false)),
             ("certified", json!(diagram.is_certified())),
             ("points", json!(points)),
-            ("branches", diagram.branches.iter().map(|branch| self.branch(branch)).collect()),
-            ("undecided", diagram.unproved.iter().map(|unproved| self.unproved(unproved)).collect()),
+            ("branches", diagram.branches.iter().map(|branch| branch_json(diagram, branch)).collect()),
+            ("undecided", diagram.unproved.iter().map(|unproved| unproved_json(diagram, unproved)).collect()),
         ];
         Ok(Value::Object(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect::<Map<_, _>>()))
     }
 
-    fn point(&self, point: &Point) -> Result<Value, Error> {
-        let (parameter, pair) = point.in_units(self.over, self.pair)?;
+    fn point(&self, diagram: &Diagram, point: &Point) -> Result<Value, Error> {
+        let (parameter, pair) = diagram.in_units(point)?;
         let document = PeriodicDocument::new(&pair, self.start, &point.word, point.cycles)?;
         let orbit = match &point.orbit {
             Some(orbit) => document.orbit(orbit),
@@ -74,27 +70,27 @@ impl BifurcationDocument<'_> {
             "orbit": orbit,
         }))
     }
+}
 
-    /// A branch as it was followed: certified is no more of it than that it is one curve, if `proved`.
-    fn branch(&self, branch: &Branch) -> Value {
-        let end = |end: End| match end {
-            End::Range => "range",
-            End::At(kind) => kind.name(),
-            End::Closed => "closed",
-            End::Lost => "lost",
-        };
-        json!({
-            "word": branch.word.to_string(),
-            "cycles": branch.cycles,
-            "symmetric": branch.symmetric,
-            "parameter": self.over.range_f64(self.pair, branch.range),
-            "ends": branch.ends.map(end),
-            "proved": branch.is_proved,
-        })
-    }
+/// A branch as it was followed: certified is no more of it than that it is one curve, if `proved`.
+fn branch_json(diagram: &Diagram, branch: &Branch) -> Value {
+    let end = |end: End| match end {
+        End::Range => "range",
+        End::At(kind) => kind.name(),
+        End::Closed => "closed",
+        End::Lost => "lost",
+    };
+    json!({
+        "word": branch.word.to_string(),
+        "cycles": branch.cycles,
+        "symmetric": branch.symmetric,
+        "parameter": diagram.range_f64(branch.range),
+        "ends": branch.ends.map(end),
+        "proved": branch.is_proved,
+    })
+}
 
-    fn unproved(&self, unproved: &Unproved) -> Value {
-        let [near, _] = self.over.range_f64(self.pair, [unproved.near; 2]);
-        json!({"kind": unproved.kind.name(), "near": near, "word": unproved.word.to_string()})
-    }
+fn unproved_json(diagram: &Diagram, unproved: &Unproved) -> Value {
+    let [near, _] = diagram.range_f64([unproved.near; 2]);
+    json!({"kind": unproved.kind.name(), "near": near, "word": unproved.word.to_string()})
 }

@@ -29,7 +29,6 @@ pub mod shaking;
 mod stability;
 
 use crate::error::Error;
-use crate::exact::Exact;
 use crate::mapping::Word;
 use crate::number::Ball;
 use crate::orbit::{MAX_BITS, Start};
@@ -91,9 +90,9 @@ enum Pair {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Problem {
+    impact_pair: ImpactPair,
     word: Word,
     chain: Chain,
-    restitution: Exact,
     pair: Pair,
     /// No interval among the parameters: more precision narrows.
     #[cfg(feature = "multiprecision")]
@@ -109,30 +108,29 @@ impl Problem {
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let Some(several) = Several::new(pair)? else {
-            return Self::of(pair.exact()?, pair.reduced()?, word, cycles);
+            let one = One::new(pair.exact()?, pair.reduced()?);
+            return Ok(Self {
+                impact_pair: pair.clone(),
+                word: word.clone(),
+                chain: Chain::new(word, cycles)?,
+                #[cfg(feature = "multiprecision")]
+                is_point: one.is_point(),
+                pair: Pair::One(Box::new(one)),
+            });
         };
         Ok(Self {
+            impact_pair: pair.clone(),
             word: word.clone(),
             chain: Chain::under(several.repetition(), word, cycles)?,
-            restitution: several.restitution().clone(),
             #[cfg(feature = "multiprecision")]
             is_point: pair.is_point(),
             pair: Pair::Several(Box::new(several)),
         })
     }
 
-    /// The same of a pair that is known reduced.
-    pub(crate) fn of(exact: Reduced<Exact>, reduced: Reduced<Ball>, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let restitution = exact.restitution.clone();
-        let one = One::new(exact, reduced);
-        Ok(Self {
-            word: word.clone(),
-            chain: Chain::new(word, cycles)?,
-            restitution,
-            #[cfg(feature = "multiprecision")]
-            is_point: one.is_point(),
-            pair: Pair::One(Box::new(one)),
-        })
+    /// The pair.
+    pub fn pair(&self) -> &ImpactPair {
+        &self.impact_pair
     }
 
     /// The word.
@@ -161,20 +159,20 @@ impl Problem {
     /// Proves all the orbits that guesses lead to: from the motion of `start`, and from starts spread over the states.
     ///
     /// Each once, in the order of their first phases. It proves that these exist, not that there are no others.
-    pub fn find(&self, pair: &ImpactPair, start: &Start, precision: Precision) -> Census {
+    pub fn find(&self, start: &Start, precision: Precision) -> Census {
         if !self.chain.crosses() {
             // Lemma T7: on one wall there is none.
             return Census { exhaustive: true, is_search: true, ..Census::default() };
         }
         match &self.pair {
-            Pair::One(one) => self.find_under(&**one, pair, start, precision),
-            Pair::Several(several) => self.find_under(&**several, pair, start, precision),
+            Pair::One(one) => self.find_under(&**one, start, precision),
+            Pair::Several(several) => self.find_under(&**several, start, precision),
         }
     }
 
-    fn find_under<S: Shaken>(&self, shaken: &S, pair: &ImpactPair, start: &Start, precision: Precision) -> Census {
+    fn find_under<S: Shaken>(&self, shaken: &S, start: &Start, precision: Precision) -> Census {
         let mut found: Vec<PeriodicOrbit> = Vec::new();
-        for guess in guess::guesses(&self.chain, shaken, pair, start) {
+        for guess in guess::guesses(&self.chain, shaken, &self.impact_pair, start) {
             if self.is_known(&guess, &found) || self.settles_on_known(shaken, &guess, &found) {
                 continue;
             }

@@ -83,8 +83,9 @@ impl Problem {
         let guess = self.polished(guess)?;
         let finding = self.prove_in_balls(shaken, &guess);
         let is_narrow = finding.as_ref().is_some_and(|finding| is_narrow(shaken, finding, precision));
-        let best =
-            finding.and_then(|finding| finding.finish(&self.chain, &self.restitution, f64::MANTISSA_DIGITS, is_narrow));
+        let best = finding.and_then(|finding| {
+            finding.finish(&self.chain, self.impact_pair.restitution(), f64::MANTISSA_DIGITS, is_narrow)
+        });
         match best {
             Some(orbit) if is_narrow && orbit.is_decided() => Some(orbit),
             best => self.prove_precisely(shaken, &guess, precision, is_narrow, best),
@@ -119,7 +120,7 @@ impl Problem {
                     break;
                 }
                 last = phase;
-                best = finding.finish(&self.chain, &self.restitution, bits, narrow).or(best);
+                best = finding.finish(&self.chain, self.impact_pair.restitution(), bits, narrow).or(best);
                 if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_decided) {
                     break;
                 }

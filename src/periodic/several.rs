@@ -10,7 +10,6 @@ use super::physical::{Claim, Found, all_first};
 use super::shaken::{Moment, Passing, Shaken, Step};
 use super::shaking::{Hop, Repetition, Shaking};
 use crate::error::Error;
-use crate::exact::Exact;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
@@ -116,11 +115,6 @@ impl Several {
         self.repetition
     }
 
-    /// The coefficient of restitution.
-    pub fn restitution(&self) -> &Exact {
-        &self.spectrum.restitution
-    }
-
     /// The first contacts of the flights that start so. Lemmas H2-H6
     fn first<N: Phased>(&self, shaking: &Sum<N>, all: Launch<N>) -> Result<FirstContact<N>, Doubt<N>> {
         let centre = Flight::new(&shaking.harmonics, all.map(Phased::centre_of), None);
@@ -222,6 +216,7 @@ impl Shaken for Several {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Exact;
     use crate::number::Number;
     use crate::{Excitation, Harmonic};
 

@@ -63,11 +63,8 @@ impl Point {
         self.kind == Kind::Graze || self.orbit.as_ref().is_some_and(|orbit| orbit.physical.is_some())
     }
 
-    /// The parameter in the units of the scene, in so many bits, and the pair with it.
-    ///
-    /// # Errors
-    /// When it is beyond what exact expressions hold.
-    pub fn in_units(&self, over: &Over, pair: &ImpactPair) -> Result<(Enclosure, ImpactPair), Error> {
+    /// See [`Diagram::in_units`](super::Diagram::in_units).
+    pub(super) fn in_units(&self, over: &Over, pair: &ImpactPair) -> Result<(Enclosure, ImpactPair), Error> {
         let ends = [self.parameter.lo(), self.parameter.hi()].map(|end| Exact::from_rational(end.to_rational()));
         let [a, b] = ends.map(|end| over.in_units(pair, &end));
         let (a, b) = (a?, b?);
