@@ -60,10 +60,9 @@ fn table(
         // Which turn of the common period, where that is longer than one.
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
         writeln!(out, "  {:5}  {}{:31}  velocity before", "wall", turn("turn"), "phase W t + tau")?;
-        for impact in &found.impacts {
-            let turn = turn(&document.turn(&impact.phase, found.period).to_string());
-            let phase = decimal_digits(&document.phase(&impact.phase, found.bits));
-            let velocity = decimal_digits(&document.velocity(&impact.velocity, found.bits));
+        for impact in &document.measured(found).impacts {
+            let turn = turn(&impact.turn.to_string());
+            let [phase, velocity] = [&impact.phase, &impact.velocity].map(decimal_digits);
             writeln!(out, "  {:5}  {turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }

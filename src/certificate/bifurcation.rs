@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::document::scene;
-use super::periodic::PeriodicDocument;
+use super::periodic::{PeriodicDocument, orbit_json};
 use crate::error::Error;
 use crate::exact::decimal_bounds;
 use crate::mapping::Word;
@@ -53,7 +53,7 @@ impl BifurcationDocument<'_> {
         let (parameter, pair) = diagram.in_units(point)?;
         let document = PeriodicDocument::new(&pair, self.start, &point.word, point.cycles)?;
         let orbit = match &point.orbit {
-            Some(orbit) => document.orbit(orbit),
+            Some(orbit) => orbit_json(&document.measured(orbit)),
             // Where an impact is the graze the Jacobian has no bound.
             None => json!({
                 "impacts": point.impacts.iter().map(|impact| document.impact(impact, point.bits)).collect::<Value>(),

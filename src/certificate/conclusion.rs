@@ -5,7 +5,7 @@ use std::fmt;
 use serde_json::{Value, json};
 
 use super::event::{Bounds, Event};
-use super::periodic::orbit_json;
+use super::periodic::{measured, orbit_json};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_digits};
 use crate::orbit::{Orbit, Outcome, Period, Start};
@@ -156,7 +156,7 @@ fn attractor_json(orbit: &Orbit, attractor: &Attractor) -> Value {
         "word": attractor.word.to_string(),
         "cycles": attractor.cycles,
         "from": attractor.from,
-        "orbit": orbit_json(&attractor.orbit, |velocity| orbit.clock().velocity(velocity)),
+        "orbit": orbit_json(&measured(&attractor.orbit, |velocity| orbit.clock().velocity(velocity))),
     })
 }
 

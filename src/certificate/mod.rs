@@ -20,8 +20,8 @@ pub use check::{Effort, Finding, Verdict};
 pub use conclusion::Conclusion;
 pub use document::{ORBIT_SCHEMA, PROGRAM, arithmetic, asked_arithmetic, head, is_certified, scene, write_json};
 pub use event::{Bounds, Event, Kind};
-pub(crate) use periodic::phase_in_radians;
 pub use periodic::{PERIODIC_SCHEMA, PeriodicDocument};
+pub(crate) use periodic::{orbit_json, phase_in_radians};
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 

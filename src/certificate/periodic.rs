@@ -11,7 +11,7 @@ use crate::exact::{Enclosure, Exact, decimal_bounds};
 use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, within};
-use crate::periodic::{Census, PeriodicImpact, PeriodicOrbit};
+use crate::periodic::{Census, Eigenvalue, MeasuredImpact, MeasuredOrbit, PeriodicImpact, PeriodicOrbit};
 
 /// The schema of the periodic JSON.
 pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
@@ -43,14 +43,9 @@ impl<'d> PeriodicDocument<'d> {
         Ok(Self { pair, start, word, cycles, speed: within("pair.gap", pair.gap(), speed)? })
     }
 
-    /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
-    pub fn phase(&self, turns: &Enclosure, bits: u32) -> Enclosure {
-        phase_in_radians(turns, bits)
-    }
-
-    /// The turn, less whole common periods of `period` turns, that the phase is in: 0 under one harmonic.
-    pub fn turn(&self, turns: &Enclosure, period: u32) -> u32 {
-        turn(turns, period)
+    /// An orbit in the units of the scene.
+    pub fn measured(&self, orbit: &PeriodicOrbit) -> MeasuredOrbit {
+        measured(orbit, |velocity| self.velocity(velocity, orbit.bits))
     }
 
     /// A velocity \[length/time\] given in gaps a turn.
@@ -67,7 +62,7 @@ impl<'d> PeriodicDocument<'d> {
             ("cycles", json!(self.cycles)),
             ("exhaustive", json!(census.exhaustive)),
             ("certified", json!(census.is_certified())),
-            ("orbits", census.orbits.iter().map(|orbit| self.orbit(orbit)).collect()),
+            ("orbits", census.orbits.iter().map(|orbit| orbit_json(&self.measured(orbit))).collect()),
         ];
         if !census.undecided.is_empty() {
             let region = |region: &crate::periodic::Region| {
@@ -81,11 +76,37 @@ impl<'d> PeriodicDocument<'d> {
 
     /// An impact of a search or of a bifurcation: under one harmonic.
     pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> Value {
-        impact_json(impact, bits, 1, |velocity| self.velocity(velocity, bits))
+        impact_json(&measured_impact(impact, (bits, 1), |velocity| self.velocity(velocity, bits)), 1)
     }
+}
 
-    pub(super) fn orbit(&self, orbit: &PeriodicOrbit) -> Value {
-        orbit_json(orbit, |velocity| self.velocity(velocity, orbit.bits))
+/// An orbit in the units that `velocity` turns gaps a turn into.
+pub(super) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> MeasuredOrbit {
+    let impact = |impact: &PeriodicImpact| measured_impact(impact, (orbit.bits, orbit.period), &velocity);
+    MeasuredOrbit {
+        period: orbit.period,
+        impacts: orbit.impacts.iter().map(impact).collect(),
+        // A box that is not proved to hold exactly one orbit is not listed.
+        unique: true,
+        physical: orbit.physical,
+        symmetric: orbit.symmetric,
+        trace: orbit.trace.clone(),
+        determinant: orbit.determinant.clone(),
+        eigenvalues: orbit.eigenvalues.clone(),
+        stability: orbit.stability,
+    }
+}
+
+fn measured_impact(
+    impact: &PeriodicImpact,
+    (bits, period): (u32, u32),
+    velocity: impl Fn(&Enclosure) -> Enclosure,
+) -> MeasuredImpact {
+    MeasuredImpact {
+        wall: impact.wall,
+        phase: phase_in_radians(&impact.phase, bits),
+        turn: turn(&impact.phase, period),
+        velocity: velocity(&impact.velocity),
     }
 }
 
@@ -97,33 +118,31 @@ pub(crate) fn phase_in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     turns.sub(&whole, bits).mul(&two_pi, bits)
 }
 
-/// The turn of the fastest harmonic, less whole common periods of so many, that [`phase`] is told from.
+/// The turn of the fastest harmonic, less whole common periods of so many, that the phase is told from.
 fn turn(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.lo().to_rational().floor().to_integer().mod_floor(&BigInt::from(period));
     turn.to_u32().expect("less than the period")
 }
 
-fn impact_json(impact: &PeriodicImpact, bits: u32, period: u32, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
+fn impact_json(impact: &MeasuredImpact, period: u32) -> Value {
     let mut json = json!({
         "wall": impact.wall.name(),
-        "phase": decimal_bounds(&phase_in_radians(&impact.phase, bits)),
-        "velocity": decimal_bounds(&velocity(&impact.velocity)),
+        "phase": decimal_bounds(&impact.phase),
+        "velocity": decimal_bounds(&impact.velocity),
     });
     if period > 1 {
-        json["turn"] = json!(turn(&impact.phase, period));
+        json["turn"] = json!(impact.turn);
     }
     json
 }
 
-/// An entry of `orbits`, its velocities in the units that `velocity` turns gaps a turn into.
-pub(super) fn orbit_json(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> Value {
-    let eigenvalue =
-        |value: &crate::periodic::Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
-    let impact = |impact: &PeriodicImpact| impact_json(impact, orbit.bits, orbit.period, &velocity);
+/// An entry of `orbits`.
+pub(crate) fn orbit_json(orbit: &MeasuredOrbit) -> Value {
+    let eigenvalue = |value: &Eigenvalue| json!({"re": decimal_bounds(&value.re), "im": decimal_bounds(&value.im)});
+    let impact = |impact: &MeasuredImpact| impact_json(impact, orbit.period);
     json!({
         "impacts": orbit.impacts.iter().map(impact).collect::<Value>(),
-        // A box that is not proved to hold exactly one orbit is not listed.
-        "unique": true,
+        "unique": orbit.unique,
         "physical": orbit.physical,
         "symmetric": orbit.symmetric,
         "trace": decimal_bounds(&orbit.trace),

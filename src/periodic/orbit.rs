@@ -11,7 +11,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// An impact of a periodic orbit.
+/// An impact of a periodic orbit in turns and gaps; in the units of the scene it is a [`MeasuredImpact`](super::MeasuredImpact).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicImpact {
     /// The wall.
@@ -23,7 +23,7 @@ pub struct PeriodicImpact {
     pub velocity: Enclosure,
 }
 
-/// A periodic orbit of a word, proved.
+/// A periodic orbit of a word, proved; in the units of the scene it is a [`MeasuredOrbit`](super::MeasuredOrbit).
 ///
 /// **Enclosure**: for all parameters of the pair there is exactly one orbit of the word with its impacts in these
 /// bounds (Lemma T3), and what is enclosed here is enclosed for it.

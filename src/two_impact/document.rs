@@ -8,33 +8,30 @@ use std::cmp::Ordering;
 
 use serde_json::{Map, Value, json};
 
-use crate::certificate::{PERIODIC_SCHEMA, PROGRAM, scene};
-use crate::exact::{Enclosure, decimal_bounds};
+use crate::certificate::{PERIODIC_SCHEMA, PROGRAM, orbit_json, scene};
+use crate::exact::decimal_bounds;
 use crate::orbit::Start;
-use crate::pair::{ImpactPair, Wall};
+use crate::pair::Wall;
 
-use super::manifold::{Axis, Manifold, Part, Point};
+use super::manifold::{Axis, Manifold, Part, Point, Range};
 use super::orbit::Orbit;
 use super::question::{Answer, Unknown};
 
 /// The schema of the manifolds.
 pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 
-/// The periodic JSON of an answer for N `cycles`, its impacts listed from `wall`, an orbit a line.
-pub fn periodic(
-    (pair, start): (&ImpactPair, &Start),
-    unknown: &Unknown,
-    (cycles, answer): (u32, &Answer),
-    wall: Wall,
-) -> String {
+/// The periodic JSON of an answer, its impacts listed from `wall`, an orbit a line; `start` only names the scene.
+pub fn periodic(start: &Start, answer: &Answer, wall: Wall) -> String {
+    let question = answer.question();
+    let unknown = question.unknown();
     let orbits: Vec<String> = answer.orbits.iter().map(|found| orbit(found, unknown, wall).to_string()).collect();
     let undecided: Value = answer.undecided.iter().map(|spacing| json!({"spacing": decimal_bounds(spacing)})).collect();
     let head = [
         ("schema", json!(PERIODIC_SCHEMA)),
         ("program", json!(PROGRAM)),
-        ("scene", scene(pair, start)),
+        ("scene", scene(question.pair(), start)),
         ("word", json!(word(wall))),
-        ("cycles", json!(cycles)),
+        ("cycles", json!(question.cycles())),
         ("solved_for", json!(unknown.name())),
         ("exhaustive", json!(answer.is_exhaustive)),
         ("certified", json!(true)),
@@ -59,32 +56,15 @@ fn lines(items: &[String]) -> String {
 }
 
 fn orbit(orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Value {
-    let bounds = |x: &Enclosure| json!(decimal_bounds(x));
-    let impacts: Value = orbit
-        .impacts_from(wall)
-        .iter()
-        .map(|impact| json!({"wall": impact.wall.name(), "phase": bounds(&impact.phase), "velocity": bounds(&impact.velocity)}))
-        .collect();
-    let eigenvalues: Value =
-        orbit.eigenvalues.iter().map(|[re, im]| json!({"re": bounds(re), "im": bounds(im)})).collect();
-    let mut all = Map::new();
-    let mut put = |key: &str, value: Value| all.insert(key.to_owned(), value);
-    put("impacts", impacts);
-    put("unique", json!(orbit.is_unique));
-    put("physical", json!(orbit.is_physical));
-    put("symmetric", json!(orbit.is_symmetric));
-    put("trace", bounds(&orbit.trace));
-    put("determinant", bounds(&orbit.determinant));
-    put("eigenvalues", eigenvalues);
-    put("stability", json!(orbit.stability.name()));
-    put("spacing", bounds(&orbit.spacing));
-    put("sine", json!(orbit.sine.map(sign)));
+    let mut all = orbit_json(&orbit.measured.told_from(wall));
+    all["spacing"] = json!(decimal_bounds(&orbit.spacing));
+    all["sine"] = json!(orbit.sine.map(sign));
     match unknown {
-        Unknown::Velocity => None,
-        Unknown::Amplitude(_) => put("amplitude", bounds(&orbit.amplitude)),
-        Unknown::Gap(_) => put("gap", bounds(&orbit.gap)),
-    };
-    Value::Object(all)
+        Unknown::Velocity => {}
+        Unknown::Amplitude(_) => all["amplitude"] = json!(decimal_bounds(&orbit.amplitude)),
+        Unknown::Gap(_) => all["gap"] = json!(decimal_bounds(&orbit.gap)),
+    }
+    all
 }
 
 fn sign(of: Ordering) -> &'static str {
@@ -95,8 +75,9 @@ fn sign(of: Ordering) -> &'static str {
     }
 }
 
-/// The manifolds of one range, a point a line.
-pub fn manifolds((pair, start): (&ImpactPair, &Start), axis: Axis, curves: &[Manifold]) -> String {
+/// The manifolds of one range, a point a line; `start` only names the scene.
+pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold]) -> String {
+    let axis = range.axis;
     let curves: Vec<String> = curves
         .iter()
         .map(|curve| {
@@ -108,7 +89,7 @@ pub fn manifolds((pair, start): (&ImpactPair, &Start), axis: Axis, curves: &[Man
         "{{\"schema\":{},\n \"program\":{},\n \"scene\":{},\n \"over\":{},\n \"certified\":true,\n \"curves\":[{}]}}\n",
         json!(MANIFOLD_SCHEMA),
         json!(PROGRAM),
-        scene(pair, start),
+        scene(range.pair, start),
         json!(axis.name()),
         lines(&curves)
     )

@@ -15,7 +15,7 @@ use super::motion::{Motion, Parameters};
 use super::orbit::{Orbit, Units};
 use super::unequispaced::Spacing;
 use crate::exact::Real;
-use crate::periodic::Stability;
+use crate::periodic::{MeasuredOrbit, Stability};
 
 /// The cycles that can be asked for: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
@@ -49,14 +49,15 @@ impl Unknown {
 
 /// A question about the motions with two impacts in N cycles.
 #[derive(Clone, Debug)]
-pub struct Question<'p> {
-    data: Data<'p>,
+pub struct Question {
+    data: Data,
     unknown: Unknown,
 }
 
 /// The motions, and what is not decided.
 #[derive(Clone, Debug)]
 pub struct Answer {
+    question: Question,
     /// The equispaced ones first.
     pub orbits: Vec<Orbit>,
     /// Parts of `th1 - th0` \[rad\] in which there may be others.
@@ -67,13 +68,13 @@ pub struct Answer {
     pub is_complete: bool,
 }
 
-impl<'p> Question<'p> {
+impl Question {
     /// A question about `pair`.
     ///
     /// # Errors
     /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], or there are
     /// several harmonics.
-    pub fn new(pair: &'p ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
+    pub fn new(pair: &ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), &accepted));
@@ -106,6 +107,21 @@ impl<'p> Question<'p> {
         answer
     }
 
+    /// The pair.
+    pub fn pair(&self) -> &ImpactPair {
+        self.data.pair()
+    }
+
+    /// N
+    pub fn cycles(&self) -> u32 {
+        self.data.cycles()
+    }
+
+    /// What is not given.
+    pub fn unknown(&self) -> &Unknown {
+        &self.unknown
+    }
+
     fn is_point(&self) -> bool {
         let speed_is_point = match &self.unknown {
             Unknown::Velocity => true,
@@ -133,16 +149,24 @@ impl<'p> Question<'p> {
             }
         }
         let is_decided = |orbit: &Orbit| {
-            let is_stability_known = orbit.stability != Stability::Undecided || self.data.is_elastic();
-            orbit.is_unique && orbit.is_physical.is_some() && is_stability_known
+            let MeasuredOrbit { unique, physical, stability, .. } = orbit.measured;
+            unique && physical.is_some() && (stability != Stability::Undecided || self.data.is_elastic())
         };
         let is_narrow = motions.iter().all(|(motion, _)| is_narrow(motion, digits));
         Answer {
+            question: self.clone(),
             is_exhaustive: doubts.is_empty() && is_searched,
             is_complete: doubts.is_empty() && orbits.iter().all(is_decided) && is_narrow,
             orbits,
             undecided: doubts.iter().map(|doubt| doubt.enclosure().clone()).collect(),
         }
+    }
+}
+
+impl Answer {
+    /// What it answers.
+    pub fn question(&self) -> &Question {
+        &self.question
     }
 }
 

@@ -55,19 +55,16 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     if arguments.format == TwoImpactFormat::Csv {
         bail!("--format is csv, but accepted without --manifold are table and json");
     }
-    let answers: Vec<(u32, Answer)> = arguments
+    let answers: Vec<Answer> = arguments
         .cycles
         .0
         .clone()
-        .map(|cycles| Ok((cycles, Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits))))
+        .map(|cycles| Ok(Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
         .collect::<Result<_, Error>>()?;
     let wall = arguments.wall.wall();
     let text = match arguments.format {
         TwoImpactFormat::Json => {
-            let document = |(cycles, answer): &(u32, Answer)| {
-                periodic((scene.pair(), scene.start()), &unknown, (*cycles, answer), wall)
-            };
-            let documents: Vec<String> = answers.iter().map(document).collect();
+            let documents: Vec<String> = answers.iter().map(|answer| periodic(scene.start(), answer, wall)).collect();
             match documents.as_slice() {
                 [one] => format!("{one}\n"),
                 all => format!("[{}]\n", all.join(",\n")),
@@ -76,7 +73,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
     write(arguments, &text)?;
-    let is_complete = answers.iter().all(|(_, answer)| answer.is_complete);
+    let is_complete = answers.iter().all(|answer| answer.is_complete);
     let is_shown = arguments.format == TwoImpactFormat::Table && arguments.output.is_none();
     if !is_complete && !arguments.quiet && !is_shown {
         // Nobody may be listening.
@@ -102,7 +99,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         cycles.filter(|n| is_one || n % 2 == 1).map(|n| range.manifold(n, digits)).collect::<Result<_, _>>()?;
     let text = match arguments.format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
-        TwoImpactFormat::Json => manifolds((scene.pair(), scene.start()), axis, &curves),
+        TwoImpactFormat::Json => manifolds(&range, scene.start(), &curves),
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
     write(arguments, &text)?;
