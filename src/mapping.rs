@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::error::Error;
 use crate::number::Number;
-use crate::pair::Wall;
+use crate::pair::{Wall, rebound};
 
 /// A mapping from one switch-plane to the next. **Equations** (24)-(27)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -181,8 +181,8 @@ pub(crate) fn jacobian_between<N: Number>(
     [velocity0, velocity1]: [N; 2],
 ) -> Option<[[N; 2]; 2]> {
     let inverse = N::from_f64(1.0).checked_div(velocity1)?;
-    let rebound = -(restitution.clone() * velocity0);
-    let time_by_time = swing0.clone().mul_add(time.clone(), rebound) * inverse.clone();
+    let after = rebound(&restitution, velocity0);
+    let time_by_time = swing0.clone().mul_add(time.clone(), after) * inverse.clone();
     let time_by_velocity = restitution.clone() * time * inverse;
     let velocity_by_time = swing1.clone().mul_add(time_by_time.clone(), -swing0);
     let velocity_by_velocity = swing1.mul_add(time_by_velocity.clone(), -restitution);

@@ -40,7 +40,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
-pub use digits::decimal_digits;
+pub use digits::{decimal_digits, log2_of_digits, whole_bits, working_bits};
 pub use dyadic::Dyadic;
 use dyadic::Round;
 pub(crate) use dyadic::compare_rational;

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::error::Error;
-use crate::exact::Exact;
+use crate::exact::{Exact, log2_of_digits};
 
 /// What computes the orbit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -69,7 +69,7 @@ pub(super) struct Width {
 impl Width {
     /// `10^-digits` of `unit`, less a fiftieth, which printing may add.
     pub fn new(digits: u32, unit: f64) -> Self {
-        let log2 = unit.log2() - f64::from(digits) * 10f64.log2();
+        let log2 = unit.log2() - log2_of_digits(f64::from(digits));
         Self { linear: 0.98 * unit * 10f64.powi(-(digits.min(400) as i32)), log2: log2 + 0.98f64.log2() } // shown
     }
 }

@@ -65,31 +65,27 @@ const FAST: f64 = 0.25;
 /// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
 pub(super) const GAINED: u32 = 32;
 
-/// `m - Y F(m)` at a point.
-fn step<N: Enclosing, E: Equations<N>>(equations: &E, inverse: &Preconditioner, at: &[N]) -> Option<Vec<N>> {
-    let misses = equations.values(at)?;
-    let newton = |(i, x): (usize, &N)| {
-        let add = |sum: N, (&y, f): (&f64, &N)| N::from_f64(-y).mul_add(f.clone(), sum);
-        inverse.row(i).iter().zip(&misses).fold(x.clone(), add)
-    };
-    Some(at.iter().enumerate().map(newton).collect())
+/// `x - Y_i F`: an entry of a step of simplified Newton's iteration.
+fn newton<N: Enclosing>(x: &N, row: &[f64], misses: &[N]) -> N {
+    row.iter().zip(misses).fold(x.clone(), |sum, (&y, f)| N::from_f64(-y).mul_add(f.clone(), sum))
 }
 
 /// Krawczyk's image `m - Y F(m) + (1 - Y J)(X - m)` of a box `X` with centre `m`. Lemma T3
 pub(super) fn image<N: Enclosing, E: Equations<N>>(equations: &E, inverse: &Preconditioner, x: &[N]) -> Option<Vec<N>> {
     let centre: Vec<N> = x.iter().map(Enclosing::centre).collect();
-    let newton = step(equations, inverse, &centre)?;
+    let misses = equations.values(&centre)?;
     let jacobian = equations.jacobian(x)?;
-    let image = |(i, newton): (usize, N)| {
+    let image = |i: usize| {
         let row = inverse.row(i);
         // The row of 1 - Y J.
         let mut rest: Vec<N> = (0..row.len()).map(|j| N::from_f64(if i == j { 1.0 } else { 0.0 })).collect();
         for (l, j, slope) in jacobian.entries() {
             rest[j] = N::from_f64(-row[l]).mul_add(slope.clone(), rest[j].clone());
         }
+        let newton = newton(&centre[i], row, &misses);
         rest.into_iter().zip(x).fold(newton, |sum, (g, x)| g.mul_add(x.spread(), sum))
     };
-    Some(newton.into_iter().enumerate().map(image).collect())
+    Some((0..x.len()).map(image).collect())
 }
 
 /// Whether each ball lies in the interior of its outer one.
@@ -106,10 +102,8 @@ pub(super) fn polish<N: Enclosing, E: Equations<N>>(
 ) -> Vec<N> {
     let mut at = guess;
     for _ in 0..steps {
-        match step(equations, inverse, &at) {
-            Some(next) => at = next.iter().map(Enclosing::centre).collect(),
-            None => break,
-        }
+        let Some(misses) = equations.values(&at) else { break };
+        at = at.iter().enumerate().map(|(i, x)| newton(x, inverse.row(i), &misses).centre()).collect();
     }
     at
 }

@@ -30,6 +30,7 @@ pub mod shaking;
 mod stability;
 
 use crate::error::Error;
+use crate::exact::log2_of_digits;
 use crate::mapping::Word;
 use crate::number::Ball;
 use crate::orbit::{MAX_BITS, Start};
@@ -60,6 +61,13 @@ pub struct Precision {
 impl Default for Precision {
     fn default() -> Self {
         Self { digits: 9, max_bits: MAX_BITS }
+    }
+}
+
+impl Precision {
+    /// `log2` of the width asked for: a hundredth of a digit is for printing.
+    fn log2_width(self) -> f64 {
+        -log2_of_digits(f64::from(self.digits) + 0.01)
     }
 }
 

@@ -10,6 +10,8 @@ use super::shaken::Shaken;
 use super::shaking::Shaking;
 use super::{Pair, Precision, Problem};
 #[cfg(feature = "multiprecision")]
+use crate::exact::working_bits;
+#[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 
@@ -103,7 +105,7 @@ impl Problem {
         mut best: Option<PeriodicOrbit>,
     ) -> Option<PeriodicOrbit> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
-        let wanted = (f64::from(precision.digits) * 10f64.log2()) as u32 + 64; // proposes: bits to try
+        let wanted = working_bits(precision.digits);
         let mut last = f64::INFINITY;
         let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
         while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
@@ -186,8 +188,7 @@ impl Problem {
 
 /// Whether the widths are those asked for.
 fn is_narrow<N: Enclosing>(shaken: &impl Shaken, finding: &Finding<N>, precision: Precision) -> bool {
-    // A hundredth of a digit for printing.
-    let asked = -(f64::from(precision.digits) + 0.01) * 10f64.log2();
+    let asked = precision.log2_width();
     let speed = shaken.speed().log2();
     let [phase, velocity] = finding.widths();
     phase <= asked && velocity <= asked + if speed.is_finite() { speed } else { 0.0 }

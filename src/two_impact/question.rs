@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::error::Error;
-use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::exact::{Dyadic, Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::ImpactPair;
 
 use super::closed_forms::slope;
@@ -19,9 +19,8 @@ use crate::periodic::{MeasuredOrbit, Stability};
 
 /// The cycles that can be asked for: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
-/// Bits beyond the digits asked for: of the first computation, and of the bounds that are handed on.
-pub(super) const GUARD: u32 = 64;
-pub(super) const SHOWN: u32 = 10;
+/// Bits of the bounds that are handed on, beyond the whole bits of the digits asked for.
+pub(super) const SHOWN: u32 = 11;
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 
@@ -96,7 +95,7 @@ impl Question {
     /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
     /// bits of the digits do not tell, or when intervals of them hold one.
     pub fn answer(&self, digits: u32) -> Answer {
-        let first = digits_to_bits(digits) + GUARD;
+        let first = working_bits(digits);
         let mut answer = self.answer_in(first, digits);
         for round in 1..ROUNDS {
             if answer.is_complete || (round > 1 && !self.is_point()) {
@@ -131,7 +130,7 @@ impl Question {
     }
 
     fn answer_in(&self, bits: u32, digits: u32) -> Answer {
-        let shown = digits_to_bits(digits) + SHOWN;
+        let shown = whole_bits(digits) + SHOWN;
         let Found { motions, mut doubts } = match &self.unknown {
             Unknown::Velocity => self.data.motions(bits),
             Unknown::Amplitude(speed) => self.data.with_amplitude(speed, bits),
@@ -240,11 +239,6 @@ impl Bounds {
         let reach = eps.hull(&-&eps).ends()[1].clone();
         Some(is_direct && is_monotone && Spacing::new(parameters, None).is_alone(&reach))
     }
-}
-
-/// Bits that are worth so many digits.
-pub(super) fn digits_to_bits(digits: u32) -> u32 {
-    (f64::from(digits) * 10f64.log2()).ceil() as u32 // proposes: bits to try
 }
 
 /// Whether phases and speed have so many digits.

@@ -15,6 +15,8 @@ use super::solve::newton;
 use super::system::{Critical, Family, Graze, Posed, System, Unknown, Vanishing};
 use super::trace::null_vector;
 use crate::contact::Margins;
+#[cfg(feature = "multiprecision")]
+use crate::exact::working_bits;
 use crate::exact::{Enclosure, Exact};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
@@ -37,8 +39,7 @@ impl Setting {
 
     /// In doubles.
     pub fn doubles(&self) -> Family<Ball> {
-        let (mid, rad) = self.fixed.enclose(120).mid_rad();
-        Family { unknown: self.unknown, fixed: Ball::new(mid, rad) }
+        Family { unknown: self.unknown, fixed: Ball::of(&self.fixed) }
     }
 
     /// In so many bits.
@@ -118,6 +119,9 @@ const SMALL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 /// Domains that are tried, and images that narrow a zero at most: the first slow one is the last.
 const MOST_DOMAINS: u32 = 14;
 const MOST_IMAGES: u32 = 40;
+/// Bits that an extended system loses besides: it is solved for a kernel as well.
+#[cfg(feature = "multiprecision")]
+const EXTENDED_BITS: u32 = 16;
 /// Precisions that are tried beyond doubles, each twice the one before: twice is enough where the precision is what lacks.
 #[cfg(feature = "multiprecision")]
 const MOST_PRECISIONS: u32 = 3;
@@ -172,7 +176,7 @@ impl<S: Condition> Claim<'_, S> {
         best: Option<Point>,
     ) -> Option<Point> {
         let mut best = best;
-        let mut bits = (f64::from(self.precision.digits) * 10f64.log2()) as u32 + 80; // proposes: bits to try
+        let mut bits = working_bits(self.precision.digits) + EXTENDED_BITS;
         for _ in 0..MOST_PRECISIONS {
             if bits > self.precision.max_bits {
                 break;
@@ -259,8 +263,8 @@ impl<S: Condition> Claim<'_, S> {
 
     /// Whether the widths are those asked for: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], pair: &Reduced<N>, velocities: &[N]) -> bool {
-        // A hundredth of a digit for printing, one for both sides of a radius.
-        let asked = -(f64::from(self.precision.digits) + 0.01) * 10f64.log2() - 1.0;
+        // A radius is half of a width.
+        let asked = self.precision.log2_width() - 1.0;
         let size = |x: &N| x.as_ball().mid().abs().log2();
         let (phases, p) = (&at[..self.ring.unknowns()], &at[at.len() - 1]);
         widest(phases) <= asked && p.log2_radius() <= asked + size(p) && widest(velocities) <= asked + size(&pair.beta)
