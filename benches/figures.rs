@@ -3,7 +3,7 @@
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, kernel};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
-use impact_pair::pair::{Reduced, Wall};
+use impact_pair::pair::{Inward, Reduced, Wall};
 use impact_pair::{Harmonic, ImpactPair};
 
 /// A figure of the paper: its number and its data.
@@ -45,7 +45,7 @@ impl Figure {
 
     /// Where each of `count` flights of the floating orbit starts: wall, phase and velocity after the impact.
     pub fn launches(&self, count: u64) -> (Reduced<Ball>, Vec<Launch>) {
-        let pair = self.pair.reduced().expect("printed data");
+        let pair = Reduced::exact(&self.pair).and_then(|exact| exact.enclosed()).expect("printed data");
         let launches = self
             .orbit(Arithmetic::Float, count)
             .map(|impact| Launch {

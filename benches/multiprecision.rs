@@ -98,14 +98,14 @@ impl<'p> Plain<'p> {
     fn new(figure: &Figure, plan: &'p Plan) -> Self {
         let bits = plan.bits(0);
         let float = |x: &Exact| MpBall::enclosing(&x.enclose(bits), bits).mid().clone();
-        let exact = figure.pair.exact().expect("printed data");
+        let exact = Reduced::exact(&figure.pair).expect("printed data");
         let frequency = figure.pair.excitation().reference().frequency();
         let turn = Exact::pi() * Exact::from(2);
         let phase = figure.pair.excitation().reference().phase().checked_div(&turn).expect("printed data");
         let slowness = (turn.checked_div(frequency)).and_then(|x| x.checked_div(figure.pair.gap()));
         let velocity = figure.start.velocity().checked_mul(&slowness.expect("printed data")).expect("printed data");
         let phase = float(&phase);
-        let doubles = figure.pair.reduced().expect("printed data").centre();
+        let doubles = Reduced::exact(&figure.pair).and_then(|exact| exact.enclosed()).expect("printed data").centre();
         let sin_cos = sin_cos(&phase, bits);
         let (pair, velocity) = (exact.map(float), float(&velocity));
         Self { plan, pair, doubles, index: 0, wall: Wall::Left, phase, velocity, sin_cos }

@@ -22,7 +22,7 @@
 
 use crate::number::Number;
 use crate::number::kernel::Departure;
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Inward, Reduced, Wall};
 
 /// Sine and cosine of a phase later by a departure: the addition theorems.
 #[inline(always)]

@@ -72,8 +72,7 @@
 
 pub mod certificate;
 pub mod contact;
-mod error;
-pub mod exact;
+pub mod document;
 pub mod excitation;
 pub mod flight;
 pub mod lyapunov;
@@ -83,17 +82,17 @@ pub mod orbit;
 pub mod pair;
 pub mod periodic;
 pub mod rest;
-pub mod scene;
 mod several;
 pub mod sweep;
 pub mod switch_plane;
-mod turns;
+pub mod turns;
 pub mod two_impact;
 
-pub use error::Error;
-pub use excitation::{Excitation, Harmonic};
-pub use pair::ImpactPair;
-pub use scene::Scene;
+#[doc(inline)]
+pub use impact_pair_exact as exact;
+#[doc(inline)]
+pub use impact_pair_model::scene;
+pub use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Scene};
 
 /// The examples of the README are tests as well.
 #[cfg(doctest)]

@@ -5,6 +5,12 @@
 //! are integers of 64 bits. *Proof.* A double below `2^62` in magnitude that is a whole number is that integer when cast; the sum
 //! of two integers below `2^62` is below `2^63`, and is compared before it is kept. \[\]
 
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
+
+use crate::exact::Enclosure;
+
 /// Counts are smaller.
 const MOST: i64 = 1 << 62;
 /// Flights of more turns are not followed: turns within one are exact as doubles.
@@ -22,6 +28,20 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     let count = turns.wrapping_add(whole as i64);
     // N1: exact, a power of two
     (whole.abs() < MOST as f64 && count.unsigned_abs() < MOST as u64).then_some(count)
+}
+
+/// The phase `W t + tau` \[rad\] of one in turns, its lower bound in `[0, 2 pi)`.
+pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
+    let bits = bits + 64;
+    let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), bits); // exact: any whole number of turns
+    let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
+    turns.sub(&whole, bits).mul(&two_pi, bits)
+}
+
+/// The turn, less whole common periods of so many turns, that a phase is in: 0 under one harmonic.
+pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
+    let turn = turns.lo().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
+    turn.to_u32().expect("less than the period")
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use impact_pair::Scene;
 use impact_pair::number::Ball;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings};
-use impact_pair::pair::Wall;
+use impact_pair::pair::{Inward, Wall};
 use impact_pair::periodic::{Attractor, Problem, Stability};
 
 fn figure(number: u32) -> Scene {
@@ -13,7 +13,7 @@ fn figure(number: u32) -> Scene {
 
 fn run(scene: &Scene, impacts: u64, arithmetic: Arithmetic) -> (Orbit, Vec<Impact>) {
     let settings = Settings { impacts: Some(impacts), arithmetic, attractor: true, ..scene.settings() };
-    let mut orbit = scene.orbit(settings).unwrap();
+    let mut orbit = Orbit::of(scene, settings).unwrap();
     let impacts = orbit.by_ref().collect();
     (orbit, impacts)
 }
@@ -74,7 +74,7 @@ fn chaotic_figures_and_short_runs_are_not_called_attracted() {
 fn floats_and_those_who_do_not_ask_are_told_nothing() {
     let (orbit, _) = run(&figure(12), 60, Arithmetic::Float);
     assert_eq!(orbit.outcome(), Some(&Outcome::ImpactsReached));
-    let mut orbit = figure(12).orbit(Settings { impacts: Some(60), ..figure(12).settings() }).unwrap();
+    let mut orbit = Orbit::of(&figure(12), Settings { impacts: Some(60), ..figure(12).settings() }).unwrap();
     assert_eq!((orbit.by_ref().count(), orbit.outcome()), (60, Some(&Outcome::ImpactsReached)));
 }
 

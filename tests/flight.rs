@@ -5,7 +5,7 @@
 use impact_pair::contact::{Contact, Margins, Radii, first_contact, first_contact_f64};
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, Kernel, Number, Std, kernel};
-use impact_pair::pair::{Reduced, Wall};
+use impact_pair::pair::{Inward, Reduced, Wall};
 use proptest::prelude::*;
 
 const TAU: f64 = std::f64::consts::TAU;

@@ -255,7 +255,7 @@ fn trace_and_determinant_agree_with_finite_differences() {
         [("LR", 1, "1/9.42497", "0.5"), ("RRLL", 1, "2", "0.8"), ("RRLLL", 1, "2", "0.8"), ("LLR", 1, "0.498", "0.8")]
     {
         let pair = pair(ratio, restitution);
-        let reduced = pair.exact().unwrap().map(|x| MpBall::enclosing(&x.enclose(BITS), BITS));
+        let reduced = Reduced::exact(&pair).unwrap().map(|x| MpBall::enclosing(&x.enclose(BITS), BITS));
         let reduced = reduced.map(|x| MpBall::exact(x.mid().clone()));
         let problem = problem(&pair, word, cycles);
         let found = problem.find(&start(), Precision { digits: 30, max_bits: 4096 });

@@ -254,7 +254,7 @@ fn a_period_between_releases_at_half_a_turn_is_counted_in_whole_turns() {
     };
     let ends = [text("pi", "right", "7.52918614e-13"), text("0", "left", "-7.52918614e-13")].map(|text| {
         let scene = Scene::parse(&text).unwrap();
-        let mut orbit = scene.orbit(Settings { impacts: Some(50), ..Settings::default() }).unwrap();
+        let mut orbit = Orbit::of(&scene, Settings { impacts: Some(50), ..Settings::default() }).unwrap();
         let times: Vec<_> = orbit.by_ref().collect::<Vec<_>>().iter().map(|impact| orbit.bounds(impact).0).collect();
         assert_eq!(orbit.outcome(), Some(&Outcome::Periodic(Period { cycles: 6, impacts: 20 })));
         times

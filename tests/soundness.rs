@@ -22,7 +22,7 @@ fn scene(amplitude: &str, gap: &str, restitution: &str, start: &str) -> Scene {
 /// All that is certified of the first `impacts` impacts, and the orbit at its end.
 fn events(scene: &Scene, arithmetic: Arithmetic, impacts: u64) -> (Vec<Progress>, Orbit) {
     let settings = Settings { arithmetic, impacts: Some(impacts), max_bits: 4096, ..Settings::default() };
-    let mut orbit = scene.orbit(settings).unwrap();
+    let mut orbit = Orbit::of(scene, settings).unwrap();
     let mut events = Vec::new();
     loop {
         match orbit.advance() {

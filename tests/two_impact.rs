@@ -4,7 +4,7 @@ use impact_pair::exact::{Dyadic, Enclosure, Exact, decimal_bounds};
 use impact_pair::mapping::{Passage, jacobian};
 use impact_pair::number::Ball;
 use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
-use impact_pair::pair::Wall;
+use impact_pair::pair::{Reduced, Wall};
 use impact_pair::periodic::{Eigenvalue, MeasuredImpact};
 use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Question, Range, Stability, Unknown};
 use impact_pair::{Harmonic, ImpactPair};
@@ -106,7 +106,7 @@ fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclos
         let (mid, rad) = x.mid_rad();
         Ball::new(mid, rad)
     };
-    let reduced = pair.reduced().unwrap();
+    let reduced = Reduced::exact(pair).unwrap().enclosed().unwrap();
     let turn = Enclosure::pi(BITS).mul(&exact("2").enclose(BITS), BITS);
     // v in gaps a turn: 2 pi v/(W d), W = pi.
     let speed =

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
-use impact_pair::certificate::BifurcationDocument;
+use impact_pair::document;
 use impact_pair::exact::decimal_digits;
 use impact_pair::periodic::bifurcation::{Diagram, End, Key, Kind, Over, survey};
 
@@ -26,8 +26,8 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     match arguments.format {
         PeriodicFormat::Table => table(&mut out, &scene, &diagram).context(write)?,
         PeriodicFormat::Json => {
-            let document = BifurcationDocument { start: scene.start(), word, cycles };
-            writeln!(out, "{}", document.json(&diagram).with_context(named)?).context(write)?;
+            let document = document::bifurcations(scene.start(), (word, cycles), &diagram).with_context(named)?;
+            writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
         }
     }
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();

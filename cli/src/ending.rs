@@ -2,16 +2,16 @@
 
 use std::fmt;
 
-use impact_pair::certificate::{Conclusion, is_certified};
+use impact_pair::certificate::document::ArithmeticDocument;
 use impact_pair::contact::Reason;
+use impact_pair::document::{Conclusion, is_certified};
 use impact_pair::orbit::{Arithmetic, Settings};
-use serde_json::Value;
 
 /// The conclusion of an orbit, seen against what was asked.
 pub struct Ending<'s> {
     pub conclusion: Conclusion,
     /// What computed the orbit, as the orbit JSON says it.
-    pub computed: Value,
+    pub computed: ArithmeticDocument,
     /// The first impact whose enclosure is wider than the digits asked for.
     pub wide: Option<u64>,
     pub settings: &'s Settings,

@@ -3,10 +3,11 @@
 use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Event, Kind, asked_arithmetic, head, write_json};
+use impact_pair::certificate::document::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
+use impact_pair::document::{Event, Kind, head};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::Settings;
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 
 use crate::arguments::Format;
 use crate::ending::Ending;
@@ -29,7 +30,7 @@ impl<'s, W: Write> Listing<'s, W> {
         Self { format, scene, settings, out, held_back: Vec::new() }
     }
 
-    fn head(&self, computed: Value) -> Map<String, Value> {
+    fn head(&self, computed: ArithmeticDocument) -> OrbitHead {
         head(self.scene.pair(), self.scene.start(), self.settings.arithmetic, computed)
     }
 
@@ -39,8 +40,8 @@ impl<'s, W: Write> Listing<'s, W> {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
             Format::Jsonl => {
-                let head = self.head(asked_arithmetic(self.settings));
-                writeln!(self.out, "{}", Value::Object(head))
+                let head = self.head(ArithmeticDocument::asked(self.settings));
+                line(&mut self.out, &head)
             }
             Format::Csv => writeln!(self.out, "{CSV_HEADER}"),
         }
@@ -53,9 +54,9 @@ impl<'s, W: Write> Listing<'s, W> {
                 self.held_back.push(event.clone());
                 Ok(())
             }
-            Format::Jsonl => writeln!(self.out, "{event}"),
+            Format::Jsonl => line(&mut self.out, &EventDocument::from(event)),
             Format::Csv => {
-                let (name, wall, [t0, t1]) = (event.name(), event.wall.name(), event.time.decimals());
+                let (name, wall, [t0, t1]) = (event.name().text(), event.wall.name(), event.time.decimals());
                 match &event.kind {
                     Kind::Impact { mapping, velocity } => {
                         let mapping = mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
@@ -77,14 +78,20 @@ impl<'s, W: Write> Listing<'s, W> {
             Format::Json => {
                 let head = self.head(ending.computed.clone());
                 let mut out = BufWriter::new(&mut self.out);
-                write_json(&mut out, &head, &ending.conclusion, &self.held_back)?;
+                let events = self.held_back.iter().map(EventDocument::from);
+                write_orbit(&mut out, &head, &ending.conclusion.document(), events)?;
                 out.flush()?;
             }
             Format::Jsonl => {
-                writeln!(self.out, "{}", json!({"outcome": ending.conclusion.json(), "arithmetic": ending.computed}))?
+                let (outcome, arithmetic) = (ending.conclusion.document(), ending.computed.clone());
+                line(&mut self.out, &OrbitEnd { outcome, arithmetic })?;
             }
             Format::Csv => {}
         }
         Ok(self.out)
     }
+}
+
+fn line(out: &mut impl Write, document: &impl Serialize) -> io::Result<()> {
+    writeln!(out, "{}", serde_json::to_string(document)?)
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
-use impact_pair::certificate::PeriodicDocument;
+use impact_pair::document::Units;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
 
@@ -18,8 +18,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
-    let document =
-        PeriodicDocument::new(scene.pair(), scene.start(), problem.word(), arguments.cycles).with_context(named)?;
+    let units = Units::new(problem.pair()).with_context(named)?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
@@ -29,8 +28,11 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     };
     let write = "cannot write the output";
     match arguments.format {
-        PeriodicFormat::Table => table(&mut out, &scene, &problem, &document, &census).context(write)?,
-        PeriodicFormat::Json => writeln!(out, "{}", document.json(&census)).context(write)?,
+        PeriodicFormat::Table => table(&mut out, &scene, &problem, &units, &census).context(write)?,
+        PeriodicFormat::Json => {
+            let document = units.document(&problem, start, &census);
+            writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
+        }
     }
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
     out.commit()?;
@@ -42,13 +44,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     Ok(if census.is_certified() { Answer::Complete } else { Answer::Incomplete })
 }
 
-fn table(
-    out: &mut impl Write,
-    scene: &Scene,
-    problem: &Problem,
-    document: &PeriodicDocument<'_>,
-    census: &Census,
-) -> io::Result<()> {
+fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> io::Result<()> {
     heading::write(out, scene)?;
     let cycles = problem.chain().cycles();
     writeln!(out, "word {} in {cycles} cycle{}", problem.word(), if cycles == 1 { "" } else { "s" })?;
@@ -60,7 +56,7 @@ fn table(
         // Which turn of the common period, where that is longer than one.
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
         writeln!(out, "  {:5}  {}{:31}  velocity before", "wall", turn("turn"), "phase W t + tau")?;
-        for impact in &document.measured(found).impacts {
+        for impact in &units.measured(found).impacts {
             let turn = turn(&impact.turn.to_string());
             let [phase, velocity] = [&impact.phase, &impact.velocity].map(decimal_digits);
             writeln!(out, "  {:5}  {turn}{phase:31}  {velocity}", impact.wall.name())?;

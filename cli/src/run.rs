@@ -4,8 +4,8 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::certificate::{Conclusion, Event, arithmetic};
-use impact_pair::orbit::Settings;
+use impact_pair::document::{Conclusion, Event, arithmetic};
+use impact_pair::orbit::{Orbit, Settings};
 
 use crate::Answer;
 use crate::arguments::{Format, RunArguments};
@@ -19,7 +19,7 @@ use crate::scene;
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
-    let mut orbit = scene.orbit(settings.clone()).with_context(|| scene::name(&arguments.scene))?;
+    let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
 
     // From here on Ctrl-C keeps what is certified.

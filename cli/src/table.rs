@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Event, Kind, is_certified};
+use impact_pair::document::{Event, Kind, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 
@@ -46,6 +46,8 @@ pub fn end(out: &mut impl Write, ending: &Ending<'_>) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use impact_pair::orbit::Orbit;
+
     use super::*;
 
     #[test]
@@ -55,7 +57,7 @@ mod tests {
                      start = { time = 1000, wall = \"left\", velocity = \"-4*pi\" }";
         let scene = Scene::parse(scene).unwrap();
         let settings = scene.settings();
-        let mut orbit = scene.orbit(settings.clone()).unwrap();
+        let mut orbit = Orbit::of(&scene, settings.clone()).unwrap();
         let mut table = Vec::new();
         begin(&mut table, &scene, &settings).unwrap();
         while let Some(impact) = orbit.next() {

@@ -1,10 +1,9 @@
 //! What an orbit JSON claims of the periodic orbit that its motion converges to.
 
+use impact_pair_certificate::document::{Bounds, Decimal, OutcomeDocument, PeriodicImpactDocument, Place};
 use num_rational::BigRational;
-use serde_json::Value;
 
-use super::read::Entry;
-use crate::error::Error;
+use crate::Error;
 use crate::mapping::Word;
 use crate::pair::Wall;
 
@@ -16,41 +15,37 @@ pub(super) struct Attraction {
     /// From this impact on it is in a neighbourhood that the period contracts.
     pub from: u64,
     /// Wall, phase, velocity of each impact.
-    pub impacts: Vec<(Wall, [Bounds; 2])>,
+    pub impacts: Vec<(Wall, [[BigRational; 2]; 2])>,
     /// Trace, determinant, and both eigenvalues, real and imaginary parts.
-    pub numbers: [Bounds; 6],
+    pub numbers: [[BigRational; 2]; 6],
     pub symmetric: Option<bool>,
     /// Whether it is claimed to be the only one in its box, physical and stable.
     pub is_attractor: bool,
 }
 
-/// A lower and an upper bound.
-pub(super) type Bounds = [BigRational; 2];
-
 impl Attraction {
-    /// The claim of an outcome that has an `orbit`.
-    pub fn read(outcome: &Entry<'_>, orbit: &Entry<'_>) -> Result<Self, Error> {
-        let impact = |impact: &Entry<'_>| {
-            Ok((impact.get("wall")?.wall()?, [impact.get("phase")?.bounds()?, impact.get("velocity")?.bounds()?]))
-        };
-        let eigenvalues = orbit.get("eigenvalues")?;
-        let [one, other] = eigenvalues.list()?.try_into().map_err(|_| eigenvalues.refused("must be two"))?;
-        let is_true = |key| Ok::<_, Error>(orbit.get(key)?.value == &Value::Bool(true));
-        Ok(Self {
-            word: outcome.get("word")?.text()?.parse()?,
-            cycles: outcome.get("cycles")?.integer()?,
-            from: outcome.get("from")?.integer()?,
-            impacts: orbit.get("impacts")?.list()?.iter().map(impact).collect::<Result<_, Error>>()?,
+    /// What an outcome claims, if it has an `orbit`; it stands at `place`.
+    pub fn of(outcome: &OutcomeDocument, place: &Place<'_>) -> Result<Option<Self>, Error> {
+        let Some(orbit) = &outcome.orbit else { return Ok(None) };
+        let values = |bounds: &Bounds| bounds.each_ref().map(Decimal::value);
+        let impact = |impact: &PeriodicImpactDocument| (impact.wall, [values(&impact.phase), values(&impact.velocity)]);
+        let there = |key: &str| place.missing(&format!("orbit.{key}"));
+        let [one, other] = orbit.eigenvalues.as_ref().ok_or_else(|| there("eigenvalues"))?;
+        Ok(Some(Self {
+            word: outcome.word.as_ref().ok_or_else(|| place.missing("word"))?.parse()?,
+            cycles: outcome.cycles.ok_or_else(|| place.missing("cycles"))?.into(),
+            from: outcome.from.ok_or_else(|| place.missing("from"))?,
+            impacts: orbit.impacts.iter().map(impact).collect(),
             numbers: [
-                orbit.get("trace")?.bounds()?,
-                orbit.get("determinant")?.bounds()?,
-                one.get("re")?.bounds()?,
-                one.get("im")?.bounds()?,
-                other.get("re")?.bounds()?,
-                other.get("im")?.bounds()?,
+                values(orbit.trace.as_ref().ok_or_else(|| there("trace"))?),
+                values(orbit.determinant.as_ref().ok_or_else(|| there("determinant"))?),
+                values(&one.re),
+                values(&one.im),
+                values(&other.re),
+                values(&other.im),
             ],
-            symmetric: orbit.get("symmetric")?.value.as_bool(),
-            is_attractor: is_true("unique")? && is_true("physical")? && orbit.get("stability")?.text()? == "stable",
-        })
+            symmetric: orbit.symmetric,
+            is_attractor: orbit.unique && orbit.physical == Some(true) && orbit.stability == "stable",
+        }))
     }
 }

@@ -8,7 +8,7 @@ use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::kernel::Departure;
 use crate::number::{Ball, Kernel, Number, UNIT, up};
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 
 impl Bracket {
     /// The contact, out of the mirrored frame of its flight.

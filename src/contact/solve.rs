@@ -10,6 +10,7 @@ use super::extrema::{Extrema, Piece, Target};
 use crate::flight::Flight;
 use crate::number::Trigonometry;
 use crate::number::kernel::Departure;
+use crate::pair::Inward;
 
 /// Steps to a root within a monotone piece: halving alone takes one a bit of a double.
 const MOST_STEPS: u32 = 64;

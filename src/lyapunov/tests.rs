@@ -12,7 +12,7 @@ fn scene(name: &str) -> Scene {
 /// The disturbance after so many impacts from the start.
 fn after(scene: &Scene, impacts: u64, digits: u32) -> Disturbance {
     let settings = Settings { impacts: Some(impacts), digits, ..Settings::default() };
-    let mut orbit = scene.orbit(settings).unwrap();
+    let mut orbit = Orbit::of(scene, settings).unwrap();
     let mut disturbance = Disturbance::of(&orbit);
     loop {
         match orbit.advance() {
@@ -120,7 +120,7 @@ fn without_rebound_one_direction_is_left() {
     let text = "excitation = { amplitude = 8, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0 }\n\
                 start = { time = 0.3, wall = \"left\", velocity = -1 }";
     let settings = Settings { impacts: Some(1), ..Settings::default() };
-    let mut orbit = Scene::parse(text).unwrap().orbit(settings).unwrap();
+    let mut orbit = Orbit::of(&Scene::parse(text).unwrap(), settings).unwrap();
     let start = orbit.start_impact().unwrap();
     let first = orbit.next().unwrap();
     let [[a, b], [c, d]] = orbit.jacobian(&start, &first).unwrap();

@@ -1,6 +1,7 @@
 //! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
 
-use super::event::{Graze, Outcome, Period, Progress, Release, Rest, finite};
+use super::Period;
+use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
 use super::shortfall::Shortfall;
 use super::still::Still;
 use super::{Cursor, Orbit};
@@ -9,7 +10,7 @@ use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 use crate::rest;
 use crate::several::Zero;
 use crate::turns;

@@ -5,10 +5,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
 use crate::number::Ball;
-use crate::pair::{ImpactPair, ball, within};
+use crate::pair::{ImpactPair, ball, too_large, within};
 use crate::turns;
 
 /// Bits kept beyond those of the largest number of turns and of the widths to be shown.
@@ -93,8 +93,7 @@ impl Clock {
         let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
         let since = within(key, time, since)?;
         let whole = nearest(&since);
-        let turns =
-            whole.to_i64().and_then(|whole| turns::later(0, whole)).ok_or_else(|| Error::too_large(key, time))?;
+        let turns = whole.to_i64().and_then(|whole| turns::later(0, whole)).ok_or_else(|| too_large(key, time))?;
         let rest = within(key, time, since.checked_sub(&Exact::from(turns)))?;
         Ok((turns, rest))
     }

@@ -134,7 +134,8 @@ mod tests {
 
     fn orbit(arithmetic: &str) -> Orbit {
         let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).unwrap();
-        scene.orbit(crate::orbit::Settings { arithmetic: arithmetic.parse().unwrap(), ..scene.settings() }).unwrap()
+        Orbit::of(&scene, crate::orbit::Settings { arithmetic: arithmetic.parse().unwrap(), ..scene.settings() })
+            .unwrap()
     }
 
     #[test]

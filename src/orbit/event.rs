@@ -1,5 +1,6 @@
 //! What an orbit consists of: its impacts, and how it ended.
 
+use super::Period;
 use crate::contact::Reason;
 use crate::exact::Enclosure;
 use crate::mapping::Mapping;
@@ -87,15 +88,6 @@ pub enum Progress {
     Retraced(u64),
     /// The orbit has ended.
     Ended,
-}
-
-/// How often an exactly periodic motion repeats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Period {
-    /// In turns of the excitation.
-    pub cycles: u64,
-    /// In impacts that are listed.
-    pub impacts: u64,
 }
 
 impl Progress {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Arithmetic;
+use super::Start;
 use super::clock::Clock;
 #[cfg(feature = "multiprecision")]
 use super::motion::Swinging;
@@ -13,8 +14,7 @@ use super::plan::Plan;
 #[cfg(feature = "multiprecision")]
 use super::precise::PreciseMotion;
 use super::several::Several;
-use super::start::Start;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Reduced, Wall, ball, within};
@@ -38,7 +38,11 @@ impl Given {
         let (turns, origin) = Origin::new(pair, start, clock)?;
         let several = Several::new(pair, clock.origin(), start, turns)?;
         let (exact, reduced) = match &several {
-            None => (pair.exact()?, pair.reduced()?),
+            None => {
+                let exact = Reduced::exact(pair)?;
+                let reduced = exact.enclosed()?;
+                (exact, reduced)
+            }
             Some(several) => {
                 let amplitude = pair.excitation().reference().amplitude();
                 let sums = within("excitation.amplitude", amplitude, several.sums())?;
@@ -77,7 +81,7 @@ impl Given {
             #[cfg(feature = "multiprecision")]
             (Arithmetic::Bits(bits), _) => self.precise(Plan::constant(bits)),
             #[cfg(not(feature = "multiprecision"))]
-            (Arithmetic::Bits(bits), _) => return Err(Error::arithmetic(&bits.to_string())),
+            (Arithmetic::Bits(bits), _) => return Err(Arithmetic::unknown(&bits.to_string())),
         })
     }
 

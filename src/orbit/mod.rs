@@ -17,27 +17,26 @@ mod precise;
 mod raise;
 mod recurrence;
 mod set;
-mod settings;
 mod several;
 mod shortfall;
-mod start;
 mod still;
+mod width;
 
 pub use clock::Clock;
 pub use course::{Course, CoursePoint};
-pub use event::{Graze, Impact, Outcome, Period, Progress, Release, Rest};
+pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
+pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
-pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
-pub use start::{Place, Start};
 
+use crate::Error;
+use crate::Scene;
 use crate::contact::{Contact, Undecided};
-use crate::error::Error;
 use crate::exact::Enclosure;
 use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
-use crate::pair::{ImpactPair, Reduced, Wall};
+use crate::pair::{ImpactPair, Reduced, Wall, too_large};
 use crate::periodic::Passing;
 use crate::rest;
 use crate::several::Zero;
@@ -51,8 +50,8 @@ use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
 use recurrence::Recurrence;
-use settings::Width;
 use still::Still;
+use width::Width;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
@@ -145,11 +144,11 @@ impl Orbit {
             // Of log2(10) bits a digit, and a few more.
             _ => settings.digits.saturating_mul(10) / 3 + 64, // shown
         };
-        let clock = Clock::new(pair, &start.time, shown)?;
+        let clock = Clock::new(pair, start.time(), shown)?;
         let (turns, given) = Given::new(pair, start, &clock)?;
         let reduced = given.pair;
         let origin = given.origin_ball().map_err(|error| match error.key() {
-            Some("start.velocity") => Error::too_large("start.velocity", &start.velocity),
+            Some("start.velocity") => too_large("start.velocity", start.velocity()),
             _ => error,
         })?;
         let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
@@ -186,6 +185,14 @@ impl Orbit {
         };
         orbit.look_ahead();
         Ok(orbit)
+    }
+
+    /// The orbit of a scene; what is wrong with it is told with its line.
+    ///
+    /// # Errors
+    /// As [`Orbit::new`].
+    pub fn of(scene: &Scene, settings: Settings) -> Result<Self, Error> {
+        Self::new(scene.pair(), scene.start(), settings.clone()).map_err(|error| scene.located(error, &settings))
     }
 
     /// What there is to know of a new start.

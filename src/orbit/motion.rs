@@ -13,7 +13,7 @@ use crate::mapping::{Passage, jacobian};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Kernel, UNIT, kernel};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Inward, Reduced, Wall};
 
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {

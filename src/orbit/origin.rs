@@ -1,8 +1,8 @@
 //! Where a motion starts, without units, in any arithmetic.
 
 use super::clock::Clock;
-use super::start::{Place, Start};
-use crate::error::Error;
+use super::{Place, Start};
+use crate::Error;
 use crate::exact::Exact;
 use crate::pair::{ImpactPair, Wall, within};
 
@@ -26,9 +26,9 @@ pub(super) enum Location<N> {
 impl Origin<Exact> {
     /// The exact start, and the whole turns of its phase since the clock's origin.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<(i64, Self), Error> {
-        let (turns, phase) = clock.split("start.time", &start.time)?;
-        let velocity = clock.reduced_velocity(&start.velocity)?;
-        let place = match &start.place {
+        let (turns, phase) = clock.split("start.time", start.time())?;
+        let velocity = clock.reduced_velocity(start.velocity())?;
+        let place = match start.place() {
             Place::Wall(wall) => Location::Wall(*wall),
             Place::Inside(position) => {
                 let half = Exact::from(1).checked_div(&Exact::from(2));

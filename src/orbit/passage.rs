@@ -3,16 +3,17 @@
 use std::cmp::Ordering;
 
 use super::{Cursor, Impact, Orbit, Rest};
-use crate::certificate::phase_in_radians;
 use crate::exact::Enclosure;
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, Enclosing, Number};
+use crate::pair::Inward;
 use crate::rest;
+use crate::turns::in_radians;
 
 impl Orbit {
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
-        phase_in_radians(&impact.enclosures().0, self.shown)
+        in_radians(&impact.enclosures().0, self.shown)
     }
 
     /// The bounds of an impact's velocity \[length/time\], before it.

@@ -16,7 +16,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Inward, Reduced, Wall};
 
 /// Bits below the radius of a set that its centre is not worth.
 const DROWNED: i64 = 64;

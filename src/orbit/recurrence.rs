@@ -1,6 +1,7 @@
 //! Motions that repeat exactly: a second release of one kind (Lemmas Z3, H9).
 
-use super::event::{Period, Progress};
+use super::Period;
+use super::event::Progress;
 use crate::contact::Undecided;
 
 /// Events that are kept to be repeated; longer periods are computed anew each time.

@@ -14,7 +14,7 @@ use super::shaking::Shaking;
 use super::{Pair, Problem};
 use crate::mapping::jacobian_between;
 use crate::number::{Ball, Enclosing, Number, up};
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 
 /// States that all tend to a periodic orbit, proved.
 ///

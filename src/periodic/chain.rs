@@ -6,7 +6,7 @@
 //! through the same lines; and in what shakes the box ([`Shaking`]).
 
 use super::shaking::{Hop, Repetition, Shaking};
-use crate::error::Error;
+use crate::Error;
 use crate::mapping::{Word, jacobian_between};
 use crate::number::Number;
 use crate::pair::{Reduced, Wall};
@@ -66,13 +66,15 @@ impl Chain {
     /// of the common period.
     pub fn under(repetition: Repetition, word: &Word, cycles: u32) -> Result<Self, Error> {
         if !word.is_closed() {
-            return Err(Error::open_word(&word.to_string()));
+            return Err(open(word));
         }
         if !(1..=MOST_CYCLES).contains(&cycles) {
-            return Err(Error::cycles(cycles, MOST_CYCLES));
+            return Err(not_so_many(cycles, &format!("must lie in [1, {MOST_CYCLES}]")));
         }
         if !cycles.is_multiple_of(repetition.turns) {
-            return Err(Error::uncommon_cycles(cycles, repetition.turns));
+            let period = repetition.turns;
+            let accepted = format!("must be a multiple of {period}: only after {period} turns of the fastest harmonic");
+            return Err(not_so_many(cycles, &format!("{accepted} are all phases what they were")));
         }
         Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles, repetition })
     }
@@ -238,6 +240,15 @@ impl<N> Slopes<N> {
             columns.into_iter().zip(row).map(move |(j, value)| (i, j, value))
         })
     }
+}
+
+fn open(word: &Word) -> Error {
+    let accepted = "words that end on the wall they start from, such as \"P2 P1\"";
+    Error::word(format!("the word is \"{word}\", but accepted are {accepted}"))
+}
+
+fn not_so_many(cycles: u32, accepted: &str) -> Error {
+    Error::out_of_range(None, format!("the number of cycles is {cycles}, but {accepted}"))
 }
 
 #[cfg(test)]

@@ -29,7 +29,7 @@ mod shaken;
 pub mod shaking;
 mod stability;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::log2_of_digits;
 use crate::mapping::Word;
 use crate::number::Ball;
@@ -118,7 +118,9 @@ impl Problem {
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let Some(several) = Several::new(pair)? else {
-            let one = One::new(pair.exact()?, pair.reduced()?);
+            let exact = Reduced::exact(pair)?;
+            let reduced = exact.enclosed()?;
+            let one = One::new(exact, reduced);
             return Ok(Self {
                 impact_pair: pair.clone(),
                 word: word.clone(),

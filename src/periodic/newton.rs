@@ -3,6 +3,7 @@
 use super::chain::{Chain, Leg, Legs};
 use super::precondition::Preconditioner;
 use super::shaking::Shaking;
+use crate::pair::Inward;
 
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;

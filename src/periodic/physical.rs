@@ -11,7 +11,7 @@ use crate::flight::Flight;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing, kernel};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Inward, Reduced, Wall};
 
 /// The pair as the certificates of first contacts want it.
 #[derive(Clone, Copy, Debug)]

@@ -9,7 +9,7 @@ use super::chain::{Chain, Legs, MOST_CYCLES};
 use super::physical::{Claim, Found, all_first};
 use super::shaken::{Moment, Passing, Shaken, Step};
 use super::shaking::{Hop, Repetition, Shaking};
-use crate::error::Error;
+use crate::Error;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
@@ -93,7 +93,7 @@ impl Several {
         let repetition = repetition().ok_or_else(|| {
             let terms = pair.excitation().terms().iter();
             let frequencies: Vec<String> = terms.map(|term| term.frequency().text().to_string()).collect();
-            Error::incommensurate(&frequencies, MOST_CYCLES)
+            incommensurate(&frequencies)
         })?;
         let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
         let amplitude = pair.excitation().reference().amplitude();
@@ -211,6 +211,15 @@ impl Shaken for Several {
             self.is_first(shaking, claim, -(shaking.restitution.clone() * claim.before.clone()))
         })
     }
+}
+
+fn incommensurate(frequencies: &[String]) -> Error {
+    let accepted = format!(
+        "periodic orbits are known of frequencies whose ratios are proved to be fractions, with a common period of \
+         at most {MOST_CYCLES} turns of the fastest"
+    );
+    let message = format!("excitation.frequency is [{}], but {accepted}", frequencies.join(", "));
+    Error::out_of_range("excitation.frequency", message)
 }
 
 #[cfg(test)]

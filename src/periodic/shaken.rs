@@ -9,7 +9,7 @@ use crate::flight::Flight;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Kernel, Wave, kernel};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Inward, Reduced, Wall};
 use crate::several::Phased;
 
 /// An impact of a floating motion: wall, phase in turns, velocity before.

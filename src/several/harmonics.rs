@@ -1,13 +1,13 @@
 //! Several harmonics in any arithmetic: their phases at any turn, and what bounds the motion.
 
 use super::spectrum::{Spectrum, Term};
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::number::kernel::Departure;
 use crate::number::{Ball, LARGEST_RATE, Wave, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
-use crate::pair::ImpactPair;
+use crate::pair::{ImpactPair, too_large};
 
 /// A number in which flights under several harmonics are computed.
 pub(crate) trait Phased: Wave {
@@ -362,7 +362,7 @@ impl Harmonics<Ball> {
         if is_positive(LARGEST_RATE - harmonics.rates.fourth) {
             return Ok(harmonics);
         }
-        Err(Error::too_large("excitation.amplitude", pair.excitation().reference().amplitude()))
+        Err(too_large("excitation.amplitude", pair.excitation().reference().amplitude()))
     }
 }
 

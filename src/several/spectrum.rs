@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive};
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, Reduced, within};

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::scene::Key;
 
@@ -63,7 +63,7 @@ impl FromStr for Axis {
             let (low, high) = ends.split_once("..")?;
             Some((key, low, high, count))
         };
-        let (key, low, high, count) = parts().ok_or_else(|| Error::grid(text, ACCEPTED))?;
+        let (key, low, high, count) = parts().ok_or_else(|| refused(text, ACCEPTED))?;
         let key = key.trim().parse()?;
         let end = |text: &str| Exact::parse(text).ok().filter(Exact::is_point);
         let axis = || {
@@ -71,7 +71,7 @@ impl FromStr for Axis {
             let count = count.trim().parse().ok().filter(|count| (2..=MOST_POINTS).contains(count))?;
             low.compare(&high)?.is_lt().then_some(Self { key, low, high, count })
         };
-        axis().ok_or_else(|| Error::grid(text, ACCEPTED))
+        axis().ok_or_else(|| refused(text, ACCEPTED))
     }
 }
 
@@ -97,14 +97,14 @@ impl Grid {
         let is_start_time = |axis: &Axis| matches!(axis.key, Key::StartTime | Key::StartPhase);
         let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.count));
         match &axes[..] {
-            [] | [_, _, _, ..] => return Err(Error::grid(&text(), "one axis, or two")),
+            [] | [_, _, _, ..] => return Err(refused(&text(), "one axis, or two")),
             [a, b] if a.key == b.key || [a, b].into_iter().all(is_start_time) => {
-                return Err(Error::grid(&text(), "two axes that do not set the same"));
+                return Err(refused(&text(), "two axes that do not set the same"));
             }
             _ => {}
         }
         if points.is_none_or(|points| points > MOST_POINTS) {
-            return Err(Error::grid(&text(), &format!("at most {MOST_POINTS} points")));
+            return Err(refused(&text(), &format!("at most {MOST_POINTS} points")));
         }
         Ok(Self { axes })
     }
@@ -133,11 +133,15 @@ impl Grid {
     /// When one is beyond what exact expressions hold.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
         let value = |(axis, place): (&Axis, u64)| {
-            let value = axis.value(place).map_err(|error| Error::grid(&axis.to_string(), &error.to_string()))?;
+            let value = axis.value(place).map_err(|error| refused(&axis.to_string(), &error.to_string()))?;
             Ok((axis.key, value))
         };
         self.axes.iter().zip(self.places(point)).map(value).collect()
     }
+}
+
+fn refused(text: &str, accepted: &str) -> Error {
+    Error::out_of_range(None, format!("the grid is \"{text}\", but accepted is {accepted}"))
 }
 
 #[cfg(test)]

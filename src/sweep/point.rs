@@ -1,7 +1,7 @@
 //! One point of a sweep: an orbit, followed past a transient, and what is proved of it.
 
-use crate::certificate::{Conclusion, Event, phase_in_radians};
-use crate::error::Error;
+use crate::Error;
+use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
 use crate::lyapunov::{Disturbance, Exponent};
 use crate::mapping::Word;
@@ -10,6 +10,7 @@ use crate::orbit::{Impact, Orbit, Outcome, Progress, Settings};
 use crate::pair::Wall;
 use crate::periodic::{Attractor, PeriodicImpact};
 use crate::scene::Scene;
+use crate::turns::in_radians;
 
 /// What is asked at each point.
 #[derive(Clone, Debug)]
@@ -80,7 +81,7 @@ pub struct Point {
 /// When a value is beyond the range of double-precision flights.
 pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Result<Option<Point>, Error> {
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
-    let mut orbit = scene.orbit(Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
+    let mut orbit = Orbit::of(scene, Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
     let mut window = Window::new(&orbit, asked.transient);
     let mut last = None;
     loop {
@@ -170,7 +171,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor) -> Attraction {
     let Attractor { word, cycles, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
-    let radians = |impact: &PeriodicImpact| phase_in_radians(&impact.phase, periodic.bits);
+    let radians = |impact: &PeriodicImpact| in_radians(&impact.phase, periodic.bits);
     let is_right = |shift| rotated(shift).map(|impact| impact.wall == Wall::Right).collect::<Vec<_>>();
     let earlier = |a: &usize, b: &usize| {
         let phase = |shift: usize| radians(&impacts[shift]).mid_rad().0;

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::pair::{ImpactPair, within};
 

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::{ImpactPair, Wall, within};
 

@@ -34,7 +34,6 @@
 mod angle;
 pub mod closed_forms;
 mod data;
-mod document;
 mod elastic;
 mod equispaced;
 mod isolate;
@@ -47,7 +46,6 @@ mod stability;
 mod unequispaced;
 
 pub use crate::periodic::{MeasuredOrbit, Stability};
-pub use document::{MANIFOLD_SCHEMA, manifolds, periodic, word};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::Orbit;
 pub use question::{Answer, CYCLES, Question, Unknown};

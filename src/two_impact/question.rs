@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::ImpactPair;
 

@@ -1,7 +1,9 @@
 //! One start: `run` in some arithmetic, its document read back and checked.
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Certificate, Conclusion, Effort, Event, Verdict, arithmetic, head, write_json};
+use impact_pair::certificate::document::{EventDocument, write_orbit};
+use impact_pair::certificate::{Certificate, Effort, Verdict};
+use impact_pair::document::{Conclusion, Event, arithmetic, head};
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 
 use super::starts::Case;
@@ -58,14 +60,15 @@ fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, us
     let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
     let head = head(scene.pair(), scene.start(), settings.arithmetic, arithmetic(&orbit));
     let mut text = Vec::new();
-    write_json(&mut text, &head, &conclusion, &events).expect("a vector takes all");
+    write_orbit(&mut text, &head, &conclusion.document(), events.iter().map(EventDocument::from))
+        .expect("a vector takes all");
     (String::from_utf8(text).expect("JSON is text"), events.len())
 }
 
 /// Runs and checks; with words on what is refuted.
 pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
     let settings = settings(number, case.impacts);
-    let Ok(orbit) = case.scene.orbit(settings.clone()) else { return (Judgement::NoScene, String::new()) };
+    let Ok(orbit) = Orbit::of(&case.scene, settings.clone()) else { return (Judgement::NoScene, String::new()) };
     let (text, events) = document(&case.scene, &settings, orbit);
     if events == 0 {
         return (Judgement::Nothing, String::new());

@@ -1,117 +1,112 @@
-//! The audit JSON, schema `impact-pair/audit/1`.
-//!
-//! Certified values and errors are decimal bounds, rounded outward: a listed time is at least `error.time[0]` and at most `error.time[1]`
-//! away from the true one. Listed numbers are as they were written.
+//! The audit JSON: the documents of an audit and of its parts.
 
-use impact_pair::certificate::{self, PROGRAM};
-use impact_pair::exact::{Enclosure, decimal_bounds};
-use serde_json::{Value, json};
+use impact_pair::certificate::document::{
+    AUDIT_SCHEMA, AuditDocument, AuditEvent, CertifiedContact, Counts, Departure, Disagreement, DoublePrecision,
+    ImpactNumber, ImpactVerdict, ListedError, ListedRow, PROGRAM, Parting, SceneDocument, Units, bounds, one_a_line,
+};
+use impact_pair::exact::Enclosure;
 
 use super::Audit;
-use super::doubles::Parting;
+use super::doubles;
 use super::judge::Finding;
 use super::truth::{Site, SiteKind};
 use super::verdict::Verdict;
 
-const SCHEMA: &str = "impact-pair/audit/1";
 /// Bits that a time to judge up to is shown in.
 const BITS: u32 = 64;
 
 /// The whole document, an event a line.
-pub fn document(audit: &Audit<'_>) -> String {
-    let Audit { scene, truth, judgement, tolerance, doubles, .. } = audit;
-    let count = |verdict: Verdict| judgement.count(|other| other == verdict);
-    let first = judgement.first_disagreement().map(|finding| {
-        json!({"impact": judgement.impact(finding, truth), "verdict": finding.verdict.name(), "row": row(finding)})
-    });
-    let departure =
-        judgement.departure.map(|found| json!({"impact": found.impact, "row": found.row.map(|row| row + 1)}));
-    let head = [
-        ("schema", json!(SCHEMA)),
-        ("program", json!(PROGRAM)),
-        ("scene", certificate::scene(scene.pair(), scene.start())),
-        ("tolerance", json!(tolerance.relative.text())),
-        (
-            "units",
-            json!({
-                "time": decimal_bounds(&tolerance.scales.period),
-                "velocity": decimal_bounds(&tolerance.scales.velocity),
-            }),
-        ),
-        ("until", json!(decimal_bounds(&Enclosure::from_rational(&audit.end, BITS)))),
-        ("digits", json!(audit.settings.digits)),
-        ("arithmetic", truth.computed.clone()),
-        ("outcome", truth.conclusion.json()),
-        ("agreed", json!(audit.is_agreed())),
-        ("message", json!(audit.conclusion())),
-        (
-            "counts",
-            json!({
-                "listed": audit.rows.len(),
-                "left_out": audit.left_out,
-                "inside": count(Verdict::Inside),
-                "outside": count(Verdict::Outside),
-                "missed": count(Verdict::Missed),
-                "false": judgement.count(|verdict| matches!(verdict, Verdict::False(_))),
-                "chatter": count(Verdict::InChatter),
-                "undecided": count(Verdict::Undecided),
-            }),
-        ),
-        ("first_disagreement", json!(first)),
-        ("another_orbit", json!(departure)),
-        ("double_precision", json!({"rounded_data": doubles.data.map(parting), "float": doubles.float.map(parting)})),
-    ];
-    let head: Vec<String> = head.iter().map(|(key, value)| format!("\"{key}\":{value}")).collect();
-    let events: Vec<String> = judgement.findings.iter().map(|finding| event(finding, audit).to_string()).collect();
-    format!("{{{},\n \"events\":[\n  {}]}}\n", head.join(",\n "), events.join(",\n  "))
+pub fn text(audit: &Audit<'_>) -> String {
+    format!("{}\n", one_a_line(&document(audit), &["events"]))
 }
 
-fn parting(Parting { disagrees, leaves }: Parting) -> Value {
-    let first = disagrees.map(|(impact, verdict)| json!({"impact": impact, "verdict": verdict.name()}));
-    json!({"first_disagreement": first, "another_orbit": leaves.map(|impact| json!({"impact": impact}))})
+fn document(audit: &Audit<'_>) -> AuditDocument {
+    let Audit { scene, truth, judgement, tolerance, doubles, .. } = audit;
+    let count = |verdict: Verdict| judgement.count(|other| other == verdict);
+    let scales = &tolerance.scales;
+    let disagreement = |finding: &Finding| Disagreement {
+        impact: judgement.impact(finding, truth),
+        verdict: finding.verdict.name().to_owned(),
+        row: row(finding.row),
+    };
+    AuditDocument {
+        schema: AUDIT_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        tolerance: (&tolerance.relative).into(),
+        units: Units { time: bounds(&scales.period), velocity: bounds(&scales.velocity) },
+        until: bounds(&Enclosure::from_rational(&audit.end, BITS)),
+        digits: audit.settings.digits,
+        arithmetic: truth.computed.clone(),
+        outcome: truth.conclusion.document(),
+        agreed: audit.is_agreed(),
+        message: audit.conclusion().to_string(),
+        counts: Counts {
+            listed: audit.rows.len(),
+            left_out: audit.left_out,
+            inside: count(Verdict::Inside),
+            outside: count(Verdict::Outside),
+            missed: count(Verdict::Missed),
+            false_: judgement.count(|verdict| matches!(verdict, Verdict::False(_))),
+            chatter: count(Verdict::InChatter),
+            undecided: count(Verdict::Undecided),
+        },
+        first_disagreement: judgement.first_disagreement().map(disagreement),
+        another_orbit: judgement.departure.map(|found| Departure { impact: found.impact, row: row(found.row) }),
+        double_precision: DoublePrecision {
+            rounded_data: doubles.data.map(parting),
+            float: doubles.float.map(parting),
+        },
+        events: judgement.findings.iter().map(|finding| event(finding, audit)).collect(),
+    }
+}
+
+fn parting(parting: doubles::Parting) -> Parting {
+    let verdict = |(impact, verdict): (u64, Verdict)| ImpactVerdict { impact, verdict: verdict.name().to_owned() };
+    Parting {
+        first_disagreement: parting.disagrees.map(verdict),
+        another_orbit: parting.leaves.map(|impact| ImpactNumber { impact }),
+    }
 }
 
 /// Counts rows from 1.
-fn row(finding: &Finding) -> Option<usize> {
-    finding.row.map(|row| row + 1)
+fn row(row: Option<usize>) -> Option<usize> {
+    row.map(|row| row + 1)
 }
 
-fn event(finding: &Finding, audit: &Audit<'_>) -> Value {
-    let mut event = json!({"verdict": finding.verdict.name()});
-    if let Verdict::False(reason) = finding.verdict {
-        event["reason"] = json!(reason.name());
-    }
-    if let Some(listed) = finding.row.map(|row| &audit.rows[row]) {
-        event["row"] = json!(row(finding));
-        event["listed"] = json!({"place": listed.place, "wall": listed.wall.name(), "time": listed.time.written});
-        if let Some(velocity) = &listed.velocity {
-            event["listed"]["velocity"] = json!(velocity.written);
-        }
-    }
-    if let Some(site) = finding.site.map(|site| &audit.truth.sites[site]) {
-        let certified = certified(site);
-        let key = if finding.errors.is_some() || finding.verdict == Verdict::Missed { "certified" } else { "nearest" };
-        event[key] = certified;
-    }
-    if let Some(errors) = &finding.errors {
-        event["error"] = json!({"time": decimal_bounds(&errors.time)});
-        if let Some(velocity) = &errors.velocity {
-            event["error"]["velocity"] = json!(decimal_bounds(velocity));
-        }
-    }
-    event
+fn event(finding: &Finding, audit: &Audit<'_>) -> AuditEvent {
+    let reason = match finding.verdict {
+        Verdict::False(reason) => Some(reason.name().to_owned()),
+        _ => None,
+    };
+    let listed = finding.row.map(|row| &audit.rows[row]).map(|listed| ListedRow {
+        place: listed.place.to_string(),
+        wall: listed.wall,
+        time: listed.time.written.clone(),
+        velocity: listed.velocity.as_ref().map(|velocity| velocity.written.clone()),
+    });
+    let contact = finding.site.map(|site| contact(&audit.truth.sites[site]));
+    let is_it = finding.errors.is_some() || finding.verdict == Verdict::Missed;
+    let (certified, nearest) = if is_it { (contact, None) } else { (None, contact) };
+    let error = finding
+        .errors
+        .as_ref()
+        .map(|errors| ListedError { time: bounds(&errors.time), velocity: errors.velocity.as_ref().map(bounds) });
+    let verdict = finding.verdict.name().to_owned();
+    AuditEvent { verdict, reason, row: row(finding.row), listed, certified, nearest, error }
 }
 
-fn certified(site: &Site) -> Value {
+fn contact(site: &Site) -> CertifiedContact {
     let (name, index) = match site.kind {
         SiteKind::Impact => ("impact", Some(site.index)),
         SiteKind::Start => ("start", None),
         SiteKind::Graze => ("graze", None),
     };
-    let mut certified =
-        json!({"event": name, "index": index, "wall": site.wall.name(), "time": decimal_bounds(&site.time)});
-    if let Some(velocity) = &site.velocity {
-        certified["velocity"] = json!(decimal_bounds(velocity));
+    CertifiedContact {
+        event: name.to_owned(),
+        index,
+        wall: site.wall,
+        time: bounds(&site.time),
+        velocity: site.velocity.as_ref().map(bounds),
     }
-    certified
 }

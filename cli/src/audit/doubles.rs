@@ -8,11 +8,10 @@ use std::ops::ControlFlow;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::certificate;
+use impact_pair::certificate::document::{ExcitationDocument, SceneDocument, StartDocument, Written};
 use impact_pair::exact::{Enclosure, Exact, decimal_bounds, decimal_f64};
-use impact_pair::orbit::{Arithmetic, Outcome, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings};
 use num_rational::BigRational;
-use serde_json::Value;
 
 use super::judge::Judgement;
 use super::list::{Listed, Number};
@@ -73,7 +72,7 @@ impl Doubles {
 
 /// The impacts of an orbit as a list; `None` when it is interrupted or undecided.
 fn list(scene: &Scene, settings: Settings) -> Result<Option<Vec<Listed>>> {
-    let mut orbit = scene.orbit(settings)?;
+    let mut orbit = Orbit::of(scene, settings)?;
     let mut rows = Vec::new();
     let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
         let (time, velocity) = orbit.bounds(&impact);
@@ -95,35 +94,38 @@ fn number(x: &Enclosure) -> Number {
 /// The scene with each number of its data rounded to the nearest double; `None` if it has intervals, or the rounded numbers
 /// are no scene.
 fn rounded(scene: &Scene) -> Option<Scene> {
-    let data = certificate::scene(scene.pair(), scene.start());
-    let (excitation, start) = (table(&data["excitation"])?, table(&data["start"])?);
-    let [gap, restitution] = [entry(&data["gap"])?, entry(&data["restitution"])?];
+    let data = SceneDocument::new(scene.pair(), scene.start());
+    let terms = |terms: &[Written]| {
+        let terms: Option<Vec<String>> = terms.iter().map(double).collect();
+        Some(format!("[{}]", terms?.join(", ")))
+    };
+    let ExcitationDocument { amplitude, frequency, phase } = &data.excitation;
+    let (amplitude, frequency, phase) = (terms(amplitude)?, terms(frequency)?, terms(phase)?);
+    let (gap, restitution) = (double(&data.gap)?, double(&data.restitution)?);
+    let StartDocument { time, wall, position, velocity } = &data.start;
+    let place = match (wall, position) {
+        (Some(wall), _) => format!("wall = \"{}\"", wall.name()),
+        (None, Some(position)) => format!("position = {}", double(position)?),
+        (None, None) => return None,
+    };
+    let (time, velocity) = (double(time)?, double(velocity)?);
     let text = format!(
-        "excitation = {{ {excitation} }}\npair = {{ gap = {gap}, restitution = {restitution} }}\nstart = {{ {start} }}\n"
+        "excitation = {{ amplitude = {amplitude}, frequency = {frequency}, phase = {phase} }}\n\
+         pair = {{ gap = {gap}, restitution = {restitution} }}\n\
+         start = {{ time = {time}, {place}, velocity = {velocity} }}\n"
     );
     Scene::parse(&text).ok()
 }
 
-/// The entries of a table of the scene, in TOML.
-fn table(table: &Value) -> Option<String> {
-    let entries = table.as_object()?.iter().map(|(key, value)| Some(format!("{key} = {}", entry(value)?)));
-    Some(entries.collect::<Option<Vec<_>>>()?.join(", "))
-}
-
-/// A value of the scene, in TOML: a wall, a number rounded to a double, or a list of these.
-fn entry(value: &Value) -> Option<String> {
-    match value {
-        Value::Array(terms) => Some(format!("[{}]", terms.iter().map(entry).collect::<Option<Vec<_>>>()?.join(", "))),
-        Value::String(wall) if ["left", "right"].contains(&wall.as_str()) => Some(format!("\"{wall}\"")),
-        Value::String(text) => Some(format!("\"{}\"", nearest_double(text)?.text())),
-        _ => None,
-    }
+/// A number rounded to a double, in TOML.
+fn double(number: &Written) -> Option<String> {
+    Some(format!("\"{}\"", nearest_double(&number.0)?.text()))
 }
 
 /// The double nearest to a number, exactly.
-fn nearest_double(text: &str) -> Option<Exact> {
+fn nearest_double(exact: &Exact) -> Option<Exact> {
     // More than 70 digits: only a number that near to the middle of two doubles could be rounded to the wrong one.
-    let exact = Exact::parse(text).ok().filter(Exact::is_point)?;
+    let exact = Some(exact).filter(|exact| exact.is_point())?;
     let [lower, _] = decimal_bounds(&exact.enclose(BITS));
     Exact::from_f64(lower.parse().ok()?)
 }
@@ -134,14 +136,14 @@ mod tests {
 
     #[test]
     fn data_are_rounded_to_the_nearest_doubles() {
-        let double = |text: &str| nearest_double(text).unwrap().as_rational().unwrap().clone();
+        let double = |text: &str| nearest_double(&text.parse().unwrap()).unwrap().as_rational().unwrap().clone();
         let exactly = |x: f64| Exact::from_f64(x).unwrap().as_rational().unwrap().clone();
         for (text, x) in
             [("9.42497", 9.42497), ("pi", std::f64::consts::PI), ("-0.1", -0.1), ("0.5", 0.5), ("2/3", 2.0 / 3.0)]
         {
             assert_eq!(double(text), exactly(x), "{text}");
         }
-        assert!(nearest_double("[1, 2]").is_none());
+        assert!(nearest_double(&"[1, 2]".parse().unwrap()).is_none());
     }
 
     #[test]

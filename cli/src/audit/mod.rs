@@ -15,8 +15,8 @@ use std::io::{self, IsTerminal, Write};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
-use impact_pair::certificate::Conclusion;
 use impact_pair::contact::Reason;
+use impact_pair::document::Conclusion;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::Settings;
 use num_rational::BigRational;
@@ -72,7 +72,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
 
     let text = match arguments.format {
         AuditFormat::Table => table::table(&audit, &named(), arguments.all),
-        AuditFormat::Json => document::document(&audit),
+        AuditFormat::Json => document::text(&audit),
     };
     let said_already = arguments.format == AuditFormat::Table && out.is_stdout();
     out.write_all(text.as_bytes()).context("cannot write the output")?;

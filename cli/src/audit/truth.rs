@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair::certificate::{Bounds, Conclusion, Event, Kind, arithmetic};
+use impact_pair::certificate::document::ArithmeticDocument;
+use impact_pair::document::{Bounds, Conclusion, Event, Kind, arithmetic};
 use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::orbit::{Outcome, Place, Settings};
+use impact_pair::orbit::{Orbit, Outcome, Place, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::{Error, Scene};
 use num_rational::BigRational;
-use serde_json::Value;
 
 use super::tolerance::Tolerance;
 use crate::follow::follow;
@@ -63,7 +63,7 @@ pub struct Truth {
     pub doubtful_from: Option<Enclosure>,
     pub conclusion: Conclusion,
     /// What computed it, as the orbit JSON says it.
-    pub computed: Value,
+    pub computed: ArithmeticDocument,
     /// The first impact whose enclosure is wider than the digits asked for.
     pub wide: Option<u64>,
 }
@@ -76,7 +76,7 @@ impl Truth {
         tolerance: &Tolerance,
         progress: &Progress,
     ) -> Result<Self, Error> {
-        let mut orbit = scene.orbit(settings)?;
+        let mut orbit = Orbit::of(scene, settings)?;
         let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
         let mut last: Option<Event> = None;
         let ended: ControlFlow<()> = follow(&mut orbit, progress, |orbit, step| {

@@ -14,7 +14,8 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::certificate::{Conclusion, Event, arithmetic, is_certified};
+use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
+use impact_pair::orbit::Orbit;
 
 use crate::Answer;
 use crate::ending::Ending;
@@ -32,7 +33,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     scene::keep(&arguments.scene, Some(&arguments.output))?;
     let settings = arguments.settings(&scene, |cycles| recorder::end_of(&scene, cycles));
-    let mut orbit = scene.orbit(settings.clone()).with_context(|| scene::name(&arguments.scene))?;
+    let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
 
     // From here on Ctrl-C keeps what is certified.
     interruption();

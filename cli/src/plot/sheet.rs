@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::certificate::PROGRAM;
+use impact_pair::certificate::document::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 

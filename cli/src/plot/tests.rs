@@ -18,7 +18,7 @@ fn scene(name: &str) -> Scene {
 
 /// The trace of a scene, and the bounds of its impacts: wall, time, velocity.
 fn trace(scene: &Scene, settings: &Settings, cycles: u32) -> (Trace, Vec<(Wall, Span, Span)>) {
-    let mut orbit: Orbit = scene.orbit(settings.clone()).unwrap();
+    let mut orbit: Orbit = Orbit::of(scene, settings.clone()).unwrap();
     let mut recorder = Recorder::new(&orbit, cycles);
     let mut impacts = Vec::new();
     loop {

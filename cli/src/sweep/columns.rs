@@ -1,6 +1,6 @@
 //! A sweep as a table: the columns that CSV and Parquet share, and what each row holds.
 
-use super::record::{Bounds, Head, Impact, Record};
+use impact_pair::certificate::document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,11 +22,11 @@ pub enum Cell<'r> {
     Text(&'r str),
     Truth(bool),
     Exact(&'r str),
-    Bounds(&'r Bounds),
+    Bounds(&'r ExtendedBounds),
 }
 
 /// The columns of a sweep, in order.
-pub fn columns(head: &Head) -> Vec<(String, Kind)> {
+pub fn columns(head: &SweepHead) -> Vec<(String, Kind)> {
     let rest = [
         ("record", Kind::Text),
         ("index", Kind::Whole),
@@ -55,22 +55,22 @@ pub fn columns(head: &Head) -> Vec<(String, Kind)> {
 }
 
 /// The rows of a point: its states, then what is said of it all, with the first impact of its attractor.
-pub fn rows(record: &Record) -> impl Iterator<Item = Vec<Cell<'_>>> {
+pub fn rows(record: &SweepRecord) -> impl Iterator<Item = Vec<Cell<'_>>> {
     record.states.iter().map(|state| row(record, Some(state))).chain([row(record, None)])
 }
 
-fn row<'r>(record: &'r Record, state: Option<&'r Impact>) -> Vec<Cell<'r>> {
+fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>) -> Vec<Cell<'r>> {
     let text = |text: &'r Option<String>| text.as_deref().map_or(Cell::Nothing, Cell::Text);
     let whole = |number: Option<u64>| number.map_or(Cell::Nothing, Cell::Whole);
-    let bounds = |bounds: &'r Option<Bounds>| bounds.as_ref().map_or(Cell::Nothing, Cell::Bounds);
+    let bounds = |bounds: &'r Option<ExtendedBounds>| bounds.as_ref().map_or(Cell::Nothing, Cell::Bounds);
     let mut cells = vec![Cell::Whole(record.point)];
     cells.extend(record.values.iter().map(|value| Cell::Exact(value)));
     let period = record.period.as_ref();
     let place = state.or(period.and_then(|period| period.first.as_ref()));
-    let impact = |of: fn(&'r Impact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
+    let impact = |of: fn(&'r SweepImpact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
     cells.push(Cell::Text(if state.is_some() { "state" } else { "point" }));
     cells.push(whole(state.map(|state| state.index)));
-    cells.push(impact(|impact| Cell::Text(&impact.wall)));
+    cells.push(impact(|impact| Cell::Text(impact.wall.name())));
     cells.push(impact(|impact| Cell::Bounds(&impact.phase)));
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
     if state.is_some() {

@@ -9,8 +9,9 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use impact_pair::certificate::document::SweepHead;
 
-use super::record::{Head, Record};
+use super::record::{line, own, read_head, read_record};
 
 /// Where the record of a point is.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,7 @@ struct Place {
 
 /// A file of records, and where each of them is.
 pub struct Journal {
-    pub head: Head,
+    pub head: SweepHead,
     file: File,
     places: BTreeMap<u64, Place>,
     end: u64,
@@ -44,7 +45,7 @@ fn beside(output: &Path) -> Option<PathBuf> {
 
 impl Journal {
     /// The journal of a sweep: a new one, or to `resume` that of an earlier sweep into the same output.
-    pub fn open(head: Head, output: Option<&Path>, resume: bool) -> Result<Self> {
+    pub fn open(head: SweepHead, output: Option<&Path>, resume: bool) -> Result<Self> {
         let Some(path) = output.and_then(beside) else {
             return Self::begin(head, tempfile::tempfile().context("cannot open a temporary file")?, None);
         };
@@ -62,15 +63,15 @@ impl Journal {
     }
 
     /// A new journal.
-    fn begin(head: Head, file: File, path: Option<PathBuf>) -> Result<Self> {
-        let line = head.line();
+    fn begin(head: SweepHead, file: File, path: Option<PathBuf>) -> Result<Self> {
+        let line = line(&head);
         let mut journal = Self { head, file, places: BTreeMap::new(), end: 0, path };
         journal.write(&line).context("cannot write the head of the sweep")?;
         Ok(journal)
     }
 
     /// An earlier sweep's journal, which must be about the same; a torn end is cut off.
-    fn resumed(head: Head, file: File, path: PathBuf) -> Result<Self> {
+    fn resumed(head: SweepHead, file: File, path: PathBuf) -> Result<Self> {
         if file.metadata()?.len() == 0 {
             return Self::begin(head, file, Some(path));
         }
@@ -92,23 +93,23 @@ impl Journal {
     /// Reads all of a file; a line that does not end may be one that a crash has torn.
     fn scan(file: File, may_be_torn: bool) -> Result<Self> {
         let mut lines = BufReader::new(file);
-        let mut line = String::new();
-        lines.read_line(&mut line).context("line 1")?;
-        let head = Head::read(line.trim_end())?;
-        let (mut places, mut end) = (BTreeMap::new(), line.len() as u64);
+        let mut text = String::new();
+        lines.read_line(&mut text).context("line 1")?;
+        let head = read_head(text.trim_end())?;
+        let (mut places, mut end) = (BTreeMap::new(), text.len() as u64);
         for number in 2u64.. {
-            line.clear();
-            let bytes = lines.read_line(&mut line).with_context(|| format!("line {number}"))?;
-            if bytes == 0 || (may_be_torn && !line.ends_with('\n')) {
+            text.clear();
+            let bytes = lines.read_line(&mut text).with_context(|| format!("line {number}"))?;
+            if bytes == 0 || (may_be_torn && !text.ends_with('\n')) {
                 break;
             }
-            let record = Record::read(&line).with_context(|| format!("line {number} is no record of a point"))?;
+            let record = read_record(&text).with_context(|| format!("line {number} is no record of a point"))?;
             let is_own = record.point < head.points
                 && head.shard.is_none_or(|[number, of]| super::arguments::Shard { number, of }.holds(record.point));
             if !is_own || record.values.len() != head.over.len() {
                 bail!("line {number}: point {} is none of this sweep, or of this shard", record.point);
             }
-            if places.insert(record.point, Place { offset: end, bytes: line.trim_end().len() }).is_some() {
+            if places.insert(record.point, Place { offset: end, bytes: text.trim_end().len() }).is_some() {
                 bail!("line {number}: point {} is there twice", record.point);
             }
             end += bytes as u64;
@@ -127,7 +128,7 @@ impl Journal {
 
     /// The points of the sweep, or of the shard, that are not in it.
     pub fn missing(&self) -> Vec<u64> {
-        self.head.own().filter(|&point| !self.holds(point)).collect()
+        own(&self.head).filter(|&point| !self.holds(point)).collect()
     }
 
     /// Adds the record of a point; from now on a crash does not lose it.
@@ -170,8 +171,8 @@ impl Journal {
 }
 
 /// The first thing that two sweeps differ in.
-pub fn difference(one: &Head, other: &Head) -> String {
-    let entries = |head: &Head| match serde_json::to_value(head) {
+pub fn difference(one: &SweepHead, other: &SweepHead) -> String {
+    let entries = |head: &SweepHead| match serde_json::to_value(head) {
         Ok(serde_json::Value::Object(entries)) => entries,
         _ => serde_json::Map::new(),
     };

@@ -18,6 +18,8 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
+use impact_pair::certificate::document::SweepHead;
+use impact_pair::document::sweep_head;
 use impact_pair::orbit::Settings;
 use impact_pair::sweep::{Asked, Grid};
 
@@ -28,7 +30,6 @@ use crate::progress::interruption;
 use crate::scene;
 use arguments::{SweepArguments, SweepFormat};
 use journal::{Journal, difference};
-use record::Head;
 use work::Work;
 use write::Sweep;
 
@@ -77,7 +78,8 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let (digits, arithmetic, max_bits) = (arguments.digits, arguments.arithmetic, arguments.max_bits);
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let asked = Asked { transient: arguments.transient, impacts: arguments.impacts, settings };
-    let head = Head::new(&scene, &grid, &asked, arguments.summary, arguments.shard);
+    let head =
+        sweep_head(&scene, &grid, &asked, arguments.summary, arguments.shard.map(|shard| [shard.number, shard.of]));
     let threads = match arguments.threads {
         Some(threads) => threads.into(),
         None => thread::available_parallelism().map_or(1, usize::from),
@@ -119,14 +121,14 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
 /// Puts the shards of a sweep together.
 fn merge(arguments: &SweepArguments) -> Result<Answer> {
     let journals: Vec<Journal> = arguments.merge.iter().map(|path| Journal::read(path)).collect::<Result<_>>()?;
-    let whole = |journal: &Journal| Head { shard: None, ..journal.head.clone() };
+    let whole = |journal: &Journal| SweepHead { shard: None, ..journal.head.clone() };
     let name = |i: usize| arguments.merge[i].display();
     let head = whole(&journals[0]);
     let mut seen = Vec::new();
     for (i, journal) in journals.iter().enumerate() {
         let Some([number, of]) = journal.head.shard else { bail!("{} is no shard but a whole sweep", name(i)) };
         if whole(journal) != head {
-            let difference = difference(&journal.head, &Head { shard: journal.head.shard, ..head });
+            let difference = difference(&journal.head, &SweepHead { shard: journal.head.shard, ..head });
             bail!("{} and {} are of different sweeps: {difference}", name(i), name(0));
         }
         let parts = journals[0].head.shard.map_or(0, |[_, of]| of);

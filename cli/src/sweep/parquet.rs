@@ -12,7 +12,7 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 
 use super::columns::{Cell, Kind, columns, rows};
-use super::record::Head;
+use super::record;
 use super::write::Sweep;
 use crate::output::Output;
 
@@ -31,7 +31,7 @@ enum Column {
 /// Writes all of a sweep; the head, as JSON, stands in the file's metadata under `impact-pair/sweep`.
 pub fn write(sweep: &mut Sweep, out: &mut Output) -> Result<()> {
     let schema = parse_message_type(&schema(&sweep.head)).context("the columns make no schema")?;
-    let head = KeyValue::new("impact-pair/sweep".to_owned(), sweep.head.line());
+    let head = KeyValue::new("impact-pair/sweep".to_owned(), record::line(&sweep.head));
     let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![head])).build();
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
     let empty: Vec<Kind> = columns(&sweep.head).into_iter().map(|(_, kind)| kind).collect();
@@ -53,7 +53,7 @@ pub fn write(sweep: &mut Sweep, out: &mut Output) -> Result<()> {
 }
 
 /// The schema as Parquet's own words have it.
-fn schema(head: &Head) -> String {
+fn schema(head: &SweepHead) -> String {
     let column = |(name, kind): (String, Kind)| match kind {
         Kind::Whole => format!("OPTIONAL INT64 {name};"),
         Kind::Text => format!("OPTIONAL BYTE_ARRAY {name} (UTF8);"),

@@ -7,12 +7,14 @@ use std::time::Duration;
 
 use anyhow::{Context, Error, Result};
 use impact_pair::Scene;
+use impact_pair::document::sweep_record;
+use impact_pair::orbit::Orbit;
 use impact_pair::sweep::{Asked, Grid, follow};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
 use super::journal::Journal;
-use super::record::Record;
+use super::record;
 use crate::progress::interruption;
 
 /// A sweep at work.
@@ -57,7 +59,7 @@ impl Work<'_> {
         };
         let scene = self.scene.with(&values).with_context(named)?;
         let found = follow(&scene, self.asked, || !interrupted.load(Ordering::Relaxed)).with_context(named)?;
-        Ok(found.map(|found| Record::new(point, &values, &found, self.summary).line()))
+        Ok(found.map(|found| record::line(&sweep_record(point, &values, &found, self.summary))))
     }
 
     /// Asks that all corners of the grid are scenes, before anything is computed.
@@ -70,7 +72,7 @@ impl Work<'_> {
             _ => vec![0, self.grid.points() - 1],
         };
         corners.into_iter().try_for_each(|point| {
-            self.scene.with(&self.grid.values(point)?)?.orbit(self.asked.settings.clone())?;
+            Orbit::of(&self.scene.with(&self.grid.values(point)?)?, self.asked.settings.clone())?;
             Ok(())
         })
     }

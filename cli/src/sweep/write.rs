@@ -3,23 +3,24 @@
 use std::io::Write;
 
 use anyhow::Result;
+use impact_pair::certificate::document::{SweepHead, SweepRecord};
 
 use super::arguments::SweepFormat;
 use super::columns::{Cell, Kind, columns, rows};
 use super::journal::Journal;
-use super::record::{Head, Record};
+use super::record::{line, own, read_record};
 use crate::output::Output;
 
 /// A sweep whose points lie in one journal, or in those of its shards.
 pub struct Sweep {
-    pub head: Head,
+    pub head: SweepHead,
     pub journals: Vec<Journal>,
 }
 
 impl Sweep {
     /// Hands on the points that are there, in order.
     pub fn each(&mut self, mut hand: impl FnMut(&str, u64) -> Result<()>) -> Result<()> {
-        for point in self.head.own() {
+        for point in own(&self.head) {
             if let Some(journal) = self.journals.iter_mut().find(|journal| journal.holds(point)) {
                 hand(&journal.line(point)?, point)?;
             }
@@ -28,15 +29,15 @@ impl Sweep {
     }
 
     /// The same as records.
-    pub fn each_record(&mut self, mut hand: impl FnMut(Record) -> Result<()>) -> Result<()> {
-        self.each(|line, _| hand(Record::read(line)?))
+    pub fn each_record(&mut self, mut hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()> {
+        self.each(|text, _| hand(read_record(text)?))
     }
 
     pub fn write(&mut self, out: &mut Output, format: SweepFormat) -> Result<()> {
         match format {
             SweepFormat::Jsonl => {
-                writeln!(out, "{}", self.head.line())?;
-                self.each(|line, _| Ok(writeln!(out, "{line}")?))
+                writeln!(out, "{}", line(&self.head))?;
+                self.each(|text, _| Ok(writeln!(out, "{text}")?))
             }
             SweepFormat::Csv => self.csv(out),
             #[cfg(feature = "parquet")]

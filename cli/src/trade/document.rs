@@ -6,7 +6,7 @@
 
 use std::time::Duration;
 
-use impact_pair::certificate::{self, PROGRAM};
+use impact_pair::certificate::document::{PROGRAM, SceneDocument};
 use serde_json::{Value, json};
 
 use super::Trade;
@@ -23,7 +23,7 @@ pub fn document(trade: &Trade<'_>) -> String {
     let head = [
         ("schema", json!(SCHEMA)),
         ("program", json!(PROGRAM)),
-        ("scene", certificate::scene(scene.pair(), scene.start())),
+        ("scene", json!(SceneDocument::new(scene.pair(), scene.start()))),
         ("asked", json!({"impacts": asked.impacts, "until": until, "max_bits": asked.max_bits})),
         ("units", json!({"time": "2 pi/W", "velocity": trade.units.speed.to_string()})),
         ("interrupted", json!(trade.interrupted.map(|rung| rung.to_string()))),
@@ -43,7 +43,7 @@ fn rung(measured: &Measured, trade: &Trade<'_>) -> Value {
         "certified": measured.is_certified,
         "complete": measured.is_complete(),
         "impacts": measured.impacts,
-        "outcome": measured.conclusion.json(),
+        "outcome": measured.conclusion.document(),
         "seconds": {
             "orbit": times.orbit.as_secs_f64(),
             "with_bounds": times.with_bounds.map(|time| time.as_secs_f64()),

@@ -151,8 +151,8 @@ pub fn name(truth: &Settings) -> String {
 
 /// Judges `float` on this scene; when interrupted, as far as it came.
 pub fn judge_float(scene: &Scene, asked: &Settings, units: &Units, progress: &Progress) -> Result<Judgement> {
-    let mut truth = scene.orbit(self::truth(asked))?;
-    let mut float = scene.orbit(Rung::Float.settings(asked))?;
+    let mut truth = Orbit::of(scene, self::truth(asked))?;
+    let mut float = Orbit::of(scene, Rung::Float.settings(asked))?;
     let mut judgement = Judgement::new(*units);
     let _ = follow_impacts(&mut truth, progress, |truth, impact| {
         let judged = float.next().map(|impact| Reading::new(&float, &impact));
@@ -174,7 +174,7 @@ mod tests {
         let scene = Scene::parse(SCENE).unwrap();
         let asked = Settings { impacts: Some(impacts), ..scene.settings() };
         let read = |settings: Settings| {
-            let mut orbit = scene.orbit(settings).unwrap();
+            let mut orbit = Orbit::of(&scene, settings).unwrap();
             let impacts: Vec<_> = orbit.by_ref().collect();
             impacts.iter().map(|impact| Reading::new(&orbit, impact)).collect()
         };

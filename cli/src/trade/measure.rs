@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use impact_pair::certificate::{Conclusion, Event, arithmetic, is_certified};
+use impact_pair::certificate::document::ArithmeticDocument;
+use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
 use impact_pair::orbit::{Impact, Orbit, Settings};
 use impact_pair::{Error, Scene};
-use serde_json::Value;
 
 use super::ladder::Rung;
 use super::size::{Size, Units};
@@ -29,7 +29,7 @@ const SLOW: Duration = Duration::from_micros(20);
 pub struct Measured {
     pub rung: Rung,
     /// What computed it, as the orbit JSON says it.
-    pub computed: Value,
+    pub computed: ArithmeticDocument,
     pub bits: u32,
     pub impacts: u64,
     pub is_certified: bool,
@@ -99,7 +99,7 @@ pub fn measure(
 ) -> Result<Option<Measured>> {
     let settings = rung.settings(asked);
     let is_certified = is_certified(settings.arithmetic);
-    let begin = || scene.orbit(settings.clone());
+    let begin = || Orbit::of(scene, settings.clone());
     let mut orbit = begin()?;
     let Seen { last, widths, times } = observe(&mut orbit, units, progress);
     if orbit.outcome().is_none() {

@@ -15,7 +15,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
-use impact_pair::orbit::Settings;
+use impact_pair::orbit::{Orbit, Settings};
 
 use crate::Answer;
 use crate::arguments::{TradeArguments, TradeFormat};
@@ -48,7 +48,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     if asked.impacts == Some(0) {
         bail!("{}: run.impacts is 0, there is nothing to measure (try --impacts)", scene::name(&arguments.scene));
     }
-    scene.orbit(asked.clone()).with_context(|| scene::name(&arguments.scene))?;
+    Orbit::of(&scene, asked.clone()).with_context(|| scene::name(&arguments.scene))?;
     let (output, plot) = (arguments.output.as_deref(), arguments.plot.as_deref());
     scene::keep(&arguments.scene, output)?;
     scene::keep(&arguments.scene, plot)?;

@@ -1,7 +1,7 @@
 //! The work-precision plot: what an impact costs over the digits that are certain, as SVG.
 
 use anyhow::Result;
-use impact_pair::certificate::PROGRAM;
+use impact_pair::certificate::document::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 

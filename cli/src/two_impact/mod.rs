@@ -9,10 +9,12 @@ use std::io::{self, Write};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
+use impact_pair::certificate::document::one_a_line;
+use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Place, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown, manifolds, periodic};
+use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown};
 
 use crate::output::Output;
 use crate::picture::encoded;
@@ -64,7 +66,8 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     let wall = arguments.wall.wall();
     let text = match arguments.format {
         TwoImpactFormat::Json => {
-            let documents: Vec<String> = answers.iter().map(|answer| periodic(scene.start(), answer, wall)).collect();
+            let text = |answer: &Answer| one_a_line(&document::two_impact(scene.start(), answer, wall), &["orbits"]);
+            let documents: Vec<String> = answers.iter().map(text).collect();
             match documents.as_slice() {
                 [one] => format!("{one}\n"),
                 all => format!("[{}]\n", all.join(",\n")),
@@ -99,7 +102,10 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         cycles.filter(|n| is_one || n % 2 == 1).map(|n| range.manifold(n, digits)).collect::<Result<_, _>>()?;
     let text = match arguments.format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
-        TwoImpactFormat::Json => manifolds(&range, scene.start(), &curves),
+        TwoImpactFormat::Json => {
+            let document = document::manifolds(&range, scene.start(), &curves);
+            format!("{}\n", one_a_line(&document, &["curves", "points"]))
+        }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
     write(arguments, &text)?;

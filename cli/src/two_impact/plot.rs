@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::certificate::PROGRAM;
+use impact_pair::certificate::document::PROGRAM;
 use impact_pair::exact::Enclosure;
 use impact_pair::two_impact::{Axis, Manifold, Mark, Part, Stability};
 use plotters::prelude::*;

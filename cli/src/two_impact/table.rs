@@ -1,9 +1,10 @@
 //! Two-impact motions and manifolds for people.
 
 use impact_pair::Scene;
+use impact_pair::document::word;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::pair::Wall;
-use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part, Stability, Unknown, word};
+use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part, Stability, Unknown};
 
 use crate::heading;
 

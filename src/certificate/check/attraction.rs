@@ -9,8 +9,8 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::contact::Doubt;
 use crate::certificate::attraction::Attraction;
-use crate::certificate::periodic::{PeriodicDocument, phase_in_radians};
 use crate::certificate::{Certificate, Claim, ClaimKind};
+use crate::document::Units;
 use crate::exact::{Dyadic, Enclosure, Exact, decimal_digits};
 use crate::number::Ball;
 use crate::periodic::{Attractor, Passing, PeriodicOrbit, Problem, find_attractor};
@@ -83,8 +83,7 @@ impl Certificate {
     fn compare(&self, claim: &Attraction, found: &Attractor) -> Result<(), Doubt> {
         let PeriodicOrbit { impacts, trace, determinant, eigenvalues: [one, other], symmetric, bits, .. } =
             &found.orbit;
-        let document = PeriodicDocument::new(self.pair(), self.start(), &found.word, found.cycles)
-            .map_err(|error| Doubt::Open(error.to_string()))?;
+        let document = Units::new(self.pair()).map_err(|error| Doubt::Open(error.to_string()))?;
         match symmetric {
             None => return Err(Doubt::Open("it is not decided whether the orbit is symmetric".into())),
             symmetric if *symmetric != claim.symmetric => {
@@ -95,7 +94,7 @@ impl Certificate {
         if claim.impacts.len() != impacts.len() {
             return Err(Doubt::False(format!("the orbit has {} impacts", impacts.len())));
         }
-        let phases: Vec<_> = impacts.iter().map(|impact| phase_in_radians(&impact.phase, *bits)).collect();
+        let phases: Vec<_> = impacts.iter().map(|impact| turns::in_radians(&impact.phase, *bits)).collect();
         // One shift for the whole orbit: its impacts come at their distances.
         let first = claim.impacts.first().zip(phases.first());
         let shift = first.and_then(|((_, [claimed, _]), found)| turns_between(found, claimed));

@@ -9,7 +9,7 @@ use super::Effort;
 use super::affine::Affine;
 use super::shaking::Term;
 use super::step::Parameters;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError, Real};
 use crate::excitation::Harmonic;
 use crate::orbit::{Place, Start};

@@ -23,8 +23,9 @@ mod step;
 mod still;
 mod walk;
 
-use super::Certificate;
-use crate::error::Error;
+use super::{Certificate, ClaimKind};
+use crate::Error;
+use crate::exact::Enclosure;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
 pub(super) use flight::Flight;
@@ -133,6 +134,29 @@ impl Certificate {
             Err(Doubt::False(message)) => Verdict::Refuted(Finding { event, message }),
             Err(Doubt::Open(message)) => Verdict::Undecided(Finding { event, message }),
         })
+    }
+
+    /// Encloses times \[time\] and velocities \[length/time\] of the impacts that it lists, found again in so many bits: as many as
+    /// are sure to be on one wall.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn retraced(&self, bits: u32) -> Result<Vec<(Enclosure, Enclosure)>, Error> {
+        let data = Data::new(self.pair(), self.start())?;
+        let mut walk = Walk::new(self, &data, &Piece::default(), bits);
+        let mut found = Vec::new();
+        for claim in self.events() {
+            // Whether the set lies inside the printed bounds does not matter here.
+            let _ = walk.confirm(claim);
+            if !matches!(claim.kind, ClaimKind::Impact { .. }) {
+                continue;
+            }
+            let Some(landing) = walk.landing.take() else { break };
+            let time = walk.clock.time(&landing.phase.hull());
+            let velocity = walk.clock.velocity(&landing.velocity.hull());
+            found.push((time.enclosure().clone(), velocity.enclosure().clone()));
+        }
+        Ok(found)
     }
 
     /// The bits to try next when `bits` last up to `event`: what the remaining events need at the same rate.

@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 
 use super::{Data, Effort, Verdict};
 use crate::Scene;
-use crate::certificate::tests::found_again;
-use crate::certificate::{Certificate, Conclusion, Event, arithmetic, head, write_json};
+use crate::certificate::Certificate;
+use crate::document;
 use crate::exact::Enclosure;
-use crate::orbit::{Arithmetic, Progress, Settings};
+use crate::orbit::{Arithmetic, Settings};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
 fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {
@@ -22,20 +22,7 @@ fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) ->
 fn orbit(scene: &str) -> Value {
     let scene = Scene::parse(scene).unwrap();
     let settings = Settings { arithmetic: Arithmetic::Interval, attractor: false, ..scene.settings() };
-    let mut orbit = scene.orbit(settings).unwrap();
-    let mut events: Vec<Event> = Vec::new();
-    loop {
-        let progress = orbit.advance();
-        if let Progress::Ended = progress {
-            break;
-        }
-        events.extend(Event::of(&orbit, &progress, events.last().map_or(0, |event| event.index)));
-    }
-    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
-    let head = head(scene.pair(), scene.start(), Arithmetic::Interval, arithmetic(&orbit));
-    let mut text = Vec::new();
-    write_json(&mut text, &head, &conclusion, &events).unwrap();
-    serde_json::from_slice(&text).unwrap()
+    serde_json::to_value(document::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
 }
 
 /// The harmonic as two; of what is claimed to be one point, a release, it is claimed that it is within `10^-12` of it.
@@ -52,6 +39,11 @@ fn split(document: &Value) -> Value {
         }
     }
     split
+}
+
+/// Where the impacts that a document lists come, and how fast, found again: times and velocities.
+fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
+    Certificate::parse(&document.to_string()).unwrap().retraced(192).unwrap()
 }
 
 fn verdict(document: &Value) -> Verdict {

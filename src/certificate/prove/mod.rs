@@ -11,7 +11,7 @@ mod text;
 
 use super::check::{Data, Doubt, Finding};
 use super::{Certificate, ClaimKind};
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Exact;
 use flights::{Flight, Origin, flights};
 use legs::{Box, Leg, excess, leg, start};

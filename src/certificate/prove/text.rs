@@ -7,8 +7,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::legs::{Box, Leg};
+use crate::Error;
 use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::error::Error;
 use crate::exact::{Exact, Operation};
 use crate::excitation::Harmonic;
 use crate::orbit::Place;

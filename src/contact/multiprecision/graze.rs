@@ -11,7 +11,7 @@ use super::isolate::{Turning, is_rising};
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 
 /// Ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
 const MOST_STEPS: u32 = 8;

@@ -10,6 +10,7 @@ use crate::contact::solve::inverse_smoothstep;
 use crate::contact::{Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Ball, Magnitude, MpBall, Number};
+use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
 /// Steps of [`solve`]: halving alone takes one a bit, and as many as the root is near phase 0.

@@ -18,7 +18,7 @@ use super::solve::propose;
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Inward, Reduced, Wall};
 pub(crate) use graze::{Passed, pass};
 pub(crate) use refine::Refined;
 

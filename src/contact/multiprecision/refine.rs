@@ -13,6 +13,7 @@ use crate::contact::extrema::Target;
 use crate::flight::{Flight, turned, velocity_after};
 use crate::number::kernel::Departure;
 use crate::number::{LEAST_BITS, Magnitude, MpBall, Number, magnitude};
+use crate::pair::Inward;
 
 /// The contact of one flight, in the frame of its start.
 #[derive(Debug)]

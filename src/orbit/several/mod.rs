@@ -11,15 +11,15 @@ use std::sync::Arc;
 use num_bigint::BigInt;
 
 use super::Cursor;
+use super::Start;
 use super::origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
-use super::start::Start;
 use super::still::quarter_turn;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, ExactError};
 use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced, Wall, within};
+use crate::pair::{ImpactPair, Inward, Reduced, Wall, within};
 use crate::several::{Band, Flight, Harmonics, Launch, Phased, Spectrum, Zero, accumulation, phases_at, release};
 pub(super) use float::FloatMotion;
 pub(super) use interval::IntervalMotion;

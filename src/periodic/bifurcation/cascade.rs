@@ -14,11 +14,11 @@ use super::starts::{is_same, seeds};
 use super::system::Family;
 use super::trace::{Station, correct, null_vector, tangent};
 use super::tube::is_one_curve;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Dyadic;
 use crate::mapping::Word;
 use crate::orbit::Start;
-use crate::pair::ImpactPair;
+use crate::pair::{ImpactPair, Reduced};
 
 /// A branch to be followed.
 struct Lead {
@@ -62,7 +62,7 @@ pub fn survey(
 ) -> Result<Diagram, Error> {
     let chain = Chain::new(word, cycles)?;
     for end in [&wanted.over.low, &wanted.over.high] {
-        wanted.over.pair_at(pair, end.clone())?.reduced()?;
+        Reduced::exact(&wanted.over.pair_at(pair, end.clone())?)?.enclosed()?;
     }
     let Some(setting) = wanted.over.setting(pair)? else { return Ok(Diagram::new(pair, &wanted.over)) };
     let floats = setting.floats();

@@ -21,7 +21,7 @@ use crate::exact::{Enclosure, Exact};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
-use crate::pair::Reduced;
+use crate::pair::{Inward, Reduced};
 
 /// The parameters of a family, exactly.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use super::super::Precision;
 use super::over::Over;
 use super::point::{Kind, Point};
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Enclosure;
 use crate::mapping::Word;
 use crate::pair::ImpactPair;

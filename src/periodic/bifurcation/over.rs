@@ -4,10 +4,10 @@ use std::str::FromStr;
 
 use super::claim::Setting;
 use super::system::Unknown;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Exact;
 use crate::excitation::Harmonic;
-use crate::pair::{ImpactPair, within};
+use crate::pair::{ImpactPair, Reduced, within};
 
 /// A parameter of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -54,6 +54,11 @@ pub struct Over {
     pub high: Exact,
 }
 
+pub(super) fn not_a_range(text: &str) -> Error {
+    let accepted = "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency";
+    Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}"))
+}
+
 impl FromStr for Over {
     type Err = Error;
 
@@ -68,7 +73,7 @@ impl FromStr for Over {
             let (low, high) = (end(low)?, end(high)?);
             low.compare(&high)?.is_lt().then_some(Self { key, low, high })
         };
-        parse().ok_or_else(|| Error::over(text))
+        parse().ok_or_else(|| not_a_range(text))
     }
 }
 
@@ -95,7 +100,7 @@ impl Over {
     /// # Errors
     /// When `A/d` is beyond what exact expressions hold.
     pub(super) fn setting(&self, pair: &ImpactPair) -> Result<Option<Setting>, Error> {
-        let reduced = pair.exact()?;
+        let reduced = Reduced::exact(pair)?;
         Ok(match self.key {
             Key::Amplitude | Key::Gap => Some(Setting { unknown: Unknown::Ratio, fixed: reduced.restitution }),
             Key::Restitution => Some(Setting { unknown: Unknown::Restitution, fixed: reduced.alpha }),
@@ -124,7 +129,7 @@ impl Over {
     /// When one is beyond doubles.
     pub(super) fn ends(&self, pair: &ImpactPair) -> Result<[f64; 2], Error> {
         let end = |value: &Exact| {
-            let reduced = self.pair_at(pair, value.clone())?.reduced()?;
+            let reduced = Reduced::exact(&self.pair_at(pair, value.clone())?)?.enclosed()?;
             Ok(if self.key == Key::Restitution { reduced.restitution.mid() } else { reduced.alpha.mid() })
         };
         let (a, b) = (end(&self.low)?, end(&self.high)?);

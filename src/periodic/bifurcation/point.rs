@@ -1,8 +1,8 @@
 //! A bifurcation proved: its parameter and its orbit.
 
 use super::super::orbit::{PeriodicImpact, PeriodicOrbit};
-use super::over::Over;
-use crate::error::Error;
+use super::over::{Over, not_a_range};
+use crate::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Word;
 use crate::pair::ImpactPair;
@@ -71,7 +71,7 @@ impl Point {
         let room = self.bits + 64;
         let hull = a.enclose(room).hull(&b.enclose(room));
         let [low, high] = [hull.lo(), hull.hi()].map(|end| Exact::from_rational(end.to_rational()));
-        let value = Exact::interval(&low, &high).map_err(|_| Error::over(&format!("{low}..{high}")))?;
+        let value = Exact::interval(&low, &high).map_err(|_| not_a_range(&format!("{low}..{high}")))?;
         Ok((hull, over.pair_at(pair, value)?))
     }
 }

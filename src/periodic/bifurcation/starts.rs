@@ -9,10 +9,10 @@ use super::super::shaken::One;
 use super::diagram::Wanted;
 use super::over::{Key, Over};
 use super::ring::Ring;
-use crate::error::Error;
+use crate::Error;
 use crate::exact::Exact;
 use crate::orbit::Start;
-use crate::pair::ImpactPair;
+use crate::pair::{ImpactPair, Reduced};
 
 /// Values of the parameter at which orbits are looked for, less one.
 const PARTS: u32 = 6;
@@ -34,7 +34,9 @@ pub(super) fn seeds(chain: &Chain, pair: &ImpactPair, start: &Start, wanted: &Wa
     let mut found: Vec<Seed> = Vec::new();
     for value in values(&wanted.over) {
         let there = wanted.over.pair_at(pair, value)?;
-        let one = One::new(there.exact()?, there.reduced()?);
+        let exact = Reduced::exact(&there)?;
+        let balls = exact.enclosed()?;
+        let one = One::new(exact, balls);
         let reduced = one.court.centre;
         let p = if wanted.over.key == Key::Restitution { reduced.restitution } else { reduced.alpha };
         let from = found.len();

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::ring::Ring;
 use super::system::{Curve, Family, System};
-use crate::pair::Wall;
+use crate::pair::{Inward, Wall};
 
 /// A point of a branch: phases, then the parameter; and the unit tangent there.
 #[derive(Clone, Debug)]

@@ -7,8 +7,8 @@ mod common;
 mod scene;
 
 use common::Random;
-use impact_pair::certificate::{self, Certificate, Conclusion, Event, Verdict};
-use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
+use impact_pair::certificate::{Certificate, Verdict};
+use impact_pair::orbit::Settings;
 use impact_pair_truth::Wall;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
@@ -19,20 +19,7 @@ use serde_json::{Value as Json, json};
 fn document(scene: &Scene, impacts: u64, digits: u32) -> Json {
     let (pair, start) = scene.library().unwrap();
     let settings = Settings { impacts: Some(impacts), digits, ..Settings::default() };
-    let mut orbit = Orbit::new(&pair, &start, settings).unwrap();
-    let mut events: Vec<Event> = Vec::new();
-    loop {
-        let step = orbit.advance();
-        if matches!(step, Progress::Ended) {
-            break;
-        }
-        let index = events.last().map_or(0, |event| event.index);
-        events.extend(Event::of(&orbit, &step, index));
-    }
-    let head = certificate::head(&pair, &start, Arithmetic::Auto, certificate::arithmetic(&orbit));
-    let mut text = Vec::new();
-    certificate::write_json(&mut text, &head, &Conclusion::of(&orbit, &start, events.last()), &events).unwrap();
-    serde_json::from_slice(&text).unwrap()
+    serde_json::to_value(impact_pair::document::orbit(&pair, &start, settings).unwrap()).unwrap()
 }
 
 fn verdict(document: &Json) -> Verdict {

@@ -6,11 +6,11 @@ use impact_pair::sweep;
 use plotters::prelude::*;
 
 use super::super::arguments::Show;
-use super::super::record::{Impact, Record};
 use super::super::write::Sweep;
 use super::legend::{self, CAPTION, LINE, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
 use crate::picture::{Axis, BLUE, Canvas, GREEN, SCALE, VERMILION};
+use impact_pair::certificate::document::{SweepImpact, SweepRecord};
 
 /// The smallest cell: less than a pixel of most screens.
 const CELL: i32 = 3;
@@ -31,7 +31,7 @@ enum Class {
 }
 
 impl Class {
-    fn of(record: &Record) -> Self {
+    fn of(record: &SweepRecord) -> Self {
         match record.outcome.as_str() {
             "attracted" => Self::Attracted,
             "undecided" => Self::Undecided,
@@ -122,7 +122,7 @@ fn survey(sweep: &mut Sweep) -> Drawn<(Vec<Class>, f64)> {
 }
 
 /// What is shown of an impact: its bounds.
-fn bounds(state: &Impact, show: Show) -> anyhow::Result<[f64; 2]> {
+fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
     let bounds = match show {
         Show::Phase => &state.phase,
         Show::Velocity => &state.velocity,

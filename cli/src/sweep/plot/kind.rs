@@ -7,9 +7,9 @@ use impact_pair::mapping::Word;
 use impact_pair::pair::Wall;
 use plotters::prelude::*;
 
-use super::super::record::{Bounds, Periodic, Record};
 use super::{double, middle};
 use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
+use impact_pair::certificate::document::{ExtendedBounds, SweepPeriod, SweepRecord};
 
 /// Letters of a word that a legend shows.
 const LETTERS: usize = 10;
@@ -23,14 +23,14 @@ const SETTLED: RGBColor = YELLOW;
 /// An outcome of a map: an attractor, or another one.
 pub struct Kind {
     pub outcome: String,
-    pub period: Option<Periodic>,
+    pub period: Option<SweepPeriod>,
     pub points: u64,
 }
 
 impl Kind {
     /// Whether a point has it; attractors of one pair are told apart by where they are, of several pairs by their words.
-    pub fn is_of(&self, record: &Record, is_one_pair: bool) -> bool {
-        let alike = |a: &Periodic, b: &Periodic| {
+    pub fn is_of(&self, record: &SweepRecord, is_one_pair: bool) -> bool {
+        let alike = |a: &SweepPeriod, b: &SweepPeriod| {
             let near = match (&a.first, &b.first) {
                 (Some(a), Some(b)) => overlap(&a.phase, &b.phase, TAU) && overlap(&a.velocity, &b.velocity, 0.0),
                 _ => true,
@@ -46,7 +46,7 @@ impl Kind {
     }
 
     pub fn name(&self, is_one_pair: bool) -> String {
-        let word = |period: &Periodic| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
+        let word = |period: &SweepPeriod| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
         let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
             return match self.outcome.as_str() {
                 "periodic" => "exactly periodic through rest".to_owned(),
@@ -67,8 +67,8 @@ impl Kind {
 }
 
 /// Whether two pairs of bounds may mean one number, or numbers that are `period` apart; by doubles, as labels are.
-fn overlap(a: &Bounds, b: &Bounds, period: f64) -> bool {
-    let ends = |bounds: &Bounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
+fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
+    let ends = |bounds: &ExtendedBounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
     let Some(((a0, a1), (b0, b1))) = ends(a).zip(ends(b)) else { return false };
     // What reading and shifting may round off.
     let slack = 4.0 * f64::EPSILON * (a1.abs() + b1.abs() + period);

@@ -1,11 +1,10 @@
 //! What a picture of a sweep says in words.
 
+use impact_pair::certificate::document::{SceneDocument, SweepHead, Written};
 use impact_pair::scene::Key;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
-use serde_json::Value;
 
-use super::super::record::Head;
 use super::{Drawn, FONT};
 use crate::picture::{Canvas, SCALE, greek, words};
 
@@ -23,7 +22,7 @@ pub fn key(root: &Canvas<'_>, (x, y): (i32, i32), colour: RGBColor, name: &str) 
 }
 
 /// Title, parameters, and how it was computed.
-pub fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
+pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
     let varied: Vec<&str> = varied(head).map(|key| key.symbol().0).collect();
     let varied = format!("{} varied", varied.join(" and "));
     let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
@@ -32,7 +31,7 @@ pub fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
         1 => format!("impact {last}"),
         _ => format!("impacts {} to {last}", head.transient + 1),
     };
-    let arithmetic = head.arithmetic["kind"].as_str().unwrap_or_default();
+    let arithmetic = &head.arithmetic.kind;
     let certified = if head.certified {
         format!("certified ({arithmetic}, {} digits)", head.digits)
     } else {
@@ -47,38 +46,36 @@ pub fn caption(head: &Head, root: &Canvas<'_>) -> Drawn<()> {
 }
 
 /// What varies.
-fn varied(head: &Head) -> impl Iterator<Item = Key> {
+fn varied(head: &SweepHead) -> impl Iterator<Item = Key> {
     head.over.iter().filter_map(|over| over.key.parse().ok())
 }
 
 /// The parameters and the start that do not vary.
-fn parameters(head: &Head) -> String {
+fn parameters(head: &SweepHead) -> String {
     let varies = |keys: &[Key]| varied(head).any(|key| keys.contains(&key));
-    let text = |value: &Value| match value {
-        Value::Array(terms) => {
-            let terms: Vec<&str> = terms.iter().filter_map(Value::as_str).collect();
-            if terms.len() == 1 { terms.concat() } else { format!("({})", terms.join(", ")) }
-        }
-        other => other.as_str().unwrap_or_default().to_owned(),
+    let terms = |terms: &[Written]| {
+        let terms: Vec<String> = terms.iter().map(|term| term.0.text()).collect();
+        Some(if terms.len() == 1 { terms.concat() } else { format!("({})", terms.join(", ")) })
     };
-    let (scene, start) = (&head.scene, &head.scene["start"]);
-    let time = [Key::StartTime, Key::StartPhase];
+    let number = |number: &Written| Some(number.0.text());
+    let SceneDocument { excitation, gap, restitution, start } = &head.scene;
     let entries = [
-        ("A", &scene["excitation"]["amplitude"], &[Key::Amplitude][..]),
-        ("Ω", &scene["excitation"]["frequency"], &[Key::Frequency]),
-        ("τ", &scene["excitation"]["phase"], &[Key::Phase]),
-        ("d", &scene["gap"], &[Key::Gap]),
-        ("e", &scene["restitution"], &[Key::Restitution]),
-        ("t₀", &start["time"], &time),
-        ("y₀", &start["position"], &[Key::StartPosition]),
-        ("v₀", &start["velocity"], &[Key::StartVelocity]),
+        ("A", terms(&excitation.amplitude), &[Key::Amplitude][..]),
+        ("Ω", terms(&excitation.frequency), &[Key::Frequency]),
+        ("τ", terms(&excitation.phase), &[Key::Phase]),
+        ("d", number(gap), &[Key::Gap]),
+        ("e", number(restitution), &[Key::Restitution]),
+        ("t₀", number(&start.time), &[Key::StartTime, Key::StartPhase]),
+        ("y₀", start.position.as_ref().and_then(number), &[Key::StartPosition]),
+        ("v₀", number(&start.velocity), &[Key::StartVelocity]),
     ];
-    let shown = entries.into_iter().filter(|(_, value, keys)| !value.is_null() && !varies(keys));
-    let mut words: Vec<String> = shown.map(|(symbol, value, _)| format!("{symbol} = {}", text(value))).collect();
-    if let Some(wall) = start["wall"].as_str() {
-        words.push(format!("from the {wall} wall"));
+    let shown = entries.into_iter().filter(|(_, _, keys)| !varies(keys));
+    let mut words: Vec<String> =
+        shown.filter_map(|(symbol, value, _)| Some(format!("{symbol} = {}", value?))).collect();
+    if let Some(wall) = start.wall {
+        words.push(format!("from the {} wall", wall.name()));
     }
-    if scene["excitation"]["frequency"].as_array().is_some_and(|terms| terms.len() > 1) {
+    if excitation.frequency.len() > 1 {
         words.push("phases are those of the greatest Ω".to_owned());
     }
     greek(&words.join(", "))

@@ -17,9 +17,10 @@ use plotters::prelude::*;
 
 use self::cells::Cells;
 use super::arguments::Show;
-use super::record::Bounds;
+use super::record;
 use super::write::Sweep;
 use crate::picture::{self, Axis, Canvas, SCALE, on_top};
+use impact_pair::certificate::document::ExtendedBounds;
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
@@ -28,7 +29,7 @@ const FONT: i32 = 15 * SCALE;
 type Drawn<T> = Result<T, Box<dyn StdError>>;
 
 pub fn svg(sweep: &mut Sweep, show: Show) -> Result<String> {
-    let grid = sweep.head.grid()?;
+    let grid = record::grid(&sweep.head)?;
     let mut data = String::new();
     let mut svg = picture::svg(SIZE, SCALE, |root| {
         data = match grid.axes() {
@@ -84,7 +85,7 @@ impl Plane {
 }
 
 /// The middle of a pair of bounds.
-fn middle([low, high]: &Bounds) -> Result<f64> {
+fn middle([low, high]: &ExtendedBounds) -> Result<f64> {
     Ok(0.5 * (double(low)? + double(high)?))
 }
 

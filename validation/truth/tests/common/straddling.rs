@@ -215,7 +215,7 @@ impl Pair<'_> {
 
 /// Runs a scene of `W = 2 pi` and `tau = 0` and judges its first impact; with words on what is not right.
 pub fn judge(scene: &Scene, (problem, start): (&Problem, &Start), settings: Settings) -> (Judgement, String) {
-    let Ok(orbit) = scene.orbit(Settings { impacts: Some(1), ..settings }) else {
+    let Ok(orbit) = Orbit::of(scene, Settings { impacts: Some(1), ..settings }) else {
         return (Judgement::NoScene, String::new());
     };
     let mut pair = Pair { problem, start: start.clone(), orbit, passed: Judgement::Right };

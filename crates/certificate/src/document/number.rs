@@ -1,0 +1,94 @@
+//! Numbers of documents: decimals, and what the user wrote.
+
+use impact_pair_exact::{Enclosure, Exact, decimal_bounds};
+use num_rational::BigRational;
+use serde::{Deserialize, Serialize, Serializer};
+
+/// A number written as a decimal, such as `-1.5e-3`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(try_from = "String")]
+pub struct Decimal(String);
+
+/// A lower and an upper bound, rounded outward.
+pub type Bounds = [Decimal; 2];
+
+/// The bounds of an enclosure.
+pub fn bounds(x: &Enclosure) -> Bounds {
+    decimal_bounds(x).map(Decimal)
+}
+
+impl Decimal {
+    /// A decimal that this project has printed.
+    pub fn printed(text: String) -> Self {
+        Self(text)
+    }
+
+    /// Its text.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+
+    /// Its value.
+    ///
+    /// # Panics
+    /// Never of a decimal that was read, or that a number was printed as.
+    pub fn value(&self) -> BigRational {
+        value(&self.0).expect("a decimal")
+    }
+}
+
+fn value(text: &str) -> Option<BigRational> {
+    let is_decimal = text.bytes().all(|byte| byte.is_ascii_digit() || b".+-eE".contains(&byte));
+    if is_decimal { Exact::parse(text).ok()?.as_rational().cloned() } else { None }
+}
+
+impl TryFrom<String> for Decimal {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        if value(&text).is_some() { Ok(Self(text)) } else { Err("must be a decimal in a string") }
+    }
+}
+
+/// An exact number in its user's words.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(try_from = "String")]
+pub struct Written(pub Exact);
+
+impl TryFrom<String> for Written {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        Exact::parse(&text).map(Self).map_err(|error| format!("does not read as a number: {error}"))
+    }
+}
+
+impl From<&Exact> for Written {
+    fn from(number: &Exact) -> Self {
+        Self(number.clone())
+    }
+}
+
+impl Serialize for Written {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.0.text())
+    }
+}
+
+impl PartialEq for Written {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.text() == other.0.text()
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl schemars::JsonSchema for Written {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Written".into()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        String::json_schema(generator)
+    }
+}

@@ -1,0 +1,87 @@
+//! Documents read back, with the place of what is wrong: `events[3].time`.
+
+use impact_pair_model::Error;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+use serde_path_to_error::{Path, Segment};
+
+/// A value of a document that knows where it stands.
+#[derive(Clone, Debug)]
+pub struct Place<'j> {
+    key: String,
+    value: &'j Value,
+}
+
+impl<'j> Place<'j> {
+    /// The whole document.
+    pub fn whole(value: &'j Value) -> Self {
+        Self { key: String::new(), value }
+    }
+
+    /// A value that stands at a key.
+    pub fn at(key: String, value: &'j Value) -> Self {
+        Self { key, value }
+    }
+
+    /// What stands at a key of it.
+    pub fn get(&self, key: &str) -> Result<Self, Error> {
+        let map: &Map<String, Value> = self.value.as_object().ok_or_else(|| self.refused("must be an object"))?;
+        let value = map.get(key).ok_or_else(|| self.missing(key))?;
+        Ok(Self { key: self.full(key), value })
+    }
+
+    /// Its items.
+    pub fn list(&self) -> Result<Vec<Self>, Error> {
+        let list = self.value.as_array().ok_or_else(|| self.refused("must be a list"))?;
+        Ok(list.iter().enumerate().map(|(i, value)| Self { key: format!("{}[{i}]", self.key), value }).collect())
+    }
+
+    /// What it says.
+    pub fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
+        serde_path_to_error::deserialize(self.value).map_err(|error| self.inner(error.path()).wrong(error.inner()))
+    }
+
+    /// The value at a path in it.
+    fn inner(&self, path: &Path) -> Self {
+        path.iter().fold(self.clone(), |Self { key, value }, segment| match segment {
+            Segment::Seq { index } => Self { key: format!("{key}[{index}]"), value: &value[index] },
+            Segment::Map { key: field } => Self { key: Self { key, value }.full(field), value: &value[field.as_str()] },
+            Segment::Enum { .. } | Segment::Unknown => Self { key, value },
+        })
+    }
+
+    /// What serde found wrong with it, in our words.
+    fn wrong(&self, error: &serde_json::Error) -> Error {
+        let message = error.to_string();
+        let quoted = |text: &str| text.replace('`', "\"").replace(" or ", " and ").replace("one of ", "");
+        if let Some(field) = message.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) {
+            return self.missing(field);
+        }
+        match message.rsplit_once(", expected ") {
+            Some((variant, accepted)) if variant.starts_with("unknown") => {
+                self.refused(&format!("accepted are {}", quoted(accepted)))
+            }
+            Some((_, accepted)) => self.refused(&format!("must be {accepted}")),
+            None => self.refused(&message),
+        }
+    }
+
+    /// A value that is not accepted.
+    pub fn refused(&self, but: &str) -> Error {
+        let mut written = self.value.to_string();
+        if written.len() > 60 {
+            written = written.chars().take(57).chain("...".chars()).collect();
+        }
+        let key = if self.key.is_empty() { "the document" } else { &self.key };
+        Error::certificate(format!("{key} is {written}, but {but}"))
+    }
+
+    /// A key that it must have.
+    pub fn missing(&self, key: &str) -> Error {
+        Error::certificate(format!("{} is missing", self.full(key)))
+    }
+
+    fn full(&self, key: &str) -> String {
+        if self.key.is_empty() { key.to_owned() } else { format!("{}.{key}", self.key) }
+    }
+}

@@ -1,0 +1,90 @@
+//! The exact parameters and initial data, each in its own words.
+
+use impact_pair_exact::Exact;
+use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Place, Start, Wall};
+use serde::{Deserialize, Serialize};
+
+use super::number::Written;
+
+/// A pair and a start.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct SceneDocument {
+    /// What shakes the box.
+    pub excitation: ExcitationDocument,
+    /// `d` \[length\]
+    pub gap: Written,
+    /// `e`
+    pub restitution: Written,
+    /// Where the orbit starts.
+    pub start: StartDocument,
+}
+
+/// The terms of an excitation: lists of one length.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct ExcitationDocument {
+    /// `A` \[length\]
+    pub amplitude: Vec<Written>,
+    /// `W` \[rad/time\]
+    pub frequency: Vec<Written>,
+    /// `tau` \[rad\]
+    pub phase: Vec<Written>,
+}
+
+/// A start on a wall or at a position.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct StartDocument {
+    /// When \[time\].
+    pub time: Written,
+    /// The wall it starts on.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub wall: Option<Wall>,
+    /// The relative displacement inside the gap \[length\].
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub position: Option<Written>,
+    /// The relative velocity, on a wall before the impact \[length/time\].
+    pub velocity: Written,
+}
+
+impl SceneDocument {
+    /// The scene of a pair and a start.
+    pub fn new(pair: &ImpactPair, start: &Start) -> Self {
+        let of_terms =
+            |of: fn(&Harmonic) -> &Exact| pair.excitation().terms().iter().map(|term| of(term).into()).collect();
+        let [amplitude, frequency, phase] = [Harmonic::amplitude, Harmonic::frequency, Harmonic::phase].map(of_terms);
+        let (wall, position) = match start.place() {
+            Place::Wall(wall) => (Some(*wall), None),
+            Place::Inside(position) => (None, Some(position.into())),
+        };
+        Self {
+            excitation: ExcitationDocument { amplitude, frequency, phase },
+            gap: pair.gap().into(),
+            restitution: pair.restitution().into(),
+            start: StartDocument { time: start.time().into(), wall, position, velocity: start.velocity().into() },
+        }
+    }
+
+    /// The pair and the start.
+    ///
+    /// # Errors
+    /// When the lists of the excitation differ in length, there is neither a wall nor a position, or a value is out of its range.
+    pub fn model(self) -> Result<(ImpactPair, Start), Error> {
+        let ExcitationDocument { amplitude, frequency, phase } = self.excitation;
+        if frequency.len() != amplitude.len() || phase.len() != amplitude.len() {
+            let message = "scene.excitation must have as many frequencies and phases as amplitudes";
+            return Err(Error::certificate(message.to_owned()));
+        }
+        let terms = amplitude.into_iter().zip(frequency).zip(phase).map(|((a, w), tau)| Harmonic::new(a.0, w.0, tau.0));
+        let excitation = Excitation::new(terms.collect::<Result<_, _>>()?)?;
+        let pair = ImpactPair::new(excitation, self.gap.0, self.restitution.0)?;
+        let StartDocument { time, wall, position, velocity } = self.start;
+        let start = match (position, wall) {
+            (Some(position), _) => Start::inside(&pair, time.0, position.0, velocity.0)?,
+            (None, Some(wall)) => Start::on_wall(time.0, wall, velocity.0)?,
+            (None, None) => return Err(Error::certificate("scene.start.wall is missing".to_owned())),
+        };
+        Ok((pair, start))
+    }
+}

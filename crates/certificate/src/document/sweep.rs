@@ -1,0 +1,141 @@
+//! The sweep JSON Lines, schema `impact-pair/sweep/1`: a head, and a record a point.
+
+use impact_pair_model::Wall;
+use serde::{Deserialize, Serialize};
+
+use super::orbit::ArithmeticDocument;
+use super::scene::SceneDocument;
+
+/// The schema of a sweep.
+pub const SWEEP_SCHEMA: &str = "impact-pair/sweep/1";
+
+/// Bounds as decimals, rounded outward; either may be infinite.
+pub type ExtendedBounds = [String; 2];
+
+/// What a sweep is about: all that its points depend on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepHead {
+    /// [`SWEEP_SCHEMA`]
+    pub schema: String,
+    /// What computes it.
+    pub program: String,
+    /// The title of the scene.
+    pub title: Option<String>,
+    /// Of what varies the scene's own value.
+    pub scene: SceneDocument,
+    /// The axes.
+    pub over: Vec<SweepAxis>,
+    /// The points of the whole grid.
+    pub points: u64,
+    /// Impacts that are passed over first.
+    pub transient: u64,
+    /// Impacts after them.
+    pub impacts: u64,
+    /// Digits asked for.
+    pub digits: u32,
+    /// Whether anything is claimed.
+    pub certified: bool,
+    /// What computes it.
+    pub arithmetic: ArithmeticDocument,
+    /// The points have no impacts.
+    pub summary: bool,
+    /// The number of the shard, and of how many.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub shard: Option<[u64; 2]>,
+}
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepAxis {
+    /// What varies.
+    pub key: String,
+    /// Its first value.
+    pub from: String,
+    /// Its last value.
+    pub to: String,
+    /// How many values.
+    pub count: u64,
+}
+
+/// What is certified at a point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepRecord {
+    /// Its number in the grid.
+    pub point: u64,
+    /// The exact values, an axis each.
+    pub values: Vec<String>,
+    /// A word for how the orbit ended.
+    pub outcome: String,
+    /// Why it is undecided.
+    pub reason: Option<String>,
+    /// One line in words.
+    pub message: String,
+    /// All that was asked is certified.
+    pub complete: bool,
+    /// The most bits that an impact took.
+    pub bits: u32,
+    /// Certified, those of the transient among them.
+    pub impacts: u64,
+    /// The first one wider than asked for.
+    pub wide_from: Option<u64>,
+    /// Impacts a cycle after the transient.
+    pub impacts_per_cycle: Option<ExtendedBounds>,
+    /// How a small disturbance grows.
+    pub exponent: SweepExponent,
+    /// What it is attracted to, or, without a state, the exact period.
+    pub period: Option<SweepPeriod>,
+    /// The impacts after the transient.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub states: Vec<SweepImpact>,
+}
+
+/// Bounds of the finite-time exponent, or why there are none.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepExponent {
+    /// Per impact.
+    pub per_impact: Option<ExtendedBounds>,
+    /// Per cycle.
+    pub per_cycle: Option<ExtendedBounds>,
+    /// Why there are none.
+    pub reason: Option<String>,
+}
+
+/// A period.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepPeriod {
+    /// The word of an orbit that the motion converges to.
+    pub word: Option<String>,
+    /// Its impacts.
+    pub impacts: u64,
+    /// Its cycles.
+    pub cycles: u64,
+    /// From this impact on the orbit is in a neighbourhood that the period contracts.
+    pub from: Option<u64>,
+    /// The impact that the word starts with.
+    pub first: Option<SweepImpact>,
+}
+
+/// A state on a switch-plane.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SweepImpact {
+    /// Counts the impacts from 1.
+    pub index: u64,
+    /// The switch-plane.
+    pub wall: Wall,
+    /// `W t + tau` \[rad\]
+    pub phase: ExtendedBounds,
+    /// `y'` before the impact \[length/time\].
+    pub velocity: ExtendedBounds,
+}

@@ -1,0 +1,144 @@
+//! Errors are for bad questions; verdicts are for hard ones.
+
+use std::cmp::Ordering;
+
+use impact_pair_exact::{Exact, ExactError};
+
+/// A question that cannot be asked: the message names the key, the value and what is accepted.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}{message}")]
+pub struct Error {
+    kind: Kind,
+    /// The key of the scene file that is at fault, when it is one.
+    key: Option<String>,
+    /// `line 7: ` when the value stands in a file.
+    place: String,
+    message: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Range,
+    Scene,
+    Word,
+    Certificate,
+}
+
+impl Error {
+    fn new(kind: Kind, message: String) -> Self {
+        Self { kind, key: None, place: String::new(), message }
+    }
+
+    /// Whether a value lies outside what is accepted.
+    pub fn is_range(&self) -> bool {
+        self.kind == Kind::Range
+    }
+
+    /// Whether a scene file does not read as one.
+    pub fn is_scene(&self) -> bool {
+        self.kind == Kind::Scene
+    }
+
+    /// Whether a word of mappings is malformed.
+    pub fn is_word(&self) -> bool {
+        self.kind == Kind::Word
+    }
+
+    /// Whether a certificate does not read as one.
+    pub fn is_certificate(&self) -> bool {
+        self.kind == Kind::Certificate
+    }
+
+    /// The key of the scene file that is at fault, such as `pair.gap`, when it is one.
+    pub fn key(&self) -> Option<&str> {
+        self.key.as_deref()
+    }
+
+    /// The error with the line that its value stands on, unless that is known.
+    pub fn at_line(mut self, line: usize) -> Self {
+        if self.place.is_empty() {
+            self.place = format!("line {line}: ");
+        }
+        self
+    }
+
+    /// What is no scene file.
+    pub fn scene(message: String) -> Self {
+        Self::new(Kind::Scene, message)
+    }
+
+    /// What is no certificate.
+    pub fn certificate(message: String) -> Self {
+        Self::new(Kind::Certificate, message)
+    }
+
+    /// A value of a scene file, as written there, that is not of the accepted kind.
+    pub fn entry(key: &str, written: &str, accepted: &str) -> Self {
+        Self { key: Some(key.to_owned()), ..Self::scene(format!("{key} is {written}, but {accepted}")) }
+    }
+
+    /// A value that is not accepted at its key.
+    pub fn range(key: &str, value: &Exact, accepted: &str) -> Self {
+        let message = format!("{key} is {value}, but {accepted}");
+        Self { key: Some(key.to_owned()), ..Self::new(Kind::Range, message) }
+    }
+
+    /// A question whose answer is out of reach; `key` is at fault, when it is one of the scene file.
+    pub fn out_of_range<'k>(key: impl Into<Option<&'k str>>, message: String) -> Self {
+        Self { key: key.into().map(str::to_owned), ..Self::new(Kind::Range, message) }
+    }
+
+    /// A malformed word of mappings.
+    pub fn word(message: String) -> Self {
+        Self::new(Kind::Word, message)
+    }
+
+    /// Refuses what is not proved to be greater than 0.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub fn require_positive(key: &str, value: &Exact) -> Result<(), Self> {
+        if value.sign() == Some(Ordering::Greater) {
+            Ok(())
+        } else {
+            Err(Self::range(key, value, "must be greater than 0"))
+        }
+    }
+
+    /// Refuses what is not proved to be at least 0.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub fn require_not_negative(key: &str, value: &Exact) -> Result<(), Self> {
+        if is_at_least(value, 0) { Ok(()) } else { Err(Self::range(key, value, "must be at least 0")) }
+    }
+
+    /// Refuses what is not proved to lie in `[low, high]`.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub fn require_range(key: &str, value: &Exact, low: i64, high: i64) -> Result<(), Self> {
+        let inside = is_at_least(value, low) && is_at_most(value, high);
+        if inside { Ok(()) } else { Err(Self::range(key, value, &format!("must lie in [{low}, {high}]"))) }
+    }
+}
+
+/// Whether `value`, or every value of an interval, is proved to be at least `low`.
+pub(crate) fn is_at_least(value: &Exact, low: i64) -> bool {
+    let lowest = value.lower().unwrap_or_else(|| value.clone());
+    matches!(lowest.compare(&Exact::from(low)), Some(Ordering::Greater | Ordering::Equal))
+}
+
+/// Whether `value`, or every value of an interval, is proved to be at most `high`.
+pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
+    let highest = value.upper().unwrap_or_else(|| value.clone());
+    matches!(highest.compare(&Exact::from(high)), Some(Ordering::Less | Ordering::Equal))
+}
+
+/// A value computed from `of`, which stands at `key`.
+///
+/// # Errors
+/// When it is beyond what exact expressions hold.
+pub fn within<T>(key: &'static str, of: &Exact, value: Result<T, ExactError>) -> Result<T, Error> {
+    value.map_err(|reason| Error::range(key, of, &reason.to_string()))
+}

@@ -1,0 +1,49 @@
+//! One harmonic, equation (9).
+
+use crate::error::Error;
+use impact_pair_exact::Exact;
+
+/// One harmonic: the displacement `A sin(W t + tau)` of the box. **Equation** (9)
+#[derive(Clone, Debug)]
+pub struct Harmonic {
+    amplitude: Exact,
+    frequency: Exact,
+    phase: Exact,
+}
+
+impl Harmonic {
+    /// A harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
+    ///
+    /// # Errors
+    /// When a value is not in its range, or cannot be proved to be.
+    pub fn new(amplitude: Exact, frequency: Exact, phase: Exact) -> Result<Self, Error> {
+        Error::require_not_negative("excitation.amplitude", &amplitude)?;
+        Error::require_positive("excitation.frequency", &frequency)?;
+        Ok(Self { amplitude, frequency, phase })
+    }
+
+    /// `A` \[length\]
+    pub fn amplitude(&self) -> &Exact {
+        &self.amplitude
+    }
+
+    /// `W` \[rad/time\]
+    pub fn frequency(&self) -> &Exact {
+        &self.frequency
+    }
+
+    /// `tau` \[rad\]
+    pub fn phase(&self) -> &Exact {
+        &self.phase
+    }
+
+    /// Whether no parameter is an interval of values.
+    pub(crate) fn is_point(&self) -> bool {
+        [&self.amplitude, &self.frequency, &self.phase].into_iter().all(Exact::is_point)
+    }
+
+    /// The harmonic with another amplitude.
+    pub(super) fn with_amplitude(&self, amplitude: Exact) -> Self {
+        Self { amplitude, ..self.clone() }
+    }
+}

@@ -1,0 +1,23 @@
+//! The horizontal impact pair in exact numbers: what is asked, before anything is computed.
+//!
+//! The pair of figure 1 with its excitation (1), (9), the start, the mappings P1-P4 (24)-(27) and words of them, how far an
+//! orbit is followed, and the scene file that says it all. Parameters are exact reals or intervals of values; nothing is
+//! rounded. What computes rests on this crate, and so does what checks the computed, which share nothing else.
+
+mod error;
+mod excitation;
+pub mod mapping;
+mod pair;
+mod period;
+pub mod scene;
+mod settings;
+mod start;
+
+pub use error::{Error, within};
+pub use excitation::{Excitation, Harmonic};
+pub use mapping::{Mapping, Word};
+pub use pair::{ImpactPair, Wall};
+pub use period::Period;
+pub use scene::Scene;
+pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
+pub use start::{Place, Start};

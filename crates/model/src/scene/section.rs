@@ -1,0 +1,184 @@
+//! Tables and entries of a scene file that know their name, their line and their own text.
+
+use std::ops::{Range, RangeInclusive};
+
+use toml_edit::{Item, Key, TableLike, Value};
+
+use crate::error::Error;
+use impact_pair_exact::Exact;
+
+const NUMBER: &str = "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
+
+/// A table of the file, or the whole file.
+pub(super) struct Section<'t> {
+    text: &'t str,
+    /// Empty for the whole file.
+    name: &'static str,
+    line: usize,
+    table: &'t dyn TableLike,
+}
+
+/// A key of a table with its value.
+pub(super) struct Entry<'t> {
+    /// With the table's name: `pair.gap`.
+    pub key: String,
+    pub line: usize,
+    /// The value as written, for messages and for exact decimals.
+    written: &'t str,
+    item: &'t Item,
+}
+
+impl<'t> Section<'t> {
+    /// The whole file.
+    pub fn file(text: &'t str, table: &'t dyn TableLike) -> Self {
+        Self { text, name: "", line: 1, table }
+    }
+
+    /// The table `name` of the file, whose keys are among `keys`.
+    pub fn section(&self, name: &'static str, keys: &[&str]) -> Result<Self, Error> {
+        self.optional_section(name, keys)?
+            .ok_or_else(|| Error::entry(name, "missing", &format!("must be a table with {}", keys.join(", "))))
+    }
+
+    /// The table `name` of the file, if it is there.
+    pub fn optional_section(&self, name: &'static str, keys: &[&str]) -> Result<Option<Self>, Error> {
+        let Some(entry) = self.entry(name) else { return Ok(None) };
+        let table = entry.item.as_table_like();
+        let table = table.ok_or_else(|| entry.refused(&format!("must be one table with {}", keys.join(", "))))?;
+        let section = Self { text: self.text, name, line: entry.line, table };
+        section.refuse_unknown(keys)?;
+        Ok(Some(section))
+    }
+
+    /// The entry of `key`, if it is there.
+    pub fn entry(&self, key: &str) -> Option<Entry<'t>> {
+        self.table.get_key_value(key).map(|(key, item)| self.entry_of(key, item))
+    }
+
+    /// The entry of `key`, which must be there.
+    pub fn require(&self, key: &str) -> Result<Entry<'t>, Error> {
+        self.entry(key).ok_or_else(|| self.missing(key, NUMBER))
+    }
+
+    pub fn missing(&self, key: &str, accepted: &str) -> Error {
+        Error::entry(&self.full(key), "missing", accepted).at_line(self.line)
+    }
+
+    pub fn refuse_unknown(&self, accepted: &[&str]) -> Result<(), Error> {
+        match self.entries().find(|entry| !accepted.iter().any(|key| entry.key == self.full(key))) {
+            None => Ok(()),
+            Some(unknown) => {
+                let place = if self.name.is_empty() { "a scene".into() } else { format!("[{}]", self.name) };
+                Err(unknown.refused(&format!("is no key of {place}: accepted are {}", accepted.join(", "))))
+            }
+        }
+    }
+
+    /// The keys with their lines.
+    pub fn lines(&self) -> impl Iterator<Item = (String, usize)> {
+        self.entries().map(|entry| (entry.key, entry.line))
+    }
+
+    fn entries(&self) -> impl Iterator<Item = Entry<'t>> {
+        let known = |(key, _): (&str, _)| self.entry(key);
+        self.table.iter().filter_map(known)
+    }
+
+    fn full(&self, key: &str) -> String {
+        if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
+    }
+
+    fn entry_of(&self, key: &'t Key, item: &'t Item) -> Entry<'t> {
+        let key_span = key.span().unwrap_or_default();
+        // Tables made by dotted keys have no span of their own.
+        let Range { start, end } = item.span().unwrap_or_else(|| key_span.clone());
+        Entry {
+            key: self.full(key.get()),
+            line: line_of(self.text, key_span.start),
+            written: self.text.get(start..end).unwrap_or_default(),
+            item,
+        }
+    }
+}
+
+impl<'t> Entry<'t> {
+    /// The error that the value is what it is, `but` something else is accepted.
+    pub fn refused(&self, but: &str) -> Error {
+        let first_line = self.written.lines().next().unwrap_or_default();
+        let mut shown: String = first_line.chars().take(60).collect();
+        if shown.len() < self.written.trim_end().len() {
+            shown.push_str("...");
+        }
+        Error::entry(&self.key, &shown, but).at_line(self.line)
+    }
+
+    /// A string.
+    pub fn text(&self, accepted: &str) -> Result<&'t str, Error> {
+        self.item.as_str().ok_or_else(|| self.refused(&format!("must be {accepted}")))
+    }
+
+    /// An exact number or interval.
+    pub fn number(&self) -> Result<Exact, Error> {
+        self.item.as_value().map_or_else(|| Err(self.refused(NUMBER)), |value| self.exact(value, self.written))
+    }
+
+    /// An exact number that is no interval.
+    pub fn point(&self) -> Result<Exact, Error> {
+        let number = self.number()?;
+        if number.is_point() { Ok(number) } else { Err(self.refused("must be a single number, not an interval")) }
+    }
+
+    /// An exact number for each term: a single one, or those of a list.
+    pub fn terms(&self) -> Result<Vec<Exact>, Error> {
+        let Some(terms) = self.item.as_array() else { return Ok(vec![self.number()?]) };
+        if terms.is_empty() {
+            return Err(self.refused("must have a term: a number, or a list of them"));
+        }
+        let offset = self.item.span().unwrap_or_default().start;
+        let term = |term: &Value| {
+            let Range { start, end } = term.span().unwrap_or_default();
+            let written = self.written.get(start.saturating_sub(offset)..end.saturating_sub(offset));
+            self.exact(term, written.unwrap_or_default())
+        };
+        terms.iter().map(term).collect()
+    }
+
+    /// Whether it is a list.
+    pub fn is_list(&self) -> bool {
+        self.item.is_array()
+    }
+
+    /// An integer of this range.
+    pub fn integer(&self, range: RangeInclusive<u64>) -> Result<u64, Error> {
+        let value = self.item.as_integer().and_then(|value| u64::try_from(value).ok());
+        value.filter(|value| range.contains(value)).ok_or_else(|| {
+            let accepted = match range.end() {
+                &end if end >= i64::MAX as u64 => format!("must be an integer of at least {}", range.start()),
+                end => format!("must be an integer from {} to {end}", range.start()),
+            };
+            self.refused(&accepted)
+        })
+    }
+
+    /// The exact number of a value that is `written` so.
+    fn exact(&self, value: &Value, written: &str) -> Result<Exact, Error> {
+        let expression = match value {
+            Value::String(string) => string.value().as_str(),
+            Value::Integer(_) | Value::Float(_) => written,
+            Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
+                return Err(self.refused(NUMBER));
+            }
+        };
+        Exact::parse(expression).map_err(|error| self.refused(&format!("does not read as a number: {error}")))
+    }
+}
+
+/// The line, from 1, of a byte offset.
+pub(super) fn line_of(text: &str, offset: usize) -> usize {
+    1 + text.bytes().take(offset).filter(|&byte| byte == b'\n').count()
+}
+
+/// A piece of the file in backticks.
+pub(super) fn quoted(written: &str) -> String {
+    format!("`{written}`")
+}

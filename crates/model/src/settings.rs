@@ -1,0 +1,103 @@
+//! How far an orbit is followed, and what computes it.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+use crate::error::Error;
+use impact_pair_exact::Exact;
+
+/// What computes the orbit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Arithmetic {
+    /// The cheapest that certifies each impact to the asked digits: doubles first, then multiprecision, by plan. With
+    /// intervals among the data it goes on as far as their own width allows.
+    #[default]
+    Auto,
+    /// Plain double precision: nothing is proved.
+    Float,
+    /// Certified in double precision, as far as it decides; widths are what they are.
+    Interval,
+    /// Certified in so many bits, as far as they decide; widths are what they are.
+    Bits(u32),
+}
+
+impl Arithmetic {
+    /// An arithmetic that this build does not have.
+    pub fn unknown(text: &str) -> Error {
+        let (least, most) = BITS.into_inner();
+        let bits = if cfg!(feature = "multiprecision") {
+            format!("or a number of bits from {least} to {most}")
+        } else {
+            "and, in a build with multiprecision, numbers of bits".to_owned()
+        };
+        Error::out_of_range(
+            None,
+            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval {bits}"),
+        )
+    }
+}
+
+/// How far an orbit is followed, and how.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Stop after so many impacts.
+    pub impacts: Option<u64>,
+    /// Stop at this time \[time\].
+    pub until: Option<Exact>,
+    /// Widths asked for: `10^-digits`, of a time relative to `2 pi/W`, of a velocity relative to `A W`.
+    pub digits: u32,
+    /// What computes.
+    pub arithmetic: Arithmetic,
+    /// Bits that [`Arithmetic::Auto`] takes at most.
+    pub max_bits: u32,
+    /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit.
+    pub attractor: bool,
+}
+
+/// What is taken for [`Settings::max_bits`] when nothing is said.
+pub const MAX_BITS: u32 = 1_000_000;
+/// The bits that an orbit can be computed with.
+pub const BITS: RangeInclusive<u32> = 64..=1_000_000_000;
+
+impl Default for Settings {
+    /// A hundred impacts at nine digits, `auto`; no attractor is sought.
+    fn default() -> Self {
+        Self {
+            impacts: Some(100),
+            until: None,
+            digits: 9,
+            arithmetic: Arithmetic::Auto,
+            max_bits: MAX_BITS,
+            attractor: false,
+        }
+    }
+}
+
+/// As the command line says it: `auto`, `float`, `interval`, or a number of bits.
+impl FromStr for Arithmetic {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        match text {
+            "auto" => Ok(Self::Auto),
+            "float" => Ok(Self::Float),
+            "interval" => Ok(Self::Interval),
+            _ => match text.parse() {
+                Ok(bits) if BITS.contains(&bits) && cfg!(feature = "multiprecision") => Ok(Self::Bits(bits)),
+                _ => Err(Self::unknown(text)),
+            },
+        }
+    }
+}
+
+impl fmt::Display for Arithmetic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Auto => f.pad("auto"),
+            Self::Float => f.pad("float"),
+            Self::Interval => f.pad("interval"),
+            Self::Bits(bits) => f.pad(&bits.to_string()),
+        }
+    }
+}

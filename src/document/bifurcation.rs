@@ -1,0 +1,90 @@
+//! The bifurcation JSON: proved bifurcations over a parameter in the units of the scene.
+
+use impact_pair_certificate::document::{
+    BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, BranchDocument, PROGRAM, ParameterRange,
+    PeriodicOrbitDocument, SceneDocument, UnprovedDocument, bounds,
+};
+
+use super::periodic::{Units, periodic_orbit};
+use crate::Error;
+use crate::mapping::Word;
+use crate::orbit::Start;
+use crate::periodic::bifurcation::{Branch, Diagram, End, Over, Point, Unproved};
+
+/// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
+///
+/// # Errors
+/// When a value is beyond what exact expressions hold.
+pub fn bifurcations(
+    start: &Start,
+    (word, cycles): (&Word, u32),
+    diagram: &Diagram,
+) -> Result<BifurcationDocument, Error> {
+    let Over { key, low, high } = diagram.over();
+    Ok(BifurcationDocument {
+        schema: BIFURCATION_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        scene: SceneDocument::new(diagram.pair(), start),
+        word: word.to_string(),
+        cycles,
+        over: ParameterRange { key: key.name().to_owned(), low: low.into(), high: high.into() },
+        exhaustive: false,
+        certified: diagram.is_certified(),
+        points: diagram.points.iter().map(|found| point(found, diagram)).collect::<Result<_, _>>()?,
+        branches: diagram.branches.iter().map(|followed| branch(followed, diagram)).collect(),
+        undecided: diagram.unproved.iter().map(|open| unproved(open, diagram)).collect(),
+    })
+}
+
+fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, Error> {
+    let (parameter, pair) = diagram.in_units(point)?;
+    let units = Units::new(&pair)?;
+    let orbit = match &point.orbit {
+        Some(orbit) => periodic_orbit(&units.measured(orbit)),
+        // Where an impact is the graze the Jacobian has no bound.
+        None => PeriodicOrbitDocument {
+            impacts: point.impacts.iter().map(|impact| units.impact(impact, point.bits)).collect(),
+            unique: true,
+            physical: None,
+            symmetric: point.symmetric,
+            trace: None,
+            determinant: None,
+            eigenvalues: None,
+            stability: "undecided".to_owned(),
+            spacing: None,
+            sine: None,
+            amplitude: None,
+            gap: None,
+        },
+    };
+    Ok(BifurcationPointDocument {
+        kind: point.kind.name().to_owned(),
+        parameter: bounds(&parameter),
+        word: point.word.to_string(),
+        cycles: point.cycles,
+        doublings: point.doublings,
+        orbit,
+    })
+}
+
+fn branch(branch: &Branch, diagram: &Diagram) -> BranchDocument {
+    let end = |end: End| match end {
+        End::Range => "range",
+        End::At(kind) => kind.name(),
+        End::Closed => "closed",
+        End::Lost => "lost",
+    };
+    BranchDocument {
+        word: branch.word.to_string(),
+        cycles: branch.cycles,
+        symmetric: branch.symmetric,
+        parameter: diagram.range_f64(branch.range),
+        ends: branch.ends.map(|reached| end(reached).to_owned()),
+        proved: branch.is_proved,
+    }
+}
+
+fn unproved(unproved: &Unproved, diagram: &Diagram) -> UnprovedDocument {
+    let [near, _] = diagram.range_f64([unproved.near; 2]);
+    UnprovedDocument { kind: unproved.kind.name().to_owned(), near, word: unproved.word.to_string() }
+}

@@ -1,0 +1,76 @@
+//! The orbit JSON: whose orbit it is, what computed it, and whether that proves anything.
+
+use impact_pair_certificate::document::{
+    ArithmeticDocument, EventDocument, ORBIT_SCHEMA, OrbitDocument, OrbitHead, PROGRAM, SceneDocument,
+};
+
+use super::{Conclusion, Event};
+use crate::orbit::{Arithmetic, Orbit, Progress, Settings, Start};
+use crate::{Error, ImpactPair};
+
+/// The orbit of `pair` from `start`, followed to its end, as a document.
+///
+/// # Errors
+/// As [`Orbit::new`].
+///
+/// ```
+/// use impact_pair::{Scene, certificate::Certificate, document};
+/// let scene = Scene::parse(r#"
+///     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
+///     pair = { gap = 9.42497, restitution = 0.5 }
+///     start = { time = 0, wall = "left", velocity = -12.56636 }
+///     run = { impacts = 3 }"#)?;
+/// let orbit = document::orbit(scene.pair(), scene.start(), scene.settings())?;
+/// let claimed = Certificate::parse(&serde_json::to_string(&orbit)?)?;
+/// assert_eq!((claimed.events().len(), claimed.outcome()), (3, "impacts-reached"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn orbit(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<OrbitDocument, Error> {
+    let asked = settings.arithmetic;
+    let mut orbit = Orbit::new(pair, start, settings)?;
+    let mut events: Vec<Event> = Vec::new();
+    loop {
+        let step = orbit.advance();
+        if step == Progress::Ended {
+            break;
+        }
+        let index = events.last().map_or(0, |event| event.index);
+        events.extend(Event::of(&orbit, &step, index));
+    }
+    Ok(OrbitDocument {
+        head: head(pair, start, asked, arithmetic(&orbit)),
+        outcome: Conclusion::of(&orbit, start, events.last()).document(),
+        events: events.iter().map(EventDocument::from).collect(),
+    })
+}
+
+/// The orbit JSON without its outcome and its events: whose orbit it is, and what certifies it.
+///
+/// `computed` is what [`arithmetic`] says of it when it has ended, or [`ArithmeticDocument::asked`] before.
+pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: ArithmeticDocument) -> OrbitHead {
+    OrbitHead {
+        schema: ORBIT_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        scene: SceneDocument::new(pair, start),
+        certified: is_certified(arithmetic),
+        arithmetic: computed,
+    }
+}
+
+/// What computed an orbit: `float` or `interval` with 53 bits, or `multiprecision` with those of its first impact.
+pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
+    let kind = match (orbit.arithmetic(), orbit.bits()) {
+        (Arithmetic::Float, _) => "float",
+        (_, f64::MANTISSA_DIGITS) => "interval",
+        _ => "multiprecision",
+    };
+    ArithmeticDocument::computed(kind, orbit.bits())
+}
+
+/// Whether the arithmetic proves what it computes.
+pub fn is_certified(arithmetic: Arithmetic) -> bool {
+    match arithmetic {
+        Arithmetic::Float => false,
+        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Bits(_) => true,
+    }
+}

@@ -1,0 +1,130 @@
+//! The periodic JSON: proved periodic orbits in the units of the scene.
+
+use impact_pair_certificate::document::{
+    EigenvalueDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicImpactDocument, PeriodicOrbitDocument,
+    RegionDocument, SceneDocument, bounds,
+};
+
+use crate::exact::{Enclosure, Exact};
+use crate::orbit::Start;
+use crate::pair::{ImpactPair, within};
+use crate::periodic::{
+    Census, Eigenvalue, MeasuredImpact, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region,
+};
+use crate::{Error, turns};
+
+/// The units that periodic orbits are told in: those of a pair.
+#[derive(Clone, Debug)]
+pub struct Units {
+    /// `W d / (2 pi)`
+    speed: Exact,
+}
+
+impl Units {
+    /// The units of `pair`.
+    ///
+    /// # Errors
+    /// When `W d` is beyond what exact expressions hold.
+    pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
+        let turn = Exact::pi() * Exact::from(2);
+        let speed = pair
+            .excitation()
+            .reference()
+            .frequency()
+            .checked_mul(pair.gap())
+            .and_then(|speed| speed.checked_div(&turn));
+        Ok(Self { speed: within("pair.gap", pair.gap(), speed)? })
+    }
+
+    /// A velocity \[length/time\] given in gaps a turn.
+    pub fn velocity(&self, velocity: &Enclosure, bits: u32) -> Enclosure {
+        velocity.mul(&self.speed.enclose(bits + 64), bits + 64)
+    }
+
+    /// An orbit in these units.
+    pub fn measured(&self, orbit: &PeriodicOrbit) -> MeasuredOrbit {
+        measured(orbit, |velocity| self.velocity(velocity, orbit.bits))
+    }
+
+    /// The document of what is found of a problem; `start` only names the scene.
+    pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
+        let region = |region: &Region| RegionDocument {
+            impacts: region.impacts.iter().map(|impact| self.impact(impact, f64::MANTISSA_DIGITS)).collect(),
+            reason: region.reason.name().to_owned(),
+        };
+        let undecided = census.undecided.iter().map(region).collect();
+        PeriodicDocument {
+            schema: PERIODIC_SCHEMA.to_owned(),
+            scene: SceneDocument::new(problem.pair(), start),
+            word: problem.word().to_string(),
+            cycles: problem.chain().cycles(),
+            exhaustive: census.exhaustive,
+            certified: census.is_certified(),
+            orbits: census.orbits.iter().map(|orbit| periodic_orbit(&self.measured(orbit))).collect(),
+            undecided: (!census.undecided.is_empty()).then_some(undecided),
+        }
+    }
+
+    /// An impact of a search or of a bifurcation: under one harmonic.
+    pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> PeriodicImpactDocument {
+        periodic_impact(&measured_impact(impact, (bits, 1), |velocity| self.velocity(velocity, bits)), 1)
+    }
+}
+
+/// An orbit in the units that `velocity` turns gaps a turn into.
+pub(super) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> MeasuredOrbit {
+    let impact = |impact: &PeriodicImpact| measured_impact(impact, (orbit.bits, orbit.period), &velocity);
+    MeasuredOrbit {
+        period: orbit.period,
+        impacts: orbit.impacts.iter().map(impact).collect(),
+        // A box that is not proved to hold exactly one orbit is not listed.
+        unique: true,
+        physical: orbit.physical,
+        symmetric: orbit.symmetric,
+        trace: orbit.trace.clone(),
+        determinant: orbit.determinant.clone(),
+        eigenvalues: orbit.eigenvalues.clone(),
+        stability: orbit.stability,
+    }
+}
+
+fn measured_impact(
+    impact: &PeriodicImpact,
+    (bits, period): (u32, u32),
+    velocity: impl Fn(&Enclosure) -> Enclosure,
+) -> MeasuredImpact {
+    MeasuredImpact {
+        wall: impact.wall,
+        phase: turns::in_radians(&impact.phase, bits),
+        turn: turns::in_period(&impact.phase, period),
+        velocity: velocity(&impact.velocity),
+    }
+}
+
+fn periodic_impact(impact: &MeasuredImpact, period: u32) -> PeriodicImpactDocument {
+    PeriodicImpactDocument {
+        wall: impact.wall,
+        phase: bounds(&impact.phase),
+        velocity: bounds(&impact.velocity),
+        turn: (period > 1).then_some(impact.turn),
+    }
+}
+
+/// A periodic orbit; what only two-impact motions have is left out.
+pub(super) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
+    let eigenvalue = |value: &Eigenvalue| EigenvalueDocument { re: bounds(&value.re), im: bounds(&value.im) };
+    PeriodicOrbitDocument {
+        impacts: orbit.impacts.iter().map(|impact| periodic_impact(impact, orbit.period)).collect(),
+        unique: orbit.unique,
+        physical: orbit.physical,
+        symmetric: orbit.symmetric,
+        trace: Some(bounds(&orbit.trace)),
+        determinant: Some(bounds(&orbit.determinant)),
+        eigenvalues: Some(orbit.eigenvalues.each_ref().map(eigenvalue)),
+        stability: orbit.stability.name().to_owned(),
+        spacing: None,
+        sine: None,
+        amplitude: None,
+        gap: None,
+    }
+}

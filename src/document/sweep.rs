@@ -1,0 +1,104 @@
+//! The sweep JSON Lines: what is certified at a point.
+
+use impact_pair_certificate::document::{
+    ArithmeticDocument, ExtendedBounds, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepExponent, SweepHead,
+    SweepImpact, SweepPeriod, SweepRecord,
+};
+
+use super::orbit::is_certified;
+use crate::Scene;
+use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
+use crate::lyapunov::Exponent;
+use crate::number::Ball;
+use crate::orbit::{Outcome, Period};
+use crate::scene::Key;
+use crate::sweep::{Asked, Axis, Grid, Point, State};
+
+/// What a sweep is about; a `summary` leaves the impacts out, a shard is told by its number and of how many.
+pub fn sweep_head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Option<[u64; 2]>) -> SweepHead {
+    let over = |axis: &Axis| SweepAxis {
+        key: axis.key.name().to_owned(),
+        from: axis.low.text(),
+        to: axis.high.text(),
+        count: axis.count,
+    };
+    SweepHead {
+        schema: SWEEP_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        title: scene.title().map(str::to_owned),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        over: grid.axes().iter().map(over).collect(),
+        points: grid.points(),
+        transient: asked.transient,
+        impacts: asked.impacts,
+        digits: asked.settings.digits,
+        certified: is_certified(asked.settings.arithmetic),
+        arithmetic: ArithmeticDocument::asked(&asked.settings),
+        summary,
+        shard,
+    }
+}
+
+/// What is certified at the point of this number and these values.
+pub fn sweep_record(number: u64, values: &[(Key, Exact)], point: &Point, summary: bool) -> SweepRecord {
+    // Chaos is never claimed: what is not proved to be attracted is only that.
+    let outcome = match &point.outcome {
+        Outcome::ImpactsReached | Outcome::TimeReached => "not-attracted",
+        other => other.kind(),
+    };
+    let period = match (&point.outcome, &point.attraction) {
+        (Outcome::Periodic(Period { cycles, impacts }), _) => {
+            Some(SweepPeriod { word: None, impacts: *impacts, cycles: *cycles, from: None, first: None })
+        }
+        (_, Some(attraction)) => Some(SweepPeriod {
+            word: Some(attraction.word.to_string()),
+            impacts: attraction.word.mappings().len() as u64,
+            cycles: attraction.cycles.into(),
+            from: Some(attraction.from),
+            first: Some(impact(&attraction.first)),
+        }),
+        _ => None,
+    };
+    let is_lost = matches!(point.exponent, Exponent::Unknown(unknown) if !unknown.is_definite());
+    let reason = point.conclusion.reason();
+    SweepRecord {
+        point: number,
+        values: values.iter().map(|(_, value)| value.text()).collect(),
+        outcome: outcome.to_owned(),
+        reason: reason.map(|reason| reason.name().to_owned()),
+        message: point.conclusion.message().to_owned(),
+        complete: reason.is_none() && point.first_wide.is_none() && !is_lost,
+        bits: point.bits,
+        impacts: point.impacts,
+        wide_from: point.first_wide,
+        impacts_per_cycle: point.impacts_per_cycle.map(extended),
+        exponent: exponent(point.exponent),
+        period,
+        states: if summary { Vec::new() } else { point.states.iter().map(impact).collect() },
+    }
+}
+
+fn impact(state: &State) -> SweepImpact {
+    let (phase, velocity) = (decimal_bounds(&state.phase), decimal_bounds(&state.velocity));
+    SweepImpact { index: state.index, wall: state.wall, phase, velocity }
+}
+
+fn extended(ball: Ball) -> ExtendedBounds {
+    match ball.enclosure() {
+        Some(enclosure) => decimal_bounds(&enclosure),
+        None => decimal_bounds_f64(ball.mid() - ball.rad(), ball.mid() + ball.rad()),
+    }
+}
+
+fn exponent(exponent: Exponent) -> SweepExponent {
+    let rest = || Some(["-inf".to_owned(), "-inf".to_owned()]);
+    match exponent {
+        Exponent::Finite { per_impact, per_cycle } => {
+            SweepExponent { per_impact: Some(extended(per_impact)), per_cycle: Some(extended(per_cycle)), reason: None }
+        }
+        Exponent::Forgets => SweepExponent { per_impact: rest(), per_cycle: rest(), reason: None },
+        Exponent::Unknown(unknown) => {
+            SweepExponent { per_impact: None, per_cycle: None, reason: Some(unknown.name().to_owned()) }
+        }
+    }
+}

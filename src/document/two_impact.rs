@@ -1,0 +1,91 @@
+//! The periodic JSON of two-impact motions, and the manifolds of figures 10 and 11.
+
+use std::cmp::Ordering;
+
+use impact_pair_certificate::document::{
+    CurveDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA, PROGRAM, PartDocument,
+    PeriodicOrbitDocument, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
+};
+
+use super::periodic::periodic_orbit;
+use crate::orbit::Start;
+use crate::pair::Wall;
+use crate::two_impact::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unknown};
+
+/// An answer, its impacts listed from `wall`; `start` only names the scene.
+pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocument {
+    let question = answer.question();
+    let unknown = question.unknown();
+    TwoImpactDocument {
+        schema: PERIODIC_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        scene: SceneDocument::new(question.pair(), start),
+        word: word(wall).to_owned(),
+        cycles: question.cycles(),
+        solved_for: unknown.name().to_owned(),
+        exhaustive: answer.is_exhaustive,
+        certified: true,
+        undecided: answer.undecided.iter().map(|spacing| SpacingDocument { spacing: bounds(spacing) }).collect(),
+        orbits: answer.orbits.iter().map(|found| orbit(found, unknown, wall)).collect(),
+    }
+}
+
+/// The word of the orbit whose listed impacts begin on this wall: its first mapping, the right-most, leads to it.
+///
+/// Both words are the same motion.
+pub fn word(wall: Wall) -> &'static str {
+    match wall {
+        Wall::Left => "P2 P1",
+        Wall::Right => "P1 P2",
+    }
+}
+
+fn orbit(orbit: &Orbit, unknown: &Unknown, wall: Wall) -> PeriodicOrbitDocument {
+    PeriodicOrbitDocument {
+        spacing: Some(bounds(&orbit.spacing)),
+        sine: Some(orbit.sine.map(|sine| sign(sine).to_owned())),
+        amplitude: matches!(unknown, Unknown::Amplitude(_)).then(|| bounds(&orbit.amplitude)),
+        gap: matches!(unknown, Unknown::Gap(_)).then(|| bounds(&orbit.gap)),
+        ..periodic_orbit(&orbit.measured.told_from(wall))
+    }
+}
+
+fn sign(of: Ordering) -> &'static str {
+    match of {
+        Ordering::Less => "negative",
+        Ordering::Equal => "zero",
+        Ordering::Greater => "positive",
+    }
+}
+
+/// The manifolds of one range; `start` only names the scene.
+pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold]) -> ManifoldDocument {
+    let axis = range.axis;
+    let curve = |curve: &Manifold| CurveDocument {
+        cycles: curve.cycles,
+        points: curve.points.iter().map(|at| point(axis, at)).collect(),
+    };
+    ManifoldDocument {
+        schema: MANIFOLD_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        scene: SceneDocument::new(range.pair, start),
+        over: axis.name().to_owned(),
+        certified: true,
+        curves: curves.iter().map(curve).collect(),
+    }
+}
+
+fn point(axis: Axis, point: &Point) -> ManifoldPointDocument {
+    let after = point.after.map(|Part { is_solid, is_physical, stability }| PartDocument {
+        sine: sign(if is_solid { Ordering::Greater } else { Ordering::Less }).to_owned(),
+        physical: is_physical,
+        stability: stability.name().to_owned(),
+    });
+    let at = bounds(&point.at);
+    let (frequency, velocity) = match axis {
+        Axis::Frequency => (Some(at), None),
+        Axis::Velocity(_) => (None, Some(at)),
+    };
+    let mark = point.mark.map(|mark| mark.name().to_owned());
+    ManifoldPointDocument { frequency, velocity, amplitude: bounds(&point.amplitude), mark, after }
+}
