@@ -269,6 +269,12 @@ mod tests {
         BigRational::from_float(x).unwrap()
     }
 
+    #[test]
+    fn bounds_are_what_they_are_called() {
+        assert_eq!(LARGEST_RATE, 2f64.powi(400));
+        assert!(ABOVE_TURN > std::f64::consts::TAU.next_up());
+    }
+
     fn contains(ball: Ball, x: &BigRational) -> bool {
         (exact(ball.mid) - x).clone() <= exact(ball.rad) && x - exact(ball.mid) <= exact(ball.rad)
     }
@@ -278,6 +284,13 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn an_exact_number_lies_in_its_ball(n in -1_000_000_000_000_000_000i64.., d in 1..i64::MAX, e in -200..200i32) {
+            let number = crate::exact::Exact::parse(&format!("{n}/{d} * 2^{e}")).unwrap();
+            let ball = Ball::of(&number);
+            prop_assert!(contains(ball, number.as_rational().unwrap()) && ball.rad() <= UNIT * ball.mid().abs() + TINY);
+        }
+
         /// Members at the centre and both ends of each operand: the exact rational result lies inside.
         #[test]
         fn operations_hold_the_exact_results_of_their_members(

@@ -160,3 +160,80 @@ fn refine<N: Enclosing, E: Equations<N>>(
 pub(super) fn widest<N: Enclosing>(balls: &[N]) -> f64 {
     balls.iter().map(Enclosing::log2_radius).fold(f64::NEG_INFINITY, f64::max) // shown: widths, not bounds
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Ball, Wave};
+    use proptest::prelude::*;
+
+    const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };
+
+    /// `x^2 + y^2 = 1`, `x sin a = y cos a`: the zeros are `(cos a, sin a)` and its opposite.
+    struct Circle {
+        sin: Ball,
+        cos: Ball,
+    }
+
+    impl Equations<Ball> for Circle {
+        type Jacobian = DMatrix<Ball>;
+
+        fn values(&self, at: &[Ball]) -> Option<Vec<Ball>> {
+            let (x, y) = (at[0], at[1]);
+            Some(vec![x * x + y * y - Ball::exact(1.0), x * self.sin - y * self.cos])
+        }
+
+        fn jacobian(&self, at: &[Ball]) -> Option<DMatrix<Ball>> {
+            let two = Ball::exact(2.0);
+            Some(DMatrix::from_row_slice(2, 2, &[two * at[0], two * at[1], self.sin, -self.cos]))
+        }
+    }
+
+    /// `x^2 = 0`: a double zero.
+    struct Square;
+
+    impl Equations<Ball> for Square {
+        type Jacobian = DMatrix<Ball>;
+
+        fn values(&self, at: &[Ball]) -> Option<Vec<Ball>> {
+            Some(vec![at[0] * at[0]])
+        }
+
+        fn jacobian(&self, at: &[Ball]) -> Option<DMatrix<Ball>> {
+            Some(DMatrix::from_element(1, 1, Ball::exact(2.0) * at[0]))
+        }
+    }
+
+    /// The inverse at these doubles.
+    fn inverse(equations: &impl Equations<Ball, Jacobian = DMatrix<Ball>>, at: &[Ball]) -> Preconditioner {
+        Preconditioner::new(&equations.jacobian(at).unwrap().map(Ball::mid)).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn a_known_zero_is_proved_narrowed_and_held(
+            phase in prop_oneof![0.0..1.0f64, (0..8u32).prop_map(|n| f64::from(n) / 8.0)],
+            off in prop::array::uniform2(-1e-3..1e-3f64),
+        ) {
+            let (sin, cos) = Ball::exact(phase).wave();
+            let circle = Circle { sin, cos };
+            let guess = [cos, sin].into_iter().zip(off).map(|(x, off)| Ball::exact(x.mid() + off)).collect::<Vec<_>>();
+            let inverse = inverse(&circle, &guess);
+            let Proved { at, domain } = prove(&circle, &inverse, &guess, EFFORT).unwrap();
+            for (found, zero) in at.iter().zip([cos, sin]) {
+                prop_assert!((found.mid() - zero.mid()).abs() <= found.rad() + zero.rad() && found.rad() < 1e-14);
+            }
+            prop_assert!(is_inside(&at, &domain));
+            // No box that misses both zeros is mapped into itself.
+            let away: Vec<Ball> = guess.iter().map(|x| Ball::exact(x.mid() + 0.25)).collect();
+            prop_assert_eq!(prove(&circle, &inverse, &away, EFFORT), None);
+        }
+
+        /// T3 proves regular zeros only.
+        #[test]
+        fn a_double_zero_is_never_proved(guess in prop_oneof![-0.1..0.1f64, -1e-9..1e-9f64], slope in 1e-9..1.0f64) {
+            let inverse = inverse(&Square, &[Ball::exact(slope)]);
+            prop_assert_eq!(prove(&Square, &inverse, &[Ball::exact(guess)], EFFORT), None);
+        }
+    }
+}

@@ -9,7 +9,7 @@ use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::ImpactPair;
 
-use super::closed_forms::slope;
+use super::closed_forms::{drift, slope};
 use super::data::{Data, Found};
 use super::motion::{Motion, Parameters};
 use super::orbit::{Orbit, Units};
@@ -226,7 +226,7 @@ impl Bounds {
     fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
         let Parameters { cycles, ratio, restitution, .. } = parameters;
         // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
-        let drift = restitution * &self.speed + &self.left.1;
+        let drift = drift(restitution, &self.speed, &self.left.1);
         let period = parameters.half_period();
         let turn = Real::pi(parameters.bits()) * 2;
         let off = (ratio - &self.left.0 + &self.right.0).over(&drift)? - &period;

@@ -112,6 +112,15 @@ mod tests {
         Exact::parse(text).unwrap().as_rational().unwrap().clone()
     }
 
+    #[test]
+    fn whole_bits_are_those_of_the_power_of_ten() {
+        for digits in 1..=2000 {
+            let power = BigInt::from(10).pow(digits);
+            // 2^(bits - 1) <= power < 2^bits
+            assert_eq!(u64::from(whole_bits(digits)), power.bits() - 1, "{digits}");
+        }
+    }
+
     fn enclosure(lo: BigInt, hi: BigInt, e: i64) -> Enclosure {
         Enclosure::new(Dyadic::new(lo, e), Dyadic::new(hi, e)).unwrap()
     }

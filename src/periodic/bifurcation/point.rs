@@ -71,7 +71,8 @@ impl Point {
         let room = self.bits + 64;
         let hull = a.enclose(room).hull(&b.enclose(room));
         let [low, high] = [hull.lo(), hull.hi()].map(|end| Exact::from_rational(end.to_rational()));
-        let value = Exact::interval(&low, &high).map_err(|_| not_a_range(&format!("{low}..{high}")))?;
+        let value =
+            Exact::interval(&low, &high).map_err(|error| not_a_range(&format!("{low}..{high}")).because(error))?;
         Ok((hull, over.pair_at(pair, value)?))
     }
 }
