@@ -38,7 +38,7 @@ fn proofs(criterion: &mut Criterion) {
         let problem = Problem::new(&pair, &word.parse().expect("a word"), cycles).expect("a closed word");
         let velocity = "-1".parse().expect("an exact number");
         let start = Start::on_wall("0".parse().expect("an exact number"), Wall::Left, velocity).expect("a start");
-        let census = problem.find(&pair, &start, Precision::default());
+        let census = problem.find(&start, Precision::default());
         let orbit = census.orbits.iter().find(|orbit| orbit.physical == Some(true)).expect("an orbit");
         let phases: Vec<f64> = orbit.phases().iter().map(|phase| phase.mid()).collect();
         let mut group = criterion.benchmark_group("prove");
@@ -83,9 +83,8 @@ fn searches(criterion: &mut Criterion) {
             let problem = Problem::new(&figure.pair, &word.parse().expect("a word"), 1).expect("a closed word");
             group.bench_function(format!("{}/{word}", figure.name), |bencher| {
                 bencher.iter(|| {
-                    let census = problem
-                        .find_all(&figure.pair, &figure.start, Precision::default(), Budget::default())
-                        .expect("one harmonic");
+                    let census =
+                        problem.find_all(&figure.start, Precision::default(), Budget::default()).expect("one harmonic");
                     assert!(census.exhaustive);
                     census
                 });

@@ -13,7 +13,7 @@
 //! | fig. 1, (14) | gap, walls | [`ImpactPair`], [`pair::Wall`] |
 //! | (10)-(13) | motion between impacts | [`flight::Flight`] |
 //! | (10)-(13), figs 12-17 | where the ball is between impacts | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
-//! | (15) | impact law | [`pair::Reduced::rebound`] |
+//! | (15) | impact law | [`pair::rebound`] |
 //! | (14), (A.2), (A.4), (A.6) | the first contact, certified | [`contact::first_contact`] |
 //! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |
 //! | (18)-(23) | switch-planes, in three coordinates | [`switch_plane::SwitchPoint`], [`orbit::Orbit::switch_point`] |

@@ -1,6 +1,7 @@
 //! The mappings P1-P4 between the switch-planes, words of them, and their Jacobian (A.7).
 
 use crate::number::Number;
+use crate::pair::rebound;
 pub use impact_pair_model::{Mapping, Word};
 
 /// What the Jacobian of one mapping depends on; velocities in gaps a turn, with their sign, before the impacts.
@@ -51,8 +52,8 @@ pub(crate) fn jacobian_between<N: Number>(
     [velocity0, velocity1]: [N; 2],
 ) -> Option<[[N; 2]; 2]> {
     let inverse = N::from_f64(1.0).checked_div(velocity1)?;
-    let rebound = -(restitution.clone() * velocity0);
-    let time_by_time = swing0.clone().mul_add(time.clone(), rebound) * inverse.clone();
+    let after = rebound(&restitution, velocity0);
+    let time_by_time = swing0.clone().mul_add(time.clone(), after) * inverse.clone();
     let time_by_velocity = restitution.clone() * time * inverse;
     let velocity_by_time = swing1.clone().mul_add(time_by_time.clone(), -swing0);
     let velocity_by_velocity = swing1.mul_add(time_by_velocity.clone(), -restitution);

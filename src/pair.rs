@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::exact::Exact;
-use crate::number::{Ball, Number};
+use crate::number::{Ball, LARGEST_RATE, Number};
 pub(crate) use impact_pair_model::within;
 pub use impact_pair_model::{ImpactPair, Wall};
 
@@ -28,8 +28,6 @@ impl Inward for Wall {
 
 /// What stands behind `A/d`.
 const RATIO: &str = "excitation.amplitude / pair.gap";
-/// `2^400`: larger ratios could overflow in the course of a flight.
-const LARGEST_RATIO: f64 = 2.582_249_878_086_908_6e120;
 
 /// All that the motion depends on once time is in turns and length in gaps.
 #[derive(Clone, Copy, Debug)]
@@ -80,20 +78,32 @@ impl<N> Reduced<N> {
     }
 }
 
+/// The impact law `v+ = -e v-`. **Equation** (15)
+#[inline(always)]
+pub fn rebound<N: Number>(restitution: &N, velocity_before: N) -> N {
+    -(restitution.clone() * velocity_before)
+}
+
+/// The impact law over a ball; nothing is exactly nothing, so that a dead impact leaves at rest.
+#[inline(always)]
+pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
+    let zero = Ball::exact(0.0);
+    if restitution == zero || before == zero { zero } else { rebound(&restitution, before) }
+}
+
 impl<N: Number> Reduced<N> {
-    /// The impact law `v+ = -e v-`. **Equation** (15)
+    /// The velocity after an impact. **Equation** (15)
     #[inline(always)]
     pub fn rebound(&self, velocity_before: N) -> N {
-        -(self.restitution.clone() * velocity_before)
+        rebound(&self.restitution, velocity_before)
     }
 }
 
 impl Reduced<Ball> {
-    /// The impact law over a ball; nothing is exactly nothing, so that a dead impact leaves at rest.
+    /// The same over a ball: see [`rebound_of`].
     #[inline(always)]
     pub(crate) fn rebound_of(&self, before: Ball) -> Ball {
-        let zero = Ball::exact(0.0);
-        if self.restitution == zero || before == zero { zero } else { self.rebound(before) }
+        rebound_of(self.restitution, before)
     }
 
     /// The centres of the parameters, for the floating twin.
@@ -108,8 +118,8 @@ impl Reduced<Ball> {
 /// # Errors
 /// When the value is too large for the arithmetic of a flight.
 pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
-    let (mid, rad) = value.enclose(120).mid_rad();
-    if mid.abs() + rad <= LARGEST_RATIO { Ok(Ball::new(mid, rad)) } else { Err(too_large(key, value)) }
+    let ball = Ball::of(value);
+    if ball.mid().abs() + ball.rad() <= LARGEST_RATE { Ok(ball) } else { Err(too_large(key, value)) }
 }
 
 /// A value that is too large for the arithmetic of a flight.

@@ -97,7 +97,7 @@ fn every_start_in_a_basin_comes_to_the_orbit() {
     let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), 1).unwrap();
     let orbit = problem.prove_in_doubles(&[0.8646, 1.3646]).expect("proved");
     let basin = problem.basins(&orbit).next().expect("a neighbourhood");
-    let phase = orbit.proved.phases[0].mid();
+    let phase = orbit.proved.at[0].mid();
     let velocity = problem.chain().before(&orbit.legs, 0).mid();
     let holds = |u: f64, v: f64| basin.holds(Wall::Left, Ball::exact(u), Ball::exact(v));
     assert!(holds(phase, velocity) && holds(phase + 3.0, velocity), "phases are modulo whole turns");

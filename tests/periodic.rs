@@ -30,7 +30,7 @@ fn problem(pair: &ImpactPair, word: &str, cycles: u32) -> Problem {
 }
 
 fn all(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
-    let census = problem(pair, word, cycles).find_all(pair, &start(), Precision::default(), Budget::default()).unwrap();
+    let census = problem(pair, word, cycles).find_all(&start(), Precision::default(), Budget::default()).unwrap();
     assert!(census.exhaustive && census.is_certified(), "{word} in {cycles} cycles: {census:?}");
     census
 }
@@ -51,7 +51,7 @@ fn holds(x: &Enclosure, number: f64, within: f64) -> bool {
 fn r17_orbits_next_to_a_fold_are_counted_once() {
     let pair = pair("(1+1e-18)/sqrt(4+9*pi^2)", "0.5");
     let few = Precision { digits: 5, ..Precision::default() };
-    let census = problem(&pair, "LR", 1).find(&pair, &start(), few);
+    let census = problem(&pair, "LR", 1).find(&start(), few);
     let stabilities: Vec<_> = census.orbits.iter().map(|orbit| orbit.stability).collect();
     assert_eq!(stabilities, [Stability::Stable, Stability::Unstable]);
 }
@@ -84,7 +84,7 @@ fn the_attractors_of_the_figures_are_found_with_their_eigenvalues() {
     let single = physical(all(&figure_15, "RRLLL", 1));
     let orbit = single.iter().find(|orbit| holds(&orbit.eigenvalues[0].re, -1.0021046, 1e-7)).unwrap();
     assert_eq!((orbit.stability, orbit.symmetric), (Stability::Unstable, Some(false)));
-    let double = problem(&figure_15, "RRLLLRRLLL", 2).find(&figure_15, &start(), Precision::default());
+    let double = problem(&figure_15, "RRLLLRRLLL", 2).find(&start(), Precision::default());
     let orbit = double.orbits.iter().find(|orbit| orbit.stability == Stability::Stable).unwrap();
     assert!(holds(&orbit.eigenvalues[0].re, 0.9915971, 1e-7));
     assert_eq!((orbit.physical, orbit.repeats), (Some(true), Some(1)));
@@ -128,7 +128,7 @@ fn stable_orbits_of_many_words_are_found() {
         ("LRLR", 2, "0.468", "0.8"),
     ] {
         let pair = pair(ratio, restitution);
-        let found = problem(&pair, word, cycles).find(&pair, &start(), Precision::default());
+        let found = problem(&pair, word, cycles).find(&start(), Precision::default());
         let is_stable = |orbit: &PeriodicOrbit| {
             orbit.stability == Stability::Stable && orbit.physical == Some(true) && orbit.repeats == Some(1)
         };
@@ -213,7 +213,7 @@ fn proved_orbits_run_a_hundred_periods_and_stay() {
     ] {
         let pair = pair(ratio, restitution);
         // Enough digits for what a hundred periods of the most unstable orbits eat.
-        let found = problem(&pair, word, cycles).find(&pair, &start(), Precision { digits: 300, max_bits: 1 << 14 });
+        let found = problem(&pair, word, cycles).find(&start(), Precision { digits: 300, max_bits: 1 << 14 });
         let motions: Vec<_> = found.orbits.iter().filter(|orbit| orbit.physical == Some(true)).collect();
         assert!(!motions.is_empty(), "{word}");
         for orbit in motions {
@@ -258,7 +258,7 @@ fn trace_and_determinant_agree_with_finite_differences() {
         let reduced = Reduced::exact(&pair).unwrap().map(|x| MpBall::enclosing(&x.enclose(BITS), BITS));
         let reduced = reduced.map(|x| MpBall::exact(x.mid().clone()));
         let problem = problem(&pair, word, cycles);
-        let found = problem.find(&pair, &start(), Precision { digits: 30, max_bits: 4096 });
+        let found = problem.find(&start(), Precision { digits: 30, max_bits: 4096 });
         for orbit in found.orbits {
             let ball = |x: &Enclosure| MpBall::exact(MpBall::enclosing(x, BITS).mid().clone());
             let phases: Vec<MpBall> = orbit.impacts.iter().map(|impact| ball(&impact.phase)).collect();
@@ -330,7 +330,7 @@ proptest! {
     fn more_digits_narrow(ratio in 0.2..3.0f64, cycles in 1..3u32, word in prop::sample::select(vec!["LR", "LLR", "LLRR"])) {
         let pair = pair(&format!("{ratio:.6}"), "0.8");
         let problem = problem(&pair, word, cycles);
-        let coarse = problem.find(&pair, &start(), Precision::default());
+        let coarse = problem.find(&start(), Precision::default());
         for orbit in coarse.orbits {
             let guess: Vec<f64> = orbit.phases().iter().map(|phase| phase.mid()).collect();
             let fine = problem.prove(&guess, Precision { digits: 25, max_bits: 1 << 12 }).unwrap();

@@ -50,7 +50,7 @@ fn motions(digits: u32) -> Vec<(ImpactPair, Problem, PeriodicOrbit)> {
     let mut motions = Vec::new();
     for (pair, word, cycles) in questions() {
         let problem = problem(&pair, word, cycles);
-        let census = problem.find(&pair, &start(), Precision { digits, max_bits: 1 << 14 });
+        let census = problem.find(&start(), Precision { digits, max_bits: 1 << 14 });
         let before = motions.len();
         let physical = census.orbits.into_iter().filter(|orbit| orbit.physical == Some(true));
         motions.extend(physical.map(|orbit| (pair.clone(), problem.clone(), orbit)));
@@ -73,7 +73,7 @@ fn one_harmonic_in_two_terms_has_the_same_orbits() {
         let one = pair(&[(ratio, "2*pi", "0")], restitution);
         let two = pair(&[(ratio, "2*pi", "pi/3"), (ratio, "2*pi", "-pi/3")], restitution);
         let precision = Precision { digits: 30, max_bits: 4096 };
-        let orbits = problem(&one, word, cycles).find(&one, &start(), precision).orbits;
+        let orbits = problem(&one, word, cycles).find(&start(), precision).orbits;
         assert!(!orbits.is_empty(), "{word}");
         let other = problem(&two, word, cycles);
         assert_eq!(other.period(), 1);
@@ -173,7 +173,7 @@ fn trace_and_determinant_agree_with_differences_of_runs() {
 #[test]
 fn an_orbit_of_a_word_is_found_in_the_word_run_through_twice() {
     for (pair, word, cycles) in questions().into_iter().take(3) {
-        let once = problem(&pair, word, cycles).find(&pair, &start(), Precision::default()).orbits;
+        let once = problem(&pair, word, cycles).find(&start(), Precision::default()).orbits;
         let twice = problem(&pair, &word.repeat(2), 2 * cycles);
         for orbit in once {
             let phases = middles(&orbit);
@@ -194,7 +194,7 @@ fn an_orbit_of_a_word_is_found_in_the_word_run_through_twice() {
 fn mirror_images_are_orbits_where_the_harmonics_are_odd() {
     let [odd, even] = [0, 1].map(|i: usize| {
         let (pair, word, cycles) = questions().swap_remove(i);
-        problem(&pair, word, cycles).find(&pair, &start(), Precision::default()).orbits
+        problem(&pair, word, cycles).find(&start(), Precision::default()).orbits
     });
     let mut traces: Vec<f64> =
         odd.iter().filter(|orbit| orbit.symmetric == Some(false)).map(|orbit| orbit.trace.mid_rad().0).collect();
@@ -208,7 +208,7 @@ fn mirror_images_are_orbits_where_the_harmonics_are_odd() {
 #[test]
 fn runs_are_proved_to_converge_to_a_stable_orbit() {
     let (pair, word, cycles) = questions().swap_remove(0);
-    let orbits = problem(&pair, word, cycles).find(&pair, &start(), Precision::default()).orbits;
+    let orbits = problem(&pair, word, cycles).find(&start(), Precision::default()).orbits;
     let stable: Vec<_> = orbits.iter().filter(|orbit| orbit.stability == Stability::Stable).collect();
     assert!(!stable.is_empty());
     for orbit in stable {
@@ -245,7 +245,7 @@ fn what_is_not_known_of_several_harmonics_is_an_error() {
         assert_eq!(error.key(), Some("excitation.frequency"));
         assert!(error.to_string().contains(frequency), "{error}");
     }
-    let all = |word: &str| problem(&three, word, 3).find_all(&three, &start(), Precision::default(), Budget::default());
+    let all = |word: &str| problem(&three, word, 3).find_all(&start(), Precision::default(), Budget::default());
     assert!(all("LR").unwrap_err().to_string().contains("2 harmonics"));
     // Lemma T7 holds whatever the shaking.
     assert!(all("R").unwrap().exhaustive);

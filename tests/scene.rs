@@ -1,5 +1,9 @@
 //! Scene files, flown.
 
+use std::error::Error;
+
+use impact_pair::certificate::Certificate;
+use impact_pair::exact::{ExactError, ParseError};
 use impact_pair::orbit::{Impact, Orbit, Settings};
 use impact_pair::scene::Scene;
 
@@ -76,4 +80,23 @@ fn scaling_all_lengths_changes_neither_words_nor_phases() {
         assert_eq!(impacts(&scaled(FIGURE_14)), expected.0, "{factor}");
         assert_eq!(impacts(&scaled(&with("wall = \"left\"", start))), expected.1, "{factor}");
     }
+}
+
+/// What is refused says what it comes from, to programs as well.
+#[test]
+fn errors_keep_their_causes() {
+    let refused = |line: &str, by: &str| Scene::parse(&with(line, by)).unwrap_err();
+    let number = refused("gap = 9.42497", "gap = \"pie\"");
+    let cause =
+        number.source().and_then(|cause| cause.downcast_ref::<ParseError>()).expect("a text that does not read");
+    assert!(cause.column() == 1 && number.to_string().contains(&cause.to_string()));
+    let toml = refused("gap = 9.42497", "gap = = 2");
+    assert!(toml.source().is_some_and(|cause| cause.to_string().contains("gap = = 2")));
+    let json = Certificate::parse("{").unwrap_err();
+    assert!(json.source().is_some_and(|cause| json.to_string().contains(&cause.to_string())));
+    // A quotient that is beyond what expressions hold.
+    let scene =
+        Scene::parse(&with("amplitude = 8", "amplitude = \"2^39999\"").replace("9.42497", "\"2^-39999\"")).unwrap();
+    let far = Orbit::of(&scene, scene.settings()).unwrap_err();
+    assert_eq!(far.source().and_then(|cause| cause.downcast_ref::<ExactError>()), Some(&ExactError::TooLarge));
 }

@@ -5,6 +5,7 @@ use impact_pair::mapping::{Passage, jacobian};
 use impact_pair::number::Ball;
 use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
 use impact_pair::pair::{Reduced, Wall};
+use impact_pair::periodic::{Eigenvalue, MeasuredImpact};
 use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Question, Range, Stability, Unknown};
 use impact_pair::{Harmonic, ImpactPair};
 use proptest::prelude::*;
@@ -46,7 +47,7 @@ fn residuals(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> [Enclosure; 4] {
     let times = [there.clone(), period.sub(&there, bits)];
     let mut found = Vec::new();
     for (i, time) in times.iter().enumerate() {
-        let (from, to) = (&orbit.impacts[i], &orbit.impacts[1 - i]);
+        let (from, to) = (&orbit.measured.impacts[i], &orbit.measured.impacts[1 - i]);
         let shaken = |phase: &Enclosure| swing.mul(&phase.cos(bits), bits);
         let drift = shaken(&from.phase).sub(&e.mul(&from.velocity, bits), bits);
         found.push(drift.sub(&shaken(&to.phase), bits).sub(&to.velocity, bits));
@@ -64,35 +65,38 @@ fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
             assert!(holds(&rest, "0") && rest.width() < Dyadic::power_of_two(-40), "{orbit:?} {rest:?}");
         }
         let e = pair.restitution().enclose(BITS);
-        assert!(meets(&orbit.determinant, &e.powi(4, BITS).unwrap()));
-        let [[re0, im0], [re1, im1]] = &orbit.eigenvalues;
+        assert!(meets(&orbit.measured.determinant, &e.powi(4, BITS).unwrap()));
+        let [[re0, im0], [re1, im1]] = orbit.measured.eigenvalues.each_ref().map(|value| [&value.re, &value.im]);
         let product = re0.mul(re1, BITS).sub(&im0.mul(im1, BITS), BITS);
-        assert!(meets(&product, &orbit.determinant) && meets(&re0.add(re1, BITS), &orbit.trace), "{orbit:?}");
+        assert!(
+            meets(&product, &orbit.measured.determinant) && meets(&re0.add(re1, BITS), &orbit.measured.trace),
+            "{orbit:?}"
+        );
         assert!(holds(&im0.add(im1, BITS), "0"));
         let size = |re: &Enclosure, im: &Enclosure| re.powi(2, BITS).unwrap().add(&im.powi(2, BITS).unwrap(), BITS);
         let sizes = [size(re0, im0), size(re1, im1)];
-        match orbit.stability {
+        match orbit.measured.stability {
             Stability::Stable => assert!(sizes.iter().all(|size| size.lo() < &Dyadic::power_of_two(0))),
             Stability::Unstable => assert!(sizes.iter().any(|size| size.hi() > &Dyadic::power_of_two(0))),
             Stability::Undecided => {}
         }
-        if let (Some(is_physical), Some(is_followed)) = (orbit.is_physical, is_followed(pair, orbit, cycles)) {
+        if let (Some(is_physical), Some(is_followed)) = (orbit.measured.physical, is_followed(pair, orbit, cycles)) {
             assert_eq!(is_physical, is_followed, "{orbit:?}");
         }
-        assert!(meets(&orbit.trace, &product_of_jacobians(pair, orbit, cycles)), "{orbit:?}");
+        assert!(meets(&orbit.measured.trace, &product_of_jacobians(pair, orbit, cycles)), "{orbit:?}");
         // Its mirror image is in the list as well.
         let mirrored = |other: &&Orbit| {
             let turned = |a: &Enclosure, b: &Enclosure| {
                 holds(&a.sin(BITS).add(&b.sin(BITS), BITS), "0") && holds(&a.cos(BITS).add(&b.cos(BITS), BITS), "0")
             };
-            turned(&orbit.impacts[0].phase, &other.impacts[1].phase)
-                && turned(&orbit.impacts[1].phase, &other.impacts[0].phase)
-                && meets(&orbit.impacts[1].velocity, &other.impacts[1].velocity)
+            turned(&orbit.measured.impacts[0].phase, &other.measured.impacts[1].phase)
+                && turned(&orbit.measured.impacts[1].phase, &other.measured.impacts[0].phase)
+                && meets(&orbit.measured.impacts[1].velocity, &other.measured.impacts[1].velocity)
         };
         let mirror: Vec<&Orbit> = answer.orbits.iter().filter(mirrored).collect();
-        assert!(mirror.len() == 1 || !orbit.is_unique, "{orbit:?}");
-        assert!(!orbit.is_unique || std::ptr::eq(mirror[0], orbit) == orbit.is_symmetric);
-        assert_eq!(mirror[0].is_physical, orbit.is_physical);
+        assert!(mirror.len() == 1 || !orbit.measured.unique, "{orbit:?}");
+        assert!(!orbit.measured.unique || Some(std::ptr::eq(mirror[0], orbit)) == orbit.measured.symmetric);
+        assert_eq!(mirror[0].measured.physical, orbit.measured.physical);
     }
 }
 
@@ -109,8 +113,8 @@ fn product_of_jacobians(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Enclos
         |v: &Enclosure| ball(&v.mul(&exact("2").enclose(BITS), BITS).div(&pair.gap().enclose(BITS), BITS).unwrap());
     let there = orbit.spacing.div(&turn, BITS).unwrap();
     let back = exact(&cycles.to_string()).enclose(BITS).sub(&there, BITS);
-    let [left, right] = &orbit.impacts;
-    let step = |from: &impact_pair::two_impact::Impact, to: &impact_pair::two_impact::Impact, time: &Enclosure| {
+    let [left, right] = orbit.measured.impacts.as_slice() else { panic!("two impacts") };
+    let step = |from: &MeasuredImpact, to: &MeasuredImpact, time: &Enclosure| {
         let passage = Passage {
             time: ball(time),
             sin0: ball(&from.phase.sin(BITS)),
@@ -142,10 +146,10 @@ proptest! {
         let (of_set, of_member) = (all(&wide, 1), all(&member, 1));
         prop_assert!(!of_set.is_exhaustive || of_set.orbits.len() == of_member.orbits.len());
         for (orbit, inside) in of_set.orbits.iter().zip(&of_member.orbits).filter(|_| of_set.is_exhaustive) {
-            prop_assert!(orbit.is_physical.is_none() || orbit.is_physical == inside.is_physical);
-            prop_assert!(orbit.stability == Stability::Undecided || orbit.stability == inside.stability);
-            prop_assert!(meets(&orbit.trace, &inside.trace));
-            for (a, b) in orbit.impacts.iter().zip(&inside.impacts) {
+            prop_assert!(orbit.measured.physical.is_none() || orbit.measured.physical == inside.measured.physical);
+            prop_assert!(orbit.measured.stability == Stability::Undecided || orbit.measured.stability == inside.measured.stability);
+            prop_assert!(meets(&orbit.measured.trace, &inside.measured.trace));
+            for (a, b) in orbit.measured.impacts.iter().zip(&inside.measured.impacts) {
                 prop_assert!(meets(&a.phase, &b.phase) && meets(&a.velocity, &b.velocity));
             }
         }
@@ -158,9 +162,9 @@ fn the_orbit_of_figure_12_is_exact() {
     let answer = all(&pair, 1);
     assert!(answer.is_complete && answer.is_exhaustive && answer.orbits.len() == 2);
     let orbit = &answer.orbits[0];
-    assert!(orbit.impacts[0].phase.is_point() && holds(&orbit.impacts[0].phase, "0"));
-    assert!(holds(&orbit.impacts[0].velocity, "-4*pi") && holds(&orbit.eigenvalues[0][0], "1/4"));
-    assert_eq!((orbit.is_physical, orbit.stability), (Some(true), Stability::Stable));
+    assert!(orbit.measured.impacts[0].phase.is_point() && holds(&orbit.measured.impacts[0].phase, "0"));
+    assert!(holds(&orbit.measured.impacts[0].velocity, "-4*pi") && holds(&orbit.measured.eigenvalues[0].re, "1/4"));
+    assert_eq!((orbit.measured.physical, orbit.measured.stability), (Some(true), Stability::Stable));
     // (68) and (67) give the same back.
     let speed = exact("4*pi");
     let found = Question::new(&pair, 1, Unknown::Amplitude(speed.clone())).unwrap().answer(20);
@@ -172,7 +176,7 @@ fn the_orbit_of_figure_12_is_exact() {
 #[test]
 fn figure_13_has_the_known_eigenvalues() {
     let answer = all(&pair("2", "9.42497", "0.5"), 1);
-    let [re, im] = &answer.orbits[0].eigenvalues[0];
+    let Eigenvalue { re, im } = &answer.orbits[0].measured.eigenvalues[0];
     assert!(re.to_f64_bounds().0 > -0.191271 && re.to_f64_bounds().1 < -0.191269);
     assert!(im.to_f64_bounds().0 > 0.160983 && im.to_f64_bounds().1 < 0.160985);
 }
@@ -181,19 +185,23 @@ fn figure_13_has_the_known_eigenvalues() {
 fn even_cycles_are_possible_unequispaced() {
     for (gap, cycles) in [("10.82", 2), ("14.21", 4)] {
         let answer = all(&pair("1", gap, "0.5"), cycles);
-        let stable = |orbit: &&Orbit| orbit.stability == Stability::Stable && orbit.is_physical == Some(true);
+        let stable =
+            |orbit: &&Orbit| orbit.measured.stability == Stability::Stable && orbit.measured.physical == Some(true);
         assert_eq!(answer.orbits.iter().filter(stable).count(), 2);
-        assert!(answer.is_exhaustive && answer.orbits.iter().all(|orbit| !orbit.is_symmetric));
+        assert!(answer.is_exhaustive && answer.orbits.iter().all(|orbit| orbit.measured.symmetric == Some(false)));
     }
 }
 
 #[test]
 fn elastic_motions_are_those_of_70_and_71() {
     let odd = all(&pair("1", "20", "1"), 1);
-    assert!(holds(&odd.orbits[0].impacts[1].velocity, "18") && holds(&odd.orbits[1].impacts[1].velocity, "22"));
+    assert!(
+        holds(&odd.orbits[0].measured.impacts[1].velocity, "18")
+            && holds(&odd.orbits[1].measured.impacts[1].velocity, "22")
+    );
     let even = all(&pair("1", "20", "1"), 2);
     // |v| = d W/(N pi), W = pi
-    assert!(even.orbits[..2].iter().all(|orbit| holds(&orbit.impacts[1].velocity, "10")));
+    assert!(even.orbits[..2].iter().all(|orbit| holds(&orbit.measured.impacts[1].velocity, "10")));
     assert!(even.is_exhaustive && even.orbits.len() == 4);
 }
 
@@ -244,7 +252,7 @@ fn stable_orbits_stay_inside_their_bounds() {
     ] {
         let pair = pair(amplitude, gap, e);
         for orbit in &all(&pair, cycles).orbits {
-            if orbit.is_physical == Some(true) && orbit.stability == Stability::Stable {
+            if orbit.measured.physical == Some(true) && orbit.measured.stability == Stability::Stable {
                 follow(&pair, orbit, cycles);
                 count += 1;
             }
@@ -285,7 +293,7 @@ fn start(pair: &ImpactPair, orbit: &Orbit, impacts: u64) -> Run {
         let [low, high] = decimal_bounds(x);
         exact(&format!("[{low}, {high}]"))
     };
-    let left = &orbit.impacts[0];
+    let left = &orbit.measured.impacts[0];
     let harmonic =
         Harmonic::new(pair.excitation().reference().amplitude().clone(), exact("pi"), interval(&left.phase)).unwrap();
     let shifted = ImpactPair::new(harmonic, pair.gap().clone(), pair.restitution().clone()).unwrap();
@@ -304,7 +312,7 @@ fn is_expected(run: &Run, impact: &Impact, orbit: &Orbit, (cycles, period, wall)
         }
         Wall::Left => (number(2 * cycles * (period + 1)), 0),
     };
-    impact.wall == wall && meets(&time, &expected) && meets(&velocity, &orbit.impacts[index].velocity)
+    impact.wall == wall && meets(&time, &expected) && meets(&velocity, &orbit.measured.impacts[index].velocity)
 }
 
 fn curve(pair: &ImpactPair, axis: Axis, from: &str, to: &str, cycles: u32) -> Manifold {
@@ -328,8 +336,8 @@ fn parts_of_the_manifolds_agree_with_the_motions_in_them() {
             let there = ImpactPair::new(harmonic, exact("20"), exact("0.8")).unwrap();
             let found = Question::new(&there, cycles, Unknown::Amplitude(exact("20"))).unwrap().answer(15);
             let (orbit, part) = (&found.orbits[0], ends[0].after.unwrap());
-            assert_eq!(orbit.is_physical, Some(part.is_physical), "{between}");
-            assert_eq!(orbit.stability, part.stability, "{between}");
+            assert_eq!(orbit.measured.physical, Some(part.is_physical), "{between}");
+            assert_eq!(orbit.measured.stability, part.stability, "{between}");
             assert_eq!(orbit.sine.unwrap().is_gt(), part.is_solid, "{between}");
             let hull = ends[0].amplitude.hull(&ends[1].amplitude);
             assert!(hull.contains_enclosure(&orbit.amplitude), "{between}");

@@ -22,12 +22,11 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let mut out = Output::open(arguments.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted).with_context(named)?;
-    let (pair, start, over) = (scene.pair(), scene.start(), &wanted.over);
     let write = "cannot write the output";
     match arguments.format {
-        PeriodicFormat::Table => table(&mut out, &scene, over, &diagram).context(write)?,
+        PeriodicFormat::Table => table(&mut out, &scene, &diagram).context(write)?,
         PeriodicFormat::Json => {
-            let document = document::bifurcations((pair, start), (word, cycles), over, &diagram).with_context(named)?;
+            let document = document::bifurcations(scene.start(), (word, cycles), &diagram).with_context(named)?;
             writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
         }
     }
@@ -35,20 +34,20 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     out.commit()?;
     if !diagram.is_certified() && !arguments.quiet && !said_already {
         // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{}", conclusion(over, &diagram));
+        let _ = writeln!(io::stderr(), "{}", conclusion(&diagram));
     }
     Ok(if diagram.is_certified() { Answer::Complete } else { Answer::Incomplete })
 }
 
-fn table(out: &mut impl Write, scene: &Scene, over: &Over, diagram: &Diagram) -> Result<()> {
+fn table(out: &mut impl Write, scene: &Scene, diagram: &Diagram) -> Result<()> {
     heading::write(out, scene)?;
-    let Over { key, low, high } = over;
+    let Over { key, low, high } = diagram.over();
     writeln!(out, "over {} from {low} to {high}\n", key.name())?;
     if !diagram.points.is_empty() {
         writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.name())?;
     }
     for point in &diagram.points {
-        let (parameter, _) = point.in_units(over, scene.pair())?;
+        let (parameter, _) = diagram.in_units(point)?;
         let symmetric = match point.symmetric {
             Some(true) => "symmetric",
             Some(false) => "not symmetric",
@@ -66,7 +65,7 @@ fn table(out: &mut impl Write, scene: &Scene, over: &Over, diagram: &Diagram) ->
     }
     for branch in &diagram.branches {
         let symmetric = if branch.symmetric { ", symmetric" } else { "" };
-        let [low, high] = over.range_f64(scene.pair(), branch.range);
+        let [low, high] = diagram.range_f64(branch.range);
         let [a, b] = branch.ends.map(end);
         let impacts = branch.word.mappings().len();
         let proved = if branch.is_proved { ", proved to be one curve" } else { "" };
@@ -77,7 +76,7 @@ fn table(out: &mut impl Write, scene: &Scene, over: &Over, diagram: &Diagram) ->
         )?;
     }
     for unproved in &diagram.unproved {
-        let [near, _] = over.range_f64(scene.pair(), [unproved.near; 2]);
+        let [near, _] = diagram.range_f64([unproved.near; 2]);
         writeln!(
             out,
             "undecided: {} of {} impacts near {near:.9}",
@@ -85,7 +84,7 @@ fn table(out: &mut impl Write, scene: &Scene, over: &Over, diagram: &Diagram) ->
             unproved.word.mappings().len()
         )?;
     }
-    writeln!(out, "\n{}", conclusion(over, diagram))?;
+    writeln!(out, "\n{}", conclusion(diagram))?;
     Ok(())
 }
 
@@ -100,8 +99,8 @@ fn end(end: End) -> &'static str {
 }
 
 /// The last line: how much of what was asked is proved.
-fn conclusion(over: &Over, diagram: &Diagram) -> String {
-    if over.key == Key::Frequency {
+fn conclusion(diagram: &Diagram) -> String {
+    if diagram.over().key == Key::Frequency {
         return "certified: nothing bifurcates over the frequency: only A/d and e matter, W is the unit of time".into();
     }
     let count = diagram.points.len();

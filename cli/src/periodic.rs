@@ -7,7 +7,6 @@ use impact_pair::Scene;
 use impact_pair::document::Units;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
-use impact_pair::turns;
 
 use crate::Answer;
 use crate::arguments::{PeriodicArguments, PeriodicFormat};
@@ -19,26 +18,26 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
-    let units = Units::new(scene.pair()).with_context(named)?;
+    let units = Units::new(problem.pair()).with_context(named)?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
-    let (pair, start, precision) = (scene.pair(), scene.start(), arguments.precision(&scene));
+    let (start, precision) = (scene.start(), arguments.precision(&scene));
     let census = match arguments.all {
-        true => problem.find_all(pair, start, precision, Budget::default()).with_context(named)?,
-        false => problem.find(pair, start, precision),
+        true => problem.find_all(start, precision, Budget::default()).with_context(named)?,
+        false => problem.find(start, precision),
     };
     let write = "cannot write the output";
     match arguments.format {
         PeriodicFormat::Table => table(&mut out, &scene, &problem, &units, &census).context(write)?,
         PeriodicFormat::Json => {
-            let document = units.document((pair, start), (problem.word(), arguments.cycles), &census);
+            let document = units.document(&problem, start, &census);
             writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
         }
     }
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
     out.commit()?;
     if !census.is_certified() && !arguments.quiet && !said_already {
-        let harmonics = pair.excitation().harmonics().len();
+        let harmonics = scene.pair().excitation().harmonics().len();
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{}", conclusion(&census, harmonics));
     }
@@ -57,10 +56,9 @@ fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, 
         // Which turn of the common period, where that is longer than one.
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
         writeln!(out, "  {:5}  {}{:31}  velocity before", "wall", turn("turn"), "phase W t + tau")?;
-        for impact in &found.impacts {
-            let turn = turn(&turns::in_period(&impact.phase, found.period).to_string());
-            let phase = decimal_digits(&turns::in_radians(&impact.phase, found.bits));
-            let velocity = decimal_digits(&units.velocity(&impact.velocity, found.bits));
+        for impact in &units.measured(found).impacts {
+            let turn = turn(&impact.turn.to_string());
+            let [phase, velocity] = [&impact.phase, &impact.velocity].map(decimal_digits);
             writeln!(out, "  {:5}  {turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }

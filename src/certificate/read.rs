@@ -66,7 +66,7 @@ impl Certificate {
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let values: Result<Vec<Value>, _> = Deserializer::from_str(text).into_iter().collect();
-        let values = values.map_err(|error| Error::certificate(format!("no JSON: {error}")))?;
+        let values = values.map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
         let [head, rest @ ..] = values.as_slice() else {
             return Err(Error::certificate("no JSON: the text is empty".into()));
         };

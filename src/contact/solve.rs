@@ -12,6 +12,11 @@ use crate::number::Trigonometry;
 use crate::number::kernel::Departure;
 use crate::pair::Inward;
 
+/// Steps to a root within a monotone piece: halving alone takes one a bit of a double.
+const MOST_STEPS: u32 = 64;
+/// Newton steps to the end of a hop: each doubles the digits of a guess that is right for short ones.
+const MOST_HOP_STEPS: u32 = 8;
+
 /// Flights longer than this many turns are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
 
@@ -144,7 +149,7 @@ fn refine<T: Trigonometry>(
     let (height, direction) = (target.height(), target.direction());
     // More than a quarter of the third derivative, 4 pi^2 beta at most.
     let jerk = 10.0 * flight.beta;
-    let mut left = 64;
+    let mut left = MOST_STEPS;
     loop {
         let (sin, cos) = flight.wall.mirror(T::sin_cos(at));
         let residual = flight.height_above(height, turns, at, sin);
@@ -182,7 +187,7 @@ fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
         return None;
     }
     let mut at = guess;
-    for _ in 0..8 {
+    for _ in 0..MOST_HOP_STEPS {
         let departure = T::departure(at);
         let (sin, cos) = flight.hop_sin_cos(&departure);
         let residual = flight.hop_height(at, departure.versine, departure.excess);

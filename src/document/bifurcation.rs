@@ -5,42 +5,42 @@ use impact_pair_certificate::document::{
     PeriodicOrbitDocument, SceneDocument, UnprovedDocument, bounds,
 };
 
-use super::periodic::Units;
+use super::periodic::{Units, periodic_orbit};
+use crate::Error;
 use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::periodic::bifurcation::{Branch, Diagram, End, Over, Point, Unproved};
-use crate::{Error, ImpactPair};
 
-/// Bifurcations of a word's orbits over a parameter; its own value in `pair`, and `start`, only name the scene.
+/// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
 ///
 /// # Errors
 /// When a value is beyond what exact expressions hold.
 pub fn bifurcations(
-    (pair, start): (&ImpactPair, &Start),
+    start: &Start,
     (word, cycles): (&Word, u32),
-    over: &Over,
     diagram: &Diagram,
 ) -> Result<BifurcationDocument, Error> {
+    let Over { key, low, high } = diagram.over();
     Ok(BifurcationDocument {
         schema: BIFURCATION_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(pair, start),
+        scene: SceneDocument::new(diagram.pair(), start),
         word: word.to_string(),
         cycles,
-        over: ParameterRange { key: over.key.name().to_owned(), low: (&over.low).into(), high: (&over.high).into() },
+        over: ParameterRange { key: key.name().to_owned(), low: low.into(), high: high.into() },
         exhaustive: false,
         certified: diagram.is_certified(),
-        points: diagram.points.iter().map(|found| point(found, over, pair)).collect::<Result<_, _>>()?,
-        branches: diagram.branches.iter().map(|followed| branch(followed, over, pair)).collect(),
-        undecided: diagram.unproved.iter().map(|open| unproved(open, over, pair)).collect(),
+        points: diagram.points.iter().map(|found| point(found, diagram)).collect::<Result<_, _>>()?,
+        branches: diagram.branches.iter().map(|followed| branch(followed, diagram)).collect(),
+        undecided: diagram.unproved.iter().map(|open| unproved(open, diagram)).collect(),
     })
 }
 
-fn point(point: &Point, over: &Over, pair: &ImpactPair) -> Result<BifurcationPointDocument, Error> {
-    let (parameter, pair) = point.in_units(over, pair)?;
+fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, Error> {
+    let (parameter, pair) = diagram.in_units(point)?;
     let units = Units::new(&pair)?;
     let orbit = match &point.orbit {
-        Some(orbit) => units.orbit(orbit),
+        Some(orbit) => periodic_orbit(&units.measured(orbit)),
         // Where an impact is the graze the Jacobian has no bound.
         None => PeriodicOrbitDocument {
             impacts: point.impacts.iter().map(|impact| units.impact(impact, point.bits)).collect(),
@@ -67,7 +67,7 @@ fn point(point: &Point, over: &Over, pair: &ImpactPair) -> Result<BifurcationPoi
     })
 }
 
-fn branch(branch: &Branch, over: &Over, pair: &ImpactPair) -> BranchDocument {
+fn branch(branch: &Branch, diagram: &Diagram) -> BranchDocument {
     let end = |end: End| match end {
         End::Range => "range",
         End::At(kind) => kind.name(),
@@ -78,13 +78,13 @@ fn branch(branch: &Branch, over: &Over, pair: &ImpactPair) -> BranchDocument {
         word: branch.word.to_string(),
         cycles: branch.cycles,
         symmetric: branch.symmetric,
-        parameter: over.range_f64(pair, branch.range),
+        parameter: diagram.range_f64(branch.range),
         ends: branch.ends.map(|reached| end(reached).to_owned()),
         proved: branch.is_proved,
     }
 }
 
-fn unproved(unproved: &Unproved, over: &Over, pair: &ImpactPair) -> UnprovedDocument {
-    let [near, _] = over.range_f64(pair, [unproved.near; 2]);
+fn unproved(unproved: &Unproved, diagram: &Diagram) -> UnprovedDocument {
+    let [near, _] = diagram.range_f64([unproved.near; 2]);
     UnprovedDocument { kind: unproved.kind.name().to_owned(), near, word: unproved.word.to_string() }
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use impact_pair_certificate::document::{Decimal, OutcomeDocument, PeriodicOrbitDocument, bounds};
 
 use super::event::{Bounds, Event};
-use super::periodic::periodic_orbit;
+use super::periodic::{measured, periodic_orbit};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_digits};
 use crate::orbit::{Orbit, Outcome, Period, Start};
@@ -64,7 +64,7 @@ impl Conclusion {
                 );
                 let found = &attractor.orbit;
                 let units = |velocity: &Enclosure| orbit.clock().velocity(velocity);
-                let orbit = periodic_orbit(found, units);
+                let orbit = periodic_orbit(&measured(found, units));
                 let attracted = Attracted { word: word.to_string(), cycles: *cycles, from: *from, orbit };
                 Self { attracted: Some(attracted), ..said(message) }
             }

@@ -6,10 +6,11 @@ use impact_pair_certificate::document::{
 };
 
 use crate::exact::{Enclosure, Exact};
-use crate::mapping::Word;
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, within};
-use crate::periodic::{Census, Eigenvalue, PeriodicImpact, PeriodicOrbit, Region};
+use crate::periodic::{
+    Census, Eigenvalue, MeasuredImpact, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region,
+};
 use crate::{Error, turns};
 
 /// The units that periodic orbits are told in: those of a pair.
@@ -40,13 +41,13 @@ impl Units {
         velocity.mul(&self.speed.enclose(bits + 64), bits + 64)
     }
 
-    /// The document of what is found of a word of `pair`; `start` only names the scene.
-    pub fn document(
-        &self,
-        (pair, start): (&ImpactPair, &Start),
-        (word, cycles): (&Word, u32),
-        census: &Census,
-    ) -> PeriodicDocument {
+    /// An orbit in these units.
+    pub fn measured(&self, orbit: &PeriodicOrbit) -> MeasuredOrbit {
+        measured(orbit, |velocity| self.velocity(velocity, orbit.bits))
+    }
+
+    /// The document of what is found of a problem; `start` only names the scene.
+    pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
         let region = |region: &Region| RegionDocument {
             impacts: region.impacts.iter().map(|impact| self.impact(impact, f64::MANTISSA_DIGITS)).collect(),
             reason: region.reason.name().to_owned(),
@@ -54,51 +55,67 @@ impl Units {
         let undecided = census.undecided.iter().map(region).collect();
         PeriodicDocument {
             schema: PERIODIC_SCHEMA.to_owned(),
-            scene: SceneDocument::new(pair, start),
-            word: word.to_string(),
-            cycles,
+            scene: SceneDocument::new(problem.pair(), start),
+            word: problem.word().to_string(),
+            cycles: problem.chain().cycles(),
             exhaustive: census.exhaustive,
             certified: census.is_certified(),
-            orbits: census.orbits.iter().map(|orbit| self.orbit(orbit)).collect(),
+            orbits: census.orbits.iter().map(|orbit| periodic_orbit(&self.measured(orbit))).collect(),
             undecided: (!census.undecided.is_empty()).then_some(undecided),
         }
     }
 
     /// An impact of a search or of a bifurcation: under one harmonic.
     pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> PeriodicImpactDocument {
-        periodic_impact(impact, bits, 1, |velocity| self.velocity(velocity, bits))
-    }
-
-    pub(super) fn orbit(&self, orbit: &PeriodicOrbit) -> PeriodicOrbitDocument {
-        periodic_orbit(orbit, |velocity| self.velocity(velocity, orbit.bits))
+        periodic_impact(&measured_impact(impact, (bits, 1), |velocity| self.velocity(velocity, bits)), 1)
     }
 }
 
-fn periodic_impact(
-    impact: &PeriodicImpact,
-    bits: u32,
-    period: u32,
-    velocity: impl Fn(&Enclosure) -> Enclosure,
-) -> PeriodicImpactDocument {
-    PeriodicImpactDocument {
-        wall: impact.wall,
-        phase: bounds(&turns::in_radians(&impact.phase, bits)),
-        velocity: bounds(&velocity(&impact.velocity)),
-        turn: (period > 1).then(|| turns::in_period(&impact.phase, period)),
-    }
-}
-
-/// A periodic orbit, its velocities in the units that `velocity` turns gaps a turn into.
-pub(super) fn periodic_orbit(
-    orbit: &PeriodicOrbit,
-    velocity: impl Fn(&Enclosure) -> Enclosure,
-) -> PeriodicOrbitDocument {
-    let eigenvalue = |value: &Eigenvalue| EigenvalueDocument { re: bounds(&value.re), im: bounds(&value.im) };
-    let impact = |impact: &PeriodicImpact| periodic_impact(impact, orbit.bits, orbit.period, &velocity);
-    PeriodicOrbitDocument {
+/// An orbit in the units that `velocity` turns gaps a turn into.
+pub(super) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> MeasuredOrbit {
+    let impact = |impact: &PeriodicImpact| measured_impact(impact, (orbit.bits, orbit.period), &velocity);
+    MeasuredOrbit {
+        period: orbit.period,
         impacts: orbit.impacts.iter().map(impact).collect(),
         // A box that is not proved to hold exactly one orbit is not listed.
         unique: true,
+        physical: orbit.physical,
+        symmetric: orbit.symmetric,
+        trace: orbit.trace.clone(),
+        determinant: orbit.determinant.clone(),
+        eigenvalues: orbit.eigenvalues.clone(),
+        stability: orbit.stability,
+    }
+}
+
+fn measured_impact(
+    impact: &PeriodicImpact,
+    (bits, period): (u32, u32),
+    velocity: impl Fn(&Enclosure) -> Enclosure,
+) -> MeasuredImpact {
+    MeasuredImpact {
+        wall: impact.wall,
+        phase: turns::in_radians(&impact.phase, bits),
+        turn: turns::in_period(&impact.phase, period),
+        velocity: velocity(&impact.velocity),
+    }
+}
+
+fn periodic_impact(impact: &MeasuredImpact, period: u32) -> PeriodicImpactDocument {
+    PeriodicImpactDocument {
+        wall: impact.wall,
+        phase: bounds(&impact.phase),
+        velocity: bounds(&impact.velocity),
+        turn: (period > 1).then_some(impact.turn),
+    }
+}
+
+/// A periodic orbit; what only two-impact motions have is left out.
+pub(super) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
+    let eigenvalue = |value: &Eigenvalue| EigenvalueDocument { re: bounds(&value.re), im: bounds(&value.im) };
+    PeriodicOrbitDocument {
+        impacts: orbit.impacts.iter().map(|impact| periodic_impact(impact, orbit.period)).collect(),
+        unique: orbit.unique,
         physical: orbit.physical,
         symmetric: orbit.symmetric,
         trace: Some(bounds(&orbit.trace)),

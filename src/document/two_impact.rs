@@ -3,29 +3,25 @@
 use std::cmp::Ordering;
 
 use impact_pair_certificate::document::{
-    CurveDocument, EigenvalueDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA,
-    PROGRAM, PartDocument, PeriodicImpactDocument, PeriodicOrbitDocument, SceneDocument, SpacingDocument,
-    TwoImpactDocument, bounds,
+    CurveDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA, PROGRAM, PartDocument,
+    PeriodicOrbitDocument, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
 };
 
-use crate::ImpactPair;
+use super::periodic::periodic_orbit;
 use crate::orbit::Start;
 use crate::pair::Wall;
-use crate::two_impact::{Answer, Axis, Manifold, Orbit, Part, Point, Unknown};
+use crate::two_impact::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unknown};
 
-/// An answer for N `cycles`, its impacts listed from `wall`.
-pub fn two_impact(
-    (pair, start): (&ImpactPair, &Start),
-    unknown: &Unknown,
-    (cycles, answer): (u32, &Answer),
-    wall: Wall,
-) -> TwoImpactDocument {
+/// An answer, its impacts listed from `wall`; `start` only names the scene.
+pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocument {
+    let question = answer.question();
+    let unknown = question.unknown();
     TwoImpactDocument {
         schema: PERIODIC_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(pair, start),
+        scene: SceneDocument::new(question.pair(), start),
         word: word(wall).to_owned(),
-        cycles,
+        cycles: question.cycles(),
         solved_for: unknown.name().to_owned(),
         exhaustive: answer.is_exhaustive,
         certified: true,
@@ -45,28 +41,12 @@ pub fn word(wall: Wall) -> &'static str {
 }
 
 fn orbit(orbit: &Orbit, unknown: &Unknown, wall: Wall) -> PeriodicOrbitDocument {
-    let impacts = orbit.impacts_from(wall);
-    let impacts = impacts.iter().map(|impact| PeriodicImpactDocument {
-        wall: impact.wall,
-        phase: bounds(&impact.phase),
-        velocity: bounds(&impact.velocity),
-        turn: None,
-    });
     PeriodicOrbitDocument {
-        impacts: impacts.collect(),
-        unique: orbit.is_unique,
-        physical: orbit.is_physical,
-        symmetric: Some(orbit.is_symmetric),
-        trace: Some(bounds(&orbit.trace)),
-        determinant: Some(bounds(&orbit.determinant)),
-        eigenvalues: Some(
-            orbit.eigenvalues.each_ref().map(|[re, im]| EigenvalueDocument { re: bounds(re), im: bounds(im) }),
-        ),
-        stability: orbit.stability.name().to_owned(),
         spacing: Some(bounds(&orbit.spacing)),
         sine: Some(orbit.sine.map(|sine| sign(sine).to_owned())),
         amplitude: matches!(unknown, Unknown::Amplitude(_)).then(|| bounds(&orbit.amplitude)),
         gap: matches!(unknown, Unknown::Gap(_)).then(|| bounds(&orbit.gap)),
+        ..periodic_orbit(&orbit.measured.told_from(wall))
     }
 }
 
@@ -78,8 +58,9 @@ fn sign(of: Ordering) -> &'static str {
     }
 }
 
-/// The manifolds of one range.
-pub fn manifolds((pair, start): (&ImpactPair, &Start), axis: Axis, curves: &[Manifold]) -> ManifoldDocument {
+/// The manifolds of one range; `start` only names the scene.
+pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold]) -> ManifoldDocument {
+    let axis = range.axis;
     let curve = |curve: &Manifold| CurveDocument {
         cycles: curve.cycles,
         points: curve.points.iter().map(|at| point(axis, at)).collect(),
@@ -87,7 +68,7 @@ pub fn manifolds((pair, start): (&ImpactPair, &Start), axis: Axis, curves: &[Man
     ManifoldDocument {
         schema: MANIFOLD_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(pair, start),
+        scene: SceneDocument::new(range.pair, start),
         over: axis.name().to_owned(),
         certified: true,
         curves: curves.iter().map(curve).collect(),

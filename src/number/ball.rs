@@ -15,7 +15,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::kernel::Departure;
 use super::{Enclosing, Number, SHORT, Wave, kernel};
-use crate::exact::Enclosure;
+use crate::exact::{Enclosure, Exact};
 
 /// The unit roundoff, `2^-53`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
@@ -24,6 +24,12 @@ pub(crate) const TINY: f64 = f64::MIN_POSITIVE;
 /// The smallest positive double: twice what a product that underflows is off (Lemma B1).
 const SMALLEST: f64 = f64::from_bits(1);
 
+/// More than `2 pi`: what the sine and the cosine of a phase in turns change by at most for each turn.
+pub(crate) const ABOVE_TURN: f64 = 6.3;
+/// `2^400`: what ratios and rates may be at most, in gaps and turns, so that nothing overflows in the course of a flight.
+pub(crate) const LARGEST_RATE: f64 = 2.582_249_878_086_908_6e120;
+/// Bits that an exact number is enclosed in to become a ball: more than twice those of a double, so only the double rounds.
+const EXACT_BITS: u32 = 120;
 /// Bits of the ends of a ball.
 const ENCLOSURE_BITS: u32 = 160;
 
@@ -76,6 +82,12 @@ impl Ball {
         Self { mid, rad: 0.0 }
     }
 
+    /// Encloses an exact number.
+    pub fn of(x: &Exact) -> Self {
+        let (mid, rad) = x.enclose(EXACT_BITS).mid_rad();
+        Self { mid, rad }
+    }
+
     /// The centre.
     #[inline(always)]
     pub fn mid(self) -> f64 {
@@ -116,8 +128,8 @@ impl Ball {
             return (Self::new(0.0, 1.0), Self::new(0.0, 1.0));
         }
         let (s, c) = kernel::sin_cos(self.mid);
-        // Lemma K1, and the slope of both is at most 2 pi < 6.3.
-        let rad = up(kernel::SIN_COS_ERROR + 6.3 * self.rad);
+        // Lemma K1, and the slope of both is at most 2 pi.
+        let rad = up(kernel::SIN_COS_ERROR + ABOVE_TURN * self.rad);
         (Self::new(s, rad), Self::new(c, rad))
     }
 }
@@ -204,9 +216,10 @@ impl Wave for Ball {
             return None;
         }
         let Departure { versine, excess, sine } = kernel::departure(self.mid);
-        // 2 pi < 6.3, sin x <= x, 1 - cos x <= x^2/2; the spread is 0 for a point.
-        let angle = 6.3 * longest;
-        let ball = |x: f64, slope: f64| Self::new(x, up(x * kernel::DEPARTURE_ERROR * 2.0 + 6.3 * slope * self.rad));
+        // sin x <= x, 1 - cos x <= x^2/2; the spread is 0 for a point.
+        let angle = ABOVE_TURN * longest;
+        let ball =
+            |x: f64, slope: f64| Self::new(x, up(x * kernel::DEPARTURE_ERROR * 2.0 + ABOVE_TURN * slope * self.rad));
         Some(Departure { versine: ball(versine, angle), excess: ball(excess, angle * angle), sine: ball(sine, 1.0) })
     }
 }
@@ -256,6 +269,12 @@ mod tests {
         BigRational::from_float(x).unwrap()
     }
 
+    #[test]
+    fn bounds_are_what_they_are_called() {
+        assert_eq!(LARGEST_RATE, 2f64.powi(400));
+        assert!(ABOVE_TURN > std::f64::consts::TAU.next_up());
+    }
+
     fn contains(ball: Ball, x: &BigRational) -> bool {
         (exact(ball.mid) - x).clone() <= exact(ball.rad) && x - exact(ball.mid) <= exact(ball.rad)
     }
@@ -265,6 +284,13 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn an_exact_number_lies_in_its_ball(n in -1_000_000_000_000_000_000i64.., d in 1..i64::MAX, e in -200..200i32) {
+            let number = crate::exact::Exact::parse(&format!("{n}/{d} * 2^{e}")).unwrap();
+            let ball = Ball::of(&number);
+            prop_assert!(contains(ball, number.as_rational().unwrap()) && ball.rad() <= UNIT * ball.mid().abs() + TINY);
+        }
+
         /// Members at the centre and both ends of each operand: the exact rational result lies inside.
         #[test]
         fn operations_hold_the_exact_results_of_their_members(

@@ -18,7 +18,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::exact::Enclosure;
 
 pub use ball::Ball;
-pub(crate) use ball::{TINY, UNIT, binade, is_positive, up};
+pub(crate) use ball::{ABOVE_TURN, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
 use kernel::Departure;
 pub use logarithm::logarithm;
 #[cfg(feature = "multiprecision")]
@@ -90,7 +90,7 @@ impl Wave for f64 {
 }
 
 /// A ball as proofs see it, in any arithmetic.
-pub trait Enclosing: Wave {
+pub trait Enclosing: Wave + nalgebra::Scalar {
     /// The centre alone.
     fn centre(&self) -> Self;
     /// How members differ from the centre: a ball around 0.

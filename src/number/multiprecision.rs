@@ -32,7 +32,7 @@ use crate::exact::{Dyadic, Enclosure};
 /// let one = third.clone() * three;
 /// assert!(one.contains(&MpBall::from_f64(1.0)) && third.rad().log2() <= -200.0);
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MpBall {
     mid: Float,
     rad: Magnitude,

@@ -1,5 +1,7 @@
 //! What is followed, exactly, and from where: in any arithmetic.
 
+use std::sync::Arc;
+
 use super::Arithmetic;
 use super::Start;
 use super::clock::Clock;
@@ -21,6 +23,7 @@ use crate::several::Zero;
 /// A pair without units and a start.
 #[derive(Clone, Debug)]
 pub(super) struct Given {
+    pub impact_pair: Arc<ImpactPair>,
     /// Under several harmonics `alpha` and `beta` are the sums of theirs.
     pub exact: Reduced<Exact>,
     pub pair: Reduced<Ball>,
@@ -49,7 +52,7 @@ impl Given {
                 (sums, reduced)
             }
         };
-        Ok((turns, Self { exact, pair: reduced, origin, several }))
+        Ok((turns, Self { impact_pair: Arc::new(pair.clone()), exact, pair: reduced, origin, several }))
     }
 
     /// The origin in doubles.

@@ -10,6 +10,7 @@ use super::given::Given;
 use super::motion::Motion;
 use super::plan::{Growth, Plan};
 use super::shortfall::Shortfall;
+use crate::exact::log2_of_digits;
 use crate::number::LEAST_BITS;
 
 /// Impacts that are planned for at once; of longer orbits first a quarter of a quarter, so that impacts appear soon.
@@ -37,7 +38,7 @@ pub(super) struct Raise {
 impl Raise {
     pub fn new(given: Given, turns: i64, until: Option<Phase>, settings: &Settings) -> Self {
         let turns = until.map_or(f64::INFINITY, |until| (until.turns - turns) as f64 + 1.0);
-        let asked = f64::from(settings.digits) * 10f64.log2();
+        let asked = log2_of_digits(f64::from(settings.digits));
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
         Self { given, impacts, turns, asked, most, plan: None, before: None }
     }

@@ -1,5 +1,7 @@
 //! Widths asked for.
 
+use crate::exact::log2_of_digits;
+
 /// A width asked for; below the range of doubles it is 0 there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Width {
@@ -10,7 +12,7 @@ pub(super) struct Width {
 impl Width {
     /// `10^-digits` of `unit`, less a fiftieth, which printing may add.
     pub fn new(digits: u32, unit: f64) -> Self {
-        let log2 = unit.log2() - f64::from(digits) * 10f64.log2();
+        let log2 = unit.log2() - log2_of_digits(f64::from(digits));
         Self { linear: 0.98 * unit * 10f64.powi(-(digits.min(400) as i32)), log2: log2 + 0.98f64.log2() } // shown
     }
 }

@@ -66,7 +66,7 @@ impl Problem {
         let inverse = inverse(axes)?;
         let product = self.product_over(orbit, axes, radius)?;
         let factor = contraction(&times(&inverse, &product))?;
-        let (turns, phase) = in_turn(orbit.proved.phases[0]);
+        let (turns, phase) = in_turn(orbit.proved.at[0]);
         let period = f64::from(self.period());
         let phase = if period > 1.0 { phase + Ball::exact(turns.rem_euclid(period)) } else { phase };
         let centre = [phase, *self.chain().before(&orbit.legs, 0)];
@@ -88,7 +88,7 @@ impl Problem {
             let wall = chain.walls()[i];
             // The tube: what the mean value theorem makes of the ellipse so far, around the orbit.
             let reach = |row: [Ball; 2]| up(length(row.map(Ball::mag)) * radius);
-            let (turns, phase) = in_turn(orbit.proved.phases[i]);
+            let (turns, phase) = in_turn(orbit.proved.at[i]);
             let phase = phase.widened(reach(product[0]));
             let before = chain.before(&orbit.legs, i).widened(reach(product[1]));
             if wall.inward(before).certain_sign() != Some(Ordering::Less) {

@@ -14,6 +14,8 @@ const OTHER_IMPACTS: usize = 1_500;
 /// Motions from elsewhere, and spread phases.
 const MOTIONS: usize = 48;
 const SPREAD: usize = 600;
+/// Steps to the root that a sequence is made of: each gains a bit at least.
+const ROOT_STEPS: u32 = 40;
 /// The best window of so many impacts is a guess.
 const BLOCK: usize = 100;
 
@@ -82,7 +84,7 @@ fn windows(chain: &Chain, motion: &[Passing]) -> Vec<Vec<f64>> {
 /// Multiples of powers of the root of `x^(count + 1) = x + 1`, modulo 1.
 fn even(n: usize, i: usize, count: usize) -> f64 {
     let power = 1.0 / (count as f64 + 1.0);
-    let root = (0..40).fold(1.5f64, |x, _| (1.0 + x).powf(power));
+    let root = (0..ROOT_STEPS).fold(1.5f64, |x, _| (1.0 + x).powf(power));
     (0.5 + (n as f64 + 1.0) * root.powi(-(i as i32 + 1))).fract()
 }
 

@@ -44,13 +44,13 @@ impl View {
 
     /// Whether `one`, seen so, is the orbit `other`. Lemma T6
     pub fn is_same<N: Enclosing>(self, chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
-        let seen = self.phases(chain, &one.phases, &other.phases);
+        let seen = self.phases(chain, &one.at, &other.at);
         if is_inside(&seen, &other.domain) {
             return Some(true);
         }
         let is_apart =
             |(x, y): (&N, &N)| (x.clone() - y.clone()).certain_sign().is_some_and(|sign| sign != Ordering::Equal);
-        seen.iter().zip(&other.phases).any(is_apart).then_some(false)
+        seen.iter().zip(&other.at).any(is_apart).then_some(false)
     }
 }
 

@@ -1,59 +1,91 @@
-//! Existence and uniqueness of an orbit in a box of phases: Krawczyk's operator on the whole chain.
+//! Existence and uniqueness of a zero in a box: Krawczyk's operator, for any equations and in any arithmetic. Lemma T3
+//!
+//! Periodic orbits, bifurcations and the slabs of a branch are zeros of equations of their own; this is what proves them all.
 
-use std::cmp::Ordering;
+use nalgebra::{DMatrix, Scalar};
 
-use super::chain::{Chain, Legs};
 use super::precondition::Preconditioner;
-use super::shaking::Shaking;
 use crate::number::Enclosing;
 
-/// An orbit proved: exactly one has its phases in `domain`, and it has them in `phases`.
+/// As many equations as unknowns, `F(x) = 0`.
+pub trait Equations<N: Scalar> {
+    /// An enclosure of the Jacobian matrix.
+    type Jacobian: Jacobian<N>;
+    /// `F(x)`; `None` where it may not be defined.
+    fn values(&self, x: &[N]) -> Option<Vec<N>>;
+    /// `J`, which holds `F'` at all members of the box `x`; `None` where it may not be defined.
+    fn jacobian(&self, x: &[N]) -> Option<Self::Jacobian>;
+}
+
+/// A square matrix by its entries: all of them, or those that may be other than 0.
+pub trait Jacobian<N: Scalar> {
+    /// How many rows it has, and columns.
+    fn size(&self) -> usize;
+    /// Row, column and value, row by row; what falls on one place is added.
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)>;
+}
+
+impl<N: Scalar> Jacobian<N> for DMatrix<N> {
+    fn size(&self) -> usize {
+        self.nrows()
+    }
+
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
+        (0..self.nrows()).flat_map(move |i| (0..self.ncols()).map(move |j| (i, j, &self[(i, j)])))
+    }
+}
+
+/// A zero proved: exactly one lies in `domain`, and it lies in `at`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proved<N> {
-    /// Encloses the orbit's phases.
-    pub phases: Vec<N>,
-    /// The box in which there is no other orbit.
+    /// Encloses the zero: of an orbit, its phases.
+    pub at: Vec<N>,
+    /// The box in which there is no other one.
     pub domain: Vec<N>,
 }
 
-/// `2^-5`, the largest radius of a domain that is tried, in turns, and the factor from one to the next.
-const LARGEST: f64 = 0.031_25;
-const FINER: f64 = 0.125;
-/// Images that take less than a quarter of a bit off an enclosure.
-const MOST_SLOW: u32 = 64;
-
-/// The flights over a box, if each is proved to take time: only then are they flights at all.
-pub(super) fn flights<N: Enclosing, S: Shaking<N>>(
-    chain: &Chain,
-    shaking: &S,
-    phases: &[N],
-) -> Option<Legs<N, S::Moment>> {
-    let legs = chain.legs(shaking, phases)?;
-    legs.legs.iter().all(|leg| leg.time.certain_sign() == Some(Ordering::Greater)).then_some(legs)
+/// How far a proof goes. Nothing that is proved rests on it.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// The radius of the largest domain that is tried.
+    pub largest: f64,
+    /// How many are tried.
+    pub domains: u32,
+    /// Images that narrow the zero: where nothing is rounded (at quarter turns) they would do so for ever.
+    pub images: u32,
+    /// How many of them may take less than a quarter of a bit off it.
+    pub slow: u32,
 }
 
-/// Krawczyk's image `m - Y F(m) + (1 - Y F'(X))(X - m)` of a box `X` with centre `m`. Lemma T3
-pub(super) fn image<N: Enclosing, S: Shaking<N>>(
-    chain: &Chain,
-    shaking: &S,
-    inverse: &Preconditioner,
-    phases: &[N],
-) -> Option<Vec<N>> {
-    let centre: Vec<N> = phases.iter().map(Enclosing::centre).collect();
-    let misses = chain.residual(shaking, &flights(chain, shaking, &centre)?);
-    let slopes = chain.slopes(shaking, &flights(chain, shaking, phases)?)?;
+/// `2^-5`, the largest radius that is of use, in turns, and the factor from one domain to the next.
+pub(super) const LARGEST: f64 = 0.031_25;
+const FINER: f64 = 0.125;
+/// An image that takes so many bits off an enclosure is not slow.
+const FAST: f64 = 0.25;
+/// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
+pub(super) const GAINED: u32 = 32;
+
+/// `x - Y_i F`: an entry of a step of simplified Newton's iteration.
+fn newton<N: Enclosing>(x: &N, row: &[f64], misses: &[N]) -> N {
+    row.iter().zip(misses).fold(x.clone(), |sum, (&y, f)| N::from_f64(-y).mul_add(f.clone(), sum))
+}
+
+/// Krawczyk's image `m - Y F(m) + (1 - Y J)(X - m)` of a box `X` with centre `m`. Lemma T3
+pub(super) fn image<N: Enclosing, E: Equations<N>>(equations: &E, inverse: &Preconditioner, x: &[N]) -> Option<Vec<N>> {
+    let centre: Vec<N> = x.iter().map(Enclosing::centre).collect();
+    let misses = equations.values(&centre)?;
+    let jacobian = equations.jacobian(x)?;
     let image = |i: usize| {
         let row = inverse.row(i);
-        // The row of 1 - Y F'(X).
+        // The row of 1 - Y J.
         let mut rest: Vec<N> = (0..row.len()).map(|j| N::from_f64(if i == j { 1.0 } else { 0.0 })).collect();
-        for (l, j, slope) in slopes.entries() {
+        for (l, j, slope) in jacobian.entries() {
             rest[j] = N::from_f64(-row[l]).mul_add(slope.clone(), rest[j].clone());
         }
-        let newton =
-            row.iter().zip(&misses).fold(centre[i].clone(), |sum, (&y, f)| N::from_f64(-y).mul_add(f.clone(), sum));
-        rest.into_iter().zip(phases).fold(newton, |sum, (g, x)| g.mul_add(x.spread(), sum))
+        let newton = newton(&centre[i], row, &misses);
+        rest.into_iter().zip(x).fold(newton, |sum, (g, x)| g.mul_add(x.spread(), sum))
     };
-    Some((0..phases.len()).map(image).collect())
+    Some((0..x.len()).map(image).collect())
 }
 
 /// Whether each ball lies in the interior of its outer one.
@@ -61,52 +93,147 @@ pub(super) fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
     inner.iter().zip(outer).all(|(inner, outer)| inner.is_interior_to(outer))
 }
 
-/// Proves the one orbit near a guess, with the largest domain of those tried. Lemma T3
+/// A guess after so many steps of simplified Newton's iteration; nothing is proved.
+pub(super) fn polish<N: Enclosing, E: Equations<N>>(
+    equations: &E,
+    inverse: &Preconditioner,
+    guess: Vec<N>,
+    steps: u32,
+) -> Vec<N> {
+    let mut at = guess;
+    for _ in 0..steps {
+        let Some(misses) = equations.values(&at) else { break };
+        at = at.iter().enumerate().map(|(i, x)| newton(x, inverse.row(i), &misses).centre()).collect();
+    }
+    at
+}
+
+/// Proves the one zero near a guess, with the largest domain of those tried, and narrows it. Lemma T3
 ///
-/// `None` when no box around the guess is mapped into its interior: the guess is none, or the orbit is too close to a
-/// bifurcation or a graze for this arithmetic.
-pub fn prove<N: Enclosing, S: Shaking<N>>(
-    chain: &Chain,
-    shaking: &S,
+/// `None` when no box around the guess is mapped into its interior: the guess is none, or the zero is too near to a double one or
+/// to where the equations end for this arithmetic.
+pub fn prove<N: Enclosing, E: Equations<N>>(
+    equations: &E,
     inverse: &Preconditioner,
     guess: &[N],
-    least: f64,
+    effort: Effort,
 ) -> Option<Proved<N>> {
-    let mut radius = LARGEST;
-    while radius >= least {
+    let mut radius = effort.largest;
+    for _ in 0..effort.domains {
         let domain: Vec<N> = guess.iter().map(|x| x.with_radius(radius)).collect();
-        if let Some(phases) = image(chain, shaking, inverse, &domain).filter(|image| is_inside(image, &domain)) {
-            return Some(Proved { phases, domain });
+        if let Some(at) = image(equations, inverse, &domain).filter(|image| is_inside(image, &domain)) {
+            return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
         }
         radius *= FINER;
     }
     None
 }
 
-/// Narrows the enclosure of a proved orbit as far as this arithmetic does, within its domain.
-pub fn refine<N: Enclosing, S: Shaking<N>>(
-    chain: &Chain,
-    shaking: &S,
+/// Narrows the enclosure of a proved zero as far as this arithmetic does, within its domain.
+///
+/// Each image holds the zero; a further one is worth its price while it takes something off the widest radius. Near a double zero
+/// the first ones take little, and the narrower the box the more.
+fn refine<N: Enclosing, E: Equations<N>>(
+    equations: &E,
     inverse: &Preconditioner,
-    proved: &mut Proved<N>,
-) {
-    // Each image holds the orbit; a further one is worth its price while it takes something off the widest radius. Near a
-    // bifurcation the first ones take little, and the narrower the box the more.
+    mut at: Vec<N>,
+    domain: &[N],
+    effort: Effort,
+) -> Vec<N> {
     let mut slow = 0;
-    while let Some(narrower) = image(chain, shaking, inverse, &proved.phases) {
-        let gain = widest(&proved.phases) - widest(&narrower);
-        if !(gain > 0.0 && is_inside(&narrower, &proved.domain)) {
+    for _ in 0..effort.images {
+        let Some(narrower) = image(equations, inverse, &at) else { break };
+        let gain = widest(&at) - widest(&narrower);
+        if !(gain > 0.0 && is_inside(&narrower, domain)) {
             break;
         }
-        proved.phases = narrower;
-        slow += u32::from(gain < 0.25); // proposes: when to stop
-        if slow > MOST_SLOW {
+        at = narrower;
+        slow += u32::from(gain < FAST); // proposes: when to stop
+        if slow > effort.slow {
             break;
         }
     }
+    at
 }
 
 /// `log2` of the greatest radius.
 pub(super) fn widest<N: Enclosing>(balls: &[N]) -> f64 {
     balls.iter().map(Enclosing::log2_radius).fold(f64::NEG_INFINITY, f64::max) // shown: widths, not bounds
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Ball, Wave};
+    use proptest::prelude::*;
+
+    const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };
+
+    /// `x^2 + y^2 = 1`, `x sin a = y cos a`: the zeros are `(cos a, sin a)` and its opposite.
+    struct Circle {
+        sin: Ball,
+        cos: Ball,
+    }
+
+    impl Equations<Ball> for Circle {
+        type Jacobian = DMatrix<Ball>;
+
+        fn values(&self, at: &[Ball]) -> Option<Vec<Ball>> {
+            let (x, y) = (at[0], at[1]);
+            Some(vec![x * x + y * y - Ball::exact(1.0), x * self.sin - y * self.cos])
+        }
+
+        fn jacobian(&self, at: &[Ball]) -> Option<DMatrix<Ball>> {
+            let two = Ball::exact(2.0);
+            Some(DMatrix::from_row_slice(2, 2, &[two * at[0], two * at[1], self.sin, -self.cos]))
+        }
+    }
+
+    /// `x^2 = 0`: a double zero.
+    struct Square;
+
+    impl Equations<Ball> for Square {
+        type Jacobian = DMatrix<Ball>;
+
+        fn values(&self, at: &[Ball]) -> Option<Vec<Ball>> {
+            Some(vec![at[0] * at[0]])
+        }
+
+        fn jacobian(&self, at: &[Ball]) -> Option<DMatrix<Ball>> {
+            Some(DMatrix::from_element(1, 1, Ball::exact(2.0) * at[0]))
+        }
+    }
+
+    /// The inverse at these doubles.
+    fn inverse(equations: &impl Equations<Ball, Jacobian = DMatrix<Ball>>, at: &[Ball]) -> Preconditioner {
+        Preconditioner::new(&equations.jacobian(at).unwrap().map(Ball::mid)).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn a_known_zero_is_proved_narrowed_and_held(
+            phase in prop_oneof![0.0..1.0f64, (0..8u32).prop_map(|n| f64::from(n) / 8.0)],
+            off in prop::array::uniform2(-1e-3..1e-3f64),
+        ) {
+            let (sin, cos) = Ball::exact(phase).wave();
+            let circle = Circle { sin, cos };
+            let guess = [cos, sin].into_iter().zip(off).map(|(x, off)| Ball::exact(x.mid() + off)).collect::<Vec<_>>();
+            let inverse = inverse(&circle, &guess);
+            let Proved { at, domain } = prove(&circle, &inverse, &guess, EFFORT).unwrap();
+            for (found, zero) in at.iter().zip([cos, sin]) {
+                prop_assert!((found.mid() - zero.mid()).abs() <= found.rad() + zero.rad() && found.rad() < 1e-14);
+            }
+            prop_assert!(is_inside(&at, &domain));
+            // No box that misses both zeros is mapped into itself.
+            let away: Vec<Ball> = guess.iter().map(|x| Ball::exact(x.mid() + 0.25)).collect();
+            prop_assert_eq!(prove(&circle, &inverse, &away, EFFORT), None);
+        }
+
+        /// T3 proves regular zeros only.
+        #[test]
+        fn a_double_zero_is_never_proved(guess in prop_oneof![-0.1..0.1f64, -1e-9..1e-9f64], slope in 1e-9..1.0f64) {
+            let inverse = inverse(&Square, &[Ball::exact(slope)]);
+            prop_assert_eq!(prove(&Square, &inverse, &[Ball::exact(guess)], EFFORT), None);
+        }
+    }
 }

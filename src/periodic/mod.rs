@@ -13,9 +13,11 @@ mod basin;
 pub mod bifurcation;
 mod census;
 pub mod chain;
+mod equations;
 mod guess;
 mod identity;
 pub mod krawczyk;
+mod measured;
 pub mod newton;
 mod orbit;
 mod physical;
@@ -28,7 +30,7 @@ pub mod shaking;
 mod stability;
 
 use crate::Error;
-use crate::exact::Exact;
+use crate::exact::log2_of_digits;
 use crate::mapping::Word;
 use crate::number::Ball;
 use crate::orbit::{MAX_BITS, Start};
@@ -40,6 +42,7 @@ pub use census::{Census, Region};
 pub use chain::Chain;
 use identity::{Identity, is_one_orbit};
 pub use krawczyk::Proved;
+pub use measured::{MeasuredImpact, MeasuredOrbit};
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::Budget;
 use several::Several;
@@ -58,6 +61,13 @@ pub struct Precision {
 impl Default for Precision {
     fn default() -> Self {
         Self { digits: 9, max_bits: MAX_BITS }
+    }
+}
+
+impl Precision {
+    /// `log2` of the width asked for: a hundredth of a digit is for printing.
+    fn log2_width(self) -> f64 {
+        -log2_of_digits(f64::from(self.digits) + 0.01)
     }
 }
 
@@ -90,9 +100,9 @@ enum Pair {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Problem {
+    impact_pair: ImpactPair,
     word: Word,
     chain: Chain,
-    restitution: Exact,
     pair: Pair,
     /// No interval among the parameters: more precision narrows.
     #[cfg(feature = "multiprecision")]
@@ -110,30 +120,29 @@ impl Problem {
         let Some(several) = Several::new(pair)? else {
             let exact = Reduced::exact(pair)?;
             let reduced = exact.enclosed()?;
-            return Self::of(exact, reduced, word, cycles);
+            let one = One::new(exact, reduced);
+            return Ok(Self {
+                impact_pair: pair.clone(),
+                word: word.clone(),
+                chain: Chain::new(word, cycles)?,
+                #[cfg(feature = "multiprecision")]
+                is_point: one.is_point(),
+                pair: Pair::One(Box::new(one)),
+            });
         };
         Ok(Self {
+            impact_pair: pair.clone(),
             word: word.clone(),
             chain: Chain::under(several.repetition(), word, cycles)?,
-            restitution: several.restitution().clone(),
             #[cfg(feature = "multiprecision")]
             is_point: pair.is_point(),
             pair: Pair::Several(Box::new(several)),
         })
     }
 
-    /// The same of a pair that is known reduced.
-    pub(crate) fn of(exact: Reduced<Exact>, reduced: Reduced<Ball>, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let restitution = exact.restitution.clone();
-        let one = One::new(exact, reduced);
-        Ok(Self {
-            word: word.clone(),
-            chain: Chain::new(word, cycles)?,
-            restitution,
-            #[cfg(feature = "multiprecision")]
-            is_point: one.is_point(),
-            pair: Pair::One(Box::new(one)),
-        })
+    /// The pair.
+    pub fn pair(&self) -> &ImpactPair {
+        &self.impact_pair
     }
 
     /// The word.
@@ -162,20 +171,20 @@ impl Problem {
     /// Proves all the orbits that guesses lead to: from the motion of `start`, and from starts spread over the states.
     ///
     /// Each once, in the order of their first phases. It proves that these exist, not that there are no others.
-    pub fn find(&self, pair: &ImpactPair, start: &Start, precision: Precision) -> Census {
+    pub fn find(&self, start: &Start, precision: Precision) -> Census {
         if !self.chain.crosses() {
             // Lemma T7: on one wall there is none.
             return Census { exhaustive: true, is_search: true, ..Census::default() };
         }
         match &self.pair {
-            Pair::One(one) => self.find_under(&**one, pair, start, precision),
-            Pair::Several(several) => self.find_under(&**several, pair, start, precision),
+            Pair::One(one) => self.find_under(&**one, start, precision),
+            Pair::Several(several) => self.find_under(&**several, start, precision),
         }
     }
 
-    fn find_under<S: Shaken>(&self, shaken: &S, pair: &ImpactPair, start: &Start, precision: Precision) -> Census {
+    fn find_under<S: Shaken>(&self, shaken: &S, start: &Start, precision: Precision) -> Census {
         let mut found: Vec<PeriodicOrbit> = Vec::new();
-        for guess in guess::guesses(&self.chain, shaken, pair, start) {
+        for guess in guess::guesses(&self.chain, shaken, &self.impact_pair, start) {
             if self.is_known(&guess, &found) || self.settles_on_known(shaken, &guess, &found) {
                 continue;
             }
@@ -183,7 +192,7 @@ impl Problem {
                 found.push(orbit);
             }
         }
-        found.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
+        found.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
         Census { orbits: found, ..Census::default() }
     }
 
@@ -212,7 +221,7 @@ impl Problem {
     /// Whether a guess lies where a known orbit is the only one.
     fn is_known(&self, guess: &[f64], found: &[PeriodicOrbit]) -> bool {
         let point: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
-        let point = Proved { domain: point.clone(), phases: point };
+        let point = Proved { domain: point.clone(), at: point };
         found.iter().any(|known| is_one_orbit(&self.chain, &point, &known.proved) == Some(true))
     }
 }

@@ -12,11 +12,28 @@ const FARTHEST: f64 = 1e9;
 /// The least part of a flight's time that one step leaves.
 const KEPT: f64 = 0.2;
 
+/// Steps below this are tiny.
+const TINY: f64 = 1e-9;
+
+/// Takes at most so many steps, each of which tells its size, until they are tiny and no longer shrink: as far as doubles go.
+///
+/// `None` where they do not settle.
+pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Option<()> {
+    let mut last = f64::INFINITY;
+    for _ in 0..most {
+        let size = step()?;
+        if size < TINY && size >= 0.5 * last {
+            return Some(());
+        }
+        last = size;
+    }
+    (last < TINY).then_some(())
+}
+
 /// Phases near an orbit's from phases that may be far from them; `None` where Newton's iteration does not settle.
 pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>) -> Option<Vec<f64>> {
     let mut legs = chain.legs(shaking, &phases)?;
-    let mut last = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
+    settle(MOST_STEPS, || {
         let inverse = Preconditioner::new(&chain.slopes(shaking, &legs)?)?;
         let step = newton_step(chain, shaking, &legs, &inverse);
         let size = step.iter().map(|x| x.abs()).fold(0.0, f64::max); // proposes
@@ -27,13 +44,9 @@ pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>)
             return None;
         }
         legs = chain.legs(shaking, &phases)?;
-        // As far as doubles go: a step that is tiny and no longer shrinks.
-        if size < 1e-9 && size >= 0.5 * last {
-            return Some(phases);
-        }
-        last = size;
-    }
-    (last < 1e-9).then_some(phases)
+        Some(size)
+    })?;
+    Some(phases)
 }
 
 /// `-Y F`

@@ -11,7 +11,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// An impact of a periodic orbit.
+/// An impact of a periodic orbit in turns and gaps; in the units of the scene it is a [`MeasuredImpact`](super::MeasuredImpact).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicImpact {
     /// The wall.
@@ -23,7 +23,7 @@ pub struct PeriodicImpact {
     pub velocity: Enclosure,
 }
 
-/// A periodic orbit of a word, proved.
+/// A periodic orbit of a word, proved; in the units of the scene it is a [`MeasuredOrbit`](super::MeasuredOrbit).
 ///
 /// **Enclosure**: for all parameters of the pair there is exactly one orbit of the word with its impacts in these
 /// bounds (Lemma T3), and what is enclosed here is enclosed for it.
@@ -58,7 +58,7 @@ pub struct PeriodicOrbit {
 impl PeriodicOrbit {
     /// The phases in turns, impact by impact, in doubles.
     pub fn phases(&self) -> &[Ball] {
-        &self.proved.phases
+        &self.proved.at
     }
 
     /// The box of phases in which there is no other orbit of the word, in doubles.
@@ -99,12 +99,12 @@ impl<N: Enclosing> Finding<N> {
         proved: Proved<N>,
         is_physical: impl FnOnce(&[N], &Legs<N, S::Moment>) -> Option<bool>,
     ) -> Option<Self> {
-        let legs = chain.legs(shaking, &proved.phases)?;
+        let legs = chain.legs(shaking, &proved.at)?;
         let monodromy = chain.monodromy(shaking, &legs)?;
         let trace = trace(&monodromy);
         let determinant = determinant(shaking.restitution(), chain.impacts());
         let stability = Stability::of(&trace, &determinant);
-        let physical = is_physical(&proved.phases, &legs);
+        let physical = is_physical(&proved.at, &legs);
         Some(Self { proved, legs: legs.legs, monodromy, trace, determinant, stability, physical })
     }
 
@@ -112,7 +112,7 @@ impl<N: Enclosing> Finding<N> {
     pub(super) fn widths(&self) -> [f64; 2] {
         let velocities = self.legs.iter().map(|leg| leg.before.log2_radius());
         // shown: widths, not bounds
-        [1.0 + widest(&self.proved.phases), 1.0 + velocities.fold(f64::NEG_INFINITY, f64::max)]
+        [1.0 + widest(&self.proved.at), 1.0 + velocities.fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// The orbit in intervals; `None` when one is not finite.
@@ -124,7 +124,7 @@ impl<N: Enclosing> Finding<N> {
         is_narrow: bool,
     ) -> Option<PeriodicOrbit> {
         let period = BigRational::from_integer(chain.period().into());
-        let first = self.proved.phases[0].as_enclosure()?.lo().to_rational();
+        let first = self.proved.at[0].as_enclosure()?.lo().to_rational();
         let turns = (first / &period).floor() * period; // exact: a whole number
         // More than the ends of these balls have.
         let room = bits + 160;
@@ -132,7 +132,7 @@ impl<N: Enclosing> Finding<N> {
         let impact = |i: usize| {
             Some(PeriodicImpact {
                 wall: chain.walls()[i],
-                phase: self.proved.phases[i].as_enclosure()?.sub(&turns, room),
+                phase: self.proved.at[i].as_enclosure()?.sub(&turns, room),
                 velocity: chain.before(&self.legs, i).as_enclosure()?,
             })
         };
@@ -153,7 +153,7 @@ impl<N: Enclosing> Finding<N> {
             bits,
             is_narrow,
             proved: Proved {
-                phases: self.proved.phases.iter().map(Enclosing::as_ball).collect(),
+                at: self.proved.at.iter().map(Enclosing::as_ball).collect(),
                 domain: self.proved.domain.iter().map(inside_in_doubles).collect(),
             },
         })

@@ -1,36 +1,31 @@
-//! Approximate inverses of the chains' derivatives, in doubles: nothing rests on how good they are.
+//! Approximate inverses of Jacobian matrices, in doubles: nothing rests on how good they are.
 
 use nalgebra::DMatrix;
 
-use super::chain::Slopes;
+use super::krawczyk::Jacobian;
 
-/// An approximate inverse, row by row.
+/// An approximate inverse.
 #[derive(Clone, Debug)]
 pub struct Preconditioner {
-    rows: Vec<f64>,
-    count: usize,
+    /// Its columns are the rows.
+    transposed: DMatrix<f64>,
 }
 
 impl Preconditioner {
-    /// The inverse of these derivatives; `None` when they have none in doubles.
-    pub fn new(slopes: &Slopes<f64>) -> Option<Self> {
-        let count = slopes.0.len();
-        let mut matrix = vec![0.0; count * count];
-        for (i, j, value) in slopes.entries() {
-            matrix[i * count + j] += value;
+    /// The inverse of this matrix; `None` when it has none in doubles.
+    pub fn new(jacobian: &impl Jacobian<f64>) -> Option<Self> {
+        let mut matrix = DMatrix::<f64>::zeros(jacobian.size(), jacobian.size());
+        for (i, j, value) in jacobian.entries() {
+            matrix[(i, j)] += value;
         }
-        let rows = if let [a, b, c, d] = matrix[..] {
-            let determinant = a * d - b * c;
-            vec![d / determinant, -b / determinant, -c / determinant, a / determinant]
-        } else {
-            DMatrix::from_row_slice(count, count, &matrix).try_inverse()?.transpose().as_slice().to_vec()
-        };
-        rows.iter().all(|x| x.is_finite()).then_some(Self { rows, count })
+        let transposed = matrix.try_inverse()?.transpose();
+        transposed.iter().all(|x| x.is_finite()).then_some(Self { transposed })
     }
 
     /// Row `i`.
     #[inline(always)]
     pub fn row(&self, i: usize) -> &[f64] {
-        &self.rows[i * self.count..(i + 1) * self.count]
+        let count = self.transposed.nrows();
+        &self.transposed.as_slice()[i * count..(i + 1) * count]
     }
 }

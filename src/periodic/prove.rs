@@ -1,7 +1,8 @@
 //! The proof of one orbit: floats propose, doubles prove, more bits where those do not suffice. Lemmas T3-T5
 
 use super::chain::Legs;
-use super::krawczyk;
+use super::equations::Orbits;
+use super::krawczyk::{self, Effort, LARGEST};
 use super::newton;
 use super::orbit::{Finding, PeriodicOrbit};
 use super::precondition::Preconditioner;
@@ -9,14 +10,24 @@ use super::shaken::Shaken;
 use super::shaking::Shaking;
 use super::{Pair, Precision, Problem};
 #[cfg(feature = "multiprecision")]
+use crate::exact::working_bits;
+#[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 
-/// The smallest radius of a domain that is tried in doubles.
-const LEAST_DOMAIN: f64 = 1.0 / (1_u64 << 46) as f64; // exact: a power of two
+/// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
+const MOST_SLOW: u32 = 64;
 /// Bits that what is not about widths (stability, first contacts) is tried with at most.
 #[cfg(feature = "multiprecision")]
 const DECIDING_BITS: u32 = 1024;
+
+/// What an orbit is worth in so many bits.
+fn effort(bits: u32) -> Effort {
+    // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one. proposes: which domains are tried
+    let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1;
+    // Four images that are not slow take a bit.
+    Effort { largest: LARGEST, domains, images: MOST_SLOW + 4 * bits, slow: MOST_SLOW }
+}
 
 impl Problem {
     /// Proves the orbit near these phases (in turns, in time order) in doubles. Lemmas T3-T5
@@ -32,22 +43,22 @@ impl Problem {
     fn prove_in_balls<S: Shaken>(&self, shaken: &S, guess: &[f64]) -> Option<Finding<Ball>> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
         let guess: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
-        self.attempt(shaken.balls(), &inverse, &guess, LEAST_DOMAIN, |phases, legs| {
+        self.attempt(shaken.balls(), &inverse, &guess, f64::MANTISSA_DIGITS, |phases, legs| {
             shaken.is_physical(&self.chain, phases, legs)
         })
     }
 
-    /// Proves an orbit and all that follows in one arithmetic.
+    /// Proves an orbit and all that follows in an arithmetic of so many bits.
     fn attempt<N: Enclosing, B: Shaking<N>>(
         &self,
         shaking: &B,
         inverse: &Preconditioner,
         guess: &[N],
-        least: f64,
+        bits: u32,
         is_physical: impl FnOnce(&[N], &Legs<N, B::Moment>) -> Option<bool>,
     ) -> Option<Finding<N>> {
-        let mut proved = krawczyk::prove(&self.chain, shaking, inverse, guess, least)?;
-        krawczyk::refine(&self.chain, shaking, inverse, &mut proved);
+        let orbits = Orbits { chain: &self.chain, shaking };
+        let proved = krawczyk::prove(&orbits, inverse, guess, effort(bits))?;
         Finding::new(&self.chain, shaking, proved, is_physical)
     }
 
@@ -74,8 +85,9 @@ impl Problem {
         let guess = self.polished(guess)?;
         let finding = self.prove_in_balls(shaken, &guess);
         let is_narrow = finding.as_ref().is_some_and(|finding| is_narrow(shaken, finding, precision));
-        let best =
-            finding.and_then(|finding| finding.finish(&self.chain, &self.restitution, f64::MANTISSA_DIGITS, is_narrow));
+        let best = finding.and_then(|finding| {
+            finding.finish(&self.chain, self.impact_pair.restitution(), f64::MANTISSA_DIGITS, is_narrow)
+        });
         match best {
             Some(orbit) if is_narrow && orbit.is_decided() => Some(orbit),
             best => self.prove_precisely(shaken, &guess, precision, is_narrow, best),
@@ -93,15 +105,13 @@ impl Problem {
         mut best: Option<PeriodicOrbit>,
     ) -> Option<PeriodicOrbit> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
-        let wanted = (f64::from(precision.digits) * 10f64.log2()) as u32 + 64; // proposes: bits to try
+        let wanted = working_bits(precision.digits);
         let mut last = f64::INFINITY;
         let mut bits = if narrow { 128 } else { wanted.max(128) }; // proposes
         while bits <= precision.max_bits && (bits <= DECIDING_BITS || (best.is_some() && !narrow)) {
             let shaking = shaken.precise(bits);
-            // Each step in doubles adds some forty bits.
-            let guess = self.polish_precisely(&shaking, &inverse, guess, bits, bits / 32);
-            let least = 2f64.powi(-((bits - 8).min(1000) as i32)); // T3: any radius
-            let finding = self.attempt(&shaking, &inverse, &guess, least, |phases, legs| {
+            let guess = self.polish_precisely(&shaking, &inverse, guess, bits, bits / krawczyk::GAINED);
+            let finding = self.attempt(&shaking, &inverse, &guess, bits, |phases, legs| {
                 shaken.is_physical_precisely(&shaking, &self.chain, phases, legs)
             });
             if let Some(finding) = finding {
@@ -112,7 +122,7 @@ impl Problem {
                     break;
                 }
                 last = phase;
-                best = finding.finish(&self.chain, &self.restitution, bits, narrow).or(best);
+                best = finding.finish(&self.chain, self.impact_pair.restitution(), bits, narrow).or(best);
                 if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_decided) {
                     break;
                 }
@@ -161,7 +171,7 @@ impl Problem {
         false
     }
 
-    /// A guess in so many bits, by so many simplified Newton steps; nothing is proved.
+    /// A guess in so many bits after so many steps; nothing is proved.
     #[cfg(feature = "multiprecision")]
     fn polish_precisely<B: Shaking<MpBall>>(
         &self,
@@ -171,21 +181,14 @@ impl Problem {
         bits: u32,
         steps: u32,
     ) -> Vec<MpBall> {
-        let mut phases: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
-        for _ in 0..steps {
-            match krawczyk::image(&self.chain, shaking, inverse, &phases) {
-                Some(next) => phases = next.iter().map(Enclosing::centre).collect(),
-                None => break,
-            }
-        }
-        phases
+        let guess = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
+        krawczyk::polish(&Orbits { chain: &self.chain, shaking }, inverse, guess, steps)
     }
 }
 
 /// Whether the widths are those asked for.
 fn is_narrow<N: Enclosing>(shaken: &impl Shaken, finding: &Finding<N>, precision: Precision) -> bool {
-    // A hundredth of a digit for printing.
-    let asked = -(f64::from(precision.digits) + 0.01) * 10f64.log2();
+    let asked = precision.log2_width();
     let speed = shaken.speed().log2();
     let [phase, velocity] = finding.widths();
     phase <= asked && velocity <= asked + if speed.is_finite() { speed } else { 0.0 }

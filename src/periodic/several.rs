@@ -10,7 +10,6 @@ use super::physical::{Claim, Found, all_first};
 use super::shaken::{Moment, Passing, Shaken, Step};
 use super::shaking::{Hop, Repetition, Shaking};
 use crate::Error;
-use crate::exact::Exact;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
@@ -114,11 +113,6 @@ impl Several {
     /// When the excitation repeats.
     pub fn repetition(&self) -> Repetition {
         self.repetition
-    }
-
-    /// The coefficient of restitution.
-    pub fn restitution(&self) -> &Exact {
-        &self.spectrum.restitution
     }
 
     /// The first contacts of the flights that start so. Lemmas H2-H6
@@ -231,6 +225,7 @@ fn incommensurate(frequencies: &[String]) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Exact;
     use crate::number::Number;
     use crate::{Excitation, Harmonic};
 

@@ -11,6 +11,9 @@ use crate::contact::multiprecision::Passed;
 use crate::number::{Ball, Magnitude, MpBall, Number, is_positive};
 use crate::pair::Wall;
 
+/// Ways on from a touch that are tried, each half as long as the one before: the first is half of what a third derivative allows.
+const MOST_STEPS: u32 = 8;
+
 /// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.
 pub(crate) fn pass(
     harmonics: &Harmonics<MpBall>,
@@ -32,7 +35,7 @@ pub(crate) fn pass(
     }
     let touch = Touch::new(&state.room(wall).mag(), &side, rates, before)?;
     let mut step = 0.25 * side.bend.0 / rates.third;
-    for _ in 0..8 {
+    for _ in 0..MOST_STEPS {
         if let Some(passed) = touch.go_on(&all, wall, &bottom, &side, step) {
             return Some(passed);
         }

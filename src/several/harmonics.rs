@@ -4,7 +4,7 @@ use super::spectrum::{Spectrum, Term};
 use crate::Error;
 use crate::exact::{Enclosure, Exact};
 use crate::number::kernel::Departure;
-use crate::number::{Ball, Wave, is_positive, up};
+use crate::number::{Ball, LARGEST_RATE, Wave, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::pair::{ImpactPair, too_large};
@@ -137,8 +137,7 @@ impl Phased for Ball {
         Ball::new(counter.phase(turns), counter.error(turns))
     }
     fn enclose(x: &Exact, _: u32) -> Ball {
-        let (mid, rad) = x.enclose(120).mid_rad();
-        Ball::new(mid, rad)
+        Ball::of(x)
     }
     #[inline]
     fn bounds(&self) -> (f64, f64) {
@@ -353,9 +352,6 @@ impl<N: Phased> Harmonics<N> {
     }
 }
 
-/// `2^400`: larger rates could overflow in the course of a flight.
-const LARGEST: f64 = 2.582_249_878_086_908_6e120;
-
 impl Harmonics<Ball> {
     /// Encloses the harmonics of `pair` in doubles.
     ///
@@ -363,7 +359,7 @@ impl Harmonics<Ball> {
     /// When they are too large for the arithmetic of a flight.
     pub fn in_doubles(spectrum: &Spectrum, pair: &ImpactPair) -> Result<Self, Error> {
         let harmonics = Self::new(spectrum, f64::MANTISSA_DIGITS);
-        if is_positive(LARGEST - harmonics.rates.fourth) {
+        if is_positive(LARGEST_RATE - harmonics.rates.fourth) {
             return Ok(harmonics);
         }
         Err(too_large("excitation.amplitude", pair.excitation().reference().amplitude()))

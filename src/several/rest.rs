@@ -148,7 +148,7 @@ fn bracket<N: Phased>(
 ) -> Option<(Instant<N>, f64, f64)> {
     let mut at = near;
     let mut before = f64::INFINITY;
-    loop {
+    for _ in 0..STEPS {
         let p = value(&at);
         let (low, high) = p.bounds();
         let back = p.ratio_to(&at.rest.like(0.5 * (slope(&at).0 + slope(&at).1)))?;
@@ -163,6 +163,7 @@ fn bracket<N: Phased>(
         }
         (at, before) = (at.later(&-back), size);
     }
+    None
 }
 
 impl Zero {
@@ -180,7 +181,7 @@ impl Zero {
         let mut known = MpBall::from_ball(self.phase());
         // Newton doubles the bits, the last steps are at full precision.
         let mut level = 64;
-        loop {
+        for _ in 0..STEPS {
             let harmonics = Harmonics::<MpBall>::new(spectrum, level + 32);
             let p = pressure(&harmonics, self.wall, self.turns, &at);
             // The mean value theorem between here and the zero.
@@ -198,6 +199,7 @@ impl Zero {
             }
             level = if level > bits { level } else { (2 * level).min(bits + 1) }; // proposes: bits
         }
+        known.rounded(bits + 32)
     }
 
     /// Encloses it as narrowly as `bits` bits allow in this build.

@@ -5,6 +5,9 @@ use super::harmonics::{Phased, Rates};
 use crate::number::{UNIT, up};
 use crate::pair::Wall;
 
+/// Newton steps to the root of a cubic: a guess of three digits is enough, and four steps give it.
+const STEPS: u32 = 4;
+
 /// Bounds of a state, told from one wall: the distance from it and its two derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
@@ -112,13 +115,13 @@ impl Cubic {
         {
             // From the left of the first root of a convex fall Newton stays left.
             let mut s = 0.0;
-            for _ in 0..4 {
+            for _ in 0..STEPS {
                 s -= self.value(s) / self.slope(s);
             }
             return s.min(valley); // proposes: is_free decides
         }
         let mut s = most;
-        for _ in 0..4 {
+        for _ in 0..STEPS {
             let (value, slope) = (self.value(s), self.slope(s));
             if value > 0.0 || slope >= 0.0 {
                 break;

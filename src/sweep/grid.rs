@@ -133,7 +133,8 @@ impl Grid {
     /// When one is beyond what exact expressions hold.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
         let value = |(axis, place): (&Axis, u64)| {
-            let value = axis.value(place).map_err(|error| refused(&axis.to_string(), &error.to_string()))?;
+            let value =
+                axis.value(place).map_err(|error| refused(&axis.to_string(), &error.to_string()).because(error))?;
             Ok((axis.key, value))
         };
         self.axes.iter().zip(self.places(point)).map(value).collect()

@@ -34,8 +34,13 @@ pub fn speed_between(theta0: &Real, theta1: &Real, e: &Real) -> Option<Real> {
 pub fn closure(theta0: &Real, theta1: &Real, cycles: u32, e: &Real, speed: &Real) -> Real {
     let there = theta1 - theta0;
     let back = Real::pi(e.bits()) * (2 * i64::from(cycles)) - &there;
-    let kick = e * speed;
-    (&kick + theta0.cos()) * there + (theta1.cos() - kick) * back
+    drift(e, speed, &theta0.cos()) * there + drift(e, &-speed, &theta1.cos()) * back
+}
+
+/// `e V + cos th`, the drift over `A W` of a ball that leaves the left wall after an impact of `V = |v|/(A W)`, (15); on the right wall
+/// `V` is negative.
+pub(super) fn drift(e: &Real, speed: &Real, cos: &Real) -> Real {
+    e * speed + cos
 }
 
 /// `K = N pi (1 + e)/(1 - e)`; `None` if e may be 1.

@@ -15,8 +15,8 @@ use crate::exact::Real;
 
 /// A pair and a number of cycles.
 #[derive(Clone, Debug)]
-pub(super) struct Data<'p> {
-    pair: &'p ImpactPair,
+pub(super) struct Data {
+    pair: ImpactPair,
     cycles: u32,
     is_elastic: bool,
 }
@@ -35,17 +35,17 @@ impl Found {
 
 const RATIO: &str = "pair.gap / excitation.amplitude";
 
-impl<'p> Data<'p> {
+impl Data {
     /// # Errors
     /// When e is neither 1 nor proved to be below 1, or `d/A` beyond what exact expressions hold.
-    pub fn new(pair: &'p ImpactPair, cycles: u32) -> Result<Self, Error> {
+    pub fn new(pair: &ImpactPair, cycles: u32) -> Result<Self, Error> {
         let e = pair.restitution();
         let is_elastic = match e.compare(&Exact::from(1)) {
             Some(Ordering::Less) => false,
             Some(Ordering::Equal) => true,
             _ => return Err(Error::range("pair.restitution", e, "must be 1, or proved to be below 1")),
         };
-        let data = Self { pair, cycles, is_elastic };
+        let data = Self { pair: pair.clone(), cycles, is_elastic };
         if pair.excitation().reference().amplitude().sign() == Some(Ordering::Greater) {
             within(RATIO, pair.gap(), data.ratio())?;
         }
@@ -53,7 +53,11 @@ impl<'p> Data<'p> {
     }
 
     pub fn pair(&self) -> &ImpactPair {
-        self.pair
+        &self.pair
+    }
+
+    pub fn cycles(&self) -> u32 {
+        self.cycles
     }
 
     pub fn frequency(&self) -> &Exact {

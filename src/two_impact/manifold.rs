@@ -6,11 +6,11 @@
 use std::cmp::Ordering;
 
 use crate::Error;
-use crate::exact::{Enclosure, Exact};
+use crate::exact::{Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::{ImpactPair, Wall, within};
 
 use super::closed_forms::{self, grazing_angle};
-use super::question::{GUARD, SHOWN, digits_to_bits};
+use super::question::SHOWN;
 use crate::exact::Real;
 use crate::periodic::Stability;
 
@@ -128,7 +128,7 @@ impl Range<'_> {
     /// marks cannot be told apart.
     pub fn manifold(&self, cycles: u32, digits: u32) -> Result<Manifold, Error> {
         self.check(cycles)?;
-        let bits = digits_to_bits(digits) + GUARD;
+        let bits = working_bits(digits);
         let marks = self.marks(cycles, bits)?;
         let mut places = self.grid(bits)?;
         places.retain(|place| marks.iter().all(|(_, x)| order(&place.x, x).is_some()));
@@ -149,7 +149,7 @@ impl Range<'_> {
             parts.reverse();
         }
         parts.push(None);
-        let shown = digits_to_bits(digits) + SHOWN;
+        let shown = whole_bits(digits) + SHOWN;
         let point = |(place, after): (Place, Option<Part>)| Point {
             amplitude: self.amplitude(cycles, &place.x).enclosure().rounded(shown),
             at: place.at.enclosure().rounded(shown),

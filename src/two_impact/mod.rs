@@ -6,14 +6,14 @@
 //! | equation | what | item |
 //! |---|---|---|
 //! | (56)-(60) | two impacts in N cycles | [`Question`], [`Orbit`] |
-//! | (61) | `v_i = -v_{i+1}` | [`Orbit::impacts`] |
+//! | (61) | `v_i = -v_{i+1}` | [`MeasuredOrbit::impacts`] |
 //! | (61)-(63), (66)-(73) | as functions | [`closed_forms`] |
 //! | (62), (63) | not equispaced, N odd and even: all of them | `unequispaced`, [`Answer`] |
 //! | (64)-(69), (72), (73) | equispaced, N odd, e < 1 | `equispaced`, [`Unknown`] |
 //! | (70), (71) | e = 1 | `elastic` |
-//! | (38)-(40) | eigenvalues, stability | `stability`, [`Orbit::eigenvalues`] |
+//! | (38)-(40) | eigenvalues, stability | `stability`, [`MeasuredOrbit::eigenvalues`] |
 //! | figs 10, 11 | `A_N` over W and v | [`Manifold`] |
-//! | beyond the paper | first contacts | `motion`, [`Orbit::is_physical`] |
+//! | beyond the paper | first contacts | `motion`, [`MeasuredOrbit::physical`] |
 //!
 //! In reading order: `real` and `jet` (numbers, and numbers with their derivatives), `isolate` (all zeros of a function),
 //! `motion`, `stability`, `closed_forms`, `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`, `document`.
@@ -26,8 +26,8 @@
 //! // Figure 13: the paper calls it quasi-periodic.
 //! let answer = Question::new(&pair, 1, Unknown::Velocity)?.answer(20);
 //! assert!(answer.is_complete && answer.is_exhaustive);
-//! let stable: Vec<_> = answer.orbits.iter().filter(|orbit| orbit.stability == Stability::Stable).collect();
-//! assert!(stable.len() == 1 && stable[0].is_symmetric && stable[0].is_physical == Some(true));
+//! let stable: Vec<_> = answer.orbits.iter().map(|orbit| &orbit.measured).filter(|orbit| orbit.stability == Stability::Stable).collect();
+//! assert!(stable.len() == 1 && stable[0].symmetric == Some(true) && stable[0].physical == Some(true));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -45,9 +45,9 @@ mod question;
 mod stability;
 mod unequispaced;
 
-pub use crate::periodic::Stability;
+pub use crate::periodic::{MeasuredOrbit, Stability};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
-pub use orbit::{Impact, Orbit};
+pub use orbit::Orbit;
 pub use question::{Answer, CYCLES, Question, Unknown};
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use super::angle::{acos, angle};
+use super::closed_forms::drift;
 use crate::exact::Real;
 
 /// The parameters of a motion without units.
@@ -125,7 +126,7 @@ impl Motion {
     fn flight(&self) -> Flight<'_> {
         let Parameters { ratio, restitution, is_dead, .. } = &self.parameters;
         let (sin, cos) = &self.left;
-        let drift = restitution * &self.speed + cos;
+        let drift = drift(restitution, &self.speed, cos);
         Flight { theta: &self.theta0, sin, drift, length: &self.spacing, ratio, is_dead: *is_dead }
     }
 }

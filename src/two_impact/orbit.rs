@@ -2,54 +2,26 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::Enclosure;
+use crate::exact::{Enclosure, Real};
 use crate::pair::Wall;
+use crate::periodic::{Eigenvalue, MeasuredImpact, MeasuredOrbit};
 
 use super::motion::Motion;
 use super::stability::Spectrum;
-use crate::exact::Real;
-use crate::periodic::Stability;
-
-/// One of the two impacts.
-#[derive(Clone, Debug)]
-pub struct Impact {
-    /// The wall.
-    pub wall: Wall,
-    /// `W t + tau` in `[0, 2 pi)` \[rad\]; bounds that hold 0 reach a little below it.
-    pub phase: Enclosure,
-    /// The relative velocity `y'` just before the impact \[length/time\].
-    pub velocity: Enclosure,
-}
 
 /// A periodic orbit of two impacts in N cycles.
-///
-/// **Enclosure**: for every choice of the parameters, one orbit lies within the bounds.
 #[derive(Clone, Debug)]
 pub struct Orbit {
-    /// In time order, from the impact on the left wall.
-    pub impacts: [Impact; 2],
+    /// As any periodic orbit, from the impact on the left wall on.
+    pub measured: MeasuredOrbit,
     /// `th1 - th0`, from the left impact to the right one \[rad\].
     pub spacing: Enclosure,
     /// `A` \[length\]
     pub amplitude: Enclosure,
     /// `d` \[length\]
     pub gap: Enclosure,
-    /// Whether no other orbit with two impacts in N cycles lies within the bounds.
-    pub is_unique: bool,
-    /// Whether no wall is touched between the impacts: proved, refuted, or not decided.
-    pub is_physical: Option<bool>,
-    /// Whether it is its own mirror image.
-    pub is_symmetric: bool,
     /// The sign of `sin th0`: solid or dashed in figures 10 and 11.
     pub sine: Option<Ordering>,
-    /// The trace of the Jacobian (A.7) over a period.
-    pub trace: Enclosure,
-    /// Its determinant, `e^4`.
-    pub determinant: Enclosure,
-    /// Real and imaginary parts of its eigenvalues (38).
-    pub eigenvalues: [[Enclosure; 2]; 2],
-    /// Stability.
-    pub stability: Stability,
 }
 
 /// What a motion is measured in.
@@ -64,7 +36,7 @@ pub(super) struct Units {
 
 impl Orbit {
     /// `None` if the speed may be 0.
-    pub(super) fn of(motion: &Motion, units: &Units, is_unique: bool) -> Option<Self> {
+    pub(super) fn of(motion: &Motion, units: &Units, unique: bool) -> Option<Self> {
         let Spectrum { trace, determinant, eigenvalues, stability } = Spectrum::of(motion)?;
         let Units { amplitude, frequency, shown } = units;
         let velocity = &motion.speed * amplitude * frequency;
@@ -73,34 +45,33 @@ impl Orbit {
             let beyond = x.enclosure().mag().top().map_or(0, |top| top.clamp(0, 4096) as u32); // shown
             x.enclosure().rounded(shown + beyond)
         };
-        let impact =
-            |wall, phase: &Real, velocity: &Real| Impact { wall, phase: of(&reduced(phase)), velocity: of(velocity) };
-        Some(Self {
-            impacts: [
+        let impact = |wall, phase: &Real, velocity: &Real| MeasuredImpact {
+            wall,
+            phase: of(&reduced(phase)),
+            turn: 0,
+            velocity: of(velocity),
+        };
+        let measured = MeasuredOrbit {
+            period: 1,
+            impacts: vec![
                 impact(Wall::Left, &motion.theta0, &-&velocity),
                 impact(Wall::Right, &motion.theta1(), &velocity),
             ],
+            unique,
+            physical: motion.is_physical(),
+            symmetric: Some(motion.is_symmetric),
+            trace: of(&trace),
+            determinant: of(&determinant),
+            eigenvalues: eigenvalues.map(|[re, im]| Eigenvalue { re: of(&re), im: of(&im) }),
+            stability,
+        };
+        Some(Self {
+            measured,
             spacing: of(&motion.spacing),
             amplitude: of(amplitude),
             gap: of(&(&motion.parameters.ratio * amplitude)),
-            is_unique,
-            is_physical: motion.is_physical(),
-            is_symmetric: motion.is_symmetric,
             sine: motion.left.0.sign(),
-            trace: of(&trace),
-            determinant: of(&determinant),
-            eigenvalues: eigenvalues.map(|parts| parts.map(|part| of(&part))),
-            stability,
         })
-    }
-
-    /// The impacts in time order from the one on this wall.
-    pub fn impacts_from(&self, wall: Wall) -> [&Impact; 2] {
-        let [left, right] = &self.impacts;
-        match wall {
-            Wall::Left => [left, right],
-            Wall::Right => [right, left],
-        }
     }
 }
 

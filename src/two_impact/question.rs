@@ -6,22 +6,21 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::Error;
-use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::exact::{Dyadic, Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::ImpactPair;
 
-use super::closed_forms::slope;
+use super::closed_forms::{drift, slope};
 use super::data::{Data, Found};
 use super::motion::{Motion, Parameters};
 use super::orbit::{Orbit, Units};
 use super::unequispaced::Spacing;
 use crate::exact::Real;
-use crate::periodic::Stability;
+use crate::periodic::{MeasuredOrbit, Stability};
 
 /// The cycles that can be asked for: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
-/// Bits beyond the digits asked for: of the first computation, and of the bounds that are handed on.
-pub(super) const GUARD: u32 = 64;
-pub(super) const SHOWN: u32 = 10;
+/// Bits of the bounds that are handed on, beyond the whole bits of the digits asked for.
+pub(super) const SHOWN: u32 = 11;
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 
@@ -49,14 +48,15 @@ impl Unknown {
 
 /// A question about the motions with two impacts in N cycles.
 #[derive(Clone, Debug)]
-pub struct Question<'p> {
-    data: Data<'p>,
+pub struct Question {
+    data: Data,
     unknown: Unknown,
 }
 
 /// The motions, and what is not decided.
 #[derive(Clone, Debug)]
 pub struct Answer {
+    question: Question,
     /// The equispaced ones first.
     pub orbits: Vec<Orbit>,
     /// Parts of `th1 - th0` \[rad\] in which there may be others.
@@ -67,13 +67,13 @@ pub struct Answer {
     pub is_complete: bool,
 }
 
-impl<'p> Question<'p> {
+impl Question {
     /// A question about `pair`.
     ///
     /// # Errors
     /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], or there are
     /// several harmonics.
-    pub fn new(pair: &'p ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
+    pub fn new(pair: &ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), &accepted));
@@ -95,7 +95,7 @@ impl<'p> Question<'p> {
     /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
     /// bits of the digits do not tell, or when intervals of them hold one.
     pub fn answer(&self, digits: u32) -> Answer {
-        let first = digits_to_bits(digits) + GUARD;
+        let first = working_bits(digits);
         let mut answer = self.answer_in(first, digits);
         for round in 1..ROUNDS {
             if answer.is_complete || (round > 1 && !self.is_point()) {
@@ -104,6 +104,21 @@ impl<'p> Question<'p> {
             answer = self.answer_in(first << round, digits);
         }
         answer
+    }
+
+    /// The pair.
+    pub fn pair(&self) -> &ImpactPair {
+        self.data.pair()
+    }
+
+    /// N
+    pub fn cycles(&self) -> u32 {
+        self.data.cycles()
+    }
+
+    /// What is not given.
+    pub fn unknown(&self) -> &Unknown {
+        &self.unknown
     }
 
     fn is_point(&self) -> bool {
@@ -115,7 +130,7 @@ impl<'p> Question<'p> {
     }
 
     fn answer_in(&self, bits: u32, digits: u32) -> Answer {
-        let shown = digits_to_bits(digits) + SHOWN;
+        let shown = whole_bits(digits) + SHOWN;
         let Found { motions, mut doubts } = match &self.unknown {
             Unknown::Velocity => self.data.motions(bits),
             Unknown::Amplitude(speed) => self.data.with_amplitude(speed, bits),
@@ -133,16 +148,24 @@ impl<'p> Question<'p> {
             }
         }
         let is_decided = |orbit: &Orbit| {
-            let is_stability_known = orbit.stability != Stability::Undecided || self.data.is_elastic();
-            orbit.is_unique && orbit.is_physical.is_some() && is_stability_known
+            let MeasuredOrbit { unique, physical, stability, .. } = orbit.measured;
+            unique && physical.is_some() && (stability != Stability::Undecided || self.data.is_elastic())
         };
         let is_narrow = motions.iter().all(|(motion, _)| is_narrow(motion, digits));
         Answer {
+            question: self.clone(),
             is_exhaustive: doubts.is_empty() && is_searched,
             is_complete: doubts.is_empty() && orbits.iter().all(is_decided) && is_narrow,
             orbits,
             undecided: doubts.iter().map(|doubt| doubt.enclosure().clone()).collect(),
         }
+    }
+}
+
+impl Answer {
+    /// What it answers.
+    pub fn question(&self) -> &Question {
+        &self.question
     }
 }
 
@@ -203,7 +226,7 @@ impl Bounds {
     fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
         let Parameters { cycles, ratio, restitution, .. } = parameters;
         // No other number of turns on the way: p = (g - sin th0 + sin th1)/c (57).
-        let drift = restitution * &self.speed + &self.left.1;
+        let drift = drift(restitution, &self.speed, &self.left.1);
         let period = parameters.half_period();
         let turn = Real::pi(parameters.bits()) * 2;
         let off = (ratio - &self.left.0 + &self.right.0).over(&drift)? - &period;
@@ -216,11 +239,6 @@ impl Bounds {
         let reach = eps.hull(&-&eps).ends()[1].clone();
         Some(is_direct && is_monotone && Spacing::new(parameters, None).is_alone(&reach))
     }
-}
-
-/// Bits that are worth so many digits.
-pub(super) fn digits_to_bits(digits: u32) -> u32 {
-    (f64::from(digits) * 10f64.log2()).ceil() as u32 // proposes: bits to try
 }
 
 /// Whether phases and speed have so many digits.

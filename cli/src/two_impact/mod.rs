@@ -56,19 +56,16 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     if arguments.format == TwoImpactFormat::Csv {
         bail!("--format is csv, but accepted without --manifold are table and json");
     }
-    let answers: Vec<(u32, Answer)> = arguments
+    let answers: Vec<Answer> = arguments
         .cycles
         .0
         .clone()
-        .map(|cycles| Ok((cycles, Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits))))
+        .map(|cycles| Ok(Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
         .collect::<Result<_, Error>>()?;
     let wall = arguments.wall.wall();
     let text = match arguments.format {
         TwoImpactFormat::Json => {
-            let text = |(cycles, answer): &(u32, Answer)| {
-                let document = document::two_impact((scene.pair(), scene.start()), &unknown, (*cycles, answer), wall);
-                one_a_line(&document, &["orbits"])
-            };
+            let text = |answer: &Answer| one_a_line(&document::two_impact(scene.start(), answer, wall), &["orbits"]);
             let documents: Vec<String> = answers.iter().map(text).collect();
             match documents.as_slice() {
                 [one] => format!("{one}\n"),
@@ -78,7 +75,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
     write(arguments, &text)?;
-    let is_complete = answers.iter().all(|(_, answer)| answer.is_complete);
+    let is_complete = answers.iter().all(|answer| answer.is_complete);
     let is_shown = arguments.format == TwoImpactFormat::Table && arguments.output.is_none();
     if !is_complete && !arguments.quiet && !is_shown {
         // Nobody may be listening.
@@ -105,7 +102,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     let text = match arguments.format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
         TwoImpactFormat::Json => {
-            let document = document::manifolds((scene.pair(), scene.start()), axis, &curves);
+            let document = document::manifolds(&range, scene.start(), &curves);
             format!("{}\n", one_a_line(&document, &["curves", "points"]))
         }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),

@@ -4,13 +4,13 @@ use impact_pair::Scene;
 use impact_pair::document::word;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::pair::Wall;
-use impact_pair::two_impact::{Answer, Axis, Manifold, Orbit, Part, Stability, Unknown};
+use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part, Stability, Unknown};
 
 /// The bits that eigenvalues are shown to.
 const FEW: u32 = 24;
 
 /// The motions of each N.
-pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[(u32, Answer)], wall: Wall) -> String {
+pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall) -> String {
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
     lines.push(scene.parameters_in_words());
     match unknown {
@@ -18,8 +18,8 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[(u32, Answer)], wall
         Unknown::Amplitude(speed) => lines.push(format!("given d and |v| = {speed}: A_N (68), equispaced")),
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
     }
-    for (cycles, answer) in answers {
-        lines.push(format!("\nN = {cycles}, {}: {}", word(wall), said(answer)));
+    for answer in answers {
+        lines.push(format!("\nN = {}, {}: {}", answer.question().cycles(), word(wall), said(answer)));
         for (index, found) in answer.orbits.iter().enumerate() {
             lines.extend(orbit(index + 1, found, unknown, wall));
         }
@@ -41,23 +41,24 @@ fn said(answer: &Answer) -> String {
 }
 
 fn orbit(index: usize, orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Vec<String> {
-    let mut lines = vec![format!("{index:>3}  {}", kind(orbit))];
+    let mut lines = vec![format!("{index:>3}  {}", kind(&orbit.measured))];
     match unknown {
         Unknown::Velocity => {}
         Unknown::Amplitude(_) => lines.push(format!("     A = {}", decimal_digits(&orbit.amplitude))),
         Unknown::Gap(_) => lines.push(format!("     d = {}", decimal_digits(&orbit.gap))),
     }
-    for impact in orbit.impacts_from(wall) {
+    for impact in &orbit.measured.told_from(wall).impacts {
         let (phase, velocity) = (decimal_digits(&impact.phase), decimal_digits(&impact.velocity));
         lines.push(format!("     {:5}  W t + tau = {phase:24} v = {velocity}", impact.wall.name()));
     }
-    lines.push(format!("     eigenvalues {}", eigenvalues(orbit)));
+    lines.push(format!("     eigenvalues {}", eigenvalues(&orbit.measured)));
     lines
 }
 
-fn kind(orbit: &Orbit) -> String {
-    let symmetry = if orbit.is_symmetric { "equispaced, its own mirror image" } else { "not its own mirror image" };
-    let contacts = match orbit.is_physical {
+fn kind(orbit: &MeasuredOrbit) -> String {
+    let symmetry =
+        if orbit.symmetric == Some(true) { "equispaced, its own mirror image" } else { "not its own mirror image" };
+    let contacts = match orbit.physical {
         Some(true) => "no earlier contact",
         Some(false) => "NOT PHYSICAL: a wall is touched earlier",
         None => "earlier contact undecided",
@@ -66,18 +67,18 @@ fn kind(orbit: &Orbit) -> String {
         Stability::Stable | Stability::Unstable => orbit.stability.name().to_owned(),
         Stability::Undecided => "stability undecided".to_owned(),
     };
-    let unique = if orbit.is_unique { "" } else { "; others may be within these bounds" };
+    let unique = if orbit.unique { "" } else { "; others may be within these bounds" };
     format!("{symmetry}; {contacts}; {stability}{unique}")
 }
 
-fn eigenvalues(orbit: &Orbit) -> String {
+fn eigenvalues(orbit: &MeasuredOrbit) -> String {
     let few = |x: &Enclosure| decimal_digits(&x.rounded(FEW));
     let is_zero = |x: &Enclosure| x.lo().is_zero() && x.hi().is_zero();
-    let [[re0, im0], [re1, im1]] = &orbit.eigenvalues;
-    if is_zero(im0) && is_zero(im1) {
-        format!("{} and {}", few(re0), few(re1))
+    let [large, small] = &orbit.eigenvalues;
+    if is_zero(&large.im) && is_zero(&small.im) {
+        format!("{} and {}", few(&large.re), few(&small.re))
     } else {
-        format!("{} +- {} i", few(re0), few(im0))
+        format!("{} +- {} i", few(&large.re), few(&large.im))
     }
 }
 

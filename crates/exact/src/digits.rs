@@ -8,6 +8,26 @@ use super::decimal::{POINT_DIGITS, decimal_bounds, exact_decimal, is_coarse, mul
 use super::dyadic::Round;
 use super::enclosure::Enclosure;
 
+/// The bits that so many decimal digits are worth, rounded down: `digits log2(10)`.
+pub fn whole_bits(digits: u32) -> u32 {
+    log2_of_digits(f64::from(digits)) as u32 // proposes: bits to try
+}
+
+/// Bits to compute with first, so that a result may be known to so many decimal digits.
+///
+/// Nothing certain rests on it: what is found to be wider than asked is computed again with more. The slack of 64 bits suffices while
+/// a computation makes its roundings less than `2^64` times as large. A chain of a thousand impacts adds ten bits for its length; a zero
+/// that is all but double, whose derivative is `2^-40`, another 40.
+pub fn working_bits(digits: u32) -> u32 {
+    const SLACK: u32 = 64;
+    whole_bits(digits) + SLACK
+}
+
+/// `log2(10^digits)`, to nearest.
+pub fn log2_of_digits(digits: f64) -> f64 {
+    digits * 10f64.log2()
+}
+
 /// The enclosure in one number, rounded outward by less than its width on either side.
 ///
 /// In parentheses are the lower and the upper end, of which the digits before are certain: `1.23(4,6)` is `[1.234, 1.236]`, and
@@ -90,6 +110,15 @@ mod tests {
 
     fn value(text: &str) -> BigRational {
         Exact::parse(text).unwrap().as_rational().unwrap().clone()
+    }
+
+    #[test]
+    fn whole_bits_are_those_of_the_power_of_ten() {
+        for digits in 1..=2000 {
+            let power = BigInt::from(10).pow(digits);
+            // 2^(bits - 1) <= power < 2^bits
+            assert_eq!(u64::from(whole_bits(digits)), power.bits() - 1, "{digits}");
+        }
     }
 
     fn enclosure(lo: BigInt, hi: BigInt, e: i64) -> Enclosure {

@@ -40,7 +40,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 pub use decimal::{decimal_bounds, decimal_bounds_f64, decimal_f64};
-pub use digits::decimal_digits;
+pub use digits::{decimal_digits, log2_of_digits, whole_bits, working_bits};
 use dyadic::Round;
 pub use dyadic::{Dyadic, compare_rational};
 pub use enclosure::Enclosure;

@@ -1,11 +1,14 @@
 //! Errors are for bad questions; verdicts are for hard ones.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use impact_pair_exact::{Exact, ExactError};
 
 /// A question that cannot be asked: the message names the key, the value and what is accepted.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+///
+/// Two that say the same are equal, whatever they come from.
+#[derive(Clone, Debug, thiserror::Error)]
 #[error("{place}{message}")]
 pub struct Error {
     kind: Kind,
@@ -14,7 +17,19 @@ pub struct Error {
     /// `line 7: ` when the value stands in a file.
     place: String,
     message: String,
+    /// What it comes from, which the message tells.
+    #[source]
+    cause: Option<Arc<dyn std::error::Error + Send + Sync>>,
 }
+
+impl PartialEq for Error {
+    fn eq(&self, other: &Self) -> bool {
+        let said = |error: &Self| (error.kind, error.key.clone(), error.to_string());
+        said(self) == said(other)
+    }
+}
+
+impl Eq for Error {}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
@@ -26,7 +41,7 @@ enum Kind {
 
 impl Error {
     fn new(kind: Kind, message: String) -> Self {
-        Self { kind, key: None, place: String::new(), message }
+        Self { kind, key: None, place: String::new(), message, cause: None }
     }
 
     /// Whether a value lies outside what is accepted.
@@ -60,6 +75,11 @@ impl Error {
             self.place = format!("line {line}: ");
         }
         self
+    }
+
+    /// The error with what it comes from, which its message tells.
+    pub fn because(self, cause: impl std::error::Error + Send + Sync + 'static) -> Self {
+        Self { cause: Some(Arc::new(cause)), ..self }
     }
 
     /// What is no scene file.
@@ -140,5 +160,5 @@ pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
 /// # Errors
 /// When it is beyond what exact expressions hold.
 pub fn within<T>(key: &'static str, of: &Exact, value: Result<T, ExactError>) -> Result<T, Error> {
-    value.map_err(|reason| Error::range(key, of, &reason.to_string()))
+    value.map_err(|reason| Error::range(key, of, &reason.to_string()).because(reason))
 }

@@ -10,8 +10,11 @@ use rug::Float;
 use super::isolate::{Turning, is_rising};
 use crate::contact::extrema::Target;
 use crate::flight::Flight;
-use crate::number::{Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Wall};
+
+/// Ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
+const MOST_STEPS: u32 = 8;
 
 /// A graze that was passed, and where to go on from.
 #[derive(Debug)]
@@ -43,7 +46,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     let swing = flight.steepest();
     let sine = turning.sine.clone();
     let press = |window: Magnitude| {
-        let turned = Magnitude::new(6.3, 0) * (time.rad() + window);
+        let turned = Magnitude::new(ABOVE_TURN, 0) * (time.rad() + window);
         (flight.beta.turn() * flight.beta.clone() * sine.clone().widened(turned)).mig()
     };
     let window = double.over(press(Magnitude::ZERO)?).sqrt();
@@ -59,7 +62,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
         Target::Near => &turning.far.span,
     };
     let mut step = along.mid().clone() / 2u32;
-    for _ in 0..8 {
+    for _ in 0..MOST_STEPS {
         if let Some((turns, phase, height, velocity)) = go_on(flight, target, &time, &step, window, change) {
             let at = flight.phase.clone() + time.clone().widened(window);
             let left = |z: MpBall| match flight.wall {

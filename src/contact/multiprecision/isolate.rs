@@ -9,9 +9,12 @@ use crate::contact::extrema::Target;
 use crate::contact::solve::inverse_smoothstep;
 use crate::contact::{Reason, Undecided};
 use crate::flight::Flight;
-use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TURN, Ball, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
+
+/// Steps of [`solve`]: halving alone takes one a bit, and as many as the root is near phase 0.
+const MOST_STEPS: u32 = 1 << 22;
 
 /// Where the solver looks: times since the start.
 struct Piece {
@@ -229,7 +232,7 @@ fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated,
     let (mut low, mut high) = (phase_of(&piece.between.0), phase_of(&piece.between.1));
     let mut at = phase_of(&piece.guess);
     let direction = piece.target.direction();
-    loop {
+    for _ in 0..MOST_STEPS {
         let point = MpBall::exact(at.clone());
         let (sin, cos) = flight.wall.mirror(point.sin_cos());
         let height = MpBall::from_f64(piece.target.height());
@@ -251,6 +254,8 @@ fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated,
         }
         at = next;
     }
+    let time = MpBall::exact(at) + MpBall::from_f64(turns) - flight.phase.clone();
+    Err(graze(flight, Some(piece.target), time))
 }
 
 /// Lemma C3 in balls: `z'` keeps its sign within `reach` of `at`, and `z` vanishes there once.
@@ -274,7 +279,7 @@ fn prove(
         return Err(doubtful());
     }
     let radius = residual.mag().over(left);
-    let turned = Magnitude::new(6.3, 0) * radius;
+    let turned = Magnitude::new(ABOVE_TURN, 0) * radius;
     Ok(Isolated {
         target,
         turns,

@@ -17,7 +17,7 @@ use super::extrema::Target;
 use super::solve::propose;
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
-use crate::number::{Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
+use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Inward, Reduced, Wall};
 pub(crate) use graze::{Passed, pass};
 pub(crate) use refine::Refined;
@@ -74,7 +74,7 @@ impl Isolated {
 impl Flight<MpBall> {
     /// An upper bound of `2 pi beta`: `|z''|` is nowhere larger.
     pub(crate) fn steepest(&self) -> Magnitude {
-        Magnitude::new(6.3, 0) * self.beta.mag()
+        Magnitude::new(ABOVE_TURN, 0) * self.beta.mag()
     }
 }
 

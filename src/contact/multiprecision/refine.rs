@@ -35,6 +35,8 @@ struct Sight {
 
 /// Terms of a series that cost less than a sine and cosine.
 const MOST_TERMS: f64 = 48.0;
+/// Steps at full precision: Newton's takes more than a bit off even near a double root, and none that takes nothing is followed.
+const MOST_STEPS: u32 = 1 << 22;
 
 impl Sight {
     /// Whether the height is as near to 0 as the precision can tell.
@@ -72,7 +74,7 @@ impl Isolated {
         at.set_prec(bits);
         let mut sight = self.look(flight, &at);
         let mut before = Magnitude::INFINITE;
-        loop {
+        for _ in 0..MOST_STEPS {
             let next = Float::with_val(bits, &at + step(flight, &sight)?);
             let moved = MpBall::exact(next.clone()) - MpBall::exact(at);
             sight = self.evaluate(flight, &next, turned(sight.sin_cos, &moved.short_departure()?));
@@ -83,6 +85,7 @@ impl Isolated {
             }
             (at, before) = (next, left);
         }
+        None
     }
 
     /// Whether the departure root is better divided out: a short flight back to its wall.
@@ -97,7 +100,7 @@ impl Isolated {
     fn refine_hop(&self, flight: &Flight<MpBall>, bits: u32) -> Option<Refined> {
         let mut time = Float::with_val(bits, self.time.mid());
         let mut before = Magnitude::INFINITE;
-        loop {
+        for _ in 0..MOST_STEPS {
             let sight = see_hop(flight, &time)?;
             let left = magnitude(sight.residual.mid());
             if !sight.is_noise() && left < before {
@@ -117,6 +120,7 @@ impl Isolated {
             let error = error + rest.mag();
             return Some(Refined { at, error, velocity, sin_cos: turned(sight.sin_cos, &departure) });
         }
+        None
     }
 
     /// The precisions of the steps before the last, rising to a quarter of `bits`.

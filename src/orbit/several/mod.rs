@@ -29,7 +29,6 @@ pub(super) use precise::PreciseMotion;
 /// The harmonics of a pair, and where it starts in their phases.
 #[derive(Clone, Debug)]
 pub(in crate::orbit) struct Several {
-    pair: Arc<ImpactPair>,
     spectrum: Arc<Spectrum>,
     harmonics: Arc<Harmonics<Ball>>,
     band: Arc<Band>,
@@ -51,13 +50,7 @@ impl Several {
         let phases = within("start.time", start.time(), phases_at(pair, start.time()))?;
         let band = Band::new(&harmonics, spectrum.period);
         let (spectrum, harmonics, band) = (Arc::new(spectrum), Arc::new(harmonics), Arc::new(band));
-        let pair = Arc::new(pair.clone());
-        Ok(Some(Self { pair, spectrum, harmonics, band, turns, phases, release: None, known: Vec::new() }))
-    }
-
-    /// The pair.
-    pub fn pair(&self) -> &ImpactPair {
-        &self.pair
+        Ok(Some(Self { spectrum, harmonics, band, turns, phases, release: None, known: Vec::new() }))
     }
 
     /// Turns after which all phases are the same, where that is proved to happen.

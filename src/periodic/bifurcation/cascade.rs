@@ -64,10 +64,10 @@ pub fn survey(
     for end in [&wanted.over.low, &wanted.over.high] {
         Reduced::exact(&wanted.over.pair_at(pair, end.clone())?)?.enclosed()?;
     }
-    let Some(setting) = wanted.over.setting(pair)? else { return Ok(Diagram::default()) };
+    let Some(setting) = wanted.over.setting(pair)? else { return Ok(Diagram::new(pair, &wanted.over)) };
     let floats = setting.floats();
     let range = wanted.over.ends(pair)?;
-    let diagram = Diagram::default();
+    let diagram = Diagram::new(pair, &wanted.over);
     let mut survey = Survey { wanted, setting, floats, range, followed: Vec::new(), leads: VecDeque::new(), diagram };
     if !chain.crosses() {
         // Lemma T7: on one wall there is none.

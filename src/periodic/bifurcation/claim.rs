@@ -3,16 +3,20 @@
 use std::cmp::Ordering;
 
 use super::super::Precision;
-use super::super::krawczyk::{Proved, flights, widest};
+use super::super::equations::flights;
+use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 use super::super::physical::{self, Court};
+use super::super::precondition::Preconditioner;
 use super::follow::Change;
 use super::point::{Kind, Point};
 use super::ring::Ring;
-use super::solve::{LARGEST, Zero, certify, inverse, newton};
-use super::system::{Critical, Family, Graze, System, Unknown, Vanishing};
+use super::solve::newton;
+use super::system::{Critical, Family, Graze, Posed, System, Unknown, Vanishing};
 use super::trace::null_vector;
 use crate::contact::Margins;
+#[cfg(feature = "multiprecision")]
+use crate::exact::working_bits;
 use crate::exact::{Enclosure, Exact};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
@@ -35,8 +39,7 @@ impl Setting {
 
     /// In doubles.
     pub fn doubles(&self) -> Family<Ball> {
-        let (mid, rad) = self.fixed.enclose(120).mid_rad();
-        Family { unknown: self.unknown, fixed: Ball::new(mid, rad) }
+        Family { unknown: self.unknown, fixed: Ball::of(&self.fixed) }
     }
 
     /// In so many bits.
@@ -113,6 +116,16 @@ impl Condition for Graze<'_> {
 /// The largest radius that is tried where doubles prove none, `2^-20`.
 const SMALL: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
+/// Domains that are tried, and images that narrow a zero at most: the first slow one is the last.
+const MOST_DOMAINS: u32 = 14;
+const MOST_IMAGES: u32 = 40;
+/// Bits that an extended system loses besides: it is solved for a kernel as well.
+#[cfg(feature = "multiprecision")]
+const EXTENDED_BITS: u32 = 16;
+/// Precisions that are tried beyond doubles, each twice the one before: twice is enough where the precision is what lacks.
+#[cfg(feature = "multiprecision")]
+const MOST_PRECISIONS: u32 = 3;
+
 /// A zero to prove, and what it then is.
 struct Claim<'s, S> {
     setting: &'s Setting,
@@ -127,11 +140,11 @@ impl<S: Condition> Claim<'_, S> {
     fn prove(&self, guess: Vec<f64>) -> Option<Point> {
         let floats = self.setting.floats();
         let guess = newton(&self.system, &floats, guess)?;
-        let inverse = inverse(&self.system, &floats, &guess)?;
+        let inverse = Preconditioner::new(&self.system.jacobian(&floats, &guess)?)?;
         let doubles: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         let family = self.setting.doubles();
         let bits = f64::MANTISSA_DIGITS;
-        let zero = certify(&self.system, &family, &inverse, &doubles, (bits, LARGEST));
+        let zero = self.certify(&family, &inverse, doubles, (bits, LARGEST));
         // What doubles prove is the largest domain; where they prove none, it is smaller than they can tell.
         let largest = zero.as_ref().map_or(SMALL, |zero| zero.domain[0].rad());
         let best = zero.and_then(|zero| self.point(&family, &zero, bits, court_in_doubles));
@@ -141,23 +154,37 @@ impl<S: Condition> Claim<'_, S> {
         }
     }
 
+    /// Proves the zero near a guess in an arithmetic of so many bits; the largest domain that is tried has the radius `largest`.
+    fn certify<N: Enclosing>(
+        &self,
+        family: &Family<N>,
+        inverse: &Preconditioner,
+        guess: Vec<N>,
+        (bits, largest): (u32, f64),
+    ) -> Option<Proved<N>> {
+        let equations = Posed { system: &self.system, family };
+        let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::GAINED);
+        let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
+        krawczyk::prove(&equations, inverse, &guess, effort)
+    }
+
     #[cfg(feature = "multiprecision")]
     fn prove_precisely(
         &self,
-        inverse: &nalgebra::DMatrix<f64>,
+        inverse: &Preconditioner,
         (guess, largest): (&[f64], f64),
         best: Option<Point>,
     ) -> Option<Point> {
         let mut best = best;
-        let mut bits = (f64::from(self.precision.digits) * 10f64.log2()) as u32 + 80; // proposes: bits to try
-        // Twice is enough where the precision is what lacks.
-        for _ in 0..3 {
+        let mut bits = working_bits(self.precision.digits) + EXTENDED_BITS;
+        for _ in 0..MOST_PRECISIONS {
             if bits > self.precision.max_bits {
                 break;
             }
             let balls: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
             let family = self.setting.balls(bits);
-            let found = certify(&self.system, &family, inverse, &balls, (bits, largest))
+            let found = self
+                .certify(&family, inverse, balls, (bits, largest))
                 .and_then(|zero| self.point(&family, &zero, bits, court_in_balls));
             best = found.or(best);
             if best.as_ref().is_some_and(|point| point.is_narrow) || !self.setting.fixed.is_point() {
@@ -170,7 +197,7 @@ impl<S: Condition> Claim<'_, S> {
 
     /// Doubles are all there is.
     #[cfg(not(feature = "multiprecision"))]
-    fn prove_precisely(&self, _: &nalgebra::DMatrix<f64>, _: (&[f64], f64), best: Option<Point>) -> Option<Point> {
+    fn prove_precisely(&self, _: &Preconditioner, _: (&[f64], f64), best: Option<Point>) -> Option<Point> {
         best
     }
 
@@ -178,7 +205,7 @@ impl<S: Condition> Claim<'_, S> {
     fn point<N: Enclosing>(
         &self,
         family: &Family<N>,
-        zero: &Zero<N>,
+        zero: &Proved<N>,
         bits: u32,
         is_physical: impl Fn(&Ring, &Reduced<N>, &[N]) -> Option<bool>,
     ) -> Option<Point> {
@@ -200,7 +227,7 @@ impl<S: Condition> Claim<'_, S> {
         let velocities: Vec<N> = legs.legs.iter().map(|leg| leg.before.clone()).collect();
         let is_narrow = self.is_narrow(&zero.at, &pair, &velocities);
         // The phases prove that views are apart; the domain of an extended system proves no two of them to be one.
-        let proved = Proved { phases: phases.clone(), domain: phases.clone() };
+        let proved = Proved { at: phases.clone(), domain: phases.clone() };
         let physical = |phases: &[N]| if self.kind == Kind::Graze { None } else { is_physical(ring, &pair, phases) };
         let orbit = Finding::new(chain, &pair, proved, |phases, _| physical(phases))
             .and_then(|finding| finding.finish(chain, &restitution, bits, is_narrow));
@@ -236,8 +263,8 @@ impl<S: Condition> Claim<'_, S> {
 
     /// Whether the widths are those asked for: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], pair: &Reduced<N>, velocities: &[N]) -> bool {
-        // A hundredth of a digit for printing, one for both sides of a radius.
-        let asked = -(f64::from(self.precision.digits) + 0.01) * 10f64.log2() - 1.0;
+        // A radius is half of a width.
+        let asked = self.precision.log2_width() - 1.0;
         let size = |x: &N| x.as_ball().mid().abs().log2();
         let (phases, p) = (&at[..self.ring.unknowns()], &at[at.len() - 1]);
         widest(phases) <= asked && p.log2_radius() <= asked + size(p) && widest(velocities) <= asked + size(&pair.beta)

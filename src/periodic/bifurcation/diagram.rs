@@ -3,7 +3,10 @@
 use super::super::Precision;
 use super::over::Over;
 use super::point::{Kind, Point};
+use crate::Error;
+use crate::exact::Enclosure;
 use crate::mapping::Word;
+use crate::pair::ImpactPair;
 
 /// What is asked of a word's branches.
 #[derive(Clone, Debug)]
@@ -58,8 +61,10 @@ pub struct Branch {
 }
 
 /// What is found along the branches of a word.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Diagram {
+    pair: ImpactPair,
+    over: Over,
     /// The bifurcations proved, in the order of the parameter.
     pub points: Vec<Point>,
     /// Where something changes sign but nothing could be proved.
@@ -69,6 +74,35 @@ pub struct Diagram {
 }
 
 impl Diagram {
+    /// An empty one, of a pair over a parameter.
+    pub(super) fn new(pair: &ImpactPair, over: &Over) -> Self {
+        let (pair, over) = (pair.clone(), over.clone());
+        Self { pair, over, points: Vec::new(), unproved: Vec::new(), branches: Vec::new() }
+    }
+
+    /// The pair; the parameter's own value in it is not used.
+    pub fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    /// The parameter and its range.
+    pub fn over(&self) -> &Over {
+        &self.over
+    }
+
+    /// The parameter of a point in the units of the scene, and the pair with it.
+    ///
+    /// # Errors
+    /// When it is beyond what exact expressions hold.
+    pub fn in_units(&self, point: &Point) -> Result<(Enclosure, ImpactPair), Error> {
+        point.in_units(&self.over, &self.pair)
+    }
+
+    /// About what these values of `A/d` or `e` are in the units of the scene, the smaller one first.
+    pub fn range_f64(&self, ends: [f64; 2]) -> [f64; 2] {
+        self.over.range_f64(&self.pair, ends)
+    }
+
     /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to its end.
     pub fn is_certified(&self) -> bool {
         let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);

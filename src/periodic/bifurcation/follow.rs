@@ -52,6 +52,8 @@ const OF_RANGE: f64 = 0.01;
 /// Cosines of the angle between tangents: at least so much, and so much for a longer step.
 const STRAIGHT: f64 = 0.99;
 const STRAIGHTER: f64 = 0.998;
+/// Parts that the way to a change of sign is cut into, one after the other: a third of them are halves.
+const HALVINGS: u32 = 24;
 /// How near to its half a ring is at a turn that is a meeting.
 const TOGETHER: f64 = 1e-3;
 
@@ -134,7 +136,7 @@ fn note(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, changes: &m
 /// Where a test changes sign between two stations, by halving and secants.
 fn locate(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, test: impl Fn(&Tests) -> f64) -> Station {
     let (mut a, mut b) = (a.clone(), b.clone());
-    for i in 0..24 {
+    for i in 0..HALVINGS {
         let (at_a, at_b) = (test(&a.tests), test(&b.tests));
         let secant = (at_a / (at_a - at_b)).clamp(0.02, 0.98);
         let part = if i % 3 == 2 { 0.5 } else { secant };

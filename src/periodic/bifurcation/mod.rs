@@ -1,8 +1,8 @@
 //! Bifurcations over a parameter, proved: equations (39), (40) and grazes, and the cascade of doublings.
 //!
 //! Floats follow each branch by pseudo-arclength (`follow`) and note where an eigenvalue passes 1 or -1 or a wall is
-//! touched; there the extended system (`system`) with the parameter among its unknowns is solved and its zero
-//! proved by Krawczyk's operator (`solve`). At an eigenvalue -1 the branch that leaves is followed as well: a
+//! touched; there the extended system (`system`) with the parameter among its unknowns is solved (`solve`) and its zero
+//! proved by Krawczyk's operator (`claim`). At an eigenvalue -1 the branch that leaves is followed as well: a
 //! symmetric orbit's pitchfork is the doubling of half its period. Lemmas Y1-Y5 are in `docs/proofs.md`.
 
 mod cascade;

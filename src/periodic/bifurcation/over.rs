@@ -82,7 +82,7 @@ impl Over {
     ///
     /// # Errors
     /// When the value is not in its range.
-    pub fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
+    pub(super) fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
         let old = pair.harmonic("a parameter of a branch")?;
         let (mut amplitude, mut frequency) = (old.amplitude().clone(), old.frequency().clone());
         let (mut gap, mut restitution) = (pair.gap().clone(), pair.restitution().clone());
@@ -136,8 +136,8 @@ impl Over {
         Ok([a.min(b), a.max(b)]) // proposes
     }
 
-    /// About what these ends without units are in the units of the scene, the smaller one first.
-    pub fn range_f64(&self, pair: &ImpactPair, ends: [f64; 2]) -> [f64; 2] {
+    /// See [`Diagram::range_f64`](super::Diagram::range_f64).
+    pub(super) fn range_f64(&self, pair: &ImpactPair, ends: [f64; 2]) -> [f64; 2] {
         let of = |value: &Exact| value.enclose(80).mid_rad().0;
         let [a, b] = ends.map(|x| match self.key {
             Key::Amplitude => x * of(pair.gap()),

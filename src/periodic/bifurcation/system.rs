@@ -1,5 +1,8 @@
 //! The equations whose zeros are bifurcations, the parameter being one of the unknowns: Lemmas Y3, Y5.
 
+use nalgebra::{DMatrix, Scalar};
+
+use super::super::krawczyk::Equations;
 use super::jet::Jet;
 use super::ring::Ring;
 use crate::number::{Number, Wave};
@@ -46,15 +49,35 @@ pub(super) trait System {
     /// What the equations miss at `x`; `None` where they may not be defined.
     fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>>;
 
-    /// The columns of the Jacobian matrix; over balls, enclosed for all their members.
-    fn columns<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<Vec<N>>> {
+    /// The Jacobian matrix; over balls, enclosed for all their members.
+    fn jacobian<N: Wave + Scalar>(&self, family: &Family<N>, x: &[N]) -> Option<DMatrix<N>> {
         let family = family.jets();
-        let along = |j: usize| {
+        let along = |j: usize| -> Option<Vec<N>> {
             let lift = |(i, x): (usize, &N)| if i == j { Jet::variable(x.clone()) } else { Jet::constant(x.clone()) };
             let x: Vec<_> = x.iter().enumerate().map(lift).collect();
             Some(self.values(&family, &x)?.into_iter().map(|value| value.slope).collect())
         };
-        (0..self.unknowns()).map(along).collect()
+        let columns: Vec<Vec<N>> = (0..self.unknowns()).map(along).collect::<Option<_>>()?;
+        let rows = columns.first()?.len();
+        Some(DMatrix::from_iterator(rows, columns.len(), columns.into_iter().flatten()))
+    }
+}
+
+/// A system over a family in one arithmetic.
+pub(super) struct Posed<'s, S, N> {
+    pub system: &'s S,
+    pub family: &'s Family<N>,
+}
+
+impl<S: System, N: Wave + Scalar> Equations<N> for Posed<'_, S, N> {
+    type Jacobian = DMatrix<N>;
+
+    fn values(&self, x: &[N]) -> Option<Vec<N>> {
+        self.system.values(self.family, x)
+    }
+
+    fn jacobian(&self, x: &[N]) -> Option<DMatrix<N>> {
+        self.system.jacobian(self.family, x)
     }
 }
 

@@ -5,7 +5,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::ring::Ring;
-use super::solve::jacobian;
 use super::system::{Curve, Family, System};
 use crate::pair::{Inward, Wall};
 
@@ -53,7 +52,7 @@ pub(super) fn correct(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64
     for _ in 0..MOST_STEPS {
         let mut values = curve.values(family, &x)?;
         values.push(along.iter().zip(x.iter().zip(&start)).map(|(t, (x, s))| t * (x - s)).sum());
-        let bordered = border(jacobian(&curve, family, &x)?, along);
+        let bordered = border(curve.jacobian(family, &x)?, along);
         let step = bordered.lu().solve(&DVector::from_vec(values))?;
         let size = step.amax();
         if !size.is_finite() || size > 0.2 {
@@ -77,7 +76,7 @@ fn border(matrix: DMatrix<f64>, row: &[f64]) -> DMatrix<f64> {
 
 /// The unit tangent at `x` that goes the way of `along`.
 pub(super) fn tangent(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
-    let matrix = border(jacobian(&Curve(ring), family, x)?, along);
+    let matrix = border(Curve(ring).jacobian(family, x)?, along);
     let mut right = DVector::zeros(x.len());
     right[x.len() - 1] = 1.0;
     let tangent = matrix.lu().solve(&right)?.normalize();

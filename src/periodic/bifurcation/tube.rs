@@ -1,11 +1,10 @@
 //! A followed branch proved to be one curve: Krawczyk's operator on slabs across it, each glued to the next. Lemma Y6
 
-use nalgebra::DMatrix;
-
-use super::super::krawczyk::{flights, is_inside};
+use super::super::equations::flights;
+use super::super::krawczyk::{image, is_inside};
+use super::super::precondition::Preconditioner;
 use super::ring::Ring;
-use super::solve::{image, inverse};
-use super::system::{Curve, Family, System};
+use super::system::{Curve, Family, Posed, System};
 use super::trace::{Station, correct};
 use crate::number::{Ball, Enclosing, Number, Wave};
 
@@ -21,6 +20,8 @@ struct Slab<'r> {
 
 /// Boxes tried for a slab.
 const MOST_BOXES: u32 = 8;
+/// Images that narrow the end of a slab, so that a much shorter one may follow.
+const END_IMAGES: u32 = 4;
 /// Halvings of the way between two stations.
 const MOST_HALVINGS: u32 = 12;
 /// How far a slab reaches beyond its two stations, in parts of the way between them.
@@ -48,26 +49,27 @@ struct Proof {
 
 impl Slab<'_> {
     /// Krawczyk's image for all `t` of a ball.
-    fn image(&self, family: &Family<Ball>, inverse: &DMatrix<f64>, x: &[Ball], t: Ball) -> Option<Vec<Ball>> {
+    fn image(&self, family: &Family<Ball>, inverse: &Preconditioner, x: &[Ball], t: Ball) -> Option<Vec<Ball>> {
         let last = x.len() - 1;
-        let moved = |(i, k): (usize, Ball)| Ball::exact(inverse[(i, last)]) * t + k;
-        Some(image(self, family, inverse, x)?.into_iter().enumerate().map(moved).collect())
+        let moved = |(i, k): (usize, Ball)| Ball::exact(inverse.row(i)[last]) * t + k;
+        let still = image(&Posed { system: self, family }, inverse, x)?;
+        Some(still.into_iter().enumerate().map(moved).collect())
     }
 
     /// Proves the slab in a box that is widened until its image lies inside.
     fn prove(&self, floats: &Family<f64>, family: &Family<Ball>) -> Option<Proof> {
-        let inverse = inverse(self, floats, &self.centre)?;
+        let inverse = Preconditioner::new(&self.jacobian(floats, &self.centre)?)?;
         let last = self.centre.len() - 1;
         let all = Ball::new(0.0, self.tau);
-        let first = |(i, &x): (usize, &f64)| Ball::new(x, 1.1 * (inverse[(i, last)].abs() * self.tau) + 1e-12);
+        let first = |(i, &x): (usize, &f64)| Ball::new(x, 1.1 * (inverse.row(i)[last].abs() * self.tau) + 1e-12);
         let mut domain: Vec<Ball> = self.centre.iter().enumerate().map(first).collect();
         for _ in 0..MOST_BOXES {
             let found = self.image(family, &inverse, &domain, all)?;
             if is_inside(&found, &domain) {
                 let (p, phases) = domain.split_last()?;
                 flights(self.ring.chain(), &family.pair(*p), &self.ring.lift(phases))?;
-                // Narrow, so that a much shorter slab may follow.
-                let end = (0..4).try_fold(found, |end, _| self.image(family, &inverse, &end, Ball::exact(self.end)))?;
+                let end = (0..END_IMAGES)
+                    .try_fold(found, |end, _| self.image(family, &inverse, &end, Ball::exact(self.end)))?;
                 return is_inside(&end, &domain).then_some(Proof { domain, end });
             }
             let wider = |(k, &x): (&Ball, &f64)| Ball::new(x, 1.2 * ((k.mid() - x).abs() + k.rad()) + 1e-13);

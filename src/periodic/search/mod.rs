@@ -17,7 +17,6 @@ use crate::contact::Reason;
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::orbit::Start;
-use crate::pair::ImpactPair;
 use cut::{Part, Terms};
 use interval::Interval;
 
@@ -60,17 +59,11 @@ impl Problem {
     ///
     /// # Errors
     /// When there are several harmonics, except for words on one wall.
-    pub fn find_all(
-        &self,
-        pair: &ImpactPair,
-        start: &Start,
-        precision: Precision,
-        budget: Budget,
-    ) -> Result<Census, Error> {
+    pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Result<Census, Error> {
         if self.chain.crosses() {
-            pair.harmonic("the search for all periodic orbits")?;
+            self.impact_pair.harmonic("the search for all periodic orbits")?;
         }
-        let found = self.find(pair, start, precision);
+        let found = self.find(start, precision);
         let Pair::One(one) = &self.pair else { return Ok(found) };
         if found.exhaustive {
             return Ok(found);
@@ -81,7 +74,7 @@ impl Problem {
         search.run(budget);
         let mut orbits = search.known;
         // Only motions are looked for; a chain that is proved to be none is listed where a guess led to it.
-        orbits.sort_by(|a, b| a.proved.phases[0].mid().total_cmp(&b.proved.phases[0].mid()));
+        orbits.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
         Ok(Census { orbits, exhaustive: search.undecided.is_empty(), undecided: search.undecided, is_search: true })
     }
 }
@@ -130,7 +123,7 @@ impl Search<'_> {
     /// Whether the part lies where a known orbit is the only one; looks for the orbit if it is not known yet.
     fn is_done(&mut self, part: &Part) -> bool {
         let balls: Vec<Ball> = part.phases.iter().map(|x| x.ball()).collect();
-        let whole = Proved { domain: balls.clone(), phases: balls };
+        let whole = Proved { domain: balls.clone(), at: balls };
         let chain = &self.problem.chain;
         let is_inside = |known: &PeriodicOrbit| is_one_orbit(chain, &whole, &known.proved) == Some(true);
         if self.known.iter().any(is_inside) {
@@ -189,8 +182,8 @@ fn halves(part: Part, slopes: &Slopes<Interval>) -> [Part; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Harmonic;
     use crate::pair::Wall;
+    use crate::{Harmonic, ImpactPair};
 
     fn is_physical(orbit: &PeriodicOrbit) -> bool {
         orbit.physical == Some(true)
@@ -214,7 +207,7 @@ mod tests {
             let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
             let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
             let precision = Precision::default();
-            let guessed = problem.find(&pair, &start, precision).orbits;
+            let guessed = problem.find(&start, precision).orbits;
             let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
             let court = &one.court;
             let terms = Terms::new(&problem.chain, &court.pair);
@@ -240,7 +233,7 @@ mod tests {
         let harmonic = Harmonic::new("0".parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
         let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), "1".parse().unwrap()).unwrap();
         let problem = Problem::new(&pair, &"LR".parse().unwrap(), 1).unwrap();
-        let census = problem.find_all(&pair, &start, Precision::default(), Budget::default()).unwrap();
+        let census = problem.find_all(&start, Precision::default(), Budget::default()).unwrap();
         assert!(!census.exhaustive && !census.undecided.is_empty() && !census.is_certified());
     }
 }

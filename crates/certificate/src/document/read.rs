@@ -38,7 +38,7 @@ impl<'j> Place<'j> {
 
     /// What it says.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
-        serde_path_to_error::deserialize(self.value).map_err(|error| self.inner(error.path()).wrong(error.inner()))
+        serde_path_to_error::deserialize(self.value).map_err(|error| self.inner(error.path()).wrong(error.into_inner()))
     }
 
     /// The value at a path in it.
@@ -51,19 +51,20 @@ impl<'j> Place<'j> {
     }
 
     /// What serde found wrong with it, in our words.
-    fn wrong(&self, error: &serde_json::Error) -> Error {
+    fn wrong(&self, error: serde_json::Error) -> Error {
         let message = error.to_string();
         let quoted = |text: &str| text.replace('`', "\"").replace(" or ", " and ").replace("one of ", "");
         if let Some(field) = message.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) {
-            return self.missing(field);
+            return self.missing(field).because(error);
         }
-        match message.rsplit_once(", expected ") {
+        let refused = match message.rsplit_once(", expected ") {
             Some((variant, accepted)) if variant.starts_with("unknown") => {
                 self.refused(&format!("accepted are {}", quoted(accepted)))
             }
             Some((_, accepted)) => self.refused(&format!("must be {accepted}")),
             None => self.refused(&message),
-        }
+        };
+        refused.because(error)
     }
 
     /// A value that is not accepted.

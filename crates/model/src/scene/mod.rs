@@ -76,7 +76,7 @@ impl Scene {
     /// Name the line, the key, its value and what is accepted: unknown, duplicate or missing keys, values of the wrong
     /// type or out of range, and what is no TOML.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let document = Document::parse(text).map_err(|error| unreadable(text, &error))?;
+        let document = Document::parse(text).map_err(|error| unreadable(text, error))?;
         let file = Section::file(text, document.as_table());
         file.refuse_unknown(&["title", "excitation", "pair", "start", "run"])?;
         let title = file.entry("title").map(|title| title.text("a string").map(str::to_owned)).transpose()?;
@@ -144,12 +144,12 @@ fn at_its_line(error: Error, lines: &[(String, usize)]) -> Error {
 }
 
 /// What is no TOML, with the line it stands on.
-fn unreadable(text: &str, error: &TomlError) -> Error {
+fn unreadable(text: &str, error: TomlError) -> Error {
     let at = error.span().map_or(text.len(), |span| span.start);
     let line = line_of(text, at);
     let hint = if error.message().contains("overflow") { " (write the number as a string)" } else { "" };
     let written = text.lines().nth(line - 1).unwrap_or_default();
-    Error::scene(format!("{} in {}{hint}", error.message(), quoted(written.trim()))).at_line(line)
+    Error::scene(format!("{} in {}{hint}", error.message(), quoted(written.trim()))).at_line(line).because(error)
 }
 
 /// Amplitude, frequency and phase of each harmonic.

@@ -169,7 +169,8 @@ impl<'t> Entry<'t> {
                 return Err(self.refused(NUMBER));
             }
         };
-        Exact::parse(expression).map_err(|error| self.refused(&format!("does not read as a number: {error}")))
+        Exact::parse(expression)
+            .map_err(|error| self.refused(&format!("does not read as a number: {error}")).because(error))
     }
 }
 

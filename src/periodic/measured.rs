@@ -1,0 +1,53 @@
+//! A periodic orbit in the units of the scene: what tables and the periodic JSON show, of any word and of two impacts alike.
+
+use super::stability::{Eigenvalue, Stability};
+use crate::exact::Enclosure;
+use crate::pair::Wall;
+
+/// An impact of a periodic orbit in the units of the scene.
+#[derive(Clone, Debug)]
+pub struct MeasuredImpact {
+    /// The wall.
+    pub wall: Wall,
+    /// `W t + tau` of the fastest harmonic in `[0, 2 pi)` \[rad\]; bounds that hold 0 reach beyond one end.
+    pub phase: Enclosure,
+    /// The turn of that harmonic that the phase is told from, less whole common periods: 0 under one harmonic.
+    pub turn: u32,
+    /// The relative velocity `y'` just before the impact \[length/time\].
+    pub velocity: Enclosure,
+}
+
+/// A periodic orbit in the units of the scene, with all that is proved of it.
+///
+/// **Enclosure**: for every choice of the parameters, one orbit lies within the bounds, and what is enclosed is enclosed for it.
+#[derive(Clone, Debug)]
+pub struct MeasuredOrbit {
+    /// Turns of the fastest harmonic after which the excitation repeats: 1 under one harmonic.
+    pub period: u32,
+    /// In time order.
+    pub impacts: Vec<MeasuredImpact>,
+    /// Whether no other orbit of its word in as many cycles lies within the bounds.
+    pub unique: bool,
+    /// Whether no wall is touched between the impacts: proved, refuted, or not decided.
+    pub physical: Option<bool>,
+    /// Whether it is its own mirror image: proved, refuted, or not decided.
+    pub symmetric: Option<bool>,
+    /// The trace of the Jacobian (A.7) over a period.
+    pub trace: Enclosure,
+    /// Its determinant, `e^(2k)` after `k` impacts.
+    pub determinant: Enclosure,
+    /// Its eigenvalues (38).
+    pub eigenvalues: [Eigenvalue; 2],
+    /// Stability.
+    pub stability: Stability,
+}
+
+impl MeasuredOrbit {
+    /// The same, told from the first impact on this wall; as it is where there is none.
+    pub fn told_from(&self, wall: Wall) -> Self {
+        let first = self.impacts.iter().position(|impact| impact.wall == wall);
+        let mut told = self.clone();
+        told.impacts.rotate_left(first.unwrap_or(0)); // shown
+        told
+    }
+}
