@@ -87,6 +87,9 @@ pub mod scene;
 mod several;
 pub mod sweep;
 pub mod switch_plane;
+#[cfg(test)]
+#[path = "../tests/tolerances/mod.rs"]
+mod tolerances;
 mod turns;
 pub mod two_impact;
 

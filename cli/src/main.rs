@@ -19,6 +19,9 @@ mod run;
 mod scene;
 mod sweep;
 mod table;
+#[cfg(test)]
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;
 mod trade;
 mod two_impact;
 mod version;

@@ -17,6 +17,7 @@
 //! # Ok::<(), impact_pair::exact::ParseError>(())
 //! ```
 
+mod approx;
 mod decimal;
 mod digits;
 mod dyadic;

@@ -4,6 +4,7 @@
 //! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart. Phases
 //! are in turns everywhere (see [`kernel`]).
 
+mod approx;
 mod ball;
 pub mod kernel;
 mod logarithm;

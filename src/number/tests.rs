@@ -141,6 +141,7 @@ pub(crate) fn balls() -> impl Strategy<Value = Ball> + Clone {
     let radius = prop_oneof![
         2 => Just((0.0, 0.0)),
         4 => powers(-18.0, 0.5).prop_map(|relative| (relative, 0.0)),
+        1 => (0.9..1.1f64).prop_map(|relative| (relative, 0.0)),
         2 => powers(-323.0, 3.0).prop_map(|absolute| (0.0, absolute)),
     ];
     (doubles(), radius).prop_map(|(mid, (relative, absolute))| Ball::new(mid, relative * mid.abs() + absolute))

@@ -21,6 +21,7 @@ proptest! {
         prop_assert!((&a - &b).is_in(&(x - y)), "{x:?} - {y:?}");
         prop_assert!((&a * &b).is_in(&(x * y)), "{x:?} * {y:?}");
         prop_assert!((&a * &b + &c).is_in(&x.mul_add(y, z)), "{x:?} * {y:?} + {z:?}");
+        prop_assert!((&c - &a * &b).is_in(&x.mul_sub_ref(&y, z)), "{z:?} - {x:?} * {y:?}");
         prop_assert!((-a.clone()).is_in(&-x) && (-a.clone()).is_in(&x.signed(-1.0)) && a.is_in(&x.signed(1.0)));
         match x.checked_div(y) {
             Some(quotient) => prop_assert!(a.over(&b).unwrap().is_in(&quotient), "{x:?} / {y:?}"),
@@ -28,10 +29,20 @@ proptest! {
         }
         prop_assert!((&a + Truth::from(by) * j).is_in(&x.widened(by)), "{x:?} with {by:e} around");
         prop_assert!(!a.abs().exceeds(x.mag().min(f64::MAX)) || x.mag().is_infinite(), "{x:?}");
-        prop_assert!((Truth::turn() * &a).is_in(&(x.turn() * x)));
-        // The difference of two members that are the same number.
-        if x.mid().abs() < 1e100 && z.mid().abs() < 1e100 {
-            prop_assert!((&a - &c).is_in(&(x - z)) && (&c - &a).is_in(&(z - x)));
+        prop_assert!(Truth::turn().is_in(&x.turn()) && (Truth::turn() * &a).is_in(&(x.turn() * x)));
+    }
+
+    /// Lemma B1: where products and quotients, of centres or in a radius, leave the normal doubles.
+    #[test]
+    fn what_underflows_is_held(
+        [a, b] in [powers(-170.0, -150.0), powers(-170.0, -150.0)], small in powers(-322.0, -250.0), divisor in powers(-250.0, -150.0),
+        [r, s] in [prop_oneof![Just(0.0), powers(-323.0, -160.0)], prop_oneof![Just(0.0), powers(-323.0, -250.0)]], [i, j] in [places(), places()],
+    ) {
+        let (x, y) = (Ball::new(a, r), Ball::new(b, s));
+        prop_assert!((member(&x, i) * member(&y, j)).is_in(&(x * y)), "{x:?} * {y:?}");
+        for (x, y) in [(Ball::exact(small), Ball::new(divisor, s)), (Ball::exact(small), Ball::exact(1.0 / a))] {
+            let Some(quotient) = x.checked_div(y) else { continue };
+            prop_assert!(member(&x, i).over(&member(&y, j)).unwrap().is_in(&quotient), "{x:?} / {y:?}");
         }
     }
 
@@ -44,8 +55,8 @@ proptest! {
             Some(Ordering::Equal) => prop_assert!(x == Ball::exact(x.mid()) && x.mid() == 0.0),
             None => prop_assert!(x.rad() >= x.mid().abs()),
         }
-        // One that overlaps: its centre is so many radii away.
-        let other = Ball::new(x.mid() + by * x.rad(), y.rad().min(3.0 * x.rad()));
+        // One whose centre is so many radii away and whose end is next to the end.
+        let other = Ball::new(x.mid() + by * x.rad(), (1.0 - by.abs()).abs() * x.rad());
         for inner in [y, other] {
             if inner.is_interior_to(&x) {
                 let end = member(&inner, j);
