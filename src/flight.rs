@@ -26,18 +26,18 @@ use crate::pair::{Inward, Reduced, Wall};
 
 /// Sine and cosine of a phase later by a departure: the addition theorems.
 #[inline(always)]
-pub(crate) fn turned<N: Number>((sin, cos): (N, N), d: &Departure<N>) -> (N, N) {
-    let base = (-sin.clone()).mul_add(d.versine.clone(), sin.clone());
-    let turned_sin = cos.clone().mul_add(d.sine.clone(), base);
-    let base = (-cos.clone()).mul_add(d.versine.clone(), cos);
-    (turned_sin, (-sin).mul_add(d.sine.clone(), base))
+pub(crate) fn turned<N: Number>((sin, cos): (&N, &N), d: &Departure<N>) -> (N, N) {
+    let base = sin.mul_sub_ref(&d.versine, sin.clone());
+    let turned_sin = cos.mul_add_ref(&d.sine, base);
+    let base = cos.mul_sub_ref(&d.versine, cos.clone());
+    (turned_sin, sin.mul_sub_ref(&d.sine, base))
 }
 
 /// `z'` later by a departure than where it, sine and cosine are given, without cancellation. **Equation** (12)
 #[inline(always)]
 pub(crate) fn velocity_after<N: Number>(beta: N, velocity: N, (sin, cos): (N, N), versine: N, sine: N) -> N {
-    let wave = cos.mul_add(versine, sin * sine);
-    beta.mul_add(wave, velocity)
+    let wave = cos.mul_add_ref(&versine, sin * sine);
+    beta.mul_add_ref(&wave, velocity)
 }
 
 /// One flight: its start, in the frame described above, and its drift.
@@ -98,7 +98,7 @@ impl<N: Number> Flight<N> {
     #[inline(always)]
     fn new(pair: &Reduced<N>, wall: Wall, height: N, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
         let (sin, cos) = wall.mirror(sin_cos);
-        let drift = pair.beta.clone().mul_add(cos.clone(), velocity.clone());
+        let drift = pair.beta.mul_add_ref(&cos, velocity.clone());
         Self { alpha: pair.alpha.clone(), beta: pair.beta.clone(), phase, sin, cos, height, velocity, drift, wall }
     }
 
@@ -107,28 +107,28 @@ impl<N: Number> Flight<N> {
     /// **Equation** (11). Whole turns and the rest are kept apart so that long flights lose no phase.
     #[inline(always)]
     pub fn height_above(&self, target: N, turns: N, phase1: N, sin1: N) -> N {
-        let wave = (-self.alpha.clone()).mul_add(sin1 - self.sin.clone(), self.height.clone() - target);
-        let rest = self.drift.clone().mul_add(phase1 - self.phase.clone(), wave);
-        self.drift.clone().mul_add(turns, rest)
+        let wave = self.alpha.mul_sub_ref(&sin1.minus(&self.sin), self.height.clone() - target);
+        let rest = self.drift.mul_add_ref(&phase1.minus(&self.phase), wave);
+        self.drift.mul_add_ref(&turns, rest)
     }
 
     /// `z'` where the mirrored cosine is `cos1`. **Equation** (12).
     #[inline(always)]
     pub fn velocity_at(&self, cos1: N) -> N {
-        (-self.beta.clone()).mul_add(cos1, self.drift.clone())
+        self.beta.mul_sub_ref(&cos1, self.drift.clone())
     }
 
     /// `z''` per turn squared where the mirrored sine is `sin1`. **Equation** (10).
     #[inline(always)]
     pub fn acceleration_at(&self, sin1: N) -> N {
-        self.beta.turn() * self.beta.clone() * sin1
+        self.beta.turn().times(&self.beta) * sin1
     }
 
     /// `z` after a hop of `h <= 1/8` turns from a wall, without cancellation; `excess` and `versine` of `h`.
     #[inline(always)]
     pub fn hop_height(&self, h: N, versine: N, excess: N) -> N {
-        let wave = self.cos.clone().mul_add(excess, self.sin.clone() * versine);
-        self.velocity.clone().mul_add(h, self.alpha.clone() * wave)
+        let wave = self.cos.mul_add_ref(&excess, self.sin.clone() * versine);
+        self.velocity.mul_add_ref(&h, self.alpha.clone() * wave)
     }
 
     /// `z'` after a hop, without cancellation.
@@ -143,7 +143,7 @@ impl Flight<f64> {
     /// The mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
     pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
-        turned((self.sin, self.cos), d)
+        turned((&self.sin, &self.cos), d)
     }
 
     /// `z'` and the mirrored sine a short `step` earlier than where they and the cosine are given, by Taylor's formula.

@@ -85,6 +85,9 @@ pub mod rest;
 mod several;
 pub mod sweep;
 pub mod switch_plane;
+#[cfg(test)]
+#[path = "../tests/tolerances/mod.rs"]
+mod tolerances;
 pub mod turns;
 pub mod two_impact;
 

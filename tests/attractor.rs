@@ -1,10 +1,15 @@
 //! Motions proved to converge to a periodic orbit, through the public interface. Lemmas Q1-Q3
 
+mod tolerances;
+
+use approx::{AbsDiffEq, abs_diff_eq};
 use impact_pair::Scene;
+use impact_pair::exact::Enclosure;
 use impact_pair::number::Ball;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings};
 use impact_pair::pair::{Inward, Wall};
 use impact_pair::periodic::{Attractor, Problem, Stability};
+use tolerances::{EIGENVALUE, EIGENVALUE_7};
 
 fn figure(number: u32) -> Scene {
     let path = format!("{}/scenes/figure-{number}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -36,7 +41,8 @@ fn figures_12_and_13_are_drawn_into_the_equispaced_orbit() {
         assert_eq!(found.orbit.stability, Stability::Stable);
         assert!(found.from <= 10 && found.factor < 1.0, "{} {}", found.from, found.factor);
         let first = &found.orbit.eigenvalues[0];
-        let near = |x: &impact_pair::exact::Enclosure, y: f64| (x.mid_rad().0 - y).abs() < 1e-5;
+        let point = |y: f64| Enclosure::from_f64_bounds(y, y).unwrap();
+        let near = |x: &Enclosure, y: f64| x.abs_diff_eq(&point(y), EIGENVALUE);
         assert!(near(&first.re, re) && near(&first.im, im));
     }
 }
@@ -47,7 +53,7 @@ fn figure_15_is_drawn_into_the_doubled_orbit() {
     let found = attractor(&orbit);
     assert_eq!((found.word.mappings().len(), found.cycles, found.orbit.repeats), (10, 2, Some(1)));
     let (eigenvalue, _) = found.orbit.eigenvalues[0].re.mid_rad();
-    assert!((eigenvalue - 0.9915971).abs() < 1e-7, "{eigenvalue}");
+    assert!(abs_diff_eq!(eigenvalue, 0.9915971, epsilon = EIGENVALUE_7), "{eigenvalue}");
     // The orbit of one cycle beside it is unstable.
     let word = found.word.to_string();
     let half: Vec<&str> = word.split(' ').take(5).collect();

@@ -1,10 +1,14 @@
 //! Bifurcations through the public API: against the closed forms, and against the stability of the orbits beside them.
 #![cfg(feature = "multiprecision")]
 
+mod tolerances;
+
+use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Point, Wanted, survey};
 use impact_pair::periodic::{Precision, Problem, Stability};
 use impact_pair::{Harmonic, ImpactPair, Scene};
+use tolerances::{CLOSED_FORM, QUOTIENT};
 
 const SCENE: &str = r#"
     excitation = { amplitude = 0.36, frequency = "pi", phase = 0 }
@@ -86,7 +90,7 @@ fn over_the_gap_the_same_points_come_in_the_other_order() {
     assert_eq!(kinds(&diagram), [(Kind::PeriodDoubling, 1), (Kind::Pitchfork, 0)]);
     let (gap, _) = diagram.in_units(&diagram.points[1]).unwrap();
     // 0.36/0.3458892783
-    assert!((gap.mid_rad().0 - 1.040_795_48).abs() < 1e-6);
+    assert_abs_diff_eq!(gap.mid_rad().0, 1.040_795_48, epsilon = QUOTIENT);
 }
 
 #[test]
@@ -103,5 +107,5 @@ fn over_the_restitution_the_pitchfork_solves_the_closed_form() {
     let (e, _) = pitchfork.parameter.mid_rad();
     let (kappa, pi) = ((1.0 + e) / (1.0 - e), std::f64::consts::PI);
     let amplitude = (1.0 + 4.0 * (kappa / pi).powi(2)).sqrt() / (pi * kappa * (1.0 - 4.0 / (pi * pi)));
-    assert!((amplitude - 0.36).abs() < 1e-12);
+    assert_abs_diff_eq!(amplitude, 0.36, epsilon = CLOSED_FORM);
 }

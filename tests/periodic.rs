@@ -2,6 +2,9 @@
 
 #![cfg(feature = "multiprecision")]
 
+mod tolerances;
+
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::number::{Ball, LEAST_BITS, MpBall, Number};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
@@ -9,6 +12,7 @@ use impact_pair::pair::Reduced;
 use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::{Harmonic, ImpactPair};
 use proptest::prelude::*;
+use tolerances::{DETERMINANT, TRACE, VIETA};
 
 fn value(text: &str) -> Exact {
     text.parse().unwrap()
@@ -151,7 +155,7 @@ fn mirrored_words_have_mirrored_orbits() {
                 };
                 let (one, other) = (traces(word), traces(mirrored));
                 assert_eq!(one.len(), other.len(), "{word} in {cycles}");
-                assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-6 * a.abs().max(1.0)));
+                assert!(one.iter().zip(&other).all(|(a, b)| abs_diff_eq!(a, b, epsilon = TRACE * a.abs().max(1.0))));
             }
         }
     }
@@ -280,11 +284,15 @@ fn trace_and_determinant_agree_with_finite_differences() {
             let scale = (a * d).abs() + (b * c).abs();
             assert!(holds(&orbit.trace, a + d, 1e-12 * (a.abs() + d.abs())), "{word}: {} {orbit:?}", a + d);
             let power = restitution.parse::<f64>().unwrap().powi(2 * phases.len() as i32);
-            assert!((a * d - b * c - power).abs() < 1e-12 * scale && holds(&orbit.determinant, power, 1e-12));
+            assert!(
+                abs_diff_eq!(a * d - b * c, power, epsilon = DETERMINANT * scale)
+                    && holds(&orbit.determinant, power, 1e-12)
+            );
             // Vieta: the eigenvalues' sum and product.
             let [x, y] = orbit.eigenvalues.each_ref().map(|value| (value.re.mid_rad().0, value.im.mid_rad().0));
-            assert!((x.0 + y.0 - a - d).abs() < 1e-9 * scale.max(1.0) && (x.1 + y.1).abs() < 1e-12);
-            assert!((x.0 * y.0 - x.1 * y.1 - power).abs() < 1e-9 * scale.max(1.0));
+            assert_abs_diff_eq!(x.0 + y.0, a + d, epsilon = VIETA * scale.max(1.0));
+            assert_abs_diff_eq!(x.1, -y.1, epsilon = DETERMINANT);
+            assert_abs_diff_eq!(x.0 * y.0 - x.1 * y.1, power, epsilon = VIETA * scale.max(1.0));
         }
     }
 }

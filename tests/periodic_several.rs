@@ -2,6 +2,9 @@
 
 #![cfg(feature = "multiprecision")]
 
+mod tolerances;
+
+use approx::abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
 use impact_pair::pair::Wall;
@@ -9,6 +12,7 @@ use impact_pair::periodic::{Budget, PeriodicOrbit, Precision, Problem, Stability
 use impact_pair::{Excitation, Harmonic, ImpactPair};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use tolerances::{PHASE, TRACE};
 
 fn value(text: &str) -> Exact {
     text.parse().unwrap()
@@ -183,7 +187,10 @@ fn an_orbit_of_a_word_is_found_in_the_word_run_through_twice() {
             let half = [orbit.trace.mid_rad().0, orbit.determinant.mid_rad().0];
             let trace = half[0] * half[0] - 2.0 * half[1];
             assert_eq!((orbit.repeats, doubled.repeats), (Some(1), Some(2)));
-            assert!((doubled.trace.mid_rad().0 - trace).abs() < 1e-6 * trace.abs().max(1.0), "{trace} {doubled:?}");
+            assert!(
+                abs_diff_eq!(doubled.trace.mid_rad().0, trace, epsilon = TRACE * trace.abs().max(1.0)),
+                "{trace} {doubled:?}"
+            );
             assert_eq!((doubled.physical, doubled.symmetric), (orbit.physical, orbit.symmetric));
         }
     }
@@ -200,7 +207,10 @@ fn mirror_images_are_orbits_where_the_harmonics_are_odd() {
         odd.iter().filter(|orbit| orbit.symmetric == Some(false)).map(|orbit| orbit.trace.mid_rad().0).collect();
     traces.sort_by(f64::total_cmp);
     assert!(!traces.is_empty() && odd.iter().any(|orbit| orbit.symmetric == Some(true)));
-    assert!(traces.chunks(2).all(|pair| pair.len() == 2 && (pair[0] - pair[1]).abs() < 1e-6), "{traces:?}");
+    assert!(
+        traces.chunks(2).all(|pair| pair.len() == 2 && abs_diff_eq!(pair[0], pair[1], epsilon = TRACE)),
+        "{traces:?}"
+    );
     assert!(even.iter().all(|orbit| orbit.symmetric == Some(false)));
 }
 
@@ -226,7 +236,7 @@ fn runs_are_proved_to_converge_to_a_stable_orbit() {
             let same = attractor.orbit.impacts.iter().find(wall).unwrap();
             let turns = same.phase.mid_rad().0 - first.phase.mid_rad().0;
             assert!(
-                (turns - 3.0 * (turns / 3.0).round()).abs() < 1e-9
+                abs_diff_eq!(turns, 3.0 * (turns / 3.0).round(), epsilon = PHASE)
                     && same.velocity.intersection(&first.velocity).is_some()
             );
         }

@@ -134,7 +134,7 @@ class Reader:
             return {name: self.read(source or name, scope) for name, _, source in fields}
         if found := re.fullmatch(r"Some\((.*)\)", text):
             return self.read(found[1], scope)
-        text = text.replace(".clone()", "").replace("::", "__").removeprefix("*")
+        text = text.replace(".clone()", "").replace("&", "").replace("::", "__").removeprefix("*")
         return self.walk(parse(re.sub(r"(\d)f64\b", r"\1", text)), scope)
 
     def path(self, path):
@@ -157,8 +157,12 @@ class Reader:
             case ast.BinOp(left=left, op=op, right=right):
                 sign, a, b = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}[type(op)], go(left), go(right)
                 return constant(sign, a[1], b[1]) if a[0] == b[0] == "number" else (sign, a, b)
-            case ast.Call(func=ast.Attribute(value=a, attr="mul_add"), args=[b, c]):
+            case ast.Call(func=ast.Attribute(value=a, attr=("mul_add" | "mul_add_ref")), args=[b, c]):
                 return ("fma", go(a), go(b), go(c))
+            case ast.Call(func=ast.Attribute(value=a, attr="mul_sub_ref"), args=[b, c]):
+                return ("fma", ("neg", go(a)), go(b), go(c))
+            case ast.Call(func=ast.Attribute(value=a, attr=("plus" | "minus" | "times") as name), args=[b]):
+                return ({"plus": "+", "minus": "-", "times": "*"}[name], go(a), go(b))
             case ast.Call(func=ast.Attribute(value=a, attr="min"), args=[b]):
                 return ("min", go(a), go(b))
             case ast.Call(func=ast.Attribute(value=inner, attr=("abs" | "sqrt" | "next_up") as name), args=[]):

@@ -18,6 +18,9 @@ mod run;
 mod scene;
 mod sweep;
 mod table;
+#[cfg(test)]
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;
 mod trade;
 mod two_impact;
 mod version;

@@ -1,12 +1,16 @@
 //! Lists of figure 14 and of a chatter, right and spoiled: what `audit` finds, in which words and with which exit code.
 
 mod common;
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;
 
 use std::process::{Command, Output, Stdio};
 
+use approx::abs_diff_eq;
 use common::program;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
+use tolerances::AUDITED;
 
 /// The first impacts of figure 14 in doubles.
 const LIST: &str = "\
@@ -141,7 +145,7 @@ fn one_spoiled_impact_is_found_exactly() {
         let document = judged(&shifted, &FIGURE_14, 1);
         let error = &document["events"][at]["error"]["time"];
         let bound = |i: usize| error[i].as_str().unwrap().parse::<f64>().unwrap();
-        assert!(bound(0) <= bound(1) && (bound(0) - 1e-6).abs() < 1e-13, "{error}");
+        assert!(bound(0) <= bound(1) && abs_diff_eq!(bound(0), 1e-6, epsilon = AUDITED), "{error}");
         assert_eq!(document["another_orbit"], Value::Null);
         let swapped = spoiled(|rows| rows.swap(at - 1, at));
         let mut kinds: Vec<String> = found(&swapped).into_iter().map(|(kind, _)| kind).collect();

@@ -205,3 +205,6 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
 
 /// A generous margin for critical phases, in turns, that most flights need not undercut.
 pub(super) const NARROW: f64 = 1.0 / 8192.0;
+
+#[cfg(test)]
+mod tests;

@@ -305,3 +305,6 @@ pub(crate) fn around<const WIDE: bool>(bounds: &Bounds<'_, WIDE>, time: f64) -> 
     let flight: &Flight<f64> = bounds.flight;
     Ball::new(time, up(bounds.critical_phase() + bounds.radii.phase + UNIT * (time.abs() + flight.phase.abs())))
 }
+
+#[cfg(test)]
+mod tests;

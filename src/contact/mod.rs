@@ -13,6 +13,8 @@ mod judges;
 #[cfg(feature = "multiprecision")]
 pub(crate) mod multiprecision;
 mod solve;
+#[cfg(test)]
+mod tests;
 
 pub use bounds::{Margins, Radii};
 pub(crate) use judges::{SetContact, first_contacts};

@@ -139,6 +139,7 @@ impl Growth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tolerances::{NORM_OF_PRODUCT, NORM_OF_THOUSAND};
 
     /// `ln` of the norm by floats.
     fn norm([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
@@ -161,7 +162,7 @@ mod tests {
         for turn in [-0.05f64, -0.03, 0.0, 0.03, 0.05] {
             let (sin, cos) = (middle + turn).sin_cos();
             let product = [[100.0 * cos, -sin], [sin, 0.01 * cos]];
-            assert!((norm(product) - found.mid()).abs() <= found.rad() + 1e-12, "{turn}: {found:?}");
+            assert!((norm(product) - found.mid()).abs() <= found.rad() + NORM_OF_PRODUCT, "{turn}: {found:?}");
         }
         assert!(found.rad() < 1.5, "{found:?}");
     }
@@ -182,6 +183,9 @@ mod tests {
         }
         let found = growth.logarithm_of_norm().unwrap();
         let exact = -15_000.0 * std::f64::consts::LN_10;
-        assert!((found.mid() - exact).abs() <= found.rad() + 1e-9 && found.rad() < 1e-6, "{found:?} {exact}");
+        assert!(
+            (found.mid() - exact).abs() <= found.rad() + NORM_OF_THOUSAND && found.rad() < 1e-6,
+            "{found:?} {exact}"
+        );
     }
 }

@@ -3,6 +3,8 @@
 use super::*;
 use crate::orbit::Settings;
 use crate::scene::Scene;
+use crate::tolerances::{EXPONENT, NORM, NORM_OF_DIFFERENCES};
+use approx::assert_abs_diff_eq;
 
 fn scene(name: &str) -> Scene {
     let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -46,7 +48,7 @@ fn the_exponent_tends_to_the_logarithm_of_the_eigenvalue() {
     // Both eigenvalues are 1/4 a cycle of two impacts; the norm grows beyond that like ln(n)/n.
     let above = per_impact.mid() + 2f64.ln();
     assert!(0.0 < above && above < 0.004, "{above}");
-    assert!((per_cycle.mid() - 2.0 * per_impact.mid()).abs() < 1e-12);
+    assert_abs_diff_eq!(per_cycle.mid(), 2.0 * per_impact.mid(), epsilon = EXPONENT);
 }
 
 #[cfg(feature = "multiprecision")]
@@ -74,8 +76,8 @@ fn bounds_hold_the_norm_of_differences() {
     let determinant = by_time[0] * by_velocity[1] - by_time[1] * by_velocity[0];
     let norm = (0.5 * (squares + (squares * squares - 4.0 * determinant * determinant).sqrt())).sqrt();
     let found = after(&scene, impacts, 20).growth.logarithm_of_norm().unwrap();
-    assert!((norm.ln() - found.mid()).abs() <= found.rad() + 1e-11, "{} {found:?}", norm.ln());
-    assert!(found.rad() < 1e-11, "{found:?}");
+    assert!((norm.ln() - found.mid()).abs() <= found.rad() + NORM_OF_DIFFERENCES, "{} {found:?}", norm.ln());
+    assert!(found.rad() < NORM_OF_DIFFERENCES, "{found:?}");
 }
 
 #[cfg(feature = "multiprecision")]
@@ -128,5 +130,5 @@ fn without_rebound_one_direction_is_left() {
     disturbance.follow(&orbit, &Progress::Impact(first));
     let found = disturbance.growth.logarithm_of_norm().unwrap();
     assert!(b.mid() == 0.0 && d.mid() == 0.0);
-    assert!((a.mid().hypot(c.mid()).ln() - found.mid()).abs() <= found.rad() + 1e-14, "{found:?}");
+    assert!((a.mid().hypot(c.mid()).ln() - found.mid()).abs() <= found.rad() + NORM, "{found:?}");
 }

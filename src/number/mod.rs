@@ -4,6 +4,7 @@
 //! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart. Phases
 //! are in turns everywhere (see [`kernel`]).
 
+mod approx;
 mod ball;
 pub mod kernel;
 mod logarithm;
@@ -11,6 +12,8 @@ mod logarithm;
 mod magnitude;
 #[cfg(feature = "multiprecision")]
 mod multiprecision;
+#[cfg(test)]
+pub(crate) mod tests;
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -40,6 +43,31 @@ pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     fn turn(&self) -> Self;
     /// `sign * self` for a sign of 1 or -1, exactly.
     fn signed(self, sign: f64) -> Self;
+    /// `self + b`, for numbers that are dear to copy.
+    #[inline(always)]
+    fn plus(self, b: &Self) -> Self {
+        self + b.clone()
+    }
+    /// `self - b`, likewise.
+    #[inline(always)]
+    fn minus(self, b: &Self) -> Self {
+        self - b.clone()
+    }
+    /// `self * b`, likewise.
+    #[inline(always)]
+    fn times(self, b: &Self) -> Self {
+        self * b.clone()
+    }
+    /// `self * b + c`, likewise.
+    #[inline(always)]
+    fn mul_add_ref(&self, b: &Self, c: Self) -> Self {
+        self.clone().mul_add(b.clone(), c)
+    }
+    /// `c - self * b`, likewise.
+    #[inline(always)]
+    fn mul_sub_ref(&self, b: &Self, c: Self) -> Self {
+        (-self.clone()).mul_add(b.clone(), c)
+    }
 }
 
 impl Number for f64 {

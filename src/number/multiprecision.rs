@@ -8,12 +8,13 @@
 //! radii of Lemma B2 with this in place of `UNIT |m|` enclose.
 
 use std::cmp::Ordering;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use gmp_mpfr_sys::mpfr::{VERSION_MAJOR, VERSION_MINOR, VERSION_PATCHLEVEL};
 use num_bigint::{BigInt, Sign};
 use rug::float::{Constant, Round};
 use rug::integer::Order;
+use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 use rug::{Assign, Float, Integer};
 
 use super::kernel::Departure;
@@ -49,11 +50,17 @@ pub const LEAST_BITS: u32 = 64;
 /// `2^(e - p - 1)` for a rounded result, 0 when it is exact (Lemma M1).
 #[inline]
 fn rounding((mid, ordering): (Float, Ordering)) -> (Float, Magnitude) {
-    let error = match ordering {
-        Ordering::Equal => Magnitude::ZERO,
-        _ => half_unit(&mid),
-    };
+    let error = error_of(&mid, ordering);
     (mid, error)
+}
+
+/// The same for a result that has taken the place of an operand.
+#[inline]
+fn error_of(mid: &Float, ordering: Ordering) -> Magnitude {
+    match ordering {
+        Ordering::Equal => Magnitude::ZERO,
+        _ => half_unit(mid),
+    }
 }
 
 /// Half a unit in the last place; no bound for 0, which no inexact result is but by underflow.
@@ -192,7 +199,7 @@ impl MpBall {
             let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize]; // exact: 0 to 3
             return (Self::from_f64(at(0)), Self::from_f64(at(1)));
         }
-        let angle = self.turn() * self.clone();
+        let angle = self.turn().times(self);
         let bits = self.bits();
         let (mut sin, mut cos) = (Float::new(bits), Float::new(bits));
         (&mut sin, &mut cos).assign(angle.mid.sin_cos_ref());
@@ -237,7 +244,7 @@ impl MpBall {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
-        let x = self.turn() * self.clone();
+        let x = self.turn().times(self);
         // Relative to the excess, the smallest of them.
         let size = x.mag();
         let floor = size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3);
@@ -245,32 +252,35 @@ impl MpBall {
         let mut term = x.clone();
         for n in 2u32.. {
             // x^n / n!
-            term = (term * x.clone()).divided(n);
+            term = term.times(&x).divided(n);
             let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
-            let signed = if matches!(n % 4, 2 | 3) { term.clone() } else { -term.clone() };
-            *sum = sum.clone() + signed;
+            if matches!(n % 4, 2 | 3) {
+                *sum += &term
+            } else {
+                *sum -= &term
+            }
             if term.mag() <= floor {
                 break;
             }
         }
         let left = term.mag();
         let (versine, excess) = (versine.widened(left), excess.widened(left));
-        Some(Departure { versine, sine: x - excess.clone(), excess })
+        Some(Departure { versine, sine: x.minus(&excess), excess })
     }
 
     /// A `n`-th of it.
-    fn divided(self, n: u32) -> Self {
-        let (mid, error) = rounding(Float::with_val_round(self.bits(), &self.mid / n, Round::Nearest));
-        Self { mid, rad: self.rad.over(Magnitude::new(f64::from(n), 0)) + error }
+    fn divided(mut self, n: u32) -> Self {
+        let rad = self.rad.over(Magnitude::new(f64::from(n), 0));
+        self.set(rad, |mid| mid.div_assign_round(n, Round::Nearest));
+        self
     }
 }
 
+/// Results take the place of the left operand, where it has the bits: no memory is asked for.
 impl Add for MpBall {
     type Output = Self;
     fn add(self, b: Self) -> Self {
-        let bits = self.bits().max(b.bits()); // M1: any number of bits
-        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid + &b.mid, Round::Nearest));
-        Self { mid, rad: self.rad + b.rad + error }
+        if self.bits() < b.bits() { b.plus(&self) } else { self.plus(&b) }
     }
 }
 
@@ -284,7 +294,7 @@ impl Neg for MpBall {
 impl Sub for MpBall {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
-        self + -b
+        if self.bits() < b.bits() { (-b).plus(&self) } else { self.minus(&b) }
     }
 }
 
@@ -296,14 +306,53 @@ impl MpBall {
             _ => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
         }
     }
+
+    /// Gives the centre as many bits as `b` has, and no fewer than before; its value is the same.
+    fn grow(&mut self, b: &Self) {
+        if self.bits() < b.bits() {
+            self.mid.set_prec(b.bits());
+        }
+    }
+
+    /// `op` in place, rounded to nearest, on radii that add up to `rad` (Lemma M1).
+    #[inline]
+    fn set(&mut self, rad: Magnitude, op: impl FnOnce(&mut Float) -> Ordering) {
+        let ordering = op(&mut self.mid);
+        self.rad = rad + error_of(&self.mid, ordering);
+    }
+}
+
+impl AddAssign<&Self> for MpBall {
+    fn add_assign(&mut self, b: &Self) {
+        self.grow(b);
+        self.set(self.rad + b.rad, |mid| mid.add_assign_round(&b.mid, Round::Nearest));
+    }
+}
+
+impl SubAssign<&Self> for MpBall {
+    fn sub_assign(&mut self, b: &Self) {
+        self.grow(b);
+        self.set(self.rad + b.rad, |mid| mid.sub_assign_round(&b.mid, Round::Nearest));
+    }
+}
+
+impl MulAssign<&Self> for MpBall {
+    fn mul_assign(&mut self, b: &Self) {
+        let rad = self.product_spread(b);
+        self.grow(b);
+        self.set(rad, |mid| mid.mul_assign_round(&b.mid, Round::Nearest));
+    }
 }
 
 impl Mul for MpBall {
     type Output = Self;
-    fn mul(self, b: Self) -> Self {
-        let bits = self.bits().max(b.bits()); // M1: any number of bits
-        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
-        Self { mid, rad: self.product_spread(&b) + error }
+    fn mul(mut self, mut b: Self) -> Self {
+        let rad = self.product_spread(&b);
+        if self.bits() < b.bits() {
+            std::mem::swap(&mut self, &mut b);
+        }
+        self.set(rad, |mid| mid.mul_assign_round(&b.mid, Round::Nearest));
+        self
     }
 }
 
@@ -312,21 +361,55 @@ impl Number for MpBall {
         Self::exact(Float::with_val(f64::MANTISSA_DIGITS, x))
     }
 
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        let bits = self.bits().max(b.bits()).max(c.bits()); // M1: any number of bits
-        let product = self.mid.mul_add_ref(&b.mid, &c.mid);
-        let (mid, error) = rounding(Float::with_val_round(bits, product, Round::Nearest));
-        Self { mid, rad: self.product_spread(&b) + c.rad + error }
+    fn mul_add(mut self, b: Self, c: Self) -> Self {
+        // M1: any number of bits
+        if self.bits().max(b.bits()) <= c.bits() {
+            return self.mul_add_ref(&b, c);
+        }
+        let rad = self.product_spread(&b) + c.rad;
+        [&b, &c].into_iter().for_each(|x| self.grow(x));
+        self.set(rad, |mid| mid.mul_add_round(&b.mid, &c.mid, Round::Nearest));
+        self
     }
 
-    fn checked_div(self, b: Self) -> Option<Self> {
+    fn checked_div(mut self, b: Self) -> Option<Self> {
         let least = b.mig()?;
-        let bits = self.bits().max(b.bits()); // M1: any number of bits
-        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid / &b.mid, Round::Nearest));
-        let spread = (self.rad + magnitude(&mid) * b.rad).over(least);
+        let rad = self.rad;
+        self.grow(&b);
+        self.set(Magnitude::ZERO, |mid| mid.div_assign_round(&b.mid, Round::Nearest));
+        let spread = (rad + magnitude(&self.mid) * b.rad).over(least);
         // The rounding is that of the centres' quotient; a member's quotient differs by |m| r_b / |b| of it more.
-        let error = error + error * b.rad.over(least);
-        Some(Self { mid, rad: spread + error })
+        let error = self.rad + self.rad * b.rad.over(least);
+        Some(Self { rad: spread + error, ..self })
+    }
+
+    fn plus(mut self, b: &Self) -> Self {
+        self += b;
+        self
+    }
+
+    fn minus(mut self, b: &Self) -> Self {
+        self -= b;
+        self
+    }
+
+    fn times(mut self, b: &Self) -> Self {
+        self *= b;
+        self
+    }
+
+    fn mul_add_ref(&self, b: &Self, mut c: Self) -> Self {
+        let rad = self.product_spread(b) + c.rad;
+        [self, b].into_iter().for_each(|x| c.grow(x));
+        c.set(rad, |mid| mid.add_assign_round(&self.mid * &b.mid, Round::Nearest));
+        c
+    }
+
+    fn mul_sub_ref(&self, b: &Self, mut c: Self) -> Self {
+        let rad = self.product_spread(b) + c.rad;
+        [self, b].into_iter().for_each(|x| c.grow(x));
+        c.set(rad, |mid| mid.sub_assign_round(&self.mid * &b.mid, Round::Nearest));
+        c
     }
 
     fn turn(&self) -> Self {
@@ -400,3 +483,6 @@ fn dyadic_of(x: &Float) -> Dyadic {
     let sign = if mantissa.cmp0() == Ordering::Less { Sign::Minus } else { Sign::Plus };
     Dyadic::new(BigInt::from_slice(sign, &mantissa.to_digits::<u32>(Order::Lsf)), i64::from(exponent))
 }
+
+#[cfg(test)]
+mod tests;

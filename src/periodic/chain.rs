@@ -256,6 +256,8 @@ mod tests {
     use super::*;
     use crate::mapping::Mapping;
     use crate::number::Wave;
+    use crate::tolerances::{DIFFERENCE, HOP_OF_DOUBLES};
+    use approx::abs_diff_eq;
     use proptest::prelude::*;
 
     fn pair(alpha: f64, restitution: f64) -> Reduced<f64> {
@@ -279,7 +281,7 @@ mod tests {
             let size = 1e-6;
             let is_near = |exact: f64, up: f64, down: f64| {
                 let found = (up - down) / (2.0 * size);
-                (found - exact).abs() < 1e-4 * (exact.abs() + 1e2)
+                abs_diff_eq!(found, exact, epsilon = DIFFERENCE * (exact.abs() + 1e2))
             };
             let mut matrix = [[0.0; 4]; 4];
             for (i, j, slope) in chain.slopes(&the_pair, &legs).unwrap().entries() {
@@ -307,7 +309,8 @@ mod tests {
             let waves = [phase.wave(), (phase + time).wave()];
             let long = flight(&pair, time, [&waves[0], &waves[1]], 0.0).unwrap();
             let short = pair.hop(&time, &waves[0]).unwrap();
-            prop_assert!((long.after - short.after).abs() < 1e-11 && (long.before - short.before).abs() < 1e-11);
+            prop_assert!(abs_diff_eq!(long.after, short.after, epsilon = HOP_OF_DOUBLES));
+            prop_assert!(abs_diff_eq!(long.before, short.before, epsilon = HOP_OF_DOUBLES));
         }
     }
 

@@ -227,7 +227,9 @@ mod tests {
     use super::*;
     use crate::exact::Exact;
     use crate::number::Number;
+    use crate::tolerances::{HOP_OF_BALLS, WAVES};
     use crate::{Excitation, Harmonic};
+    use approx::abs_diff_eq;
 
     fn several() -> Several {
         let value = |text: &str| text.parse::<Exact>().unwrap();
@@ -251,7 +253,9 @@ mod tests {
     #[test]
     fn moments_are_those_of_equation_1_in_whichever_turn() {
         let sum = several().balls;
-        let is_near = |x: Ball, number: f64| (x.mid() - number).abs() < 1e-13 * (1.0 + number.abs()) && x.rad() < 1e-13;
+        let is_near = |x: Ball, number: f64| {
+            abs_diff_eq!(x.mid(), number, epsilon = WAVES * (1.0 + number.abs())) && x.rad() < WAVES
+        };
         let zero = sum.moment(0.0, &Ball::exact(0.0));
         for (turns, rest) in [(0.0, 0.3), (2.0, 0.3), (-4.0, 0.9), (1.0, 4.25), (0.0, -2.75), (3_000_001.0, 0.5)] {
             let moment = sum.moment(turns, &Ball::exact(rest));
@@ -269,7 +273,7 @@ mod tests {
             let [from, to] = [phase, phase + time].map(|phase| sum.moment(0.0, &Ball::exact(phase)));
             let hop = sum.hop(&Ball::exact(time), &from).unwrap();
             let drift = sum.way(&from, &to, 0.0).checked_div(Ball::exact(time)).unwrap();
-            let is_near = |a: Ball, b: Ball| (a.mid() - b.mid()).abs() < 1e-12;
+            let is_near = |a: Ball, b: Ball| abs_diff_eq!(a.mid(), b.mid(), epsilon = HOP_OF_BALLS);
             assert!(is_near(hop.drift, drift) && is_near(hop.after, sum.relative(&drift, &from)));
             assert!(is_near(hop.before, sum.relative(&drift, &to)));
         }

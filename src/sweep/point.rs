@@ -194,6 +194,8 @@ fn attraction(orbit: &Orbit, attractor: &Attractor) -> Attraction {
 mod tests {
     use super::*;
     use crate::scene::Key;
+    use crate::tolerances::TRANSIENT;
+    use approx::assert_abs_diff_eq;
 
     fn scene(name: &str) -> Scene {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -214,9 +216,9 @@ mod tests {
         assert_eq!(point.states.iter().map(|state| state.index).collect::<Vec<_>>(), (101..=110).collect::<Vec<_>>());
         // What is left of the transient is 0.26^50: the first impact on the left is the attractor's.
         let left = point.states.iter().find(|state| state.wall == Wall::Left).unwrap();
-        assert!((left.velocity.mid_rad().0 - attraction.first.velocity.mid_rad().0).abs() < 1e-5);
+        assert_abs_diff_eq!(left.velocity, attraction.first.velocity, epsilon = TRANSIENT);
         let rate = point.impacts_per_cycle.unwrap();
-        assert!((rate.mid() - 2.0).abs() < 1e-5 + rate.rad());
+        assert_abs_diff_eq!(rate.mid(), 2.0, epsilon = TRANSIENT + rate.rad());
         // Of the two eigenvalues 0.25764 is the larger: its logarithm for two impacts.
         let Exponent::Finite { per_cycle, .. } = point.exponent else { panic!("an exponent") };
         assert!((per_cycle.mid() - 0.25764f64.ln()).abs() < 0.5, "{per_cycle:?}");

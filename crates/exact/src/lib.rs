@@ -17,6 +17,7 @@
 //! # Ok::<(), impact_pair_exact::ParseError>(())
 //! ```
 
+mod approx;
 mod decimal;
 mod digits;
 mod dyadic;

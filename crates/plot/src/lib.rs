@@ -5,4 +5,7 @@
 pub mod orbit;
 pub mod picture;
 pub mod sweep;
+#[cfg(test)]
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
 pub mod two_impact;

@@ -130,13 +130,16 @@ fn bisected(sign: impl Fn(f64) -> bool, mut a: f64, mut b: f64, narrow: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tolerances::ZERO_OF_FLOATS;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn zeros_are_found_from_either_end() {
         use std::f64::consts::PI;
         let found = |h, order, most| zeros(Real::sin, Real::cos, (h, BITS), order, most);
         let near = |found: &[f64], places: &[f64]| {
-            found.len() == places.len() && found.iter().zip(places).all(|(x, place)| (x - place).abs() < 1e-8)
+            found.len() == places.len()
+                && found.iter().zip(places).all(|(x, place)| abs_diff_eq!(x, place, epsilon = ZERO_OF_FLOATS))
         };
         assert!(near(&found(10.0, Order::First, usize::MAX), &[PI, 2.0 * PI, 3.0 * PI]));
         assert!(near(&found(10.0, Order::First, 1), &[PI]));
@@ -149,6 +152,6 @@ mod tests {
     fn double_zeros_are_found() {
         let off = |x: &Real| x.clone() - &point(1.0, BITS);
         let found = zeros(|x| off(x).square(), |x| off(x) + &off(x), (3.0, BITS), Order::First, 1);
-        assert!((found[0] - 1.0).abs() < 1e-8);
+        assert_abs_diff_eq!(found[0], 1.0, epsilon = ZERO_OF_FLOATS);
     }
 }

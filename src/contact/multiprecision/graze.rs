@@ -34,7 +34,7 @@ pub(crate) struct Passed {
 /// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.
 pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
     let rising = is_rising(flight).ok()?;
-    let turns_back = [flight.drift.clone() - flight.beta.clone(), flight.drift.clone() + flight.beta.clone()];
+    let turns_back = [flight.drift.clone().minus(&flight.beta), flight.drift.clone().plus(&flight.beta)];
     if turns_back.map(|x| x.sign()) != [Some(Ordering::Less), Some(Ordering::Greater)] {
         return None;
     }

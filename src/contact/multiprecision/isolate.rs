@@ -30,7 +30,7 @@ struct Piece {
 pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
     let rising = is_rising(flight)?;
     let zero = MpBall::from_f64(0.0);
-    let speeds = [flight.drift.clone() - flight.beta.clone(), flight.drift.clone() + flight.beta.clone()];
+    let speeds = [flight.drift.clone().minus(&flight.beta), flight.drift.clone().plus(&flight.beta)];
     // Lemma C5: a start without velocity at exactly sin th0 = 0 has |c| = beta and is monotone all the same.
     let is_release = [&flight.velocity, &flight.sin].iter().all(|x| x.sign() == Some(Ordering::Equal));
     let piece = match speeds.map(|x| x.sign()) {
@@ -48,7 +48,7 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
         // Between the extremum before last of its kind and the last; the sign of z' says on which piece (Lemma C4).
         let time = MpBall::new(found.at.clone(), found.reach) + MpBall::from_f64(turns) - flight.phase.clone();
         let is_later = (time.clone() - (end.clone() - MpBall::from_f64(1.0))).sign() == Some(Ordering::Greater);
-        if !(is_later && (time.clone() - end.clone()).sign() == Some(Ordering::Less)) {
+        if !(is_later && time.clone().minus(end).sign() == Some(Ordering::Less)) {
             return Err(graze(flight, Some(piece.target), time));
         }
     }
@@ -117,7 +117,7 @@ impl Turning {
         let zero = || MpBall::from_f64(0.0);
         let p = flight.drift.clone().checked_div(flight.beta.clone())?.acos();
         let sine = p.sin_cos().0;
-        let double = p.clone() + p.clone();
+        let double = p.clone().plus(&p);
         let mirrored = flight.phase.clone() + MpBall::from_f64(flight.wall.mirror_phase());
         // M3: all starts are on its piece
         let whole = if rising { mirrored.mid().clone().floor() } else { mirrored.mid().clone().round() };
@@ -129,9 +129,8 @@ impl Turning {
             let first_min = p - start;
             (first_min.clone() + (one() - double.clone()), first_min)
         };
-        let height = |time: &MpBall, sine: MpBall| {
-            flight.height_above(zero(), zero(), flight.phase.clone() + time.clone(), sine)
-        };
+        let height =
+            |time: &MpBall, sine: MpBall| flight.height_above(zero(), zero(), flight.phase.clone().plus(time), sine);
         let to_far = one() - height(&first_max, -sine.clone());
         let to_near = height(&first_min, sine.clone());
         let far = Kind { target: Target::Far, first: first_max, room: to_far, span: one() - double.clone() };
@@ -213,7 +212,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     // How far the extremum lies beyond the wall, as a fraction of the way that the piece makes.
     let approach = flight.drift.clone().signed(target.direction());
     let beyond = approach.clone().mul_add(k, -room);
-    let way = (flight.alpha.clone() + flight.alpha.clone()).mul_add(turning.sine.clone(), approach * span.clone());
+    let way = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
     let fraction = beyond.mid().clone() / way.mid();
     let from_end = inverse_smoothstep(fraction.to_f64());
     let guess = end.mid() - span.mid().clone() * from_end;

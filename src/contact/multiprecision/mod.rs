@@ -8,6 +8,8 @@
 mod graze;
 mod isolate;
 mod refine;
+#[cfg(test)]
+mod tests;
 
 use rug::Float;
 

@@ -50,9 +50,9 @@ impl Sight {
 fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<Sight> {
     let time = MpBall::exact(time.clone());
     let departure = time.short_departure()?;
-    let Departure { versine, excess, sine } = departure.clone();
+    let sin_cos = turned((&flight.sin, &flight.cos), &departure);
+    let Departure { versine, excess, sine } = departure;
     let residual = flight.hop_height(time, versine.clone(), excess);
-    let sin_cos = turned((flight.sin.clone(), flight.cos.clone()), &departure);
     Some(Sight { residual, velocity: flight.hop_velocity(versine, sine), sin_cos })
 }
 
@@ -77,7 +77,8 @@ impl Isolated {
         for _ in 0..MOST_STEPS {
             let next = Float::with_val(bits, &at + step(flight, &sight)?);
             let moved = MpBall::exact(next.clone()) - MpBall::exact(at);
-            sight = self.evaluate(flight, &next, turned(sight.sin_cos, &moved.short_departure()?));
+            let (sin, cos) = &sight.sin_cos;
+            sight = self.evaluate(flight, &next, turned((sin, cos), &moved.short_departure()?));
             let left = magnitude(sight.residual.mid());
             if sight.is_noise() || left >= before {
                 let error = self.error(&MpBall::exact(next.clone()), &sight)?;
@@ -109,16 +110,17 @@ impl Isolated {
                 continue;
             }
             let start = flight.phase.clone() - MpBall::from_f64(self.turns);
-            let phase = start.clone() + MpBall::exact(time.clone());
+            let time = MpBall::exact(time);
+            let phase = start.clone().plus(&time);
             let error = self.error(&phase, &sight)? + phase.rad();
             // From the phase at that time to the phase that is kept.
             let at = Float::with_val(bits, phase.mid());
-            let rest = MpBall::exact(at.clone()) - start - MpBall::exact(time);
+            let rest = MpBall::exact(at.clone()).minus(&start).minus(&time);
             let departure = rest.short_departure()?;
-            let Departure { versine, sine, .. } = departure.clone();
-            let velocity = velocity_after(flight.beta.clone(), sight.velocity, sight.sin_cos.clone(), versine, sine);
-            let error = error + rest.mag();
-            return Some(Refined { at, error, velocity, sin_cos: turned(sight.sin_cos, &departure) });
+            let sin_cos = turned((&sight.sin_cos.0, &sight.sin_cos.1), &departure);
+            let Departure { versine, sine, .. } = departure;
+            let velocity = velocity_after(flight.beta.clone(), sight.velocity, sight.sin_cos, versine, sine);
+            return Some(Refined { at, error: error + rest.mag(), velocity, sin_cos });
         }
         None
     }
@@ -153,7 +155,7 @@ impl Isolated {
 
     /// Lemma M3.
     fn error(&self, at: &MpBall, sight: &Sight) -> Option<Magnitude> {
-        let moved = at.clone() - MpBall::exact(self.at.clone());
+        let moved = MpBall::exact(self.at.clone()).minus(at);
         (moved.mag() <= self.reach).then(|| sight.residual.mag().over(self.least))
     }
 }
@@ -169,13 +171,13 @@ fn step(flight: &Flight<MpBall>, sight: &Sight) -> Option<Float> {
     // Corrections of the second order need half the bits.
     let half = flight.drift.bits() / 2 + LEAST_BITS;
     let coarse = |x: &MpBall| MpBall::exact(Float::with_val(half, x.mid()));
-    let swing = coarse(&flight.beta.turn()) * coarse(&flight.beta);
+    let swing = coarse(&flight.beta.turn()).times(&coarse(&flight.beta));
     let (sin, cos) = (coarse(&sight.sin_cos.0), coarse(&sight.sin_cos.1));
     let newton = Float::with_val(flight.drift.bits(), sight.residual.mid() / velocity);
     let n = Float::with_val(half, &newton);
     let slope = Float::with_val(half, velocity);
-    let bend = Float::with_val(half, (swing.clone() * sin).mid() / &slope) / 2u32;
-    let jerk = Float::with_val(half, (swing.clone() * swing.turn() * cos).mid() / slope) / 6u32;
+    let bend = Float::with_val(half, sin.times(&swing).mid() / &slope) / 2u32;
+    let jerk = Float::with_val(half, swing.turn().times(&swing).times(&cos).mid() / slope) / 6u32;
     let square = Float::with_val(half, &n * &n);
     let cubic = Float::with_val(half, jerk - Float::with_val(half, bend.square_ref()) * 2u32) * n;
     let correction = Float::with_val(half, cubic - bend) * square;

@@ -110,6 +110,8 @@ impl<N: Wave> Wave for Jet<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tolerances::DIFFERENCE_OF_JETS;
+    use approx::assert_abs_diff_eq;
 
     /// Slopes against central differences.
     #[test]
@@ -122,7 +124,7 @@ mod tests {
         for x in [0.03, 0.2, 0.7, 1.1] {
             let step = 1e-6;
             let difference = (of(Jet::constant(x + step)).value - of(Jet::constant(x - step)).value) / (2.0 * step);
-            assert!((of(Jet::variable(x)).slope - difference).abs() < 1e-7);
+            assert_abs_diff_eq!(of(Jet::variable(x)).slope, difference, epsilon = DIFFERENCE_OF_JETS);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
@@ -9,6 +10,7 @@ use impact_pair::pair::Wall;
 use super::frame::{Frame, Panel};
 use super::recorder::{Recorder, end_of};
 use super::trace::{Kind, Part, Span, Trace};
+use crate::tolerances::{DRAWN, DRAWN_END, DRAWN_PHASE};
 
 fn scene(name: &str) -> Scene {
     let path = format!("{}/../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -89,7 +91,7 @@ fn crossings_lie_on_their_walls_at_their_phases() {
     for (crossing, (wall, time, velocity)) in trace.crossings.iter().zip(&impacts) {
         assert!((0.0..TAU).contains(&crossing.phase.low), "{crossing:?}");
         let phase = (time.middle * TAU / trace.period).rem_euclid(TAU);
-        assert!((phase - crossing.phase.middle).abs() < 1e-6, "{crossing:?}, but {phase}");
+        assert!(abs_diff_eq!(phase, crossing.phase.middle, epsilon = DRAWN_PHASE), "{crossing:?}, but {phase}");
         assert!(crossing.wall == *wall && crossing.velocity == *velocity, "{crossing:?}");
         assert!(if *wall == Wall::Left { velocity.high <= 0.0 } else { velocity.low >= 0.0 }, "{crossing:?}");
     }
@@ -106,14 +108,15 @@ fn the_curve_ends_when_it_is_asked_to() {
     let settings = Settings { impacts: None, until: Some("3.5".parse().unwrap()), ..Settings::default() };
     let (cut, _) = trace(&scene, &settings, 100);
     let last = cut.strokes.last().unwrap();
-    assert!(last.part == Part::Flight && (last.points.last().unwrap().time.middle - 3.5).abs() < 1e-9);
-    assert!((cut.known - 1.75).abs() < 1e-9 && !cut.is_open, "{}", cut.known);
+    assert_eq!(last.part, Part::Flight);
+    assert_abs_diff_eq!(last.points.last().unwrap().time.middle, 3.5, epsilon = DRAWN);
+    assert!(abs_diff_eq!(cut.known, 1.75, epsilon = DRAWN) && !cut.is_open, "{}", cut.known);
     // Cycles are 2 long.
     let (shown, _) = trace(&scene, &impacts(20), 3);
     let end = shown.strokes.iter().flat_map(|stroke| &stroke.points).map(|point| point.time.high).fold(0.0, f64::max);
-    assert!((end - 6.0).abs() < 1e-9, "{end}");
+    assert_abs_diff_eq!(end, 6.0, epsilon = DRAWN);
     let until = end_of(&scene, 3).unwrap();
-    assert!((until.enclose(60).mid_rad().0 - 6.0).abs() < 1e-12);
+    assert_abs_diff_eq!(until.enclose(60).mid_rad().0, 6.0, epsilon = DRAWN_END);
 }
 
 #[test]
@@ -128,7 +131,8 @@ fn chatter_rest_and_release_are_on_the_wall() {
         assert!(stroke.points.iter().all(|point| point.displacement == left && point.velocity.low == 0.0));
     }
     let release = trace.marks[1].point;
-    assert!((release.time.middle - 1.0).abs() < 1e-9 && release.displacement == left && release.velocity.high == 0.0);
+    assert_abs_diff_eq!(release.time.middle, 1.0, epsilon = DRAWN);
+    assert!(release.displacement == left && release.velocity.high == 0.0);
     let flight = trace.strokes.iter().find(|stroke| stroke.part == Part::Flight && stroke.points[0].at >= release.at);
     let first = flight.unwrap().points[0];
     assert!(meet(first.displacement, left) && meet(first.velocity, release.velocity), "{first:?}");
@@ -139,13 +143,14 @@ fn chatter_rest_and_release_are_on_the_wall() {
 fn a_graze_is_on_the_curve_and_on_the_wall() {
     let (trace, _) = trace(&scene("graze"), &Settings { arithmetic: Arithmetic::Auto, ..impacts(5) }, 10);
     let [graze] = trace.marks[..] else { panic!("{:?}", trace.marks) };
-    assert!(graze.kind == Kind::Graze && graze.point.velocity.middle.abs() < 1e-9);
-    assert!((graze.point.displacement.middle - trace.wall.middle).abs() < 1e-9);
+    assert_eq!(graze.kind, Kind::Graze);
+    assert_abs_diff_eq!(graze.point.velocity.middle, 0.0, epsilon = DRAWN);
+    assert_abs_diff_eq!(graze.point.displacement.middle, trace.wall.middle, epsilon = DRAWN);
     let [to, from] = &trace.strokes[..2] else { panic!("{:?}", trace.strokes) };
     assert_eq!((to.part, from.part), (Part::Flight, Part::Flight));
     let (end, begin) = (to.points.last().unwrap(), from.points.first().unwrap());
     assert!(end.at == graze.point.at && begin.at == graze.point.at);
-    assert!((begin.velocity.middle - end.velocity.middle).abs() < 1e-9);
+    assert_abs_diff_eq!(begin.velocity.middle, end.velocity.middle, epsilon = DRAWN);
 }
 
 #[test]

@@ -1,0 +1,155 @@
+//! Lemmas M1 and M2, against intervals of 320 bits.
+
+use super::*;
+use crate::number::tests::{Truth, balls, doubles, member, places, powers};
+use proptest::prelude::*;
+
+/// Radii from nothing to far beyond the centre, and far below doubles.
+fn magnitudes() -> impl Strategy<Value = Magnitude> {
+    prop_oneof![
+        1 => Just(Magnitude::ZERO),
+        4 => (1.0..2.0f64, -250..2i64).prop_map(|(x, e)| Magnitude::new(x, e)),
+        1 => (1.0..2.0f64, -3000..40i64).prop_map(|(x, e)| Magnitude::new(x, e)),
+    ]
+}
+
+/// Balls whose centres use all their bits, often whole numbers of eighths.
+fn mp_balls() -> impl Strategy<Value = MpBall> {
+    let bits = prop_oneof![Just(53u32), Just(64), Just(65), Just(113), Just(200)];
+    (doubles(), 1..=3u32, bits, magnitudes()).prop_map(|(x, n, bits, rad)| {
+        let mid = Float::with_val(bits, x) / n;
+        MpBall::new(mid, rad)
+    })
+}
+
+/// The same within a few turns, or near quarter turns.
+fn angles() -> impl Strategy<Value = MpBall> {
+    let near = (-9..9i32, prop_oneof![Just(0.0), powers(-60.0, -1.0)]);
+    prop_oneof![
+        (mp_balls(), near).prop_map(|(x, (k, off))| {
+            let mid = Float::with_val(x.bits(), f64::from(k) / 4.0) + off;
+            MpBall { mid, rad: x.rad }
+        }),
+        mp_balls(),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn operations_hold_the_results_of_their_members(
+        [x, y, z] in [mp_balls(), mp_balls(), mp_balls()], [i, j, k] in [places(), places(), places()], n in 1..40u32,
+    ) {
+        let (a, b, c) = (member(&x, i), member(&y, j), member(&z, k));
+        prop_assert!((&a + &b).is_in(&(x.clone() + y.clone())), "{x:?} + {y:?}");
+        prop_assert!((&a - &b).is_in(&(x.clone() - y.clone())), "{x:?} - {y:?}");
+        prop_assert!((&a * &b).is_in(&(x.clone() * y.clone())), "{x:?} * {y:?}");
+        prop_assert!((&a * &b + &c).is_in(&x.clone().mul_add(y.clone(), z.clone())), "{x:?} * {y:?} + {z:?}");
+        prop_assert!((&a * &b + &c).is_in(&x.mul_add_ref(&y, z.clone())), "{x:?} * {y:?} + {z:?}");
+        prop_assert!((&c - &a * &b).is_in(&x.mul_sub_ref(&y, z.clone())), "{z:?} - {x:?} * {y:?}");
+        prop_assert!((&a - &b).is_in(&x.clone().minus(&y)) && (&a * &b).is_in(&x.clone().times(&y)));
+        prop_assert!((-a.clone()).is_in(&-x.clone()) && (-a.clone()).is_in(&x.clone().signed(-1.0)));
+        match x.clone().checked_div(y.clone()) {
+            Some(quotient) => prop_assert!(a.over(&b).unwrap().is_in(&quotient), "{x:?} / {y:?}"),
+            None => prop_assert!(y.mig().is_none()),
+        }
+        prop_assert!(a.over(&f64::from(n).into()).unwrap().is_in(&x.clone().divided(n)), "{x:?} / {n}");
+        prop_assert!((Truth::turn() * &a).is_in(&(x.turn() * x.clone())), "a turn of {x:?}");
+        prop_assert!((&a + member(&y.spread(), j)).is_in(&x.clone().widened(y.rad())), "{x:?}");
+    }
+
+    #[test]
+    fn conversions_hold_all_members([x, y] in [mp_balls(), mp_balls()], d in balls(), i in places(), bits in 53..220u32) {
+        let a = member(&x, i);
+        prop_assert!(a.is_in(&x.to_ball()), "{x:?}: {:?}", x.to_ball());
+        prop_assert!(a.is_in(&x.rounded(bits)), "{x:?} at {bits} bits");
+        prop_assert!(member(&d, i).is_in(&MpBall::from_ball(d)), "{d:?}");
+        // An interval of which nothing is known but its ends: those of two balls.
+        let ends = x.enclosure().unwrap().hull(&y.enclosure().unwrap());
+        let found = MpBall::enclosing(&ends, bits);
+        for end in [&ends, &Enclosure::point(ends.lo().clone()), &Enclosure::point(ends.hi().clone())] {
+            prop_assert!(found.enclosure().unwrap().contains_enclosure(end), "{x:?}, {y:?}: {found:?}");
+        }
+        // What doubles hold, their balls tell the same of.
+        if d.rad() == 0.0 || d.rad() > 1e-300 {
+            let [here, there] = [d.enclosure().unwrap(), MpBall::from_ball(d).enclosure().unwrap()];
+            prop_assert!(here.contains_enclosure(&there) , "{d:?}");
+        }
+    }
+
+    #[test]
+    fn decisions_hold_for_all_members([x, y] in [mp_balls(), mp_balls()], [i, j] in [places(), places()], by in -2.0..2.0f64) {
+        let a = member(&x, i);
+        match x.sign() {
+            Some(Ordering::Greater) => prop_assert!(a.0.hi().sign().is_gt(), "{x:?}"),
+            Some(Ordering::Less) => prop_assert!(a.0.lo().sign().is_lt(), "{x:?}"),
+            Some(Ordering::Equal) => prop_assert!(x.mid.is_zero() && x.rad.is_zero()),
+            None => prop_assert!(!x.rad.is_zero()),
+        }
+        let bound = |x: Magnitude| member(&MpBall::new(Float::new(53), x), 1.0);
+        prop_assert!(!a.abs().exceeds(bound(x.mag())), "{x:?}");
+        if let Some(least) = x.mig() {
+            prop_assert!(!bound(least).exceeds(a.abs()), "{x:?}");
+        }
+        // One whose centre is so many radii away and whose end is next to the end.
+        let shift = Float::with_val(60, by) * x.rad.to_f64();
+        let rest = Magnitude::new((1.0 - by.abs()).abs(), 0) * x.rad;
+        let other = MpBall::new(Float::with_val(260, &x.mid + shift), rest);
+        for inner in [&y, &other] {
+            let end = member(inner, j);
+            let away = (&end - member(&x, 0.0)).abs();
+            if x.contains(inner) {
+                prop_assert!(!away.exceeds(bound(x.rad)), "{inner:?} in {x:?}");
+            }
+            if inner.is_interior_to(&x) {
+                prop_assert!(away.0.lo() < bound(x.rad).0.lo(), "{inner:?} in {x:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_hold_those_of_every_phase(x in angles(), i in places()) {
+        let ((s, c), (sin, cos)) = (x.sin_cos(), member(&x, i).sin_cos());
+        prop_assert!(sin.is_in(&s) && cos.is_in(&c), "{x:?}: {s:?} {c:?}");
+    }
+
+    /// By the cosine of what is found, as the cosine falls on half a turn.
+    #[test]
+    fn the_arc_cosine_holds_those_of_every_member(x in mp_balls(), edge in prop_oneof![Just(0.0), powers(-60.0, 0.0)], i in places()) {
+        // As it is, and next to 1 and -1.
+        let near = |one: f64| MpBall { mid: Float::with_val(x.bits(), one) - Float::with_val(53, edge) * one, rad: x.rad };
+        for x in [x.clone(), near(1.0), near(-1.0)] {
+            let q = member(&x, i);
+            if q.abs().exceeds(1.0) {
+                continue;
+            }
+            let found = x.acos().enclosure().expect("a finite ball");
+            let half = Enclosure::from_f64_bounds(0.0, 0.5).unwrap();
+            let inside = found.intersection(&half).expect("an angle from 0 to half a turn");
+            let [most, least] = [inside.lo(), inside.hi()].map(|end| Truth(Enclosure::point(end.clone())).sin_cos().1);
+            prop_assert!(!q.exceeds(most) && !least.exceeds(&q), "{x:?}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn short_departures_hold_those_of_every_time(x in mp_balls(), size in powers(-30.0, -1.8), i in places()) {
+        let mid = Float::with_val(x.bits(), &x.mid).clamp(&-1, &1) * size;
+        let x = MpBall { mid, rad: x.rad };
+        let Some(found) = x.short_departure() else {
+            prop_assert!(x.mag() > Magnitude::power_of_two(-6));
+            return Ok(());
+        };
+        let h = member(&x, i);
+        let (sin, cos) = h.sin_cos();
+        prop_assert!((-cos + 1.0).is_in(&found.versine), "{x:?}: {found:?}");
+        prop_assert!((h * Truth::turn() - &sin).is_in(&found.excess), "{x:?}: {found:?}");
+        prop_assert!(sin.is_in(&found.sine), "{x:?}: {found:?}");
+    }
+}
+
+#[test]
+fn quarter_turns_are_exact() {
+    for (k, sin, cos) in [(0, 0.0, 1.0), (1, 1.0, 0.0), (-1, -1.0, 0.0), (6, 0.0, -1.0), (-7, 1.0, 0.0)] {
+        let (s, c) = MpBall::from_f64(f64::from(k) / 4.0).sin_cos();
+        assert!(s.rad().is_zero() && c.rad().is_zero() && (s.mid().to_f64(), c.mid().to_f64()) == (sin, cos), "{k}");
+    }
+}
