@@ -2,7 +2,9 @@
 //!
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
-use impact_pair_certificate::document::{EventDocument, EventName, ORBIT_SCHEMA, OrbitHead, OutcomeDocument, Place};
+use impact_pair_certificate::document::{
+    EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument,
+};
 use num_rational::BigRational;
 use serde_json::{Deserializer, Value};
 
@@ -77,7 +79,7 @@ impl Certificate {
         if !certified.read::<bool>()? {
             return Err(certified.refused("only a certified orbit claims anything: accepted is true"));
         }
-        let (pair, start) = head.read::<OrbitHead>()?.scene.model()?;
+        let (pair, start) = head.get("scene")?.read::<SceneDocument>()?.model()?;
         let (events, outcome) = match rest {
             [] => (head.get("events")?.list()?, head.get("outcome")?),
             [events @ .., last] => {
@@ -85,11 +87,12 @@ impl Certificate {
                 (events.iter().enumerate().map(event).collect(), Place::whole(last).get("outcome")?)
             }
         };
+        let events = events.iter().map(claim).collect::<Result<_, _>>()?;
         let ended: OutcomeDocument = outcome.read()?;
         Ok(Self {
             pair,
             start,
-            events: events.iter().map(claim).collect::<Result<_, _>>()?,
+            events,
             period: ended.period,
             attraction: Attraction::of(&ended, &outcome)?,
             outcome: ended.kind,

@@ -5,7 +5,6 @@ mod conclusion;
 mod event;
 mod orbit;
 mod periodic;
-mod sweep;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
@@ -13,7 +12,6 @@ pub use conclusion::Conclusion;
 pub use event::{Bounds, Event, Kind};
 pub use orbit::{arithmetic, head, is_certified, orbit};
 pub use periodic::Units;
-pub use sweep::{sweep_head, sweep_record};
 pub use two_impact::{manifolds, two_impact, word};
 
 #[cfg(test)]

@@ -52,7 +52,7 @@ proptest! {
         let start = if inside { "position = 0.3" } else { "wall = \"left\"" };
         let scene = scene(&format!("{amplitude:?}"), &format!("{start}, velocity = {velocity:?}"));
         let (document, impacts) = document(&scene, Arithmetic::Interval);
-        let events = document["events"].as_array().unwrap();
+        let events: Vec<&Value> = document["events"].as_array().unwrap().iter().filter(|event| event["event"] == "impact").collect();
         prop_assert_eq!(events.len(), impacts.len());
         for (event, impact) in events.iter().zip(&impacts) {
             let turns = BigRational::from_integer(impact.turns.into());
@@ -104,7 +104,7 @@ fn an_undecided_outcome_carries_its_reason_and_enclosure() {
     // Nothing is said of what would end it: the time is open.
     let (still, _) = self::document(&scene("0", "wall = \"left\", velocity = 0"), Arithmetic::Auto);
     assert_eq!(still["outcome"]["time"][1], Value::Null);
-    assert_eq!(still["events"], json!([]));
+    assert!(still["events"].as_array().unwrap().iter().all(|event| event["event"] == "rest"));
 }
 
 #[test]

@@ -19,9 +19,8 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::certificate::document::SweepHead;
-use impact_pair::document::sweep_head;
 use impact_pair::orbit::Settings;
-use impact_pair::sweep::{Asked, Grid};
+use impact_pair::sweep::{self, Asked, Grid};
 
 use crate::Answer;
 use crate::output::Output;
@@ -79,7 +78,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let asked = Asked { transient: arguments.transient, impacts: arguments.impacts, settings };
     let head =
-        sweep_head(&scene, &grid, &asked, arguments.summary, arguments.shard.map(|shard| [shard.number, shard.of]));
+        sweep::head(&scene, &grid, &asked, arguments.summary, arguments.shard.map(|shard| [shard.number, shard.of]));
     let threads = match arguments.threads {
         Some(threads) => threads.into(),
         None => thread::available_parallelism().map_or(1, usize::from),

@@ -7,9 +7,8 @@ use std::time::Duration;
 
 use anyhow::{Context, Error, Result};
 use impact_pair::Scene;
-use impact_pair::document::sweep_record;
 use impact_pair::orbit::Orbit;
-use impact_pair::sweep::{Asked, Grid, follow};
+use impact_pair::sweep::{self, Asked, Grid, follow};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
@@ -59,7 +58,7 @@ impl Work<'_> {
         };
         let scene = self.scene.with(&values).with_context(named)?;
         let found = follow(&scene, self.asked, || !interrupted.load(Ordering::Relaxed)).with_context(named)?;
-        Ok(found.map(|found| record::line(&sweep_record(point, &values, &found, self.summary))))
+        Ok(found.map(|found| record::line(&sweep::record(point, &values, &found, self.summary))))
     }
 
     /// Asks that all corners of the grid are scenes, before anything is computed.

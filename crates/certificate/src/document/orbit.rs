@@ -11,7 +11,7 @@ use super::scene::SceneDocument;
 pub const ORBIT_SCHEMA: &str = "impact-pair/orbit/1";
 
 /// An orbit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitDocument {
     /// Whose orbit it is, and what certifies it.
@@ -91,6 +91,7 @@ pub struct OutcomeDocument {
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
     /// One line in words.
+    #[serde(default)]
     pub message: String,
     /// The wall of what is undecided.
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -5,17 +5,17 @@ use impact_pair_certificate::document::{
     SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::orbit::is_certified;
+use super::{Asked, Axis, Grid, Point, State};
 use crate::Scene;
+use crate::document::is_certified;
 use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
 use crate::orbit::{Outcome, Period};
 use crate::scene::Key;
-use crate::sweep::{Asked, Axis, Grid, Point, State};
 
 /// What a sweep is about; a `summary` leaves the impacts out, a shard is told by its number and of how many.
-pub fn sweep_head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Option<[u64; 2]>) -> SweepHead {
+pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Option<[u64; 2]>) -> SweepHead {
     let over = |axis: &Axis| SweepAxis {
         key: axis.key.name().to_owned(),
         from: axis.low.text(),
@@ -40,7 +40,7 @@ pub fn sweep_head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shar
 }
 
 /// What is certified at the point of this number and these values.
-pub fn sweep_record(number: u64, values: &[(Key, Exact)], point: &Point, summary: bool) -> SweepRecord {
+pub fn record(number: u64, values: &[(Key, Exact)], point: &Point, summary: bool) -> SweepRecord {
     // Chaos is never claimed: what is not proved to be attracted is only that.
     let outcome = match &point.outcome {
         Outcome::ImpactsReached | Outcome::TimeReached => "not-attracted",

@@ -1,0 +1,84 @@
+//! The JSON Schemas in `docs/schemas` are those of the documents, and what the program writes is such documents.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use impact_pair_certificate::document::{
+    AuditDocument, BifurcationDocument, EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead,
+    PeriodicDocument, SweepHead, SweepRecord, TwoImpactDocument,
+};
+use schemars::{JsonSchema, schema_for};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// `SCHEMAS_UPDATE=1` writes the file instead.
+fn assert_is_kept<T: JsonSchema>(name: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/schemas").join(format!("{name}.json"));
+    let schema = format!("{}\n", serde_json::to_string_pretty(&schema_for!(T)).unwrap());
+    if std::env::var_os("SCHEMAS_UPDATE").is_some() {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, &schema).unwrap();
+    }
+    assert_eq!(fs::read_to_string(&path).unwrap_or_default(), schema, "{}: run with SCHEMAS_UPDATE=1", path.display());
+}
+
+#[test]
+fn the_schemas_are_those_of_the_documents() {
+    assert_is_kept::<OrbitDocument>("orbit");
+    assert_is_kept::<OrbitHead>("orbit-lines-head");
+    assert_is_kept::<EventDocument>("orbit-lines-event");
+    assert_is_kept::<OrbitEnd>("orbit-lines-end");
+    assert_is_kept::<PeriodicDocument>("periodic");
+    assert_is_kept::<TwoImpactDocument>("two-impact");
+    assert_is_kept::<ManifoldDocument>("manifold");
+    assert_is_kept::<BifurcationDocument>("bifurcations");
+    assert_is_kept::<AuditDocument>("audit");
+    assert_is_kept::<SweepHead>("sweep-head");
+    assert_is_kept::<SweepRecord>("sweep-point");
+}
+
+const SCENE: &str = r#"excitation = { amplitude = 1, frequency = "pi", phase = 0 }
+pair = { gap = 9.42497, restitution = 0.5 }
+start = { time = 0, wall = "left", velocity = -12.56636 }
+run = { impacts = 20 }
+"#;
+
+/// What the program writes, in a folder with the scene.
+fn written(arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
+    fs::write(folder.path().join("list.csv"), "wall,time\nright,1.0\nleft,2.5\n").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_impact-pair")).current_dir(&folder).args(arguments).output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Read and written again it is the same, to the last key.
+fn assert_is<T: DeserializeOwned + Serialize>(text: &str) {
+    let value: Value = serde_json::from_str(text).unwrap();
+    let read: T = serde_json::from_value(value.clone()).unwrap_or_else(|error| panic!("{error}: {text}"));
+    assert_eq!(serde_json::to_value(&read).unwrap(), value);
+}
+
+#[test]
+fn what_is_written_is_read_back_the_same() {
+    assert_is::<OrbitDocument>(&written(&["run", "scene.toml", "--format", "json"]));
+    let lines = written(&["run", "scene.toml", "--format", "jsonl"]);
+    let lines: Vec<&str> = lines.lines().collect();
+    assert_is::<OrbitHead>(lines[0]);
+    lines[1..lines.len() - 1].iter().for_each(|line| assert_is::<EventDocument>(line));
+    assert_is::<OrbitEnd>(lines[lines.len() - 1]);
+    let word = ["--word", "RL", "--cycles", "1", "--format", "json"];
+    assert_is::<PeriodicDocument>(&written(&[&["periodic", "scene.toml"], &word[..]].concat()));
+    let over = ["bifurcations", "scene.toml", "--over", "amplitude=1..2"];
+    assert_is::<BifurcationDocument>(&written(&[&over[..], &word].concat()));
+    assert_is::<TwoImpactDocument>(&written(&["two-impact", "scene.toml", "--format", "json"]));
+    let manifold = ["two-impact", "scene.toml", "--manifold", "frequency=2..4:5", "--format", "json"];
+    assert_is::<ManifoldDocument>(&written(&manifold));
+    assert_is::<AuditDocument>(&written(&["audit", "scene.toml", "list.csv", "--format", "json"]));
+    let sweep = written(&["sweep", "scene.toml", "--over", "amplitude=1..2:3", "--format", "jsonl"]);
+    let (head, points) = sweep.split_once('\n').unwrap();
+    assert_is::<SweepHead>(head);
+    points.lines().for_each(assert_is::<SweepRecord>);
+}

@@ -1,0 +1,127 @@
+//! The arrows of DESIGN.md: which room of the library imports which, and which crate which. They run one way.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rooms of `src`, each with those it may import, which stand before it.
+const ROOMS: [(&str, &[&str]); 16] = [
+    ("number", &[]),
+    ("turns", &[]),
+    ("pair", &["number"]),
+    ("excitation", &["number"]),
+    ("mapping", &["number"]),
+    ("switch_plane", &["number", "pair"]),
+    ("flight", &["number", "pair"]),
+    ("rest", &["number", "pair"]),
+    ("contact", &["number", "turns", "pair", "flight"]),
+    ("several", &["number", "turns", "pair", "excitation", "rest", "contact"]),
+    ("periodic", &["number", "turns", "pair", "excitation", "mapping", "flight", "rest", "contact", "several"]),
+    ("two_impact", &["number", "pair", "periodic"]),
+    (
+        "orbit",
+        &[
+            "number",
+            "turns",
+            "pair",
+            "excitation",
+            "mapping",
+            "switch_plane",
+            "flight",
+            "rest",
+            "contact",
+            "several",
+            "periodic",
+        ],
+    ),
+    ("lyapunov", &["number", "orbit"]),
+    ("document", &["number", "turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit"]),
+    ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
+];
+
+/// Our crates, each with those of ours that it may depend on.
+const CRATES: [(&str, &[&str]); 4] = [
+    ("crates/exact", &[]),
+    ("crates/model", &["impact-pair-exact"]),
+    ("crates/certificate", &["impact-pair-exact", "impact-pair-model"]),
+    (".", &["impact-pair-exact", "impact-pair-model", "impact-pair-certificate"]),
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The sources of a room, without its tests.
+fn sources(path: &Path) -> Vec<PathBuf> {
+    if path.is_file() {
+        return vec![path.to_owned()];
+    }
+    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+    let is_test = |path: &PathBuf| path.file_stem().is_some_and(|name| name == "tests");
+    entries.filter(|path| !is_test(path)).flat_map(|path| sources(&path)).collect()
+}
+
+/// The rooms that a text imports by `crate::`, in comments and in its tests left aside.
+fn imports(text: &str) -> BTreeSet<String> {
+    let text = text.split("#[cfg(test)]\nmod").next().unwrap();
+    let code: String = text.lines().map(|line| line.split("//").next().unwrap()).collect::<Vec<_>>().join("\n");
+    let name = |text: &str| text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+    let mut found = BTreeSet::new();
+    for (at, what) in code.match_indices("crate::") {
+        let rest = &code[at + what.len()..];
+        match rest.strip_prefix('{') {
+            None => found.extend([name(rest)]),
+            // `use crate::{a::{b, c}, d};`: all words, for types are none of the rooms.
+            Some(list) => {
+                let list = list.split(';').next().unwrap();
+                found.extend(list.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_owned));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn rooms_import_what_stands_before_them() {
+    let known: Vec<&str> = ROOMS.iter().map(|(room, _)| *room).collect();
+    let found: BTreeSet<String> = fs::read_dir(root().join("src"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
+        .filter(|room| room != "lib")
+        .collect();
+    assert_eq!(found, known.iter().map(|room| (*room).to_owned()).collect());
+    for (place, (room, allowed)) in ROOMS.iter().enumerate() {
+        assert!(allowed.iter().all(|other| known[..place].contains(other)), "{room} stands before what it imports");
+        let path = [root().join("src").join(room), root().join("src").join(format!("{room}.rs"))];
+        for file in path.iter().filter(|path| path.exists()).flat_map(|path| sources(path)) {
+            for import in imports(&fs::read_to_string(&file).unwrap()) {
+                let is_allowed =
+                    import == *room || !known.contains(&import.as_str()) || allowed.contains(&import.as_str());
+                assert!(is_allowed, "{} imports {import}", file.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn crates_depend_on_what_stands_before_them() {
+    for (path, allowed) in CRATES {
+        let manifest = fs::read_to_string(root().join(path).join("Cargo.toml")).unwrap();
+        let section = manifest.split("\n[dependencies]\n").nth(1).unwrap().split("\n[").next().unwrap();
+        let ours = section.lines().map(|line| line.split(['.', ' ']).next().unwrap());
+        let ours: Vec<&str> = ours.filter(|name| name.starts_with("impact-pair")).collect();
+        assert!(ours.iter().all(|name| allowed.contains(name)), "{path} depends on {ours:?}");
+    }
+}
+
+/// The test of the test.
+#[test]
+fn an_import_is_found() {
+    let found = imports(
+        "use crate::a::B;\n// crate::c\nuse crate::{d::{E, f}, G};\nlet x = crate::h();\n#[cfg(test)]\nmod t { use crate::i; }",
+    );
+    for name in ["a", "d", "f", "h"] {
+        assert!(found.contains(name), "{name}");
+    }
+    assert!(!found.contains("c") && !found.contains("i"));
+}
