@@ -12,7 +12,7 @@ use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
-use crate::number::{Ball, Kernel, UNIT, kernel};
+use crate::number::{ABOVE_TURN, Ball, Kernel, LARGEST_RATE, UNIT, kernel};
 use crate::pair::{Inward, Reduced, Wall};
 
 /// An arithmetic's way from one contact to the next.
@@ -77,7 +77,7 @@ pub(super) const PASSING_BITS: u32 = 128;
 
 /// A power of two near the velocities to come.
 pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
-    let speed = pair.beta.mag().max(velocity.mag()).clamp(2f64.powi(-400), 2f64.powi(400)); // S2: any power of two
+    let speed = pair.beta.mag().max(velocity.mag()).clamp(1.0 / LARGEST_RATE, LARGEST_RATE); // S2: any power of two
     2f64.powi(speed.log2().round() as i32) // S2: any power of two
 }
 
@@ -189,7 +189,7 @@ impl IntervalMotion {
         let contact = image.all;
         let passage = Passage {
             time: contact.time,
-            sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + 6.3 * phase.rad()),
+            sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + ABOVE_TURN * phase.rad()),
             sin1,
             velocity0: before,
             velocity1: contact.velocity,

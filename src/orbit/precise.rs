@@ -15,7 +15,7 @@ use crate::contact::{Contact, Margins, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Flight;
 use crate::mapping::{Passage, jacobian};
-use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TURN, Ball, LEAST_BITS, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Reduced, Wall};
 
 /// Bits below the radius of a set that its centre is not worth.
@@ -174,7 +174,7 @@ impl PreciseMotion {
         let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, next_bits).ok_or(narrow)?;
         let passage = Passage {
             time: contact.time,
-            sin0: sin_cos.0.to_ball().widened(6.3 * phase64.rad()),
+            sin0: sin_cos.0.to_ball().widened(ABOVE_TURN * phase64.rad()),
             sin1: wall.inward(isolated.sin),
             velocity0: before64,
             velocity1: contact.velocity,
@@ -182,7 +182,7 @@ impl PreciseMotion {
         let wide = Undecided::width(&contact);
         let jacobian = jacobian(doubles.pair.beta, doubles.pair.restitution, &passage).ok_or(wide)?;
         // The acceleration between `at` and the contact.
-        let sin1 = isolated.sin.widened(6.3 * error.to_f64());
+        let sin1 = isolated.sin.widened(ABOVE_TURN * error.to_f64());
         let slope = wall.inward(doubles.pair.beta.turn() * doubles.pair.beta * sin1);
         let velocity = wall.inward(velocity).rounded(next_bits);
         let (shape, unit) = set.image(&jacobian, error, velocity.rad(), slope);
@@ -205,7 +205,7 @@ fn launch(
 /// The same for all the states of a set as one flight; sine and cosine are those of the centre.
 fn launch_all(pair: &Reduced<MpBall>, wall: Wall, set: &PreciseSet, sin_cos: &(MpBall, MpBall)) -> Flight<MpBall> {
     let (phase, before) = set.balls();
-    let turned = Magnitude::new(6.3, 0) * phase.rad();
+    let turned = Magnitude::new(ABOVE_TURN, 0) * phase.rad();
     let sin_cos = (sin_cos.0.clone().widened(turned), sin_cos.1.clone().widened(turned));
     launch(pair, wall, phase, before, sin_cos)
 }

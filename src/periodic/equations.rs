@@ -28,7 +28,8 @@ impl<N: Enclosing, S: Shaking<N>> Equations<N> for Orbits<'_, S> {
     }
 }
 
-/// Three entries a row.
+/// Three entries a row: cyclic and tridiagonal. As a dense matrix it would make a proof cost 1.07 times as many instructions with 2
+/// impacts, 1.19 with 5 and 3.6 with 20 (`prove/*` of the bench `periodic`).
 impl<N: Scalar> Jacobian<N> for Slopes<N> {
     fn size(&self) -> usize {
         self.0.len()

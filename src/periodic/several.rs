@@ -70,6 +70,7 @@ impl<N: Phased> Shaking<N> for Sum<N> {
 /// A pair that is shaken by several harmonics with a common period.
 #[derive(Clone, Debug)]
 pub(super) struct Several {
+    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     spectrum: Spectrum,
     floats: Sum<f64>,
     balls: Sum<Ball>,
