@@ -147,7 +147,7 @@ impl Error {
         } else {
             "and, in a build with multiprecision, numbers of bits".to_owned()
         };
-        let message = format!("the arithmetic is \"{text}\", but accepted are auto, float, interval {bits}");
+        let message = format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, inari {bits}");
         Self::new(Kind::Range, message)
     }
 

@@ -30,10 +30,11 @@ pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: 
     entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
 }
 
-/// What computed an orbit: `float` or `interval` with 53 bits, or `multiprecision` with those of its first impact.
+/// What computed an orbit: `float`, `interval` or `inari` with 53 bits, or `multiprecision` with those of its first impact.
 pub fn arithmetic(orbit: &Orbit) -> Value {
     let kind = match (orbit.arithmetic(), orbit.bits()) {
         (Arithmetic::Float, _) => "float",
+        (Arithmetic::Inari, _) => "inari",
         (_, f64::MANTISSA_DIGITS) => "interval",
         _ => "multiprecision",
     };
@@ -46,6 +47,7 @@ pub fn asked_arithmetic(settings: &Settings) -> Value {
         Arithmetic::Auto => json!({"kind": "auto", "max_bits": settings.max_bits}),
         Arithmetic::Float => json!({"kind": "float", "bits": f64::MANTISSA_DIGITS}),
         Arithmetic::Interval => json!({"kind": "interval", "bits": f64::MANTISSA_DIGITS}),
+        Arithmetic::Inari => json!({"kind": "inari", "bits": f64::MANTISSA_DIGITS}),
         Arithmetic::Bits(bits) => json!({"kind": "multiprecision", "bits": bits}),
     }
 }
@@ -72,7 +74,7 @@ pub fn scene(pair: &ImpactPair, start: &Start) -> Value {
 pub fn is_certified(arithmetic: Arithmetic) -> bool {
     match arithmetic {
         Arithmetic::Float => false,
-        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Bits(_) => true,
+        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_) => true,
     }
 }
 

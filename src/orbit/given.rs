@@ -12,6 +12,7 @@ use super::plan::Plan;
 use super::precise::PreciseMotion;
 use super::several::Several;
 use super::start::Start;
+use super::textbook::TextbookMotion;
 use crate::error::Error;
 use crate::exact::Exact;
 use crate::number::Ball;
@@ -71,6 +72,11 @@ impl Given {
             (Arithmetic::Float, Some(several)) => Box::new(several.float(&self.pair, &origin)),
             (Arithmetic::Auto | Arithmetic::Interval, None) => Box::new(IntervalMotion::new(&self.pair, &origin)),
             (Arithmetic::Auto | Arithmetic::Interval, Some(several)) => Box::new(several.interval(&self.pair, &origin)),
+            (Arithmetic::Inari, None) => Box::new(TextbookMotion::new(&self.pair, &origin)),
+            (Arithmetic::Inari, Some(several)) => {
+                let harmonics = several.pair().excitation().harmonics().len();
+                return Err(Error::several(harmonics, "the textbook method (arithmetic inari)"));
+            }
             #[cfg(feature = "multiprecision")]
             (Arithmetic::Bits(bits), _) => self.precise(Plan::constant(bits)),
             #[cfg(not(feature = "multiprecision"))]

@@ -22,6 +22,7 @@ mod several;
 mod shortfall;
 mod start;
 mod still;
+mod textbook;
 
 pub use clock::Clock;
 pub use course::{Course, CoursePoint};
