@@ -200,3 +200,185 @@ impl Walk<'_> {
         Undecided { reason: Reason::Graze, wall, time: Some(piece.as_ball()), lasting: false }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Margins, Radii};
+    use crate::number::{Ball, kernel};
+    use crate::pair::{Reduced, Wall};
+    use proptest::prelude::*;
+
+    /// One flight in doubles, all of them exact: from a wall, or from inside at a height.
+    #[derive(Clone, Copy, Debug)]
+    struct Start {
+        alpha: f64,
+        wall: Wall,
+        height: Option<f64>,
+        phase: f64,
+        velocity: f64,
+    }
+
+    impl Start {
+        fn pair(&self) -> Reduced<Ball> {
+            let alpha = Ball::exact(self.alpha);
+            Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(0.5) }
+        }
+
+        /// All flights with phases and velocities within these radii.
+        fn flight(&self, phase: f64, velocity: f64) -> Flight<Interval> {
+            let pair = self.pair().map(|&x| Interval::from(x));
+            let [phase, velocity] =
+                [(self.phase, phase), (self.velocity, velocity)].map(|(x, r)| between(x - r, x + r));
+            match self.height {
+                None => Flight::from_wall(&pair, self.wall, phase, velocity, phase.wave()),
+                Some(height) => Flight::from_inside(&pair, Interval::from_f64(height), phase, velocity, phase.wave()),
+            }
+        }
+
+        /// By the textbook.
+        fn contact(&self) -> Verdict<Contact<Interval>> {
+            first_contact(&self.flight(0.0, 0.0))
+        }
+
+        /// By the closed form.
+        fn ours(&self) -> Verdict<Contact<Ball>> {
+            let (pair, sin_cos) = (self.pair(), kernel::sin_cos(self.phase));
+            let (flight, height) = match self.height {
+                None => (Flight::from_wall(&pair.centre(), self.wall, self.phase, self.velocity, sin_cos), 0.0),
+                Some(height) => {
+                    (Flight::from_inside(&pair.centre(), height, self.phase, self.velocity, sin_cos), f64::EPSILON)
+                }
+            };
+            super::super::first_contact(&flight, &Margins::new(&pair), Radii { height, ..Radii::default() })
+        }
+    }
+
+    /// From a wall: A/d over six decades, quarter turns among the phases, speeds down to a billionth of the box's, or none.
+    fn from_walls() -> impl Strategy<Value = Start> {
+        let wall = prop_oneof![Just(Wall::Left), Just(Wall::Right)];
+        let phase = prop_oneof![4 => -0.5..0.5f64, 1 => (-2..=2i32).prop_map(|k| f64::from(k) / 4.0)];
+        let speed = prop_oneof![1 => Just(0.0), 4 => (-9.0..1.0f64).prop_map(|x| 10f64.powf(x))];
+        ((-3.0..3.0f64).prop_map(|x| 10f64.powf(x)), wall, phase, speed).prop_map(|(alpha, wall, phase, speed)| Start {
+            alpha,
+            wall,
+            height: None,
+            phase,
+            velocity: speed * alpha * std::f64::consts::TAU,
+        })
+    }
+
+    /// From inside, so that the far wall is all but grazed after `h` turns at a phase where the box turns: the height that
+    /// is missed by goes down to nothing.
+    fn towards_grazes() -> impl Strategy<Value = Start> {
+        let miss = prop_oneof![
+            Just(0.0),
+            (-14.0..-2.0f64, any::<bool>()).prop_map(|(x, up)| if up { 10f64.powf(x) } else { -10f64.powf(x) })
+        ];
+        (-1.0..1.0f64, -0.49..-0.01f64, 0.01..0.3f64, miss).prop_filter_map("inside", |(log_alpha, at, time, miss)| {
+            let alpha = 10f64.powf(log_alpha);
+            let (turn, beta) = (std::f64::consts::TAU, std::f64::consts::TAU * alpha);
+            let (phase, drift) = (at - time, beta * (turn * at).cos());
+            let way = drift * time - alpha * ((turn * at).sin() - (turn * phase).sin());
+            let (height, velocity) = (1.0 - way + miss, drift - beta * (turn * phase).cos());
+            (0.0 < height && height < 1.0).then_some(Start {
+                alpha,
+                wall: Wall::Left,
+                height: Some(height),
+                phase,
+                velocity,
+            })
+        })
+    }
+
+    /// Eight times the cases of the environment or the default.
+    fn config() -> ProptestConfig {
+        let default = ProptestConfig::default();
+        ProptestConfig { cases: 8 * default.cases, failure_persistence: None, ..default }
+    }
+
+    proptest! {
+        #![proptest_config(config())]
+
+        /// Two methods, one truth: where both decide they name the same wall, and their enclosures meet.
+        #[test]
+        fn the_closed_form_agrees(start in prop_oneof![2 => from_walls(), 1 => towards_grazes()]) {
+            let (Verdict::Certified(one), Verdict::Certified(other)) = (start.contact(), start.ours()) else { return Ok(()) };
+            prop_assert_eq!(one.wall, other.wall);
+            let meet = |x: Interval, y: Ball| !x.disjoint(y.into());
+            let phase = other.phase + Ball::exact(other.turns - one.turns);
+            prop_assert!(meet(one.time, other.time) && meet(one.phase, phase) && meet(one.velocity, other.velocity), "{one:?} {other:?}");
+            // No worse than a plain evaluation in doubles: a unit of what is added up, over the velocity.
+            let noise = 1e-14 * (1.0 + start.alpha) * (1.0 + one.time.mag()) / one.velocity.mig();
+            prop_assert!(one.time.wid() <= noise + 1e-14 * one.time.mag(), "{one:?} {noise:e}");
+        }
+
+        /// The contacts of a box hold those of its members.
+        #[test]
+        fn a_box_holds_its_members(start in from_walls(), size in -14.0..-3.0f64, at in prop::array::uniform2(-1.0..=1.0f64)) {
+            let radii = [10f64.powf(size), 10f64.powf(size).min(start.velocity)];
+            let Verdict::Certified(all) = first_contact(&start.flight(radii[0], radii[1])) else { return Ok(()) };
+            let (phase, velocity) = (start.phase + at[0] * radii[0] / 2.0, start.velocity + at[1] * radii[1] / 2.0);
+            let Verdict::Certified(one) = (Start { phase, velocity, ..start }).contact() else { return Ok(()) };
+            prop_assert_eq!(all.wall, one.wall);
+            let turns = Interval::from_f64(one.turns - all.turns);
+            prop_assert!(!all.time.disjoint(one.time) && !all.velocity.disjoint(one.velocity) && !all.phase.disjoint(one.phase + turns));
+        }
+    }
+
+    fn undecided(start: Start) -> Undecided {
+        match start.contact() {
+            Verdict::Undecided(undecided) => undecided,
+            Verdict::Certified(contact) => panic!("{start:?}: {contact:?}"),
+        }
+    }
+
+    #[test]
+    fn most_flights_are_decided() {
+        let starts = (0..1000).map(|i| {
+            let (phase, speed) = (f64::from(i % 97) / 97.0 - 0.5, 0.01 + f64::from(i % 89) / 30.0);
+            Start { alpha: 0.85, wall: Wall::Left, height: None, phase, velocity: speed * 5.3 }
+        });
+        assert_eq!(starts.filter(|start| start.contact().certified().is_none()).count(), 0);
+    }
+
+    /// The release of a ball at rest, at exactly `sin th0 = 0`, where velocity and acceleration are 0.
+    #[test]
+    fn a_released_ball_leaves() {
+        for (wall, phase) in [(Wall::Left, 0.0), (Wall::Right, -0.5)] {
+            let start = Start { alpha: 0.85, wall, height: None, phase, velocity: 0.0 };
+            let (one, other) = (start.contact().certified().unwrap(), start.ours().certified().unwrap());
+            assert_eq!((one.wall, one.wall), (other.wall, wall.other()));
+            assert!(!one.time.disjoint(other.time.into()) && one.time.wid() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn a_ball_that_is_pressed_does_not_leave() {
+        let start = Start { alpha: 0.85, wall: Wall::Left, height: None, phase: -0.25, velocity: 0.0 };
+        let Undecided { reason, wall, time, .. } = undecided(start);
+        assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Left)));
+        assert!(time.unwrap().mag() < 1e-29);
+        // A hair before the release and after it: pressed, and not.
+        assert_eq!(undecided(Start { phase: -1e-9, ..start }).reason, Reason::Graze);
+        assert!(Start { phase: 1e-9, ..start }.contact().certified().is_some());
+    }
+
+    /// A box that swings by half a gap: a ball left behind at 1/4 touches the far wall half a turn later, with no velocity.
+    #[test]
+    fn a_graze_is_named() {
+        let start = Start { alpha: 0.5, wall: Wall::Left, height: None, phase: 0.25, velocity: 0.0 };
+        let Undecided { reason, wall, time, .. } = undecided(start);
+        assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Right)));
+        let time = time.unwrap();
+        assert!((time.mid() - 0.5).abs() <= time.rad() && time.rad() < 1e-6, "{time:?}");
+    }
+
+    #[test]
+    fn a_motion_without_end_is_given_up() {
+        // The drift is 1e-5 gaps a turn.
+        let velocity = 1e-5 - 0.3 * std::f64::consts::TAU;
+        let start = Start { alpha: 0.3, wall: Wall::Left, height: Some(0.5), phase: 0.0, velocity };
+        assert_eq!(undecided(start).reason, Reason::Budget);
+    }
+}

@@ -155,3 +155,172 @@ impl Enclosing for Interval {
         enclosure(*self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Dyadic;
+    use crate::pair::Reduced;
+    use crate::periodic::Chain;
+    use proptest::prelude::*;
+
+    /// Sine and cosine of a phase, by exact numbers; enclosures of `2^-100`.
+    fn truth(u: f64) -> [Enclosure; 2] {
+        let angle = Enclosure::pi(200).mul(&Enclosure::point(Dyadic::from_f64(2.0 * u).unwrap()), 200);
+        [angle.sin(120), angle.cos(120)]
+    }
+
+    fn holds(interval: Interval, truth: &Enclosure) -> bool {
+        enclosure(interval).unwrap().intersection(truth).is_some()
+    }
+
+    /// An interval and a member: ends at quarter turns and next to them, widths from nothing to turns.
+    fn members() -> impl Strategy<Value = (Interval, f64)> {
+        let near = prop_oneof![Just(0.0), Just(1e-300), Just(f64::EPSILON), -1e-9..1e-9f64, -0.3..0.3f64];
+        let quarter = prop_oneof![3 => -9..9i64, 1 => -(1i64 << 41)..1i64 << 41];
+        let width = prop_oneof![Just(0.0), 0.0..1e-12f64, 0.0..0.3f64, Just(0.25), 0.0..3.0f64];
+        (quarter, near, width, prop_oneof![Just(0.0), Just(1.0), 0.0..1.0f64]).prop_map(|(quarter, near, width, at)| {
+            let inf = quarter as f64 / 4.0 + near;
+            let sup = inf + width;
+            (between(inf, sup), (inf + at * width).clamp(inf, sup))
+        })
+    }
+
+    /// Numbers whose sums with their radii are exact, and members at both ends and in the middle.
+    fn operands() -> impl Strategy<Value = (Ball, [f64; 3])> {
+        let mid = prop_oneof![Just(0.0), (-60..60i32, -4096..4096i32).prop_map(|(e, m)| f64::from(m) * 2f64.powi(e))];
+        (mid, prop_oneof![Just(0.0), (0..12i32).prop_map(|e| 2f64.powi(-e))]).prop_map(|(mid, part)| {
+            let rad = part * mid.abs();
+            (Ball::new(mid, rad), [mid - rad, mid, mid + rad])
+        })
+    }
+
+    /// Whether `inner` lies in `outer`, but for the unit in the last place that inari may have rounded it outward by.
+    fn is_in(inner: Interval, outer: Interval) -> bool {
+        outer.inf() <= inner.inf().next_up() && inner.sup().next_down() <= outer.sup()
+    }
+
+    proptest! {
+        /// Lemma I1.
+        #[test]
+        fn waves_hold_those_of_their_members((u, member) in members()) {
+            let (sin, cos) = u.wave();
+            let [true_sin, true_cos] = truth(member);
+            prop_assert!(holds(sin, &true_sin) && holds(cos, &true_cos), "{u:?} {member}");
+            prop_assert!(sin.subset(RANGE) && cos.subset(RANGE));
+            if u.is_singleton() {
+                prop_assert!(sin.wid() < 2.0 * f64::EPSILON && cos.wid() < 2.0 * f64::EPSILON);
+            }
+            // The balls' own, whose slope is 2 pi, is not narrower than the range.
+            let ball = Ball::try_from(u).unwrap().sin_cos();
+            prop_assert!(is_in(sin, Interval::from(ball.0).convex_hull(sin)) && !sin.disjoint(ball.0.into()));
+            prop_assert!(!cos.disjoint(ball.1.into()));
+        }
+
+        /// Lemma I2.
+        #[test]
+        fn departures_hold_those_of_their_members(
+            low in prop_oneof![Just(0.0), Just(1e-200), (-300.0..-1.0f64).prop_map(|x| 10f64.powf(x))],
+            high in (-80.0..-1.0f64).prop_map(|x| 10f64.powf(x)), at in 0.0..=1.0f64,
+        ) {
+            let (inf, sup) = (low.min(high), high);
+            let Departure { versine, excess, sine } = between(inf, sup).short().unwrap();
+            let member = (inf + at * (sup - inf)).clamp(inf, sup);
+            let [true_sine, true_cosine] = truth(member);
+            let one = Enclosure::point(Dyadic::power_of_two(0));
+            prop_assert!(holds(sine, &true_sine) && holds(versine, &one.sub(&true_cosine, 300)));
+            let angle = Enclosure::pi(400).mul(&Enclosure::point(Dyadic::from_f64(2.0 * member).unwrap()), 400);
+            prop_assert!(holds(excess, &angle.sub(&true_sine, 400)), "{member}: {excess:?}");
+        }
+
+        /// Balls against inari: its least interval lies in ours, and ours is not wider by more than its products of radii.
+        #[test]
+        fn balls_hold_what_inari_computes((x, members) in operands(), (y, others) in operands()) {
+            let (a, b) = (between(members[0], members[2]), between(others[0], others[2]));
+            let operations: [(Ball, Interval); 3] = [(x + y, a + b), (x - y, a - b), (x * y, a * b)];
+            for (ball, least) in operations {
+                prop_assert!(is_in(least, ball.into()), "{x:?} {y:?}: {ball:?} {least:?}");
+                let tight = least.rad() + 2.0 * x.rad() * y.rad() + 1e-14 * least.mag() + 1e-300;
+                prop_assert!(ball.rad() <= tight * (1.0 + 1e-14), "{x:?} {y:?}: {ball:?} {least:?}");
+            }
+            match (x.checked_div(y), a.checked_div(b)) {
+                (Some(ball), Some(least)) => prop_assert!(is_in(least, ball.into()), "{x:?} {y:?}: {ball:?} {least:?}"),
+                (ball, _) => prop_assert!(ball.is_none()),
+            }
+        }
+
+        /// Lemma T1 in three arithmetics: the equations of a chain, its Jacobian and its slopes.
+        #[test]
+        fn chains_run_in_intervals(
+            alpha in 0.1..3.0f64, e in 0.0..=1.0f64, first in -0.5..0.5f64, steps in prop::array::uniform3(0.01..0.6f64),
+            width in prop_oneof![Just(0.0), Just(1e-6)],
+        ) {
+            let chain = Chain::new(&"RRLL".parse().unwrap(), 2).unwrap();
+            let phases = [first, first + steps[0], first + steps[0] + steps[1], first + steps.iter().sum::<f64>()];
+            let balls = Reduced { alpha: Ball::exact(alpha), beta: Ball::exact(alpha).turn() * Ball::exact(alpha), restitution: Ball::exact(e) };
+            let intervals = Reduced { alpha: between(alpha, alpha), beta: Interval::TAU * between(alpha, alpha), restitution: between(e, e) };
+            let middle = balls.centre();
+            let in_balls = chain.legs(&balls, &phases.map(|phase| Ball::new(phase, width))).unwrap();
+            let ours = chain.legs(&intervals, &phases.map(|phase| around(phase, width))).unwrap();
+            let in_floats = chain.legs(&middle, &phases).unwrap();
+            let is_near = |float: f64, ball: Ball, interval: Interval| {
+                !interval.disjoint(ball.into()) && !interval.disjoint(around(float, 1e-11 * (1.0 + float.abs()) + interval.rad()))
+            };
+            let misses = [chain.residual(&balls, &in_balls)];
+            let (found, floats) = (chain.residual(&intervals, &ours), chain.residual(&middle, &in_floats));
+            prop_assert!((0..4).all(|i| is_near(floats[i], misses[0][i], found[i])), "{misses:?} {found:?}");
+            let slopes = (chain.slopes(&middle, &in_floats).unwrap(), chain.slopes(&balls, &in_balls), chain.slopes(&intervals, &ours));
+            if let (floats, Some(balls), Some(found)) = slopes {
+                let all = floats.entries().zip(balls.entries()).zip(found.entries());
+                for ((float, ball), interval) in all {
+                    prop_assert!(is_near(*float.2, *ball.2, *interval.2), "{float:?} {ball:?} {interval:?}");
+                }
+            }
+        }
+
+        /// There and back nothing is lost but the last place.
+        #[test]
+        fn conversions_hold_what_they_convert((interval, member) in members(), (ball, members) in operands()) {
+            let there = Ball::try_from(interval).unwrap();
+            prop_assert!(interval.subset(there.into()) && Interval::from(there).contains(member));
+            prop_assert!(members.into_iter().all(|member| Interval::from(ball).contains(member)));
+            prop_assert_eq!(enclosing(&enclosure(interval).unwrap()), interval);
+        }
+    }
+
+    #[test]
+    fn what_has_no_end_is_no_ball() {
+        for interval in [Interval::EMPTY, Interval::ENTIRE, between(0.0, f64::INFINITY)] {
+            assert_eq!(Ball::try_from(interval), Err(Unbounded));
+            assert_eq!(enclosure(interval), None);
+        }
+        assert!(Interval::from(Ball::new(1.0, f64::NAN)).is_entire());
+        assert!(Interval::from(Ball::new(f64::INFINITY, 0.0)).is_entire());
+        let huge = Enclosure::point(Dyadic::power_of_two(5000));
+        assert_eq!(enclosing(&huge), between(f64::MAX, f64::INFINITY));
+        assert_eq!(enclosing(&Enclosure::pi(120)), Interval::PI);
+    }
+
+    #[test]
+    fn nothing_is_known_beyond_the_kernel() {
+        for far in [2f64.powi(41), f64::INFINITY] {
+            assert_eq!(between(-far, far.min(f64::MAX)).wave(), (RANGE, RANGE));
+        }
+        assert!(between(0.0, 0.2).short().is_none() && between(-1e-9, 0.1).short().is_none());
+        assert!(between(0.0, 1e-200).short().is_none() && Interval::EMPTY.short().is_none());
+    }
+
+    #[test]
+    fn quarters_and_signs_are_exact() {
+        assert_eq!(between(0.75, 0.75).wave(), (between(-1.0, -1.0), between(0.0, 0.0)));
+        assert_eq!(between(-0.25, 0.25).wave(), (RANGE, between(0.0, 1.0)));
+        assert_eq!(between(0.0, 0.0).certain_sign(), Some(Ordering::Equal));
+        assert_eq!(between(0.0, 1.0).certain_sign(), None);
+        assert_eq!(between(1.0, 2.0).certain_sign(), Some(Ordering::Greater));
+        assert_eq!(between(-2.0, -1.0).certain_sign(), Some(Ordering::Less));
+        assert!(
+            between(0.5, 0.6).is_interior_to(&between(0.4, 0.7))
+                && !between(0.4, 0.6).is_interior_to(&between(0.4, 0.7))
+        );
+    }
+}

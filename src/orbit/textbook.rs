@@ -8,9 +8,9 @@ use std::convert::Infallible;
 
 use inari::Interval;
 
-use super::motion::Motion;
 #[cfg(feature = "multiprecision")]
 use super::motion::IntervalMotion;
+use super::motion::Motion;
 use super::origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::Passed;
@@ -104,7 +104,8 @@ impl Motion for TextbookMotion {
     #[cfg(feature = "multiprecision")]
     fn pass_graze(&mut self) -> Option<Passed> {
         let ball = |x: Interval| x.as_ball();
-        let passed = IntervalMotion::new(&self.pair.map(|&x| ball(x)), &in_arithmetic(&self.state, ball)).pass_graze()?;
+        let passed =
+            IntervalMotion::new(&self.pair.map(|&x| ball(x)), &in_arithmetic(&self.state, ball)).pass_graze()?;
         self.state = Origin {
             place: Location::Inside(passed.height.to_ball().into()),
             phase: MpBall::exact(passed.phase.clone()).to_ball().into(),
