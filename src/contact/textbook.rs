@@ -7,16 +7,8 @@
 //! - the ball moves one way and ends beyond a wall, so there is one contact in the piece, and Newton's method finds it,
 //! - neither, and the piece is halved.
 //!
-//! Nothing here is cleverer than that: it is slow, and it is the second judge of [`super::first_contact`].
-//!
-//! **Lemma I3.** The contact returned is the first one of every flight with these intervals. *Proof.* The ball is
-//! between the walls where a piece begins: there it started, or the piece before says so. Or it is on the wall that it
-//! leaves; then the first piece is taken only if the height rises there, so it is above 0 for all later times of the
-//! piece. (a) Where the velocity keeps its sign, the height lies between its values at both ends; there is no contact if it is inside at the
-//! end, and if it is beyond the wall there is exactly one, by continuity, with velocity towards that wall. (b) Elsewhere
-//! `z` lies in `z(m) + z' (T - m)` on the piece `T` around `m` (mean value theorem). (c) A height that rises from 0 on:
-//! `z' > 0`; or `z' >= 0` at the departure and `z'' > 0` on the piece; or both are not negative there and `z''' > 0`. (d) Newton:
-//! the root lies in `m - (z(m) - w)/z'(T)` by the mean value theorem, and on the side of `m` that the sign of `z(m) - w` tells. []
+//! Nothing here is cleverer than that: it is slow, and it is the second judge of [`super::first_contact`]. Lemma I3 of
+//! `docs/proofs.md`, same label.
 
 use inari::Interval;
 
@@ -110,16 +102,15 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether the height rises all through the piece (Lemma I3, (c)).
+    /// Whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
     fn rises(&self, piece: Interval, velocity: Interval) -> bool {
-        let flight = self.0;
+        let (flight, starts) = (self.0, |x: Interval| piece.contains(0.0) && x.inf() >= 0.0);
+        if velocity.inf() > 0.0 || !starts(flight.velocity) {
+            return velocity.inf() > 0.0;
+        }
         let (sin, cos) = self.wave(piece);
-        let acceleration = flight.acceleration_at(sin);
         let jerk = flight.beta.turn() * flight.acceleration_at(cos);
-        let starts = |x: Interval| piece.contains(0.0) && x.inf() >= 0.0;
-        velocity.inf() > 0.0
-            || starts(flight.velocity)
-                && (acceleration.inf() > 0.0 || starts(flight.acceleration_at(flight.sin)) && jerk.inf() > 0.0)
+        flight.acceleration_at(sin).inf() > 0.0 || starts(flight.acceleration_at(flight.sin)) && jerk.inf() > 0.0
     }
 
     /// Whether the flight starts on its wall, which nothing but a rise takes it off.

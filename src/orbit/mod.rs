@@ -32,11 +32,14 @@ pub use plan::Plan;
 pub use settings::{Arithmetic, BITS, MAX_BITS, Settings};
 pub use start::{Place, Start};
 
+use inari::Interval;
+
 use crate::contact::{Contact, Undecided};
 use crate::error::Error;
 use crate::exact::Enclosure;
 use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
+use crate::number::interval::enclosing;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::periodic::Passing;
@@ -236,6 +239,33 @@ impl Orbit {
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         let (phase, velocity) = impact.enclosures();
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
+    }
+
+    /// The same bounds as intervals of doubles, for whoever computes with such.
+    ///
+    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`].
+    ///
+    /// ```
+    /// use impact_pair::Scene;
+    /// use impact_pair::inari::{Interval, const_interval};
+    /// let scene = Scene::parse(r#"
+    ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+    ///     pair = { gap = 9.42497, restitution = 0.5 }
+    ///     start = { time = 0, wall = "left", velocity = -12.56636 }
+    /// "#)?;
+    /// let mut orbit = scene.orbit(scene.settings())?;
+    /// let mut before = const_interval!(0.0, 0.0);
+    /// while let Some(impact) = orbit.next() {
+    ///     let (time, velocity): (Interval, Interval) = orbit.intervals(&impact);
+    ///     let frequency = (time - before).recip();
+    ///     assert!(before.strict_precedes(time) && frequency.wid() < 1e-5 && !velocity.contains(0.0));
+    ///     before = time;
+    /// }
+    /// # Ok::<(), impact_pair::Error>(())
+    /// ```
+    pub fn intervals(&self, impact: &Impact) -> (Interval, Interval) {
+        let (time, velocity) = self.bounds(impact);
+        (enclosing(&time), enclosing(&velocity))
     }
 
     /// The impact as a point of its switch-plane. **Equations** (18)-(23)
