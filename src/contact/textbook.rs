@@ -33,7 +33,7 @@ const NEWTON_STEPS: usize = 1_000;
 /// contact is on that wall and in the intervals returned, it exists, and no wall is touched before (Lemma I3).
 /// **Undecided when** a wall may be touched with no velocity ([`Reason::Graze`]; also where the intervals are too wide for
 /// one answer, or the ball may not leave), or after 10,000 pieces ([`Reason::Budget`]).
-/// **Cost**: about a hundred times that of [`super::first_contact`], and more for longer flights.
+/// **Cost**: about forty times that of [`super::first_contact`], and more for longer flights.
 ///
 /// ```
 /// use impact_pair::contact::{Verdict, textbook::first_contact};
