@@ -350,6 +350,8 @@ mod tests {
         let Undecided { reason, wall, time, .. } = undecided(start);
         assert_eq!((reason, wall), (Reason::Graze, Some(Wall::Left)));
         assert!(time.unwrap().mag() < 1e-29);
+        // One that would go through the wall has not left it.
+        assert_eq!(undecided(Start { velocity: -1.0, ..start }).reason, Reason::Graze);
         // A hair before the release and after it: pressed, and not.
         assert_eq!(undecided(Start { phase: -1e-9, ..start }).reason, Reason::Graze);
         assert!(Start { phase: 1e-9, ..start }.contact().certified().is_some());
