@@ -1,7 +1,8 @@
 //! The workloads of the benches: the flights of figures 12-17, from their printed data.
 
 use impact_pair::flight::Flight;
-use impact_pair::number::{Ball, kernel};
+use impact_pair::inari::Interval;
+use impact_pair::number::{Ball, Number, Wave, kernel};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
 use impact_pair::pair::{Inward, Reduced, Wall};
 use impact_pair::{Harmonic, ImpactPair};
@@ -74,6 +75,12 @@ impl Launch {
     #[inline(always)]
     pub fn flight(&self, pair: &Reduced<f64>) -> Flight<f64> {
         self.flight_with(pair, kernel::sin_cos(self.phase))
+    }
+
+    /// The flight in intervals.
+    pub fn intervals(&self, pair: &Reduced<Interval>) -> Flight<Interval> {
+        let [phase, velocity] = [self.phase, self.velocity].map(Interval::from_f64);
+        Flight::from_wall(pair, self.wall, phase, velocity, phase.wave())
     }
 
     /// The flight with the given sine and cosine of its phase.

@@ -8,7 +8,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use impact_pair::contact::{Margins, Radii, first_contact, first_contact_f64};
+use impact_pair::contact::{Margins, Radii, first_contact, first_contact_f64, textbook};
 use impact_pair::number::{Kernel, Std, Trigonometry};
 use impact_pair::orbit::Arithmetic;
 use impact_pair_benches::figures;
@@ -43,16 +43,24 @@ fn flights(criterion: &mut Criterion) {
                 }
             });
         });
+        let intervals = pair.map(|&x| x.into());
+        group.bench_function(format!("textbook/{}", figure.name), |bencher| {
+            bencher.iter(|| {
+                for launch in black_box(&launches) {
+                    black_box(textbook::first_contact(&launch.intervals(&intervals)));
+                }
+            });
+        });
     }
 }
 
 fn orbits(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("orbit");
     for figure in figures() {
-        for (name, arithmetic) in [("float", Arithmetic::Float), ("interval", Arithmetic::Interval)] {
+        for arithmetic in [Arithmetic::Float, Arithmetic::Interval, Arithmetic::Inari] {
             let reach = figure.orbit(arithmetic, FLIGHTS).count() as u64;
             group.throughput(Throughput::Elements(reach));
-            group.bench_function(format!("{name}/{}", figure.name), |bencher| {
+            group.bench_function(format!("{arithmetic}/{}", figure.name), |bencher| {
                 bencher.iter_batched(
                     || figure.orbit(arithmetic, reach),
                     |orbit| orbit.for_each(|impact| _ = black_box(impact)),

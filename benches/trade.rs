@@ -19,7 +19,7 @@ const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
 
 fn rungs() -> impl Iterator<Item = (String, Settings)> {
     let settings = |arithmetic| Settings { impacts: Some(IMPACTS), arithmetic, ..Settings::default() };
-    let fixed = [("float".to_owned(), Arithmetic::Float), ("interval".to_owned(), Arithmetic::Interval)];
+    let fixed = [Arithmetic::Float, Arithmetic::Interval, Arithmetic::Inari].map(|fixed| (fixed.to_string(), fixed));
     let bits = BITS.map(|bits| (format!("{bits}_bits"), Arithmetic::Bits(bits)));
     let auto = DIGITS.map(|digits| (format!("auto_{digits}"), Settings { digits, ..settings(Arithmetic::Auto) }));
     fixed.into_iter().chain(bits).map(move |(name, arithmetic)| (name, settings(arithmetic))).chain(auto)

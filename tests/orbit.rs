@@ -61,6 +61,32 @@ fn the_figures_reach_as_far_as_doubles_certify() {
     }
 }
 
+/// The textbook's method: the same impacts as far as it goes, which is less far, and never without an end.
+#[test]
+fn plain_interval_arithmetic_agrees_as_far_as_it_goes() {
+    for (name, least) in [("12", 1000), ("13", 1000), ("14", 50), ("15", 110), ("16", 75), ("17", 45)] {
+        let [mut ours, mut textbook] =
+            [Arithmetic::Interval, Arithmetic::Inari].map(|arithmetic| orbit(&scene(name), arithmetic, 1000));
+        let mut count = 0;
+        while let (Some(one), Some(other)) = (ours.next(), textbook.next()) {
+            count += 1;
+            assert_eq!((one.wall, one.mapping, one.index), (other.wall, other.mapping, other.index), "figure {name}");
+            let (one, other) = (ours.intervals(&one), textbook.intervals(&other));
+            assert!(!one.0.disjoint(other.0) && !one.1.disjoint(other.1), "figure {name}: {one:?} {other:?}");
+        }
+        assert!(count >= least, "figure {name}: {count}");
+    }
+}
+
+#[test]
+fn the_textbooks_method_is_known_of_one_harmonic() {
+    let text = include_str!("../scenes/two-tones.toml");
+    let two = Scene::parse(text).unwrap();
+    let settings = Settings { arithmetic: Arithmetic::Inari, ..Settings::default() };
+    let error = Orbit::new(two.pair(), two.start(), settings).unwrap_err().to_string();
+    assert!(error.contains("2 harmonics") && error.contains("inari"), "{error}");
+}
+
 /// Figure 12 alternates P2 and P1; figure 15 settles on m = 2 impacts on the right and n = 3 on the left a cycle.
 #[test]
 fn words_of_the_periodic_figures() {

@@ -118,8 +118,9 @@ pub struct RunArguments {
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
-    /// certified in doubles, whatever the widths; or certified in so many BITS, whatever the widths
-    #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
+    /// certified in doubles, whatever the widths; inari, the same by the textbook's method, of one harmonic; or certified in
+    /// so many BITS, whatever the widths
+    #[arg(long, default_value = "auto", value_name = "auto|float|interval|inari|BITS")]
     pub arithmetic: Arithmetic,
     /// Bits that auto takes at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
@@ -344,8 +345,8 @@ Examples:
   impact-pair trade scenes/figure-14.toml --impacts 200
   impact-pair trade scenes/figure-12.toml --impacts 100 --format json --plot trade.svg
 
-The rungs: float; interval; 64, 128, 256, ... bits until one reaches all the impacts, two more bring none, or --max-bits; \
-auto to 3, 9, 15, 30 and 100 digits. A build without multiprecision has float, interval and auto.
+The rungs: float; interval; inari, the textbook's method, of one harmonic; 64, 128, 256, ... bits until one reaches all the impacts, two more bring none, or --max-bits; \
+auto to 3, 9, 15, 30 and 100 digits. A build without multiprecision has no rungs of bits.
 
 Times are medians of 301 runs after a first one, or of as many as fit into 0.2 s. Orbit: impacts, their phases and velocities enclosed \
 in turns and gaps; with bounds: also their times and velocities in the units of the scene, as exact bounds. Reading \

@@ -33,7 +33,9 @@ impl Ending<'_> {
             (Arithmetic::Auto, Some(Reason::Precision)) => {
                 Some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
             }
-            (Arithmetic::Interval | Arithmetic::Bits(_), _) if reason.is_some() || self.wide.is_some() => {
+            (Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_), _)
+                if reason.is_some() || self.wide.is_some() =>
+            {
                 Some("try --arithmetic auto")
             }
             // Of point data more bits make every enclosure narrower.

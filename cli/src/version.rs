@@ -8,7 +8,7 @@ pub fn text() -> &'static str {
     static TEXT: OnceLock<String> = OnceLock::new();
     TEXT.get_or_init(|| {
         let number = env!("CARGO_PKG_VERSION");
-        let doubles = "auto, float, interval (53 bits, rounded to nearest, error bounds proved)";
+        let doubles = "auto, float, interval (53 bits, rounded to nearest, error bounds proved), inari (53 bits, rounded outward)";
         let (beyond, features) = beyond_doubles();
         let fused = if FUSED { "yes" } else { "no: the same results, slower" };
         format!(

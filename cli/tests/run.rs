@@ -107,7 +107,10 @@ fn a_build_in_doubles_says_so() {
     let answer = run(&["scenes/figure-12.toml", "--arithmetic", "128"]).output().unwrap();
     let text = String::from_utf8(answer.stderr).unwrap();
     assert_eq!(answer.status.code(), Some(2));
-    assert!(text.contains("auto, float, interval and, in a build with multiprecision, numbers of bits"), "{text}");
+    assert!(
+        text.contains("auto, float, interval, inari and, in a build with multiprecision, numbers of bits"),
+        "{text}"
+    );
 }
 
 #[cfg(not(feature = "multiprecision"))]

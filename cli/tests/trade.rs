@@ -94,7 +94,7 @@ fn has_the_shape_of_a_trade(document: &Value) {
     let names: Vec<_> = rungs.iter().map(|rung| rung["name"].as_str().unwrap()).collect();
     let auto = ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits", "auto, 30 digits", "auto, 100 digits"];
     let bits: &[&str] = if cfg!(feature = "multiprecision") { &["64 bits", "128 bits"] } else { &[] };
-    assert_eq!(names, [&["float", "interval"], bits, &auto].concat());
+    assert_eq!(names, [&["float", "interval", "inari"], bits, &auto].concat());
     for rung in rungs {
         let impacts = rung["impacts"].as_u64().unwrap();
         assert_eq!(rung["complete"], Value::Bool(impacts == 120), "{rung}");

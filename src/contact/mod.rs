@@ -4,7 +4,7 @@
 //! plain doubles, then one bracket a few ulps wide on which the residual changes sign and the velocity does
 //! not (existence and uniqueness), then the extrema before it are proved to stay inside the gap (nothing
 //! earlier). The lemmas C1-C6 are in `docs/proofs.md`. No step allocates, and none depends on the length of
-//! the flight.
+//! the flight. [`textbook`] answers the same question by plain interval arithmetic.
 
 mod bounds;
 mod certify;
@@ -15,6 +15,7 @@ pub(crate) mod multiprecision;
 mod solve;
 #[cfg(test)]
 mod tests;
+pub mod textbook;
 
 pub use bounds::{Margins, Radii};
 pub(crate) use judges::{SetContact, first_contacts};

@@ -57,10 +57,11 @@ pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: 
     }
 }
 
-/// What computed an orbit: `float` or `interval` with 53 bits, or `multiprecision` with those of its first impact.
+/// What computed an orbit: `float`, `interval` or `inari` with 53 bits, or `multiprecision` with those of its first impact.
 pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
     let kind = match (orbit.arithmetic(), orbit.bits()) {
         (Arithmetic::Float, _) => "float",
+        (Arithmetic::Inari, _) => "inari",
         (_, f64::MANTISSA_DIGITS) => "interval",
         _ => "multiprecision",
     };
@@ -71,6 +72,6 @@ pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
 pub fn is_certified(arithmetic: Arithmetic) -> bool {
     match arithmetic {
         Arithmetic::Float => false,
-        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Bits(_) => true,
+        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_) => true,
     }
 }

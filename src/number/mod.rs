@@ -1,11 +1,12 @@
 //! The arithmetics: one small trait, so that each formula of the paper is written once.
 //!
 //! `f64` proposes, [`Ball`] disposes, and `MpBall` where doubles do not suffice: the float twin, the enclosures and
-//! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart. Phases
-//! are in turns everywhere (see [`kernel`]).
+//! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart, and so does
+//! [`inari::Interval`], the field's own interval type (see [`interval`]). Phases are in turns everywhere (see [`kernel`]).
 
 mod approx;
 mod ball;
+pub mod interval;
 pub mod kernel;
 mod logarithm;
 #[cfg(feature = "multiprecision")]
@@ -37,7 +38,7 @@ pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     fn from_f64(x: f64) -> Self;
     /// `self * b + c`; for `f64` rounded once.
     fn mul_add(self, b: Self, c: Self) -> Self;
-    /// `self / b`; for [`Ball`] `None` when the divisor may be 0.
+    /// `self / b`; for balls and intervals `None` when the divisor may be 0.
     fn checked_div(self, b: Self) -> Option<Self>;
     /// `2 pi`, one turn in radians, as precisely as `self` is.
     fn turn(&self) -> Self;

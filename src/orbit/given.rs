@@ -14,6 +14,7 @@ use super::plan::Plan;
 #[cfg(feature = "multiprecision")]
 use super::precise::PreciseMotion;
 use super::several::Several;
+use super::textbook::TextbookMotion;
 use crate::Error;
 use crate::exact::Exact;
 use crate::number::Ball;
@@ -78,6 +79,11 @@ impl Given {
             (Arithmetic::Float, Some(several)) => Box::new(several.float(&self.pair, &origin)),
             (Arithmetic::Auto | Arithmetic::Interval, None) => Box::new(IntervalMotion::new(&self.pair, &origin)),
             (Arithmetic::Auto | Arithmetic::Interval, Some(several)) => Box::new(several.interval(&self.pair, &origin)),
+            (Arithmetic::Inari, None) => Box::new(TextbookMotion::new(&self.pair, &origin)),
+            (Arithmetic::Inari, Some(several)) => {
+                let harmonics = several.harmonics();
+                return Err(Error::several(harmonics, "the textbook method (arithmetic inari)"));
+            }
             #[cfg(feature = "multiprecision")]
             (Arithmetic::Bits(bits), _) => self.precise(Plan::constant(bits)),
             #[cfg(not(feature = "multiprecision"))]

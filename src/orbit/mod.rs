@@ -20,6 +20,7 @@ mod set;
 mod several;
 mod shortfall;
 mod still;
+mod textbook;
 mod width;
 
 pub use clock::Clock;
@@ -29,12 +30,15 @@ pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings,
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
 
+use inari::Interval;
+
 use crate::Error;
 use crate::Scene;
 use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
 use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
+use crate::number::interval::enclosing;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall, too_large};
 use crate::periodic::Passing;
@@ -242,6 +246,33 @@ impl Orbit {
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         let (phase, velocity) = impact.enclosures();
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
+    }
+
+    /// The same bounds as intervals of doubles, for whoever computes with such.
+    ///
+    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`].
+    ///
+    /// ```
+    /// use impact_pair::Scene;
+    /// use impact_pair::inari::{Interval, const_interval};
+    /// let scene = Scene::parse(r#"
+    ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+    ///     pair = { gap = 9.42497, restitution = 0.5 }
+    ///     start = { time = 0, wall = "left", velocity = -12.56636 }
+    /// "#)?;
+    /// let mut orbit = scene.orbit(scene.settings())?;
+    /// let mut before = const_interval!(0.0, 0.0);
+    /// while let Some(impact) = orbit.next() {
+    ///     let (time, velocity): (Interval, Interval) = orbit.intervals(&impact);
+    ///     let frequency = (time - before).recip();
+    ///     assert!(before.strict_precedes(time) && frequency.wid() < 1e-5 && !velocity.contains(0.0));
+    ///     before = time;
+    /// }
+    /// # Ok::<(), impact_pair::Error>(())
+    /// ```
+    pub fn intervals(&self, impact: &Impact) -> (Interval, Interval) {
+        let (time, velocity) = self.bounds(impact);
+        (enclosing(&time), enclosing(&velocity))
     }
 
     /// The impact as a point of its switch-plane. **Equations** (18)-(23)

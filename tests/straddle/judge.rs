@@ -35,13 +35,16 @@ impl Judgement {
 const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4 };
 
 /// The arithmetics in turn, and the most bits of `auto`.
-fn settings(number: u64, impacts: u64) -> Settings {
+fn settings(case: &Case, number: u64) -> Settings {
     let names: &[&str] = match cfg!(feature = "multiprecision") {
-        true => &["interval", "64", "auto", "128", "256"],
-        false => &["interval"],
+        true => &["interval", "64", "auto", "inari", "128", "256"],
+        false => &["interval", "inari"],
     };
-    let arithmetic: Arithmetic = names[number as usize / 11 % names.len()].parse().expect("an arithmetic");
-    Settings { arithmetic, impacts: Some(impacts), max_bits: 1024, ..Settings::default() }
+    let mut arithmetic: Arithmetic = names[number as usize / 11 % names.len()].parse().expect("an arithmetic");
+    if arithmetic == Arithmetic::Inari && case.scene.pair().excitation().only().is_none() {
+        arithmetic = Arithmetic::Interval;
+    }
+    Settings { arithmetic, impacts: Some(case.impacts), max_bits: 1024, ..Settings::default() }
 }
 
 /// The orbit's document, and how many events it has.
@@ -67,7 +70,7 @@ fn document(scene: &Scene, settings: &Settings, mut orbit: Orbit) -> (String, us
 
 /// Runs and checks; with words on what is refuted.
 pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
-    let settings = settings(number, case.impacts);
+    let settings = settings(case, number);
     let Ok(orbit) = Orbit::of(&case.scene, settings.clone()) else { return (Judgement::NoScene, String::new()) };
     let (text, events) = document(&case.scene, &settings, orbit);
     if events == 0 {

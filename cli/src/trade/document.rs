@@ -65,6 +65,7 @@ fn asked(rung: Rung) -> Value {
     match rung {
         Rung::Float => json!({"arithmetic": "float"}),
         Rung::Interval => json!({"arithmetic": "interval"}),
+        Rung::Inari => json!({"arithmetic": "inari"}),
         Rung::Bits(bits) => json!({"arithmetic": bits.to_string()}),
         Rung::Auto(digits) => json!({"arithmetic": "auto", "digits": digits}),
     }

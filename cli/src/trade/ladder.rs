@@ -14,6 +14,8 @@ const PATIENCE: u32 = 2;
 pub enum Rung {
     Float,
     Interval,
+    /// The textbook's method.
+    Inari,
     Bits(u32),
     /// To so many digits.
     Auto(u32),
@@ -26,6 +28,7 @@ impl Rung {
         match self {
             Self::Float => settings(Arithmetic::Float),
             Self::Interval => settings(Arithmetic::Interval),
+            Self::Inari => settings(Arithmetic::Inari),
             Self::Bits(bits) => settings(Arithmetic::Bits(bits)),
             Self::Auto(digits) => Settings { digits, ..settings(Arithmetic::Auto) },
         }
@@ -37,6 +40,7 @@ impl fmt::Display for Rung {
         f.pad(&match self {
             Self::Float => "float".to_owned(),
             Self::Interval => "interval".to_owned(),
+            Self::Inari => "inari".to_owned(),
             Self::Bits(bits) => format!("{bits} bits"),
             Self::Auto(digits) => format!("auto, {digits} digits"),
         })
@@ -48,14 +52,16 @@ impl fmt::Display for Rung {
 pub struct Ladder {
     next: Option<Rung>,
     max_bits: u32,
+    /// Whether the textbook's method is one: it is known of one harmonic only.
+    textbook: bool,
     /// The most impacts that a rung of fixed bits has reached, and how many rungs in a row brought none.
     reached: u64,
     idle: u32,
 }
 
 impl Ladder {
-    pub fn new(max_bits: u32) -> Self {
-        Self { next: Some(Rung::Float), max_bits, reached: 0, idle: 0 }
+    pub fn new(max_bits: u32, textbook: bool) -> Self {
+        Self { next: Some(Rung::Float), max_bits, textbook, reached: 0, idle: 0 }
     }
 
     /// The rung to measure.
@@ -68,14 +74,15 @@ impl Ladder {
         let auto = Some(Rung::Auto(DIGITS[0]));
         self.next = match self.next {
             Some(Rung::Float) => Some(Rung::Interval),
-            Some(Rung::Interval) if cfg!(feature = "multiprecision") => Some(Rung::Bits(*BITS.start())),
+            Some(Rung::Interval) if self.textbook => Some(Rung::Inari),
+            Some(Rung::Interval | Rung::Inari) if cfg!(feature = "multiprecision") => Some(Rung::Bits(*BITS.start())),
             Some(Rung::Bits(bits)) => {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);
                 let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
                 double.filter(|_| self.idle < PATIENCE).map(Rung::Bits).or(auto)
             }
-            Some(Rung::Interval) => auto,
+            Some(Rung::Interval | Rung::Inari) => auto,
             Some(Rung::Auto(digits)) => DIGITS.into_iter().find(|&more| more > digits).map(Rung::Auto),
             None => None,
         };
@@ -88,7 +95,7 @@ mod tests {
 
     /// The names of the rungs when `bits` bits reach so many of 100 impacts.
     fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
-        let mut ladder = Ladder::new(max_bits);
+        let mut ladder = Ladder::new(max_bits, true);
         let mut names = Vec::new();
         while let Some(rung) = ladder.rung() {
             names.push(rung.to_string());
@@ -102,23 +109,23 @@ mod tests {
     #[test]
     fn bits_double_until_all_impacts_are_reached() {
         let names = rungs(1_000_000, |bits| u64::from(bits / 4).min(100));
-        assert_eq!(names[..2], ["float", "interval"]);
-        assert_eq!(names[2..6], ["64 bits", "128 bits", "256 bits", "512 bits"]);
-        assert_eq!(names[6..9], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
-        assert_eq!(names[9..], ["auto, 30 digits", "auto, 100 digits"]);
+        assert_eq!(names[..3], ["float", "interval", "inari"]);
+        assert_eq!(names[3..7], ["64 bits", "128 bits", "256 bits", "512 bits"]);
+        assert_eq!(names[7..10], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
+        assert_eq!(names[10..], ["auto, 30 digits", "auto, 100 digits"]);
     }
 
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_that_bring_nothing_twice_are_the_last() {
-        assert_eq!(rungs(1_000_000, |_| 20)[2..6], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(1_000_000, |_| 0)[2..5], ["64 bits", "128 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(200, |_| 20)[2..5], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(1_000_000, |_| 20)[3..7], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(1_000_000, |_| 0)[3..6], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(200, |_| 20)[3..6], ["64 bits", "128 bits", "auto, 3 digits"]);
     }
 
     #[cfg(not(feature = "multiprecision"))]
     #[test]
     fn doubles_have_no_rungs_of_bits() {
-        assert_eq!(rungs(1_000_000, |_| 0)[..3], ["float", "interval", "auto, 3 digits"]);
+        assert_eq!(rungs(1_000_000, |_| 0)[..4], ["float", "interval", "inari", "auto, 3 digits"]);
     }
 }

@@ -96,7 +96,8 @@ impl<'s> Trade<'s> {
     /// Measures rung after rung, and judges the first one.
     fn measure(scene: &'s Scene, asked: Settings, progress: &Progress) -> Result<Self> {
         let units = Units::of(scene);
-        let mut ladder = Ladder::new(asked.max_bits);
+        let one_harmonic = scene.pair().excitation().only().is_some();
+        let mut ladder = Ladder::new(asked.max_bits, one_harmonic);
         let mut trade = Self { scene, asked, units, rungs: Vec::new(), judgement: None, interrupted: None };
         while let Some(rung) = ladder.rung() {
             progress.stage(&rung.to_string());

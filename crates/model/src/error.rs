@@ -108,6 +108,12 @@ impl Error {
         Self { key: key.into().map(str::to_owned), ..Self::new(Kind::Range, message) }
     }
 
+    /// A question about several harmonics of which `what` is known of one only.
+    pub fn several(harmonics: usize, what: &str) -> Self {
+        let message = format!("the excitation has {harmonics} harmonics, but {what} is known of one only");
+        Self::out_of_range("excitation.amplitude", message)
+    }
+
     /// A malformed word of mappings.
     pub fn word(message: String) -> Self {
         Self::new(Kind::Word, message)

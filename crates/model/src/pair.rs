@@ -89,7 +89,7 @@ impl ImpactPair {
     /// # Errors
     /// When there are several: `what` is known of one only.
     pub fn harmonic(&self, what: &str) -> Result<&Harmonic, Error> {
-        self.excitation.only().ok_or_else(|| several(self.excitation.harmonics().len(), what))
+        self.excitation.only().ok_or_else(|| Error::several(self.excitation.harmonics().len(), what))
     }
 
     /// The gap `d` \[length\].
@@ -106,9 +106,4 @@ impl ImpactPair {
     pub fn is_point(&self) -> bool {
         self.excitation.is_point() && self.gap.is_point() && self.restitution.is_point()
     }
-}
-
-fn several(harmonics: usize, what: &str) -> Error {
-    let message = format!("the excitation has {harmonics} harmonics, but {what} is known of one only");
-    Error::out_of_range("excitation.amplitude", message)
 }

@@ -18,6 +18,8 @@ pub enum Arithmetic {
     Float,
     /// Certified in double precision, as far as it decides; widths are what they are.
     Interval,
+    /// Certified by the textbook method in `inari`'s intervals: what plain interval arithmetic does; of one harmonic.
+    Inari,
     /// Certified in so many bits, as far as they decide; widths are what they are.
     Bits(u32),
 }
@@ -33,7 +35,7 @@ impl Arithmetic {
         };
         Error::out_of_range(
             None,
-            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval {bits}"),
+            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, inari {bits}"),
         )
     }
 }
@@ -74,7 +76,7 @@ impl Default for Settings {
     }
 }
 
-/// As the command line says it: `auto`, `float`, `interval`, or a number of bits.
+/// As the command line says it: `auto`, `float`, `interval`, `inari`, or a number of bits.
 impl FromStr for Arithmetic {
     type Err = Error;
 
@@ -83,6 +85,7 @@ impl FromStr for Arithmetic {
             "auto" => Ok(Self::Auto),
             "float" => Ok(Self::Float),
             "interval" => Ok(Self::Interval),
+            "inari" => Ok(Self::Inari),
             _ => match text.parse() {
                 Ok(bits) if BITS.contains(&bits) && cfg!(feature = "multiprecision") => Ok(Self::Bits(bits)),
                 _ => Err(Self::unknown(text)),
@@ -97,6 +100,7 @@ impl fmt::Display for Arithmetic {
             Self::Auto => f.pad("auto"),
             Self::Float => f.pad("float"),
             Self::Interval => f.pad("interval"),
+            Self::Inari => f.pad("inari"),
             Self::Bits(bits) => f.pad(&bits.to_string()),
         }
     }

@@ -53,6 +53,11 @@ impl Several {
         Ok(Some(Self { spectrum, harmonics, band, turns, phases, release: None, known: Vec::new() }))
     }
 
+    /// How many there are.
+    pub fn harmonics(&self) -> usize {
+        self.phases.len()
+    }
+
     /// Turns after which all phases are the same, where that is proved to happen.
     pub fn period(&self) -> Option<u32> {
         self.spectrum.period.and_then(|period| u32::try_from(period).ok())

@@ -256,6 +256,7 @@ impl Mul for Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Wave;
     use proptest::prelude::*;
 
     /// Ends, some of them equal, and a member between them.
@@ -273,16 +274,28 @@ mod tests {
         x.lo <= y + error && y - error <= x.hi
     }
 
+    fn inari(x: Interval) -> inari::Interval {
+        inari::Interval::try_from((x.lo, x.hi)).unwrap()
+    }
+
+    /// Whether it holds the least interval of doubles that holds the results, and little more.
+    fn is_around(ours: Interval, least: inari::Interval, more: f64) -> bool {
+        let unit = least.inf().next_down() - more <= ours.lo && ours.hi <= least.sup().next_up() + more;
+        least.subset(inari(ours)) && unit
+    }
+
     proptest! {
+        /// By inari, which rounds outward at once: one unit in the last place is lost at each end, and in the sine a few.
         #[test]
-        fn operations_hold_those_of_members((x, a) in member(), (y, b) in member()) {
-            prop_assert!(holds(x + y, a + b) && holds(x - y, a - b) && holds(x * y, a * b) && holds(x.times(b), a * b));
-            prop_assert!(x.over(y).is_none_or(|quotient| b == 0.0 || holds(quotient, a / b)));
+        fn operations_are_inaris_but_for_a_unit((x, _) in member(), (y, b) in member()) {
+            let (p, q) = (inari(x), inari(y));
+            prop_assert!(is_around(x + y, p + q, 0.0) && is_around(x - y, p - q, 0.0) && is_around(x * y, p * q, 0.0));
+            prop_assert!(is_around(x.times(b), p * inari(Interval::point(b)), 0.0));
+            prop_assert!(x.over(y).is_none_or(|quotient| is_around(quotient, p / q, 0.0)));
             prop_assert!(y.over(y).is_some() != y.holds_zero());
-            let (sin, cos) = kernel::sin_cos(a);
-            prop_assert!(holds(x.sin(), sin) && holds(x.cos(), cos));
-            let ball = x.ball();
-            prop_assert!(ball.mid() - ball.rad() <= x.lo && x.hi <= ball.mid() + ball.rad());
+            let (sin, cos) = p.wave();
+            prop_assert!(is_around(x.sin(), sin, 2e-14) && is_around(x.cos(), cos, 2e-14), "{x:?}");
+            prop_assert!(p.subset(x.ball().into()) && p.subset(inari(Interval::of(x.ball()))));
         }
 
         #[test]

@@ -24,8 +24,8 @@ use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 use straddling::{Judgement, question};
 
-const ARITHMETICS: [Arithmetic; 4] =
-    [Arithmetic::Interval, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];
+const ARITHMETICS: [Arithmetic; 5] =
+    [Arithmetic::Interval, Arithmetic::Inari, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];
 /// More than an `auto` of so many bits takes: a start that does is shown.
 const SLOW: Duration = Duration::from_secs(2);
 

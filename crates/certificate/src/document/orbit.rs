@@ -49,7 +49,7 @@ pub struct OrbitEnd {
     pub arithmetic: ArithmeticDocument,
 }
 
-/// What computes: `float` or `interval` in 53 bits, `multiprecision` in those of the first impact, `auto` with the most bits it may
+/// What computes: `float`, `interval` or `inari` in 53 bits, `multiprecision` in those of the first impact, `auto` with the most bits it may
 /// take.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
@@ -71,6 +71,7 @@ impl ArithmeticDocument {
             Arithmetic::Auto => Self { kind: "auto".to_owned(), bits: None, max_bits: Some(settings.max_bits) },
             Arithmetic::Float => Self::computed("float", f64::MANTISSA_DIGITS),
             Arithmetic::Interval => Self::computed("interval", f64::MANTISSA_DIGITS),
+            Arithmetic::Inari => Self::computed("inari", f64::MANTISSA_DIGITS),
             Arithmetic::Bits(bits) => Self::computed("multiprecision", bits),
         }
     }

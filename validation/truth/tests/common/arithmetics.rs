@@ -13,8 +13,8 @@ use rug::ops::Pow;
 /// An arithmetic and the digits asked of it.
 pub type Kind = (Arithmetic, u32);
 
-/// All that certify, narrower ones first; `auto` at each of its digits.
-pub const CERTIFIED: [Kind; 10] = [
+/// All that certify, narrower ones first; `auto` at each of its digits; the textbook's method.
+pub const CERTIFIED: [Kind; 11] = [
     (Arithmetic::Interval, 9),
     (Arithmetic::Bits(64), 9),
     (Arithmetic::Bits(128), 9),
@@ -25,6 +25,7 @@ pub const CERTIFIED: [Kind; 10] = [
     (Arithmetic::Auto, 15),
     (Arithmetic::Auto, 30),
     (Arithmetic::Auto, 100),
+    (Arithmetic::Inari, 9),
 ];
 
 /// Bits that decide whatever here is decidable; what is not (exact grazes) is then given up soon.

@@ -1,0 +1,122 @@
+//! The textbook method, one impact after another: plain interval arithmetic, as a measure for what is cleverer.
+//!
+//! Flights are solved by [`crate::contact::textbook`]. The set of states is a box: its image is that of the centre and
+//! the Jacobian (A.7) over the box times the box around the centre (Lemma S1), cut with the contacts of the whole box. A
+//! box is wrapped in another at each impact; [`super::set`] turns its axes instead.
+
+use std::convert::Infallible;
+
+use inari::Interval;
+
+#[cfg(feature = "multiprecision")]
+use super::motion::IntervalMotion;
+use super::motion::Motion;
+use super::origin::{Location, Origin};
+#[cfg(feature = "multiprecision")]
+use crate::contact::multiprecision::Passed;
+use crate::contact::textbook::first_contact;
+use crate::contact::{Contact, Reason, Undecided, Verdict};
+use crate::flight::Flight;
+use crate::mapping::{Passage, jacobian};
+#[cfg(feature = "multiprecision")]
+use crate::number::MpBall;
+use crate::number::{Ball, Enclosing, Number, Wave};
+use crate::pair::{Inward, Reduced};
+
+/// One impact after another.
+#[derive(Clone, Debug)]
+pub(super) struct TextbookMotion {
+    pair: Reduced<Interval>,
+    state: Origin<Interval>,
+}
+
+/// The same state in another arithmetic.
+fn in_arithmetic<N: Copy, M>(state: &Origin<N>, f: impl Fn(N) -> M) -> Origin<M> {
+    let Ok(state) = state.map(|_, &x| Ok::<_, Infallible>(f(x)));
+    state
+}
+
+impl TextbookMotion {
+    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
+        Self { pair: pair.map(|&x| x.into()), state: in_arithmetic(origin, Interval::from) }
+    }
+
+    /// The first contact of all flights from a state.
+    fn contact(&self, state: &Origin<Interval>) -> Result<Contact<Interval>, Undecided> {
+        let Origin { phase, velocity, .. } = *state;
+        let flight = match state.place {
+            Location::Wall(wall) => {
+                let after = wall.inward(self.pair.rebound(velocity));
+                Flight::from_wall(&self.pair, wall, phase, after, phase.wave())
+            }
+            Location::Inside(height) => Flight::from_inside(&self.pair, height, phase, velocity, phase.wave()),
+        };
+        match first_contact(&flight) {
+            Verdict::Certified(contact) => Ok(contact),
+            Verdict::Undecided(undecided) => Err(undecided),
+        }
+    }
+
+    /// Phase and velocity of all the contacts, in the mean value form. **Equations** (A.1)-(A.7), Lemma S1
+    fn image(&self, contact: &Contact<Interval>) -> Result<(Interval, Interval), Undecided> {
+        let Origin { phase, velocity, .. } = self.state;
+        let centre = self.contact(&in_arithmetic(&self.state, |x| x.centre()))?;
+        let passage = Passage {
+            time: contact.time,
+            sin0: phase.wave().0,
+            sin1: contact.phase.wave().0,
+            velocity0: velocity,
+            velocity1: contact.velocity,
+        };
+        let jacobian = jacobian(self.pair.beta, self.pair.restitution, &passage);
+        let [[a, b], [c, d]] = jacobian.ok_or_else(|| Undecided::width(&balls(contact)))?;
+        let (apart, faster) = (phase.spread(), velocity.spread());
+        let turns = Interval::from_f64(contact.turns - centre.turns);
+        let at = centre.phase - turns + (a * apart + b * faster);
+        let before = centre.velocity + (c * apart + d * faster);
+        Ok((at.intersection(contact.phase), before.intersection(contact.velocity)))
+    }
+}
+
+fn balls(contact: &Contact<Interval>) -> Contact<Ball> {
+    let Contact { wall, turns, phase, time, velocity } = *contact;
+    Contact { wall, turns, phase: phase.as_ball(), time: time.as_ball(), velocity: velocity.as_ball() }
+}
+
+impl Motion for TextbookMotion {
+    fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
+        let mut contact = self.contact(&self.state).map_err(|doubt| {
+            // A doubt that the centre does not share is the set's width's fault.
+            let centre = self.contact(&in_arithmetic(&self.state, |x| x.centre()));
+            let is_wide = centre.is_ok() && doubt.reason == Reason::Graze;
+            if is_wide { Undecided { reason: Reason::Width, ..doubt } } else { doubt }
+        })?;
+        // From inside the gap the enclosure of all first contacts is the new set.
+        if let Location::Wall(_) = self.state.place {
+            (contact.phase, contact.velocity) = self.image(&contact)?;
+        }
+        let Contact { wall, phase, velocity, .. } = contact;
+        self.state = Origin { place: Location::Wall(wall), phase, velocity };
+        Ok(balls(&contact))
+    }
+
+    /// As [`IntervalMotion`] does.
+    #[cfg(feature = "multiprecision")]
+    fn pass_graze(&mut self) -> Option<Passed> {
+        let ball = |x: Interval| x.as_ball();
+        let passed =
+            IntervalMotion::new(&self.pair.map(|&x| ball(x)), &in_arithmetic(&self.state, ball)).pass_graze()?;
+        self.state = Origin {
+            place: Location::Inside(passed.height.to_ball().into()),
+            phase: MpBall::exact(passed.phase.clone()).to_ball().into(),
+            velocity: passed.velocity.to_ball().into(),
+        };
+        Some(passed)
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn accuracy(&self) -> f64 {
+        let Origin { phase, velocity, .. } = &self.state;
+        -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by
+    }
+}
