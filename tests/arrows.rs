@@ -10,7 +10,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
     ("turns", &[]),
     ("pair", &["number"]),
     ("excitation", &["number"]),
-    ("mapping", &["number"]),
+    ("mapping", &["number", "pair"]),
     ("switch_plane", &["number", "pair"]),
     ("flight", &["number", "pair"]),
     ("rest", &["number", "pair"]),

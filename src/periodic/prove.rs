@@ -23,8 +23,8 @@ const DECIDING_BITS: u32 = 1024;
 
 /// What an orbit is worth in so many bits.
 fn effort(bits: u32) -> Effort {
-    // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one. proposes: which domains are tried
-    let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1;
+    // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
+    let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1; // proposes: which domains are tried
     // Four images that are not slow take a bit.
     Effort { largest: LARGEST, domains, images: MOST_SLOW + 4 * bits, slow: MOST_SLOW }
 }

@@ -128,6 +128,6 @@ proptest! {
         let exact = |x: f64| num_rational::BigRational::from_float(x).unwrap();
         let distance = number.as_rational().unwrap() - exact(ball.mid());
         prop_assert!(num_traits::Signed::abs(&distance) <= exact(ball.rad()));
-        prop_assert!(ball.rad() <= UNIT * ball.mid().abs() + TINY);
+        prop_assert!(ball.rad() <= 2.0 * UNIT * ball.mid().abs());
     }
 }
