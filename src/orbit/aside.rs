@@ -166,6 +166,7 @@ impl Orbit {
         }
         let phase = at.enclosure()?.rounded(self.shown);
         self.cursor = Cursor {
+            wall: self.cursor.wall.filter(|wall| *wall == passed.wall),
             is_inside: true,
             turns: turns::after(self.cursor.turns, passed.turns)?,
             phase: MpBall::exact(passed.phase.clone()).to_ball(),

@@ -123,7 +123,7 @@ pub struct Orbit {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor {
     index: u64,
-    /// The wall of the last impact.
+    /// The wall of the last impact; `None` where there is none, or a graze of the other wall may have been one.
     wall: Option<Wall>,
     /// Inside the gap: at the start, or after a graze.
     is_inside: bool,
