@@ -85,6 +85,7 @@ pub mod periodic;
 pub mod rest;
 pub mod scene;
 mod several;
+mod shaken;
 pub mod sweep;
 pub mod switch_plane;
 mod turns;

@@ -2,16 +2,15 @@
 
 use super::event::{Graze, Outcome, Period, Progress, Release, Rest, finite};
 use super::shortfall::Shortfall;
-use super::still::Still;
 use super::{Cursor, Orbit};
-use crate::exact::Enclosure;
+use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
 use crate::pair::Wall;
-use crate::rest;
-use crate::several::Zero;
+use crate::shaken::{Released, Still};
+#[cfg(feature = "multiprecision")]
 use crate::turns;
 
 impl Orbit {
@@ -74,10 +73,11 @@ impl Orbit {
         let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
         let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
         let is_still = self.pair.beta == Ball::exact(0.0);
-        let time = match (is_still, &self.given.several) {
-            (true, _) => (after == Ball::exact(0.0)).then_some(0.0)?,
-            (false, None) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
-            (false, Some(several)) => several.accumulation(&self.pair, &self.cursor, wall, after)?,
+        let Cursor { turns, phase, index, .. } = self.cursor;
+        let phases: &[Exact] = if index == 0 { &self.given.origin.phases } else { &[] };
+        let time = match is_still {
+            true => (after == Ball::exact(0.0)).then_some(0.0)?,
+            false => self.given.engine.accumulation(wall, turns, phase, after, phases)?,
         };
         self.rest(wall, time, is_still)
     }
@@ -106,45 +106,29 @@ impl Orbit {
         let enclosed = enclosed.add(&span, self.shown.saturating_add(64)); // X1: any number of bits encloses
         let release = match for_ever {
             true => None,
-            false => Some(self.release_of(wall, turns, phase.mid())?),
+            false => Some(self.given.engine.release(wall, turns, phase.mid(), self.shown)?),
         };
         (self.resting, self.is_aside) = (Some(release), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
         Some(self.hand_out(Progress::Rest(rest)))
     }
 
-    /// When a ball that rests since a phase leaves its wall: the turns, and a zero of the pressure under several harmonics.
-    fn release_of(&self, wall: Wall, turns: i64, phase: f64) -> Option<(Release, Option<Zero>)> {
-        let Some(several) = &self.given.several else {
-            let (ahead, phase) = rest::release(wall, phase);
-            let phase = Enclosure::from_f64_bounds(phase, phase)?;
-            return Some((Release { wall, turns: turns::later(turns, ahead)?, phase }, None));
-        };
-        let zero = several.release_after(wall, turns, phase)?;
-        let phase = several.enclosure(&zero, self.shown)?;
-        Some((Release { wall, turns: zero.turns, phase }, Some(zero)))
-    }
-
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
     #[cold]
-    fn release(&mut self, release: Option<(Release, Option<Zero>)>) -> Progress {
-        let Some((release, zero)) = release else {
+    fn release(&mut self, release: Option<Released>) -> Progress {
+        let Some(release) = release else {
             self.outcome = self.cursor.wall.map(Outcome::RestsForever);
             return Progress::Ended;
         };
-        let Release { wall, turns, phase } = release.clone();
-        let (mid, rad) = phase.mid_rad();
+        let Released { wall, turns, phase: enclosure, .. } = release.clone();
+        let (mid, rad) = enclosure.mid_rad();
         let phase = Ball::new(mid, rad);
         if self.is_past(turns, phase) {
             return self.finish(Outcome::TimeReached);
         }
-        let event = self.hand_out(Progress::Release(release));
-        let (number, counted) = match (&mut self.given.several, &zero) {
-            (Some(several), Some(zero)) => several.number_of(zero),
-            _ => (usize::from(wall == Wall::Right), turns),
-        };
-        self.recurrence.release(number, counted, self.listed);
-        self.given.leave(wall, mid, zero, self.shown);
+        let event = self.hand_out(Progress::Release(Release { wall, turns, phase: enclosure }));
+        self.recurrence.release(&release, self.listed);
+        self.given.leave(release);
         let velocity = Ball::exact(0.0);
         self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
         self.cursor = self.start;

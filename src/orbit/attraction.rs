@@ -47,15 +47,11 @@ impl Orbit {
             return None;
         }
         let (mut states, digits) = (self.recent.in_order(), self.settings.digits.min(DIGITS)); // shown
-        let Some(several) = &self.given.several else {
-            let problem = |word: &_, cycles| Problem::of(self.given.exact.clone(), self.pair, word, cycles).ok();
-            return find_attractor(&states, digits, problem);
-        };
         // Without a common period nothing is periodic.
-        let origin = self.clock.turns_into(several.period()?);
+        let origin = self.clock.turns_into(self.given.engine.period()?);
         // Lemma N1: less than a period, of 32 bits.
         states.iter_mut().for_each(|state| state.turns += origin);
-        find_attractor(&states, digits, |word, cycles| Problem::new(several.pair(), word, cycles).ok())
+        find_attractor(&states, digits, |word, cycles| Problem::new(&self.given.pair, word, cycles).ok())
     }
 }
 

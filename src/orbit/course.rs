@@ -1,11 +1,11 @@
 //! Where the ball is between the events of an orbit: what figures draw.
 
 use super::event::finite;
-use super::origin::Location;
 use super::{Impact, Orbit, Release};
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::pair::Wall;
+use crate::shaken::Location;
 
 /// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
 ///

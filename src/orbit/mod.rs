@@ -7,7 +7,6 @@ mod course;
 mod event;
 mod given;
 mod motion;
-mod origin;
 mod passage;
 #[cfg(feature = "multiprecision")]
 mod plan;
@@ -18,10 +17,8 @@ mod raise;
 mod recurrence;
 mod set;
 mod settings;
-mod several;
 mod shortfall;
 mod start;
-mod still;
 
 pub use clock::Clock;
 pub use course::{Course, CoursePoint};
@@ -34,13 +31,12 @@ pub use start::{Place, Start};
 use crate::contact::{Contact, Undecided};
 use crate::error::Error;
 use crate::exact::Enclosure;
-use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::periodic::Passing;
 use crate::rest;
-use crate::several::Zero;
+use crate::shaken::{Released, Still};
 use crate::switch_plane::{SwitchPoint, absolute};
 use crate::turns;
 use attraction::Recent;
@@ -52,7 +48,6 @@ use motion::Motion;
 use raise::Raise;
 use recurrence::Recurrence;
 use settings::Width;
-use still::Still;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
@@ -109,7 +104,7 @@ pub struct Orbit {
     /// There has been a rest, or a wall is never hit: more than flights is to be looked after.
     is_aside: bool,
     /// The ball rests and will be released then; for ever if it is not.
-    resting: Option<Option<(Release, Option<Zero>)>>,
+    resting: Option<Option<Released>>,
     /// It never hits a wall again, and may graze some, so many times so far.
     still: Option<Still>,
     grazes: u64,
@@ -146,8 +141,8 @@ impl Orbit {
             _ => settings.digits.saturating_mul(10) / 3 + 64, // shown
         };
         let clock = Clock::new(pair, &start.time, shown)?;
-        let (turns, given) = Given::new(pair, start, &clock)?;
-        let reduced = given.pair;
+        let given = Given::new(pair, start, &clock)?;
+        let reduced = *given.engine.pair();
         let origin = given.origin_ball().map_err(|error| match error.key() {
             Some("start.velocity") => Error::too_large("start.velocity", &start.velocity),
             _ => error,
@@ -156,7 +151,7 @@ impl Orbit {
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
         let motion = given.motion(settings.arithmetic)?;
-        let (phase, velocity, wall) = (origin.phase, origin.velocity, origin.wall());
+        let (wall, turns, phase, velocity) = (origin.wall(), origin.turns, origin.phase, origin.velocity);
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let mut orbit = Self {
             given,
@@ -196,7 +191,8 @@ impl Orbit {
             let settings = Settings { impacts: left, ..self.settings.clone() };
             self.raise = Some(Raise::new(self.given.clone(), self.start.turns, self.until, &settings));
         }
-        self.still = still::still(&self.given).filter(|_| self.settings.arithmetic != Arithmetic::Float);
+        let is_float = self.settings.arithmetic == Arithmetic::Float;
+        self.still = self.given.engine.still(&self.given.origin).filter(|_| !is_float);
         self.is_aside |= self.still.is_some();
     }
 
@@ -253,13 +249,8 @@ impl Orbit {
 
     /// `E/d` and `E'` in gaps a turn.
     fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
-        match &self.given.several {
-            None => {
-                let (shift, speed, _) = displacement_velocity_acceleration(self.pair.alpha, phase.sin_cos());
-                (shift, speed)
-            }
-            Some(several) => several.shaking(turns, phase),
-        }
+        let [shift, speed, _] = self.given.engine.displacement(turns, phase);
+        (shift, speed)
     }
 
     /// Goes on: to the next event, or in more precision over an impact that was listed before.
@@ -337,16 +328,10 @@ impl Orbit {
     /// Whether the last bounce is slow enough to ask whether it is the first of a chatter: most are not.
     #[inline]
     fn may_rest(&self) -> bool {
-        let Some(wall) = self.cursor.wall else { return false };
-        if self.given.several.is_some() {
-            // A rest is told once the chatter left is shorter than the digits show.
-            let least = self.widths[0].linear.max(f64::MIN_POSITIVE); // proposes: Z1 is proved where it says so
-            return self.cursor.index == self.listed && (self.cursor.velocity.mid() * self.haste).abs() <= least;
-        }
-        let phase = self.cursor.phase.mid() + wall.mirror_phase();
-        // Chatter that begins now would have to end before the pressure does.
-        let shortest = (self.cursor.velocity.mid() * self.haste).abs();
-        shortest <= phase.ceil() - phase && self.cursor.index == self.listed // proposes
+        let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
+        let (shortest, least) = ((velocity.mid() * self.haste).abs(), self.widths[0].linear);
+        // proposes: no window of pressure is longer than a turn
+        shortest <= 1.0 && index == self.listed && self.given.engine.may_rest(wall, phase.mid(), shortest, least)
     }
 
     /// All that was asked for is listed.

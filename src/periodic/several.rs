@@ -11,11 +11,12 @@ use super::shaken::{Moment, Passing, Shaken, Step};
 use super::shaking::{Hop, Repetition, Shaking};
 use crate::error::Error;
 use crate::exact::Exact;
+use crate::flight::Launch;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, ball, within};
-use crate::several::{self, Band, Doubt, Flight, Harmonics, Launch, Phased, Reach, Scan, Spectrum, Sums};
+use crate::several::{self, Band, Doubt, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, Sums};
 
 /// The harmonics and the restitution.
 #[derive(Clone, Debug)]
@@ -123,8 +124,8 @@ impl Several {
 
     /// The first contacts of the flights that start so. Lemmas H2-H6
     fn first<N: Phased>(&self, shaking: &Sum<N>, all: Launch<N>) -> Result<FirstContact<N>, Doubt<N>> {
-        let centre = Flight::new(&shaking.harmonics, all.map(Phased::centre_of), None);
-        let all = Flight::new(&shaking.harmonics, all, None);
+        let centre = SumFlight::new(&shaking.harmonics, all.map(Phased::centre_of), None);
+        let all = SumFlight::new(&shaking.harmonics, all, None);
         let found = Scan::new(&all, &centre).first(&mut Reach::new(&self.band, &self.balls.harmonics))?;
         Ok(FirstContact { found, swing: all.acceleration })
     }

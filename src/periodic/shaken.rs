@@ -1,9 +1,9 @@
 //! A pair whose chains are proved, whatever shakes its box.
 
 use super::chain::{Chain, Legs};
-use super::physical::{self, Court};
+use super::physical;
 use super::shaking::Shaking;
-use crate::contact::{Margins, Radii, Verdict, first_contact, first_contact_f64};
+use crate::contact::{Court, Radii, Verdict, first_contact, first_contact_f64};
 use crate::exact::Exact;
 use crate::flight::Flight;
 #[cfg(feature = "multiprecision")]
@@ -70,7 +70,7 @@ pub(super) struct One {
 
 impl One {
     pub fn new(exact: Reduced<Exact>, pair: Reduced<Ball>) -> Self {
-        Self { exact, court: Court { pair, centre: pair.centre(), margins: Margins::new(&pair) } }
+        Self { exact, court: Court::new(pair) }
     }
 
     /// Whether no parameter is an interval of values.

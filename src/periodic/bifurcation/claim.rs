@@ -5,14 +5,14 @@ use std::cmp::Ordering;
 use super::super::Precision;
 use super::super::krawczyk::{Proved, flights, widest};
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit};
-use super::super::physical::{self, Court};
+use super::super::physical;
 use super::follow::Change;
 use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::solve::{LARGEST, Zero, certify, inverse, newton};
 use super::system::{Critical, Family, Graze, System, Unknown, Vanishing};
 use super::trace::null_vector;
-use crate::contact::Margins;
+use crate::contact::Court;
 use crate::exact::{Enclosure, Exact};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
@@ -244,19 +244,14 @@ impl<S: Condition> Claim<'_, S> {
     }
 }
 
-/// The pair as the proofs of first contacts want it.
-fn court(pair: Reduced<Ball>) -> Court {
-    Court { pair, centre: pair.centre(), margins: Margins::new(&pair) }
-}
-
 fn court_in_doubles(ring: &Ring, pair: &Reduced<Ball>, phases: &[Ball]) -> Option<bool> {
     let legs = ring.chain().legs(pair, phases)?;
-    physical::is_physical(&court(*pair), ring.chain(), phases, &legs)
+    physical::is_physical(&Court::new(*pair), ring.chain(), phases, &legs)
 }
 
 #[cfg(feature = "multiprecision")]
 fn court_in_balls(ring: &Ring, pair: &Reduced<MpBall>, phases: &[MpBall]) -> Option<bool> {
     let legs = ring.chain().legs(pair, phases)?;
-    let court = court(pair.map(Enclosing::as_ball));
+    let court = Court::new(pair.map(Enclosing::as_ball));
     physical::is_physical_precisely(&court, pair, ring.chain(), phases, &legs)
 }
