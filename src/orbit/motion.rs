@@ -170,7 +170,7 @@ impl<S: Flying> IntervalMotion<S> {
     #[cold]
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let all = Launch::from_inside(height, self.turns, phase, velocity);
-        let contact = self.shaken.first_contact(all, self.waves.as_ref())?;
+        let (contact, _) = self.shaken.first_contact(all, self.waves.as_ref())?;
         Ok((contact, StateSet::new(contact.phase, contact.velocity, scale(self.shaken.pair(), contact.velocity))))
     }
 }

@@ -19,6 +19,7 @@ use crate::mapping::jacobian_between;
 use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall};
 use crate::pair::Wall;
 use crate::several::Phased;
+use crate::shaken::shaking::Shaking;
 use crate::shaken::{Arrival, Flights, Flying, Location, Origin};
 use crate::turns;
 
@@ -137,7 +138,7 @@ impl<S: Flying> PreciseMotion<S> {
         let [bits, next_bits] = [self.index, self.index + 1].map(|index| bits_for(&self.plan, set, index));
         let parameters = self.shaken.rounded(&self.parameters, bits);
         let rebound = |phase: MpBall, before: MpBall| {
-            let after = -(S::restitution(&parameters).clone() * before);
+            let after = -(parameters.restitution().clone() * before);
             Launch::from_wall(wall, self.turns, phase, after, is_release)
         };
         let (phase, velocity) = set.balls();
@@ -197,7 +198,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
         let launch = match &self.states {
             States::Wall { wall, set, is_release } => {
                 let (phase, before) = set.balls();
-                let after = -(S::restitution(&self.parameters).clone() * before);
+                let after = -(self.parameters.restitution().clone() * before);
                 Launch::from_wall(*wall, self.turns, phase, after, *is_release)
             }
             States::Inside { height, phase, velocity } => {

@@ -24,8 +24,9 @@ mod prove;
 mod search;
 mod several;
 mod shaken;
-pub mod shaking;
 mod stability;
+
+use num_bigint::BigInt;
 
 use crate::error::Error;
 use crate::exact::Exact;
@@ -33,6 +34,8 @@ use crate::mapping::Word;
 use crate::number::Ball;
 use crate::orbit::{MAX_BITS, Start};
 use crate::pair::{ImpactPair, Reduced};
+pub use crate::shaken::shaking;
+use crate::shaken::{One, Several};
 pub use attractor::{Attractor, Passing};
 pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
@@ -42,8 +45,8 @@ use identity::{Identity, is_one_orbit};
 pub use krawczyk::Proved;
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::Budget;
-use several::Several;
-use shaken::{One, Shaken};
+use several::repetition;
+use shaken::Shaken;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
 /// How narrow the enclosures of an orbit are asked to be.
@@ -107,13 +110,13 @@ impl Problem {
     /// harmonics also when their frequencies are not proved to be commensurate, or the cycles are no multiple of the
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let Some(several) = Several::new(pair)? else {
+        let Some(several) = Several::new(pair, &BigInt::ZERO)? else {
             return Self::of(pair.exact()?, pair.reduced()?, word, cycles);
         };
         Ok(Self {
             word: word.clone(),
-            chain: Chain::under(several.repetition(), word, cycles)?,
-            restitution: several.restitution().clone(),
+            chain: Chain::under(repetition(pair, &several.spectrum)?, word, cycles)?,
+            restitution: several.spectrum.restitution.clone(),
             #[cfg(feature = "multiprecision")]
             is_point: pair.is_point(),
             pair: Pair::Several(Box::new(several)),

@@ -11,6 +11,7 @@ use super::{Pair, Precision, Problem};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
+use crate::shaken::Flying;
 
 /// The smallest radius of a domain that is tried in doubles.
 const LEAST_DOMAIN: f64 = 1.0 / (1_u64 << 46) as f64; // exact: a power of two

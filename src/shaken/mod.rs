@@ -7,7 +7,9 @@
 mod one;
 mod origin;
 mod several;
+pub mod shaking;
 mod still;
+mod sum;
 
 use std::fmt::Debug;
 
@@ -27,7 +29,9 @@ use crate::several::Phased;
 pub(crate) use one::One;
 pub(crate) use origin::{Location, Origin, Released};
 pub(crate) use several::Several;
+use shaking::Shaking;
 pub(crate) use still::Still;
+pub(crate) use sum::Sum;
 
 /// The box, and a ball that lies on its walls.
 pub(crate) trait Shaken: Debug + Send + Sync {
@@ -64,9 +68,15 @@ pub(crate) trait Shaken: Debug + Send + Sync {
 /// First contacts.
 pub(crate) trait Flying: Shaken + Sized + 'static {
     /// The parameters in an arithmetic.
-    type In<N: Phased>: Debug + Send;
+    type In<N: Phased>: Shaking<N> + Debug + Send;
     /// Sines and cosines at the start of a flight.
     type Waves<N: Phased>: Debug + Send;
+
+    /// The centres of the parameters.
+    fn floats(&self) -> &Self::In<f64>;
+
+    /// The parameters in doubles.
+    fn balls(&self) -> &Self::In<Ball>;
 
     /// Those at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
     fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
@@ -74,8 +84,12 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
     /// The first contact of a floating flight, proved in no way.
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided>;
 
-    /// The first contact of all the flights that start so.
-    fn first_contact(&self, all: Launch<Ball>, waves: Option<&Self::Waves<Ball>>) -> Result<Contact<Ball>, Undecided>;
+    /// The first contact of all the flights that start so, and `y''` at their start and there.
+    fn first_contact(
+        &self,
+        all: Launch<Ball>,
+        waves: Option<&Self::Waves<Ball>>,
+    ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided>;
 
     /// The first contacts of all the flights that leave a wall so and, more closely, of the one from the centre, and `y''` at
     /// start and contact of all. A doubt that the centre does not share is the set's width's fault.
@@ -97,10 +111,6 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
     /// The same parameters in fewer bits.
     #[cfg(feature = "multiprecision")]
     fn rounded(&self, parameters: &Self::In<MpBall>, bits: u32) -> Self::In<MpBall>;
-
-    /// `e`
-    #[cfg(feature = "multiprecision")]
-    fn restitution(parameters: &Self::In<MpBall>) -> &MpBall;
 
     /// Goes past the first extremum that may touch its wall. Lemmas G1, H13
     #[cfg(feature = "multiprecision")]

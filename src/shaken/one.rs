@@ -1,5 +1,6 @@
 //! One harmonic: first contacts by the closed form of [`crate::contact`].
 
+use super::shaking::Shaking;
 #[cfg(feature = "multiprecision")]
 use super::{Arrival, Flights, Precisely};
 use super::{Flying, Origin, Released, Shaken, Still};
@@ -11,7 +12,7 @@ use crate::contact::{
 use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
 use crate::flight::{Flight, Launch};
-use crate::number::{Ball, Kernel, Number, UNIT, kernel};
+use crate::number::{Ball, Kernel, Number, UNIT, Wave, kernel};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
 use crate::pair::{Reduced, Wall};
@@ -29,6 +30,12 @@ pub(crate) struct One {
 impl One {
     pub fn new(exact: Reduced<Exact>, pair: Reduced<Ball>) -> Self {
         Self { exact, court: Court::new(pair) }
+    }
+
+    /// Whether no parameter is an interval of values.
+    #[cfg(feature = "multiprecision")]
+    pub fn is_point(&self) -> bool {
+        [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
     }
 }
 
@@ -84,6 +91,14 @@ impl Flying for One {
     type In<N: Phased> = Reduced<N>;
     type Waves<N: Phased> = (N, N);
 
+    fn floats(&self) -> &Reduced<f64> {
+        &self.court.centre
+    }
+
+    fn balls(&self) -> &Reduced<Ball> {
+        &self.court.pair
+    }
+
     fn waves<N: Phased>(&self, _: &[Exact], phase: &N, _: u32) -> Option<(N, N)> {
         Some(phase.centre_of().wave())
     }
@@ -94,12 +109,19 @@ impl Flying for One {
         first_contact_f64::<Kernel>(&flight).ok_or(Undecided::endless())
     }
 
-    fn first_contact(&self, all: Launch<Ball>, _: Option<&(Ball, Ball)>) -> Result<Contact<Ball>, Undecided> {
+    fn first_contact(
+        &self,
+        all: Launch<Ball>,
+        _: Option<&(Ball, Ball)>,
+    ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided> {
         let (flight, sin_cos) = (all.map(|x| x.mid()), kernel::sin_cos(all.phase.mid()));
         let height = if all.wall.is_none() { all.height.rad() + UNIT } else { 0.0 };
         let radii = Radii { phase: all.phase.rad(), velocity: all.velocity.rad(), height };
-        match first_contact(&Flight::of(&self.court.centre, flight, sin_cos), &self.court.margins, radii) {
-            Verdict::Certified(contact) => Ok(contact),
+        let Court { pair, centre, margins } = &self.court;
+        match first_contact(&Flight::of(centre, flight, sin_cos), margins, radii) {
+            Verdict::Certified(contact) => {
+                Ok((contact, [all.phase, contact.phase].map(|phase| pair.swing(&phase.wave()))))
+            }
             Verdict::Undecided(undecided) => Err(undecided),
         }
     }
@@ -135,11 +157,6 @@ impl Flying for One {
     #[cfg(feature = "multiprecision")]
     fn rounded(&self, pair: &Reduced<MpBall>, bits: u32) -> Reduced<MpBall> {
         pair.map(|x| x.rounded(bits))
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn restitution(pair: &Reduced<MpBall>) -> &MpBall {
-        &pair.restitution
     }
 
     #[cfg(feature = "multiprecision")]

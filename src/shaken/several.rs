@@ -10,7 +10,7 @@ use num_bigint::BigInt;
 use super::still::quarter_turn;
 #[cfg(feature = "multiprecision")]
 use super::{Arrival, Flights, Precisely};
-use super::{Flying, Origin, Released, Shaken, Still};
+use super::{Flying, Origin, Released, Shaken, Still, Sum};
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Reason, SetContact, Undecided};
@@ -24,13 +24,6 @@ use crate::pair::{ImpactPair, Reduced, Wall, ball, within};
 #[cfg(feature = "multiprecision")]
 use crate::several::pass;
 use crate::several::{Band, Doubt, Found, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, accumulation, release};
-
-/// The harmonics and the restitution.
-#[derive(Clone, Debug)]
-pub(crate) struct Sum<N: Phased> {
-    pub harmonics: Harmonics<N>,
-    pub restitution: N,
-}
 
 /// A pair that is shaken by several harmonics, equation (1).
 #[derive(Clone, Debug)]
@@ -67,6 +60,12 @@ impl Several {
 
     fn reach(&self) -> Reach<'_> {
         Reach::new(&self.band, &self.balls.harmonics)
+    }
+
+    /// The first contact of all the flights that start so. Lemmas H2-H6
+    pub fn first<N: Phased>(&self, harmonics: &Harmonics<N>, all: Launch<N>) -> Result<Found<N>, Doubt<N>> {
+        let centre = SumFlight::new(harmonics, all.map(Phased::centre_of), None);
+        Scan::new(&SumFlight::new(harmonics, all, None), &centre).first(&mut self.reach())
     }
 
     /// The first contacts of all flights; a doubt that the centre does not share is the set's width's fault.
@@ -154,6 +153,14 @@ impl Flying for Several {
     type In<N: Phased> = Sum<N>;
     type Waves<N: Phased> = Vec<(N, N)>;
 
+    fn floats(&self) -> &Sum<f64> {
+        &self.floats
+    }
+
+    fn balls(&self) -> &Sum<Ball> {
+        &self.balls
+    }
+
     fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Vec<(N, N)>> {
         // Of a phase that is rounded the centre is another.
         let is_point = (phase.clone() - phase.centre_of()).is_zero();
@@ -161,9 +168,7 @@ impl Flying for Several {
     }
 
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided> {
-        let flight = SumFlight::new(&self.floats.harmonics, launch.clone(), None);
-        let found = Scan::new(&flight, &flight).first(&mut self.reach());
-        let found = found.map_err(|doubt| doubt.undecided(launch.wall))?;
+        let found = self.first(&self.floats.harmonics, launch.clone()).map_err(|doubt| doubt.undecided(launch.wall))?;
         let velocity = match found.wall {
             Wall::Left => found.centre_velocity.min(0.0),  // proposes
             Wall::Right => found.centre_velocity.max(0.0), // proposes
@@ -172,9 +177,14 @@ impl Flying for Several {
         Ok(Contact { wall: found.wall, turns, phase: launch.phase + found.at.rest, time, velocity })
     }
 
-    fn first_contact(&self, all: Launch<Ball>, waves: Option<&Vec<(Ball, Ball)>>) -> Result<Contact<Ball>, Undecided> {
+    fn first_contact(
+        &self,
+        all: Launch<Ball>,
+        waves: Option<&Vec<(Ball, Ball)>>,
+    ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided> {
         let centre = all.map(Phased::centre_of);
-        Ok(self.first_contacts(all, centre, waves)?.0.all)
+        let (contact, swings) = self.first_contacts(all, centre, waves)?;
+        Ok((contact.all, swings))
     }
 
     fn first_contacts(
@@ -203,11 +213,6 @@ impl Flying for Several {
     #[cfg(feature = "multiprecision")]
     fn rounded(&self, sum: &Sum<MpBall>, bits: u32) -> Sum<MpBall> {
         Sum { harmonics: sum.harmonics.rounded(bits), restitution: sum.restitution.rounded(bits) }
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn restitution(sum: &Sum<MpBall>) -> &MpBall {
-        &sum.restitution
     }
 
     #[cfg(feature = "multiprecision")]

@@ -2,7 +2,8 @@
 
 use rug::Float;
 
-use super::{Several, Sum};
+use super::super::Sum;
+use super::Several;
 use crate::contact::{Contact, Undecided};
 use crate::flight::Launch;
 use crate::number::{Ball, Magnitude, MpBall, Number};
