@@ -22,13 +22,13 @@ use crate::shaken::{Flying, Location, One, Origin, Released, Several, Shaken};
 pub(super) struct Given {
     pub pair: Arc<ImpactPair>,
     /// The pair without units, under one harmonic or several.
-    pub engine: Arc<dyn Engine>,
+    pub shaken: Arc<dyn Motions>,
     /// The orbit's start, or the last release.
     pub origin: Origin<Exact>,
 }
 
 /// The motions under what shakes the box: what follows is compiled for each kind of it.
-pub(super) trait Engine: Shaken {
+pub(super) trait Motions: Shaken {
     /// In plain doubles.
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
     /// In doubles, certified.
@@ -38,7 +38,7 @@ pub(super) trait Engine: Shaken {
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion>;
 }
 
-impl<S: Flying> Engine for S {
+impl<S: Flying> Motions for S {
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion> {
         Box::new(FloatMotion::new(self, origin))
     }
@@ -67,12 +67,12 @@ impl Given {
                 Location::Inside(within("start.position", position, height)?)
             }
         };
-        let (engine, phases): (Arc<dyn Engine>, _) = match Several::new(pair, clock.origin())? {
+        let (shaken, phases): (Arc<dyn Motions>, _) = match Several::new(pair, clock.origin())? {
             None => (Arc::new(One::new(pair.exact()?, pair.reduced()?)), Vec::new()),
             Some(several) => (Arc::new(several), within("start.time", start.time(), phases_at(pair, start.time()))?),
         };
         let origin = Origin { place, turns, phase, velocity, phases, release: None };
-        Ok(Self { pair: Arc::new(pair.clone()), engine, origin })
+        Ok(Self { pair: Arc::new(pair.clone()), shaken, origin })
     }
 
     /// The origin in doubles.
@@ -87,10 +87,10 @@ impl Given {
 
     /// The first motion from the origin that is tried in an arithmetic.
     pub fn motion(&self, arithmetic: Arithmetic) -> Result<Box<dyn Motion>, Error> {
-        let (engine, origin) = (self.engine.clone(), self.origin_ball()?);
+        let (shaken, origin) = (self.shaken.clone(), self.origin_ball()?);
         Ok(match arithmetic {
-            Arithmetic::Float => engine.float(&origin),
-            Arithmetic::Auto | Arithmetic::Interval => engine.interval(&origin),
+            Arithmetic::Float => shaken.float(&origin),
+            Arithmetic::Auto | Arithmetic::Interval => shaken.interval(&origin),
             #[cfg(feature = "multiprecision")]
             Arithmetic::Bits(bits) => self.precise(Plan::constant(bits)),
             #[cfg(not(feature = "multiprecision"))]
@@ -101,6 +101,6 @@ impl Given {
     /// The motion from the origin in as many bits as planned.
     #[cfg(feature = "multiprecision")]
     pub fn precise(&self, plan: Plan) -> Box<dyn Motion> {
-        self.engine.clone().precise(&self.origin, plan)
+        self.shaken.clone().precise(&self.origin, plan)
     }
 }

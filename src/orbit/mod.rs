@@ -36,17 +36,15 @@ use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::periodic::Passing;
 use crate::rest;
-use crate::shaken::{Released, Still};
 use crate::switch_plane::{SwitchPoint, absolute};
 use crate::turns;
-use attraction::Recent;
+use aside::Aside;
 use clock::Phase;
 use event::finite;
 use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
-use recurrence::Recurrence;
 use settings::Width;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
@@ -74,44 +72,49 @@ use settings::Width;
 /// ```
 #[derive(Debug)]
 pub struct Orbit {
-    /// What is followed, from the orbit's start or the last release.
-    given: Given,
-    pair: Reduced<Ball>,
     clock: Clock,
-    motion: Box<dyn Motion>,
-    settings: Settings,
-    until: Option<Phase>,
-    /// Widths asked for, of phases in turns and of velocities in gaps a turn.
-    widths: [Width; 2],
-    /// No interval among the data: more precision makes every enclosure narrower.
-    is_point: bool,
-    /// Bits of what is printed beyond doubles.
-    shown: u32,
+    asked: Asked,
+    engine: Engine,
     /// Where the motion starts.
     start: Cursor,
     /// Where the motion is.
     cursor: Cursor,
     /// Impacts handed out.
     listed: u64,
-    /// The most bits of motions before the last release.
-    bits: u32,
+    first_wide: Option<u64>,
+    aside: Aside,
+    outcome: Option<Outcome>,
+}
+
+/// What is asked for.
+#[derive(Debug)]
+struct Asked {
+    settings: Settings,
+    until: Option<Phase>,
+    /// Widths, of phases in turns and of velocities in gaps a turn.
+    widths: [Width; 2],
+    /// Bits of what is printed beyond doubles.
+    shown: u32,
+}
+
+/// What flies.
+#[derive(Debug)]
+struct Engine {
+    /// What is followed, from the orbit's start or the last release.
+    given: Given,
+    pair: Reduced<Ball>,
+    motion: Box<dyn Motion>,
+    /// No interval among the data: more precision makes every enclosure narrower.
+    is_point: bool,
     /// What is left to try when the motion does not suffice.
     #[cfg(feature = "multiprecision")]
     raise: Option<Raise>,
-    first_wide: Option<u64>,
+    /// The most bits of motions before the last release.
+    bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in turns.
     haste: f64,
-    /// There has been a rest, or a wall is never hit: more than flights is to be looked after.
-    is_aside: bool,
-    /// The ball rests and will be released then; for ever if it is not.
-    resting: Option<Option<Released>>,
-    /// It never hits a wall again, and may graze some, so many times so far.
-    still: Option<Still>,
-    grazes: u64,
-    recurrence: Recurrence,
-    /// The last impacts handed out.
-    recent: Recent,
-    outcome: Option<Outcome>,
+    /// Nor is it told before it is as short as this, or ends before the pressure does.
+    patience: Option<f64>,
 }
 
 /// How far the motion has come.
@@ -142,7 +145,7 @@ impl Orbit {
         };
         let clock = Clock::new(pair, &start.time, shown)?;
         let given = Given::new(pair, start, &clock)?;
-        let reduced = *given.engine.pair();
+        let reduced = *given.shaken.pair();
         let origin = given.origin_ball().map_err(|error| match error.key() {
             Some("start.velocity") => Error::too_large("start.velocity", &start.velocity),
             _ => error,
@@ -153,31 +156,29 @@ impl Orbit {
         let motion = given.motion(settings.arithmetic)?;
         let (wall, turns, phase, velocity) = (origin.wall(), origin.turns, origin.phase, origin.velocity);
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
-        let mut orbit = Self {
+        let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
+        let patience = given.shaken.patience(widths[0].linear);
+        let engine = Engine {
             given,
             pair: reduced,
-            clock,
             motion,
-            until,
-            widths: [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)],
             is_point,
-            shown,
+            #[cfg(feature = "multiprecision")]
+            raise: None,
+            bits: 0,
+            haste: rest::haste(&reduced),
+            patience,
+        };
+        let mut orbit = Self {
+            clock,
+            asked: Asked { settings, until, widths, shown },
+            engine,
             start: cursor,
             cursor,
             listed: 0,
-            bits: 0,
-            #[cfg(feature = "multiprecision")]
-            raise: None,
             first_wide: None,
-            haste: rest::haste(&reduced),
-            is_aside: false,
-            resting: None,
-            still: None,
-            grazes: 0,
-            recurrence: Recurrence::default(),
-            recent: Recent::default(),
+            aside: Aside::default(),
             outcome: None,
-            settings,
         };
         orbit.look_ahead();
         Ok(orbit)
@@ -186,14 +187,15 @@ impl Orbit {
     /// What there is to know of a new start.
     fn look_ahead(&mut self) {
         #[cfg(feature = "multiprecision")]
-        if self.settings.arithmetic == Arithmetic::Auto {
-            let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
-            let settings = Settings { impacts: left, ..self.settings.clone() };
-            self.raise = Some(Raise::new(self.given.clone(), self.start.turns, self.until, &settings));
+        if self.asked.settings.arithmetic == Arithmetic::Auto {
+            let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
+            let settings = Settings { impacts: left, ..self.asked.settings.clone() };
+            self.engine.raise =
+                Some(Raise::new(self.engine.given.clone(), self.start.turns, self.asked.until, &settings));
         }
-        let is_float = self.settings.arithmetic == Arithmetic::Float;
-        self.still = self.given.engine.still(&self.given.origin).filter(|_| !is_float);
-        self.is_aside |= self.still.is_some();
+        let is_float = self.asked.settings.arithmetic == Arithmetic::Float;
+        self.aside.still = self.engine.given.shaken.still(&self.engine.given.origin).filter(|_| !is_float);
+        self.aside.is_due |= self.aside.still.is_some();
     }
 
     /// Turns phases into times and reduced velocities into velocities.
@@ -203,18 +205,18 @@ impl Orbit {
 
     /// What computes.
     pub fn arithmetic(&self) -> Arithmetic {
-        self.settings.arithmetic
+        self.asked.settings.arithmetic
     }
 
     /// The most bits that an impact so far was computed with: 53 in double precision.
     pub fn bits(&self) -> u32 {
-        self.bits.max(self.motion.bits()) // shown
+        self.engine.bits.max(self.engine.motion.bits()) // shown
     }
 
     /// The bits of each impact, once it is computed in multiprecision.
     #[cfg(feature = "multiprecision")]
     pub fn plan(&self) -> Option<&Plan> {
-        self.motion.plan()
+        self.engine.motion.plan()
     }
 
     /// How the orbit ended; `None` while it goes on.
@@ -249,7 +251,7 @@ impl Orbit {
 
     /// `E/d` and `E'` in gaps a turn.
     fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
-        let [shift, speed, _] = self.given.engine.displacement(turns, phase);
+        let [shift, speed, _] = self.engine.given.shaken.displacement(turns, phase);
         (shift, speed)
     }
 
@@ -263,13 +265,13 @@ impl Orbit {
     /// The next impact, or else what has happened instead: impacts, of which there are many, are not moved about.
     #[inline(always)]
     fn fly(&mut self) -> Result<Impact, Progress> {
-        if self.outcome.is_none() && self.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
+        if self.outcome.is_none() && self.asked.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
             self.finish(Outcome::ImpactsReached);
         }
         if self.outcome.is_some() {
             return Err(Progress::Ended);
         }
-        if self.is_aside
+        if self.aside.is_due
             && let Some(event) = self.aside()
         {
             return Err(event);
@@ -279,7 +281,7 @@ impl Orbit {
         {
             return Err(event);
         }
-        let contact = match self.motion.next_contact() {
+        let contact = match self.engine.motion.next_contact() {
             Ok(contact) => contact,
             Err(undecided) => return Err(self.give_up(undecided)),
         };
@@ -305,13 +307,13 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
-        if self.settings.attractor {
-            self.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
+        if self.asked.settings.attractor {
+            self.aside.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
         }
         let precise = self.precise(&contact).map(Box::new);
         let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
-        if self.is_aside {
-            self.recurrence.keep(&Progress::Impact(impact.clone()));
+        if self.aside.is_due {
+            self.aside.recurrence.keep(&Progress::Impact(impact.clone()));
         }
         Ok(impact)
     }
@@ -319,8 +321,8 @@ impl Orbit {
     /// Keeps what may have to be repeated.
     #[inline]
     fn hand_out(&mut self, event: Progress) -> Progress {
-        if self.is_aside {
-            self.recurrence.keep(&event);
+        if self.aside.is_due {
+            self.aside.recurrence.keep(&event);
         }
         event
     }
@@ -329,15 +331,18 @@ impl Orbit {
     #[inline]
     fn may_rest(&self) -> bool {
         let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
-        let (shortest, least) = ((velocity.mid() * self.haste).abs(), self.widths[0].linear);
-        // proposes: no window of pressure is longer than a turn
-        shortest <= 1.0 && index == self.listed && self.given.engine.may_rest(wall, phase.mid(), shortest, least)
+        let shortest = (velocity.mid() * self.engine.haste).abs();
+        let most = self.engine.patience.unwrap_or_else(|| {
+            let phase = phase.mid() + wall.mirror_phase();
+            phase.ceil() - phase // proposes
+        });
+        shortest <= most && index == self.listed
     }
 
     /// All that was asked for is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
-        self.outcome = Some(match self.recurrence.period() {
+        self.outcome = Some(match self.aside.recurrence.period() {
             Some(period) => Outcome::Periodic(period),
             None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
         });
@@ -369,7 +374,7 @@ impl Orbit {
 
     /// Whether an impact certainly comes after the time to stop at.
     fn is_past(&self, turns: i64, phase: Ball) -> bool {
-        self.until.is_some_and(|until| {
+        self.asked.until.is_some_and(|until| {
             // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
             let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
             ahead.mid() > ahead.rad()

@@ -19,7 +19,8 @@ use crate::shaken::{Flying, Location, Origin};
 use crate::turns;
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
-    /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed.
+    /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed, which are to be counted
+    /// (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
 
     /// The bits that the first impact is computed with.
@@ -108,9 +109,8 @@ impl<S: Flying> Motion for FloatMotion<S> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
         let Contact { wall, turns, phase, time, velocity } = self.shaken.propose(&self.next)?;
         let (turns, phase) = carry(turns, phase);
-        let passed = turns::after(self.next.turns, turns).ok_or(Undecided::endless())?;
         let after = -self.shaken.pair().restitution.mid() * velocity;
-        self.next = Launch::from_wall(wall, passed, phase, after, false);
+        self.next = Launch::from_wall(wall, turns::counted(self.next.turns, turns), phase, after, false);
         let exact = Ball::exact;
         Ok(Contact { wall, turns, phase: exact(phase), time: exact(time), velocity: exact(velocity) })
     }
@@ -183,7 +183,7 @@ impl<S: Flying> Motion for IntervalMotion<S> {
         };
         let (turns, phase) = carry(contact.turns, set.phase);
         let set = set.at_phase(phase);
-        self.turns = turns::after(self.turns, turns).ok_or(Undecided::endless())?;
+        self.turns = turns::counted(self.turns, turns);
         self.states = States::Wall { wall: contact.wall, set, is_release: false };
         self.waves = None;
         Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })

@@ -11,7 +11,7 @@ use crate::number::{Ball, Enclosing};
 impl Orbit {
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
-        phase_in_radians(&impact.enclosures().0, self.shown)
+        phase_in_radians(&impact.enclosures().0, self.asked.shown)
     }
 
     /// The bounds of an impact's velocity \[length/time\], before it.
@@ -32,9 +32,9 @@ impl Orbit {
     ///
     /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later one may be a graze.
     pub fn jacobian(&self, from: &Impact, to: &Impact) -> Option<[[Ball; 2]; 2]> {
-        let swings = [from, to].map(|impact| self.given.engine.displacement(impact.turns, impact.phase)[2]);
+        let swings = [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
         let time = self.turns_between(from, to);
-        jacobian_between(self.pair.restitution, time, swings, [from.velocity, to.velocity])
+        jacobian_between(self.engine.pair.restitution, time, swings, [from.velocity, to.velocity])
     }
 
     /// The start as impact number 0, when it is on a wall; for an orbit that has not been advanced.
@@ -45,13 +45,15 @@ impl Orbit {
 
     /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3
     pub(crate) fn forgets(&self, rest: &Rest) -> bool {
-        let is_edge = self.given.engine.may_be_loose(rest.wall, rest.turns, &rest.phase);
+        let is_edge = self.engine.given.shaken.may_be_loose(rest.wall, rest.turns, &rest.phase);
         // Lemma L3: without loss neighbours bounce for ever.
-        self.pair.restitution.mag() < 1.0 && self.pair.beta.certain_sign() == Some(Ordering::Greater) && !is_edge
+        self.engine.pair.restitution.mag() < 1.0
+            && self.engine.pair.beta.certain_sign() == Some(Ordering::Greater)
+            && !is_edge
     }
 
     /// `e`
     pub fn restitution(&self) -> Ball {
-        self.pair.restitution
+        self.engine.pair.restitution
     }
 }

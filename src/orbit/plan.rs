@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use super::Arithmetic;
-use super::given::{Engine, Given};
+use super::given::{Given, Motions};
 use super::motion::Motion;
 use crate::mapping::jacobian_between;
 use crate::number::LEAST_BITS;
@@ -104,7 +104,7 @@ fn deviation(growth: &[f32]) -> f64 {
 /// A floating run that carries a tangent vector along: how many bits each impact eats.
 #[derive(Debug)]
 pub(super) struct Growth {
-    engine: Arc<dyn Engine>,
+    shaken: Arc<dyn Motions>,
     run: Box<dyn Motion>,
     turns: i64,
     /// Velocity before the last impact, and the acceleration there; `None` inside the gap.
@@ -118,10 +118,10 @@ impl Growth {
     /// `None` for a start beyond doubles.
     pub fn new(given: &Given) -> Option<Self> {
         let (run, origin) = (given.motion(Arithmetic::Float).ok()?, given.origin_ball().ok()?);
-        let (engine, turns, velocity) = (given.engine.clone(), origin.turns, origin.velocity);
-        let scale = super::motion::scale(engine.pair(), velocity);
-        let last = origin.wall().map(|_| (velocity.mid(), engine.swing(turns, origin.phase.mid())));
-        Some(Self { engine, run, turns, last, tangent: [1.0, 1.0], scale })
+        let (shaken, turns, velocity) = (given.shaken.clone(), origin.turns, origin.velocity);
+        let scale = super::motion::scale(shaken.pair(), velocity);
+        let last = origin.wall().map(|_| (velocity.mid(), shaken.swing(turns, origin.phase.mid())));
+        Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
     /// Goes on to the next impact: the bits it eats, and the turns that passed.
@@ -129,10 +129,10 @@ impl Growth {
         let contact = self.run.next_contact().ok()?;
         self.turns = turns::after(self.turns, contact.turns)?;
         let (time, velocity1) = (contact.time.mid(), contact.velocity.mid());
-        let swing1 = self.engine.swing(self.turns, contact.phase.mid());
+        let swing1 = self.shaken.swing(self.turns, contact.phase.mid());
         let last = self.last.replace((velocity1, swing1));
         let Some((velocity0, swing0)) = last else { return Some((0.0, time)) };
-        let restitution = self.engine.pair().restitution.mid();
+        let restitution = self.shaken.pair().restitution.mid();
         let [[a, b], [c, d]] = jacobian_between(restitution, time, [swing0, swing1], [velocity0, velocity1])?;
         let [x, y] = self.tangent;
         let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];

@@ -185,7 +185,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
         let (phase, velocity) = set.balls();
         let turns = contact.turns + whole;
         self.index += 1;
-        self.turns = turns::after(self.turns, turns).ok_or(Undecided::endless())?;
+        self.turns = turns::counted(self.turns, turns);
         (self.states, self.waves) = (States::Wall { wall: contact.wall, set, is_release: false }, waves);
         Ok(Contact { turns, phase: phase.to_ball(), velocity: velocity.to_ball(), ..contact })
     }

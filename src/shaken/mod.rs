@@ -48,8 +48,9 @@ pub(crate) trait Shaken: Debug + Send + Sync {
     #[cfg(feature = "multiprecision")]
     fn swing(&self, turns: i64, phase: f64) -> f64;
 
-    /// Whether chatter of `shortest` turns at least may be told, if widths of `least` turns are: it proposes.
-    fn may_rest(&self, wall: Wall, phase: f64, shortest: f64, least: f64) -> bool;
+    /// Chatter of how many turns may be told, if widths of `least` turns are; `None`: any that ends before the pressure does, half
+    /// a turn after it began at the latest. It proposes.
+    fn patience(&self, least: f64) -> Option<f64>;
 
     /// How long, in turns, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
     /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7

@@ -61,10 +61,8 @@ impl Shaken for One {
         beta.turn() * beta * kernel::sin_cos(phase).0
     }
 
-    fn may_rest(&self, wall: Wall, phase: f64, shortest: f64, _: f64) -> bool {
-        let phase = phase + wall.mirror_phase();
-        // Chatter that begins now would have to end before the pressure does.
-        shortest <= phase.ceil() - phase // proposes
+    fn patience(&self, _: f64) -> Option<f64> {
+        None
     }
 
     fn accumulation(&self, wall: Wall, _: i64, phase: Ball, after: Ball, _: &[Exact]) -> Option<f64> {

@@ -121,9 +121,9 @@ impl Shaken for Several {
         self.floats.harmonics.sums(turns, &phase).swing
     }
 
-    fn may_rest(&self, _: Wall, _: f64, shortest: f64, least: f64) -> bool {
+    fn patience(&self, least: f64) -> Option<f64> {
         // A rest is told once the chatter left is shorter than the digits show.
-        shortest <= least.max(f64::MIN_POSITIVE) // proposes: Z1 is proved where it says so
+        Some(least.max(f64::MIN_POSITIVE)) // proposes: Z1 is proved where it says so
     }
 
     fn accumulation(&self, wall: Wall, turns: i64, phase: Ball, after: Ball, phases: &[Exact]) -> Option<f64> {
