@@ -40,6 +40,49 @@ pub(crate) fn velocity_after<N: Number>(beta: N, velocity: N, (sin, cos): (N, N)
     beta.mul_add_ref(&wave, velocity)
 }
 
+/// Where a flight starts, not mirrored: after the impact, for a start on a wall.
+#[derive(Clone, Debug)]
+pub(crate) struct Launch<N> {
+    /// `None` inside the gap.
+    pub wall: Option<Wall>,
+    /// Above the left wall, inside the gap.
+    pub height: N,
+    /// Whole turns and the rest of the phase.
+    pub turns: i64,
+    pub phase: N,
+    /// `z'`
+    pub velocity: N,
+    /// The acceleration of each flight is exactly 0 there: the ball was pressed against the wall before.
+    pub is_release: bool,
+}
+
+impl<N: Number> Launch<N> {
+    /// From a wall.
+    #[inline(always)]
+    pub fn from_wall(wall: Wall, turns: i64, phase: N, velocity: N, is_release: bool) -> Self {
+        Self { wall: Some(wall), height: N::from_f64(0.0), turns, phase, velocity, is_release }
+    }
+
+    /// From inside the gap.
+    pub fn from_inside(height: N, turns: i64, phase: N, velocity: N) -> Self {
+        Self { wall: None, height, turns, phase, velocity, is_release: false }
+    }
+}
+
+impl<N> Launch<N> {
+    /// The same in another arithmetic.
+    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Launch<M> {
+        Launch {
+            wall: self.wall,
+            height: f(&self.height),
+            turns: self.turns,
+            phase: f(&self.phase),
+            velocity: f(&self.velocity),
+            is_release: self.is_release,
+        }
+    }
+}
+
 /// One flight: its start, in the frame described above, and its drift.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight<N> {
@@ -81,6 +124,16 @@ impl<N> Flight<N> {
 }
 
 impl<N: Number> Flight<N> {
+    /// The flight that starts so; `sin_cos` are the sine and cosine of the phase, not mirrored.
+    #[inline(always)]
+    pub(crate) fn of(pair: &Reduced<N>, launch: Launch<N>, sin_cos: (N, N)) -> Self {
+        let Launch { wall, height, phase, velocity, .. } = launch;
+        match wall {
+            Some(wall) => Self::from_wall(pair, wall, phase, wall.inward(velocity), sin_cos),
+            None => Self::from_inside(pair, height, phase, velocity, sin_cos),
+        }
+    }
+
     /// A flight that leaves `wall` with velocity `velocity >= 0` away from it.
     ///
     /// `sin_cos` are the sine and cosine of the phase, not mirrored.

@@ -84,6 +84,7 @@ pub mod pair;
 pub mod periodic;
 pub mod rest;
 mod several;
+mod shaken;
 pub mod sweep;
 pub mod switch_plane;
 #[cfg(test)]

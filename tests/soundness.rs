@@ -5,6 +5,7 @@
 use impact_pair::Scene;
 use impact_pair::contact::{Margins, Radii, Verdict, first_contact};
 use impact_pair::flight::Flight;
+use impact_pair::mapping::Mapping;
 use impact_pair::number::{Ball, Number, kernel};
 use impact_pair::orbit::{Arithmetic, Graze, Impact, Orbit, Outcome, Progress, Settings};
 use impact_pair::pair::{Reduced, Wall};
@@ -213,4 +214,37 @@ fn r14_flights_of_more_turns_than_doubles_count_are_not_followed() {
             assert!(found.is_empty() && matches!(orbit.outcome(), Some(Outcome::Undecided { .. })), "{found:?}");
         }
     }
+}
+
+#[test]
+fn r16_after_what_may_have_been_a_touch_no_mapping_is_named_that_may_be_false() {
+    // (11) in mpmath, 60 digits: the maximum at 2.5286 is 1e-25 beyond the right wall, which is touched; the next mapping is P3.
+    let gap = "5.51996296806061375229774706080799496119226455";
+    let text = |frequency: &str, amplitude: &str, phase: &str| {
+        format!(
+            "excitation = {{ amplitude = {amplitude}, frequency = {frequency}, phase = {phase} }}\n\
+             pair = {{ gap = {gap}, restitution = 0.5 }}\nstart = {{ time = 0, wall = \"left\", velocity = -0.4 }}"
+        )
+    };
+    // The same harmonic, as one and as two.
+    for text in [text("2", "1", "0.7"), text("[2, 2]", "[0.5, 0.5]", "[0.7, 0.7]")] {
+        for arithmetic in arithmetics() {
+            let (found, _) = events(&Scene::parse(&text).unwrap(), arithmetic, 2);
+            let Some(at) = found.iter().position(|event| matches!(event, Progress::Graze(_))) else { continue };
+            let Progress::Impact(next) = &found[at + 1] else { panic!("{found:?}") };
+            assert_eq!((at, next.wall, next.mapping), (0, Wall::Right, None), "{arithmetic:?}");
+            let Progress::Impact(after) = &found[at + 2] else { panic!("{found:?}") };
+            assert_eq!(after.mapping, Some(Mapping::P3), "{arithmetic:?}");
+        }
+    }
+}
+
+#[test]
+fn r16_a_graze_of_the_wall_that_was_left_leaves_no_doubt_of_the_mapping() {
+    // mpmath, 60 digits: the minimum at 2.9192 comes within 10^-44 of the left wall, the maximum at 4.51 is 2.05 from it.
+    let text = "excitation = { amplitude = 1, frequency = 2, phase = 2 }\npair = { gap = 2, restitution = 0.5 }\n\
+                start = { time = 0, wall = \"left\", velocity = -1.7266462555940501513267306027574550013289669 }";
+    let (found, _) = events(&Scene::parse(text).unwrap(), Arithmetic::Interval, 1);
+    let [Progress::Graze(graze), Progress::Impact(next)] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((graze.wall, next.wall, next.mapping), (Wall::Left, Wall::Right, Some(Mapping::P2)));
 }

@@ -43,7 +43,8 @@ pub enum ClaimKind {
     Impact {
         /// Its number, from 1.
         index: u64,
-        /// The mapping that led here; `None` for the first contact of a start inside the gap.
+        /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
+        /// wall may have been a touch.
         mapping: Option<Mapping>,
         /// The bounds of `y'` just before \[length/time\].
         velocity: [BigRational; 2],

@@ -28,7 +28,7 @@ use std::cmp::Ordering;
 
 use crate::flight::Flight;
 use crate::number::{Ball, Kernel, Trigonometry};
-use crate::pair::Wall;
+use crate::pair::{Reduced, Wall};
 
 /// A three-valued answer: proved, or not, and then why.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,6 +117,20 @@ pub struct Contact<N> {
     pub time: N,
     /// The relative velocity `y'` just before the impact.
     pub velocity: N,
+}
+
+/// A pair as the certificates of first contacts want it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Court {
+    pub pair: Reduced<Ball>,
+    pub centre: Reduced<f64>,
+    pub margins: Margins,
+}
+
+impl Court {
+    pub fn new(pair: Reduced<Ball>) -> Self {
+        Self { pair, centre: pair.centre(), margins: Margins::new(&pair) }
+    }
 }
 
 /// Encloses the first contact of a flight.

@@ -28,7 +28,8 @@ pub struct Event {
 pub enum Kind {
     /// The ball hits the wall.
     Impact {
-        /// The mapping that led here; `None` for the first contact of a start inside the gap.
+        /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
+        /// wall may have been a touch.
         mapping: Option<Mapping>,
         /// The relative velocity `y'` just before the impact \[length/time\].
         velocity: Bounds,

@@ -1,34 +1,50 @@
 //! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
 
 use super::Period;
+use super::attraction::Recent;
 use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
+use super::recurrence::Recurrence;
 use super::shortfall::Shortfall;
-use super::still::Still;
 use super::{Cursor, Orbit};
-use crate::exact::Enclosure;
+use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
 use crate::pair::{Inward, Wall};
-use crate::rest;
-use crate::several::Zero;
+use crate::shaken::{Released, Still};
+#[cfg(feature = "multiprecision")]
 use crate::turns;
+
+/// What there is to look after but flights.
+#[derive(Debug, Default)]
+pub(super) struct Aside {
+    /// There has been a rest, or a wall is never hit: the rest of this is to be looked at.
+    pub is_due: bool,
+    /// The ball rests and will be released then; for ever if it is not.
+    pub resting: Option<Option<Released>>,
+    /// It never hits a wall again, and may graze some, so many times so far.
+    pub still: Option<Still>,
+    pub grazes: u64,
+    pub recurrence: Recurrence,
+    /// The last impacts handed out.
+    pub recent: Recent,
+}
 
 impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
     pub(super) fn aside(&mut self) -> Option<Progress> {
-        if let Some(still) = self.still {
+        if let Some(still) = self.aside.still {
             return Some(self.graze_again(still));
         }
-        if let Some(event) = self.recurrence.repeat() {
+        if let Some(event) = self.aside.recurrence.repeat() {
             return Some(match event {
                 Ok(event) => self.repeat(event),
                 Err(endless) => self.give_up(endless),
             });
         }
-        self.resting.take().map(|release| self.release(release))
+        self.aside.resting.take().map(|release| self.release(release))
     }
 
     /// The next graze of a motion that only grazes, once a turn, or not even that.
@@ -40,8 +56,10 @@ impl Orbit {
             return Progress::Ended;
         };
         let period = Outcome::Periodic(Period { cycles: 1, impacts: 0 });
-        self.grazes += 1;
-        if self.is_past(turns, Ball::exact(at)) || self.settings.impacts.is_some_and(|impacts| self.grazes > impacts) {
+        self.aside.grazes += 1;
+        if self.is_past(turns, Ball::exact(at))
+            || self.asked.settings.impacts.is_some_and(|impacts| self.aside.grazes > impacts)
+        {
             return self.finish(period);
         }
         (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
@@ -73,12 +91,13 @@ impl Orbit {
     #[cold]
     pub(super) fn come_to_rest(&mut self) -> Option<Progress> {
         let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
-        let after = wall.inward(self.pair.rebound_of(self.cursor.velocity));
-        let is_still = self.pair.beta == Ball::exact(0.0);
-        let time = match (is_still, &self.given.several) {
-            (true, _) => (after == Ball::exact(0.0)).then_some(0.0)?,
-            (false, None) => rest::accumulation(&self.pair, wall, self.cursor.phase, after)?,
-            (false, Some(several)) => several.accumulation(&self.pair, &self.cursor, wall, after)?,
+        let after = wall.inward(self.engine.pair.rebound_of(self.cursor.velocity));
+        let is_still = self.engine.pair.beta == Ball::exact(0.0);
+        let Cursor { turns, phase, index, .. } = self.cursor;
+        let phases: &[Exact] = if index == 0 { &self.engine.given.origin.phases } else { &[] };
+        let time = match is_still {
+            true => (after == Ball::exact(0.0)).then_some(0.0)?,
+            false => self.engine.given.shaken.accumulation(wall, turns, phase, after, phases)?,
         };
         self.rest(wall, time, is_still)
     }
@@ -86,71 +105,56 @@ impl Orbit {
     /// The ball rests from `time` turns after the last contact on, at the latest.
     #[cold]
     fn rest(&mut self, wall: Wall, time: f64, for_ever: bool) -> Option<Progress> {
-        let width = self.widths[0];
+        let width = self.asked.widths[0];
         // Impacts are listed until they shrink below the digits asked for.
         if time.log2() > width.log2 - 1.0 {
             return None;
         }
         let Cursor { turns, phase, .. } = self.cursor;
-        let radius = self.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
+        let radius = self.engine.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
         let is_wide = radius > width.log2 - 2.0;
-        if is_wide && self.settings.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
+        if is_wide && self.asked.settings.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
         let at_start = self.cursor.index == self.start.index;
-        let enclosed = match self.motion.enclosures() {
-            _ if at_start => self.given.origin.phase.enclose(self.shown),
-            Some((phase, _)) => phase.rounded(self.shown),
+        let enclosed = match self.engine.motion.enclosures() {
+            _ if at_start => self.engine.given.origin.phase.enclose(self.asked.shown),
+            Some((phase, _)) => phase.rounded(self.asked.shown),
             None => finite(phase),
         };
         let span = Enclosure::from_f64_bounds(0.0, time)?;
-        let enclosed = enclosed.add(&span, self.shown.saturating_add(64)); // X1: any number of bits encloses
+        let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
         let release = match for_ever {
             true => None,
-            false => Some(self.release_of(wall, turns, phase.mid())?),
+            false => Some(self.engine.given.shaken.release(wall, turns, phase.mid(), self.asked.shown)?),
         };
-        (self.resting, self.is_aside) = (Some(release), true);
+        (self.aside.resting, self.aside.is_due) = (Some(release), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };
         Some(self.hand_out(Progress::Rest(rest)))
     }
 
-    /// When a ball that rests since a phase leaves its wall: the turns, and a zero of the pressure under several harmonics.
-    fn release_of(&self, wall: Wall, turns: i64, phase: f64) -> Option<(Release, Option<Zero>)> {
-        let Some(several) = &self.given.several else {
-            let (ahead, phase) = rest::release(wall, phase);
-            let phase = Enclosure::from_f64_bounds(phase, phase)?;
-            return Some((Release { wall, turns: turns::later(turns, ahead)?, phase }, None));
-        };
-        let zero = several.release_after(wall, turns, phase)?;
-        let phase = several.enclosure(&zero, self.shown)?;
-        Some((Release { wall, turns: zero.turns, phase }, Some(zero)))
-    }
-
     /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
     #[cold]
-    fn release(&mut self, release: Option<(Release, Option<Zero>)>) -> Progress {
-        let Some((release, zero)) = release else {
+    fn release(&mut self, release: Option<Released>) -> Progress {
+        let Some(release) = release else {
             self.outcome = self.cursor.wall.map(Outcome::RestsForever);
             return Progress::Ended;
         };
-        let Release { wall, turns, phase } = release.clone();
-        let (mid, rad) = phase.mid_rad();
+        let Released { wall, turns, phase: enclosure, .. } = release.clone();
+        let (mid, rad) = enclosure.mid_rad();
         let phase = Ball::new(mid, rad);
         if self.is_past(turns, phase) {
             return self.finish(Outcome::TimeReached);
         }
-        let event = self.hand_out(Progress::Release(release));
-        let (number, counted) = match (&mut self.given.several, &zero) {
-            (Some(several), Some(zero)) => several.number_of(zero),
-            _ => (usize::from(wall == Wall::Right), turns),
-        };
-        self.recurrence.release(number, counted, self.listed);
-        self.given.leave(wall, mid, zero, self.shown);
+        let event = self.hand_out(Progress::Release(Release { wall, turns, phase: enclosure }));
+        self.aside.recurrence.release(&release, self.listed);
+        self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
         self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
         self.cursor = self.start;
-        self.bits = self.bits();
-        self.motion = self.given.motion(self.settings.arithmetic).expect("the arithmetic was there at the start");
+        self.engine.bits = self.bits();
+        self.engine.motion =
+            self.engine.given.motion(self.asked.settings.arithmetic).expect("the arithmetic was there at the start");
         self.look_ahead();
         event
     }
@@ -158,15 +162,16 @@ impl Orbit {
     /// Lists a contact that may be a graze and goes on past it.
     #[cfg(feature = "multiprecision")]
     pub(super) fn pass_graze(&mut self) -> Option<Progress> {
-        let passed = self.motion.pass_graze()?;
+        let passed = self.engine.motion.pass_graze()?;
         let whole = passed.at.mid().to_f64().round(); // exact: any whole number is taken off
         let turns = turns::after(self.cursor.turns, whole)?;
         let at = passed.at.clone() - MpBall::from_f64(whole);
         if self.is_past(turns, at.to_ball()) {
             return Some(self.finish(Outcome::TimeReached));
         }
-        let phase = at.enclosure()?.rounded(self.shown);
+        let phase = at.enclosure()?.rounded(self.asked.shown);
         self.cursor = Cursor {
+            wall: self.cursor.wall.filter(|wall| *wall == passed.wall),
             is_inside: true,
             turns: turns::after(self.cursor.turns, passed.turns)?,
             phase: MpBall::exact(passed.phase.clone()).to_ball(),
@@ -174,7 +179,7 @@ impl Orbit {
             ..self.cursor
         };
         // From here on the data are a box: no precision makes it narrower.
-        (self.start, self.raise, self.is_point) = (self.cursor, None, false);
+        (self.start, self.engine.raise, self.engine.is_point) = (self.cursor, None, false);
         Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
     }
 

@@ -43,17 +43,18 @@ impl Orbit {
     #[cold]
     pub(super) fn attractor(&self) -> Option<Attractor> {
         // The grazes of a motion without impacts end here as well; floats prove nothing.
-        if !self.settings.attractor || self.still.is_some() || self.settings.arithmetic == Arithmetic::Float {
+        if !self.asked.settings.attractor
+            || self.aside.still.is_some()
+            || self.asked.settings.arithmetic == Arithmetic::Float
+        {
             return None;
         }
-        let (mut states, digits) = (self.recent.in_order(), self.settings.digits.min(DIGITS)); // shown
-        if let Some(several) = &self.given.several {
-            // Without a common period nothing is periodic.
-            let origin = self.clock.turns_into(several.period()?);
-            // Lemma N1: less than a period, of 32 bits.
-            states.iter_mut().for_each(|state| state.turns += origin);
-        }
-        find_attractor(&states, digits, |word, cycles| Problem::new(&self.given.impact_pair, word, cycles).ok())
+        let (mut states, digits) = (self.aside.recent.in_order(), self.asked.settings.digits.min(DIGITS)); // shown
+        // Without a common period nothing is periodic.
+        let origin = self.clock.turns_into(self.engine.given.shaken.period()?);
+        // Lemma N1: less than a period, of 32 bits.
+        states.iter_mut().for_each(|state| state.turns += origin);
+        find_attractor(&states, digits, |word, cycles| Problem::new(&self.engine.given.pair, word, cycles).ok())
     }
 }
 

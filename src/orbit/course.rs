@@ -1,11 +1,11 @@
 //! Where the ball is between the events of an orbit: what figures draw.
 
 use super::event::finite;
-use super::origin::Location;
 use super::{Impact, Orbit, Release};
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::pair::Wall;
+use crate::shaken::Location;
 
 /// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
 ///
@@ -40,10 +40,10 @@ pub struct CoursePoint {
 impl Orbit {
     /// The flight from the start, and its phase: whole turns and the rest. To be asked before the orbit goes on.
     pub fn first_course(&self) -> (Course, i64, Ball) {
-        let origin = self.given.origin_ball().expect("the orbit started with these numbers");
+        let origin = self.engine.given.origin_ball().expect("the orbit started with these numbers");
         let (turns, phase) = (self.start.turns, origin.phase);
         let course = match origin.place {
-            Location::Wall(wall) => self.leaving(wall, turns, phase, self.pair.rebound_of(origin.velocity)),
+            Location::Wall(wall) => self.leaving(wall, turns, phase, self.engine.pair.rebound_of(origin.velocity)),
             Location::Inside(height) => self.course(turns, phase, height - Ball::exact(0.5), origin.velocity),
         };
         (course, turns, phase)
@@ -51,7 +51,7 @@ impl Orbit {
 
     /// The flight that an impact begins. **Equation** (15)
     pub fn course_after(&self, impact: &Impact) -> Course {
-        self.leaving(impact.wall, impact.turns, impact.phase, self.pair.rebound_of(impact.velocity))
+        self.leaving(impact.wall, impact.turns, impact.phase, self.engine.pair.rebound_of(impact.velocity))
     }
 
     /// The flight that ends with an impact, told backwards from it: it holds whatever a graze before it may have done.
@@ -86,7 +86,7 @@ impl Orbit {
     pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
         let Impact { wall, turns, phase, velocity, .. } = *impact;
         let on_wall = |velocity| self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), velocity);
-        Some([on_wall(velocity)?, on_wall(self.pair.rebound_of(velocity))?])
+        Some([on_wall(velocity)?, on_wall(self.engine.pair.rebound_of(velocity))?])
     }
 
     /// The point of the motion at that phase while the ball rests on `wall`.

@@ -14,7 +14,8 @@ use crate::turns;
 pub struct Impact {
     /// Counts the impacts from 1; the start is not counted.
     pub index: u64,
-    /// The mapping that led here; `None` for the first contact of a start inside the gap.
+    /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
+    /// wall may have been a touch.
     pub mapping: Option<Mapping>,
     /// The wall.
     pub wall: Wall,

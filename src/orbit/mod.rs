@@ -7,7 +7,6 @@ mod course;
 mod event;
 mod given;
 mod motion;
-mod origin;
 mod passage;
 #[cfg(feature = "multiprecision")]
 mod plan;
@@ -17,9 +16,7 @@ mod precise;
 mod raise;
 mod recurrence;
 mod set;
-mod several;
 mod shortfall;
-mod still;
 mod textbook;
 mod width;
 
@@ -36,25 +33,21 @@ use crate::Error;
 use crate::Scene;
 use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
-use crate::excitation::displacement_velocity_acceleration;
 use crate::mapping::Mapping;
 use crate::number::interval::enclosing;
 use crate::number::{Ball, Number};
 use crate::pair::{ImpactPair, Reduced, Wall, too_large};
 use crate::periodic::Passing;
 use crate::rest;
-use crate::several::Zero;
 use crate::switch_plane::{SwitchPoint, absolute};
 use crate::turns;
-use attraction::Recent;
+use aside::Aside;
 use clock::Phase;
 use event::finite;
 use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
-use recurrence::Recurrence;
-use still::Still;
 use width::Width;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
@@ -82,51 +75,56 @@ use width::Width;
 /// ```
 #[derive(Debug)]
 pub struct Orbit {
-    /// What is followed, from the orbit's start or the last release.
-    given: Given,
-    pair: Reduced<Ball>,
     clock: Clock,
-    motion: Box<dyn Motion>,
-    settings: Settings,
-    until: Option<Phase>,
-    /// Widths asked for, of phases in turns and of velocities in gaps a turn.
-    widths: [Width; 2],
-    /// No interval among the data: more precision makes every enclosure narrower.
-    is_point: bool,
-    /// Bits of what is printed beyond doubles.
-    shown: u32,
+    asked: Asked,
+    engine: Engine,
     /// Where the motion starts.
     start: Cursor,
     /// Where the motion is.
     cursor: Cursor,
     /// Impacts handed out.
     listed: u64,
-    /// The most bits of motions before the last release.
-    bits: u32,
+    first_wide: Option<u64>,
+    aside: Aside,
+    outcome: Option<Outcome>,
+}
+
+/// What is asked for.
+#[derive(Debug)]
+struct Asked {
+    settings: Settings,
+    until: Option<Phase>,
+    /// Widths, of phases in turns and of velocities in gaps a turn.
+    widths: [Width; 2],
+    /// Bits of what is printed beyond doubles.
+    shown: u32,
+}
+
+/// What flies.
+#[derive(Debug)]
+struct Engine {
+    /// What is followed, from the orbit's start or the last release.
+    given: Given,
+    pair: Reduced<Ball>,
+    motion: Box<dyn Motion>,
+    /// No interval among the data: more precision makes every enclosure narrower.
+    is_point: bool,
     /// What is left to try when the motion does not suffice.
     #[cfg(feature = "multiprecision")]
     raise: Option<Raise>,
-    first_wide: Option<u64>,
+    /// The most bits of motions before the last release.
+    bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in turns.
     haste: f64,
-    /// There has been a rest, or a wall is never hit: more than flights is to be looked after.
-    is_aside: bool,
-    /// The ball rests and will be released then; for ever if it is not.
-    resting: Option<Option<(Release, Option<Zero>)>>,
-    /// It never hits a wall again, and may graze some, so many times so far.
-    still: Option<Still>,
-    grazes: u64,
-    recurrence: Recurrence,
-    /// The last impacts handed out.
-    recent: Recent,
-    outcome: Option<Outcome>,
+    /// Nor is it told before it is as short as this, or ends before the pressure does.
+    patience: Option<f64>,
 }
 
 /// How far the motion has come.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor {
     index: u64,
-    /// The wall of the last impact.
+    /// The wall of the last impact; `None` where there is none, or a graze of the other wall may have been one.
     wall: Option<Wall>,
     /// Inside the gap: at the start, or after a graze.
     is_inside: bool,
@@ -149,8 +147,8 @@ impl Orbit {
             _ => settings.digits.saturating_mul(10) / 3 + 64, // shown
         };
         let clock = Clock::new(pair, start.time(), shown)?;
-        let (turns, given) = Given::new(pair, start, &clock)?;
-        let reduced = given.pair;
+        let given = Given::new(pair, start, &clock)?;
+        let reduced = *given.shaken.pair();
         let origin = given.origin_ball().map_err(|error| match error.key() {
             Some("start.velocity") => too_large("start.velocity", start.velocity()),
             _ => error,
@@ -159,33 +157,31 @@ impl Orbit {
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
         let motion = given.motion(settings.arithmetic)?;
-        let (phase, velocity, wall) = (origin.phase, origin.velocity, origin.wall());
+        let (wall, turns, phase, velocity) = (origin.wall(), origin.turns, origin.phase, origin.velocity);
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
-        let mut orbit = Self {
+        let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
+        let patience = given.shaken.patience(widths[0].linear);
+        let engine = Engine {
             given,
             pair: reduced,
-            clock,
             motion,
-            until,
-            widths: [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)],
             is_point,
-            shown,
+            #[cfg(feature = "multiprecision")]
+            raise: None,
+            bits: 0,
+            haste: rest::haste(&reduced),
+            patience,
+        };
+        let mut orbit = Self {
+            clock,
+            asked: Asked { settings, until, widths, shown },
+            engine,
             start: cursor,
             cursor,
             listed: 0,
-            bits: 0,
-            #[cfg(feature = "multiprecision")]
-            raise: None,
             first_wide: None,
-            haste: rest::haste(&reduced),
-            is_aside: false,
-            resting: None,
-            still: None,
-            grazes: 0,
-            recurrence: Recurrence::default(),
-            recent: Recent::default(),
+            aside: Aside::default(),
             outcome: None,
-            settings,
         };
         orbit.look_ahead();
         Ok(orbit)
@@ -202,13 +198,15 @@ impl Orbit {
     /// What there is to know of a new start.
     fn look_ahead(&mut self) {
         #[cfg(feature = "multiprecision")]
-        if self.settings.arithmetic == Arithmetic::Auto {
-            let left = self.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
-            let settings = Settings { impacts: left, ..self.settings.clone() };
-            self.raise = Some(Raise::new(self.given.clone(), self.start.turns, self.until, &settings));
+        if self.asked.settings.arithmetic == Arithmetic::Auto {
+            let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
+            let settings = Settings { impacts: left, ..self.asked.settings.clone() };
+            self.engine.raise =
+                Some(Raise::new(self.engine.given.clone(), self.start.turns, self.asked.until, &settings));
         }
-        self.still = still::still(&self.given).filter(|_| self.settings.arithmetic != Arithmetic::Float);
-        self.is_aside |= self.still.is_some();
+        let is_float = self.asked.settings.arithmetic == Arithmetic::Float;
+        self.aside.still = self.engine.given.shaken.still(&self.engine.given.origin).filter(|_| !is_float);
+        self.aside.is_due |= self.aside.still.is_some();
     }
 
     /// Turns phases into times and reduced velocities into velocities.
@@ -218,18 +216,18 @@ impl Orbit {
 
     /// What computes.
     pub fn arithmetic(&self) -> Arithmetic {
-        self.settings.arithmetic
+        self.asked.settings.arithmetic
     }
 
     /// The most bits that an impact so far was computed with: 53 in double precision.
     pub fn bits(&self) -> u32 {
-        self.bits.max(self.motion.bits()) // shown
+        self.engine.bits.max(self.engine.motion.bits()) // shown
     }
 
     /// The bits of each impact, once it is computed in multiprecision.
     #[cfg(feature = "multiprecision")]
     pub fn plan(&self) -> Option<&Plan> {
-        self.motion.plan()
+        self.engine.motion.plan()
     }
 
     /// How the orbit ended; `None` while it goes on.
@@ -291,13 +289,8 @@ impl Orbit {
 
     /// `E/d` and `E'` in gaps a turn.
     fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
-        match &self.given.several {
-            None => {
-                let (shift, speed, _) = displacement_velocity_acceleration(self.pair.alpha, phase.sin_cos());
-                (shift, speed)
-            }
-            Some(several) => several.shaking(turns, phase),
-        }
+        let [shift, speed, _] = self.engine.given.shaken.displacement(turns, phase);
+        (shift, speed)
     }
 
     /// Goes on: to the next event, or in more precision over an impact that was listed before.
@@ -310,13 +303,13 @@ impl Orbit {
     /// The next impact, or else what has happened instead: impacts, of which there are many, are not moved about.
     #[inline(always)]
     fn fly(&mut self) -> Result<Impact, Progress> {
-        if self.outcome.is_none() && self.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
+        if self.outcome.is_none() && self.asked.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
             self.finish(Outcome::ImpactsReached);
         }
         if self.outcome.is_some() {
             return Err(Progress::Ended);
         }
-        if self.is_aside
+        if self.aside.is_due
             && let Some(event) = self.aside()
         {
             return Err(event);
@@ -326,7 +319,7 @@ impl Orbit {
         {
             return Err(event);
         }
-        let contact = match self.motion.next_contact() {
+        let contact = match self.engine.motion.next_contact() {
             Ok(contact) => contact,
             Err(undecided) => return Err(self.give_up(undecided)),
         };
@@ -352,13 +345,13 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
-        if self.settings.attractor {
-            self.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
+        if self.asked.settings.attractor {
+            self.aside.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
         }
         let precise = self.precise(&contact).map(Box::new);
         let impact = Impact { index: next.index, mapping, wall, turns, phase, velocity, precise };
-        if self.is_aside {
-            self.recurrence.keep(&Progress::Impact(impact.clone()));
+        if self.aside.is_due {
+            self.aside.recurrence.keep(&Progress::Impact(impact.clone()));
         }
         Ok(impact)
     }
@@ -366,8 +359,8 @@ impl Orbit {
     /// Keeps what may have to be repeated.
     #[inline]
     fn hand_out(&mut self, event: Progress) -> Progress {
-        if self.is_aside {
-            self.recurrence.keep(&event);
+        if self.aside.is_due {
+            self.aside.recurrence.keep(&event);
         }
         event
     }
@@ -375,22 +368,19 @@ impl Orbit {
     /// Whether the last bounce is slow enough to ask whether it is the first of a chatter: most are not.
     #[inline]
     fn may_rest(&self) -> bool {
-        let Some(wall) = self.cursor.wall else { return false };
-        if self.given.several.is_some() {
-            // A rest is told once the chatter left is shorter than the digits show.
-            let least = self.widths[0].linear.max(f64::MIN_POSITIVE); // proposes: Z1 is proved where it says so
-            return self.cursor.index == self.listed && (self.cursor.velocity.mid() * self.haste).abs() <= least;
-        }
-        let phase = self.cursor.phase.mid() + wall.mirror_phase();
-        // Chatter that begins now would have to end before the pressure does.
-        let shortest = (self.cursor.velocity.mid() * self.haste).abs();
-        shortest <= phase.ceil() - phase && self.cursor.index == self.listed // proposes
+        let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
+        let shortest = (velocity.mid() * self.engine.haste).abs();
+        let most = self.engine.patience.unwrap_or_else(|| {
+            let phase = phase.mid() + wall.mirror_phase();
+            phase.ceil() - phase // proposes
+        });
+        shortest <= most && index == self.listed
     }
 
     /// All that was asked for is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
-        self.outcome = Some(match self.recurrence.period() {
+        self.outcome = Some(match self.aside.recurrence.period() {
             Some(period) => Outcome::Periodic(period),
             None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
         });
@@ -422,7 +412,7 @@ impl Orbit {
 
     /// Whether an impact certainly comes after the time to stop at.
     fn is_past(&self, turns: i64, phase: Ball) -> bool {
-        self.until.is_some_and(|until| {
+        self.asked.until.is_some_and(|until| {
             // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
             let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
             ahead.mid() > ahead.rad()

@@ -1,23 +1,26 @@
-//! One impact after another, in double precision: plain and certified.
+//! One impact after another, in double precision: plain and certified, whatever shakes the box.
 
-use super::origin::{Location, Origin};
+use std::sync::Arc;
+
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
 use super::set::StateSet;
 #[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::{Passed, pass};
-use crate::contact::{Contact, Margins, Radii, Undecided, Verdict, first_contact, first_contact_f64, first_contacts};
+use crate::contact::multiprecision::Passed;
+use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
-use crate::flight::Flight;
-use crate::mapping::{Passage, jacobian};
+use crate::flight::Launch;
+use crate::mapping::jacobian_between;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
-use crate::number::{ABOVE_TURN, Ball, Kernel, LARGEST_RATE, UNIT, kernel};
-use crate::pair::{Inward, Reduced, Wall};
-
+use crate::number::{Ball, LARGEST_RATE};
+use crate::pair::{Reduced, Wall};
+use crate::shaken::{Flying, Location, Origin};
+use crate::turns;
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
-    /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed.
+    /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed, which are to be counted
+    /// (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
 
     /// The bits that the first impact is computed with.
@@ -52,13 +55,6 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     }
 }
 
-/// A floating motion that knows how the box pushes.
-#[cfg(feature = "multiprecision")]
-pub(super) trait Swinging: Motion {
-    /// `y''` at the last contact, or at the start, in gaps a turn squared.
-    fn swing(&self) -> f64;
-}
-
 /// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
 #[inline(always)]
 pub(super) fn carry(turns: f64, phase: f64) -> (f64, f64) {
@@ -81,46 +77,42 @@ pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
     2f64.powi(speed.log2().round() as i32) // S2: any power of two
 }
 
+/// The states of a set after a contact, before the impact, or inside the gap.
+#[derive(Debug)]
+pub(super) enum States<S, N> {
+    Wall { wall: Wall, set: S, is_release: bool },
+    Inside { height: N, phase: N, velocity: N },
+}
+
 /// Plain doubles, nothing proved.
-#[derive(Clone, Debug)]
-pub(super) struct FloatMotion {
-    pair: Reduced<f64>,
-    next: Flight<f64>,
+#[derive(Debug)]
+pub(super) struct FloatMotion<S> {
+    shaken: Arc<S>,
+    next: Launch<f64>,
 }
 
-impl FloatMotion {
-    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
-        let pair = pair.centre();
-        let (phase, velocity) = (origin.phase.mid(), origin.velocity.mid());
+impl<S: Flying> FloatMotion<S> {
+    pub fn new(shaken: Arc<S>, origin: &Origin<Ball>) -> Self {
+        let (turns, phase, velocity) = (origin.turns, origin.phase.mid(), origin.velocity.mid());
         let next = match origin.place {
-            Location::Wall(wall) => Self::rebound(&pair, wall, phase, velocity),
-            Location::Inside(height) => {
-                Flight::from_inside(&pair, height.mid(), phase, velocity, kernel::sin_cos(phase))
+            Location::Wall(wall) => {
+                let after = shaken.pair().centre().rebound(velocity);
+                Launch::from_wall(wall, turns, phase, after, origin.release.is_some())
             }
+            Location::Inside(height) => Launch::from_inside(height.mid(), turns, phase, velocity),
         };
-        Self { pair, next }
-    }
-
-    #[inline(always)]
-    fn rebound(pair: &Reduced<f64>, wall: Wall, phase: f64, velocity: f64) -> Flight<f64> {
-        let after = wall.inward(pair.rebound(velocity));
-        Flight::from_wall(pair, wall, phase, after, kernel::sin_cos(phase))
+        Self { shaken, next }
     }
 }
 
-impl Motion for FloatMotion {
+impl<S: Flying> Motion for FloatMotion<S> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
-        let contact = first_contact_f64::<Kernel>(&self.next).ok_or(Undecided::endless())?;
-        let (turns, phase) = carry(contact.turns, contact.phase);
-        self.next = Self::rebound(&self.pair, contact.wall, phase, contact.velocity);
+        let Contact { wall, turns, phase, time, velocity } = self.shaken.propose(&self.next)?;
+        let (turns, phase) = carry(turns, phase);
+        let after = -self.shaken.pair().restitution.mid() * velocity;
+        self.next = Launch::from_wall(wall, turns::counted(self.next.turns, turns), phase, after, false);
         let exact = Ball::exact;
-        Ok(Contact {
-            wall: contact.wall,
-            turns,
-            phase: exact(phase),
-            time: exact(contact.time),
-            velocity: exact(contact.velocity),
-        })
+        Ok(Contact { wall, turns, phase: exact(phase), time: exact(time), velocity: exact(velocity) })
     }
 
     #[cfg(feature = "multiprecision")]
@@ -129,115 +121,96 @@ impl Motion for FloatMotion {
     }
 }
 
-#[cfg(feature = "multiprecision")]
-impl Swinging for FloatMotion {
-    fn swing(&self) -> f64 {
-        self.next.wall.inward(self.next.acceleration_at(self.next.sin))
-    }
-}
-
 /// Certified in double precision: the centre of the set flies, the set follows by the Jacobian.
-#[derive(Clone, Debug)]
-pub(super) struct IntervalMotion {
-    pair: Reduced<Ball>,
-    centre: Reduced<f64>,
-    margins: Margins,
-    state: State,
+#[derive(Debug)]
+pub(super) struct IntervalMotion<S: Flying> {
+    shaken: Arc<S>,
+    /// Whole turns of the last contact.
+    turns: i64,
+    states: States<StateSet, Ball>,
+    /// At the start of the next flight, where they are known better than by the phase.
+    waves: Option<S::Waves<Ball>>,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum State {
-    Wall { wall: Wall, set: StateSet },
-    Inside { height: Ball, phase: Ball, velocity: Ball },
-}
-
-impl IntervalMotion {
-    pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
-        let Origin { phase, velocity, .. } = *origin;
-        let state = match origin.place {
-            Location::Wall(wall) => State::Wall { wall, set: StateSet::new(phase, velocity, scale(pair, velocity)) },
-            Location::Inside(height) => State::Inside { height, phase, velocity },
+impl<S: Flying> IntervalMotion<S> {
+    pub fn new(shaken: Arc<S>, origin: &Origin<Ball>) -> Self {
+        let Origin { turns, phase, velocity, .. } = *origin;
+        let states = match origin.place {
+            Location::Wall(wall) => {
+                let set = StateSet::new(phase, velocity, scale(shaken.pair(), velocity));
+                States::Wall { wall, set, is_release: origin.release.is_some() }
+            }
+            Location::Inside(height) => States::Inside { height, phase, velocity },
         };
-        Self { pair: *pair, centre: pair.centre(), margins: Margins::new(pair), state }
+        let waves = shaken.waves(&origin.phases, &phase, f64::MANTISSA_DIGITS);
+        Self { shaken, turns, states, waves }
+    }
+
+    /// The flights of a set that leave a wall, its velocities before the impact.
+    #[inline(always)]
+    fn rebound(&self, wall: Wall, phase: Ball, before: Ball, is_release: bool) -> Launch<Ball> {
+        Launch::from_wall(wall, self.turns, phase, self.shaken.pair().rebound_of(before), is_release)
+    }
+
+    /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
+    #[inline(always)]
+    fn step(&self, wall: Wall, set: &StateSet, is_release: bool) -> Result<(Contact<Ball>, StateSet), Undecided> {
+        let (phase, before) = (set.phase_ball(), set.velocity_ball());
+        let all = self.rebound(wall, phase, before, is_release);
+        let centre = self.rebound(wall, Ball::exact(set.phase), Ball::exact(set.velocity), is_release);
+        let (image, swings) = self.shaken.first_contacts(all, centre, self.waves.as_ref())?;
+        let contact = image.all;
+        let wide = Undecided::width(&contact);
+        let restitution = self.shaken.pair().restitution;
+        let jacobian = jacobian_between(restitution, contact.time, swings, [before, contact.velocity]).ok_or(wide)?;
+        Ok((contact, set.image(&image, &jacobian)))
     }
 
     /// From inside the gap: the enclosure of all first contacts is the new set.
     #[cold]
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
-        let sin_cos = kernel::sin_cos(phase.mid());
-        let flight = Flight::from_inside(&self.centre, height.mid(), phase.mid(), velocity.mid(), sin_cos);
-        let radii = Radii { phase: phase.rad(), velocity: velocity.rad(), height: height.rad() + UNIT };
-        match first_contact(&flight, &self.margins, radii) {
-            Verdict::Certified(contact) => {
-                let scale = scale(&self.pair, contact.velocity);
-                Ok((contact, StateSet::new(contact.phase, contact.velocity, scale)))
-            }
-            Verdict::Undecided(undecided) => Err(undecided),
-        }
-    }
-
-    /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
-    #[inline(always)]
-    fn step(&self, wall: Wall, set: &StateSet) -> Result<(Contact<Ball>, StateSet), Undecided> {
-        let (phase, before) = (set.phase_ball(), set.velocity_ball());
-        let sin_cos = kernel::sin_cos(set.phase);
-        let after = self.pair.rebound_of(Ball::exact(set.velocity));
-        let flight = Flight::from_wall(&self.centre, wall, set.phase, wall.inward(after.mid()), sin_cos);
-        let point = Radii { velocity: after.rad(), ..Radii::default() };
-        let all = Radii { phase: phase.rad(), velocity: self.pair.rebound_of(before).rad(), ..point };
-        let (image, sin1) = first_contacts(&flight, &self.margins, point, all)?;
-        let contact = image.all;
-        let passage = Passage {
-            time: contact.time,
-            sin0: Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + ABOVE_TURN * phase.rad()),
-            sin1,
-            velocity0: before,
-            velocity1: contact.velocity,
-        };
-        let wide = Undecided::width(&contact);
-        let jacobian = jacobian(self.pair.beta, self.pair.restitution, &passage).ok_or(wide)?;
-        let next = set.image(&image, &jacobian);
-        Ok((contact, next))
+        let all = Launch::from_inside(height, self.turns, phase, velocity);
+        let (contact, _) = self.shaken.first_contact(all, self.waves.as_ref())?;
+        Ok((contact, StateSet::new(contact.phase, contact.velocity, scale(self.shaken.pair(), contact.velocity))))
     }
 }
 
-impl Motion for IntervalMotion {
+impl<S: Flying> Motion for IntervalMotion<S> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
-        let (contact, set) = match &self.state {
-            State::Wall { wall, set } => self.step(*wall, set)?,
-            State::Inside { height, phase, velocity } => self.first(*height, *phase, *velocity)?,
+        let (contact, set) = match &self.states {
+            States::Wall { wall, set, is_release } => self.step(*wall, set, *is_release)?,
+            States::Inside { height, phase, velocity } => self.first(*height, *phase, *velocity)?,
         };
         let (turns, phase) = carry(contact.turns, set.phase);
         let set = set.at_phase(phase);
-        self.state = State::Wall { wall: contact.wall, set };
+        self.turns = turns::counted(self.turns, turns);
+        self.states = States::Wall { wall: contact.wall, set, is_release: false };
+        self.waves = None;
         Ok(Contact { turns, phase: set.phase_ball(), velocity: set.velocity_ball(), ..contact })
     }
 
     #[cfg(feature = "multiprecision")]
     fn pass_graze(&mut self) -> Option<Passed> {
-        let wide = |x: Ball| MpBall::from_ball(x).rounded(PASSING_BITS);
-        let pair = self.pair.map(|x| wide(*x));
-        let passed = pass(&match self.state {
-            State::Wall { wall, set } => {
-                let (phase, before) = (wide(set.phase_ball()), set.velocity_ball());
-                let after = wide(wall.inward(self.pair.rebound_of(before)));
-                Flight::from_wall(&pair, wall, phase.clone(), after, phase.sin_cos())
+        let launch = match self.states {
+            States::Wall { wall, set, is_release } => {
+                self.rebound(wall, set.phase_ball(), set.velocity_ball(), is_release)
             }
-            State::Inside { height, phase, velocity } => {
-                let phase = wide(phase);
-                Flight::from_inside(&pair, wide(height), phase.clone(), wide(velocity), phase.sin_cos())
-            }
-        })?;
+            States::Inside { height, phase, velocity } => Launch::from_inside(height, self.turns, phase, velocity),
+        };
+        let launch = launch.map(|x| MpBall::from_ball(*x).rounded(PASSING_BITS));
+        let passed = self.shaken.pass(&self.shaken.widened(PASSING_BITS), launch, None)?;
         let phase = MpBall::exact(passed.phase.clone()).to_ball();
-        self.state = State::Inside { height: passed.height.to_ball(), phase, velocity: passed.velocity.to_ball() };
+        self.turns = turns::after(self.turns, passed.turns)?;
+        self.states = States::Inside { height: passed.height.to_ball(), phase, velocity: passed.velocity.to_ball() };
+        self.waves = None;
         Some(passed)
     }
 
     #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
-        let (phase, velocity) = match &self.state {
-            State::Wall { set, .. } => (set.phase_ball(), set.velocity_ball()),
-            State::Inside { phase, height, .. } => (*phase, *height),
+        let (phase, velocity) = match &self.states {
+            States::Wall { set, .. } => (set.phase_ball(), set.velocity_ball()),
+            States::Inside { phase, height, .. } => (*phase, *height),
         };
         -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by
     }

@@ -5,15 +5,13 @@ use std::cmp::Ordering;
 use super::{Cursor, Impact, Orbit, Rest};
 use crate::exact::Enclosure;
 use crate::mapping::jacobian_between;
-use crate::number::{Ball, Enclosing, Number};
-use crate::pair::Inward;
-use crate::rest;
+use crate::number::{Ball, Enclosing};
 use crate::turns::in_radians;
 
 impl Orbit {
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
-        in_radians(&impact.enclosures().0, self.shown)
+        in_radians(&impact.enclosures().0, self.asked.shown)
     }
 
     /// The bounds of an impact's velocity \[length/time\], before it.
@@ -34,17 +32,9 @@ impl Orbit {
     ///
     /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later one may be a graze.
     pub fn jacobian(&self, from: &Impact, to: &Impact) -> Option<[[Ball; 2]; 2]> {
-        let swings = [from, to].map(|impact| self.swing(impact.turns, impact.phase));
+        let swings = [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
         let time = self.turns_between(from, to);
-        jacobian_between(self.pair.restitution, time, swings, [from.velocity, to.velocity])
-    }
-
-    /// `y''` at a phase, in gaps a turn squared.
-    fn swing(&self, turns: i64, phase: Ball) -> Ball {
-        match &self.given.several {
-            None => self.pair.beta.turn() * self.pair.beta * phase.sin_cos().0,
-            Some(several) => several.swing(turns, phase),
-        }
+        jacobian_between(self.engine.pair.restitution, time, swings, [from.velocity, to.velocity])
     }
 
     /// The start as impact number 0, when it is on a wall; for an orbit that has not been advanced.
@@ -55,21 +45,15 @@ impl Orbit {
 
     /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3
     pub(crate) fn forgets(&self, rest: &Rest) -> bool {
-        // Where the pressure begins, exactly, it is 0.
-        let (phase, radius) = rest.phase.mid_rad();
-        let is_edge = match &self.given.several {
-            None => rest.phase.is_point() && rest::is_pressed_from(rest.wall, phase),
-            Some(several) => {
-                let inward = rest.wall.inward(several.swing(rest.turns, Ball::new(phase, radius)));
-                inward.mid() + inward.rad() >= 0.0
-            }
-        };
+        let is_edge = self.engine.given.shaken.may_be_loose(rest.wall, rest.turns, &rest.phase);
         // Lemma L3: without loss neighbours bounce for ever.
-        self.pair.restitution.mag() < 1.0 && self.pair.beta.certain_sign() == Some(Ordering::Greater) && !is_edge
+        self.engine.pair.restitution.mag() < 1.0
+            && self.engine.pair.beta.certain_sign() == Some(Ordering::Greater)
+            && !is_edge
     }
 
     /// `e`
     pub fn restitution(&self) -> Ball {
-        self.pair.restitution
+        self.engine.pair.restitution
     }
 }

@@ -11,11 +11,12 @@
 
 use std::sync::Arc;
 
-use super::given::Given;
-use super::motion::Swinging;
-use super::origin::Location;
+use super::Arithmetic;
+use super::given::{Given, Motions};
+use super::motion::Motion;
 use crate::mapping::jacobian_between;
 use crate::number::LEAST_BITS;
+use crate::turns;
 
 /// Bits that constant factors eat.
 const GUARD: f64 = 24.0;
@@ -103,8 +104,9 @@ fn deviation(growth: &[f32]) -> f64 {
 /// A floating run that carries a tangent vector along: how many bits each impact eats.
 #[derive(Debug)]
 pub(super) struct Growth {
-    restitution: f64,
-    run: Box<dyn Swinging>,
+    shaken: Arc<dyn Motions>,
+    run: Box<dyn Motion>,
+    turns: i64,
     /// Velocity before the last impact, and the acceleration there; `None` inside the gap.
     last: Option<(f64, f64)>,
     /// In turns, and in units of the scale.
@@ -115,22 +117,23 @@ pub(super) struct Growth {
 impl Growth {
     /// `None` for a start beyond doubles.
     pub fn new(given: &Given) -> Option<Self> {
-        let (run, origin) = (given.run()?, given.origin_ball().ok()?);
-        let scale = super::motion::scale(&given.pair, origin.velocity);
-        let last = match origin.place {
-            Location::Wall(_) => Some((origin.velocity.mid(), run.swing())),
-            Location::Inside(_) => None,
-        };
-        Some(Self { restitution: given.pair.restitution.mid(), run, last, tangent: [1.0, 1.0], scale })
+        let (run, origin) = (given.motion(Arithmetic::Float).ok()?, given.origin_ball().ok()?);
+        let (shaken, turns, velocity) = (given.shaken.clone(), origin.turns, origin.velocity);
+        let scale = super::motion::scale(shaken.pair(), velocity);
+        let last = origin.wall().map(|_| (velocity.mid(), shaken.swing(turns, origin.phase.mid())));
+        Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
     /// Goes on to the next impact: the bits it eats, and the turns that passed.
     pub fn next_impact(&mut self) -> Option<(f64, f64)> {
         let contact = self.run.next_contact().ok()?;
-        let (time, velocity1, swing1) = (contact.time.mid(), contact.velocity.mid(), self.run.swing());
+        self.turns = turns::after(self.turns, contact.turns)?;
+        let (time, velocity1) = (contact.time.mid(), contact.velocity.mid());
+        let swing1 = self.shaken.swing(self.turns, contact.phase.mid());
         let last = self.last.replace((velocity1, swing1));
         let Some((velocity0, swing0)) = last else { return Some((0.0, time)) };
-        let [[a, b], [c, d]] = jacobian_between(self.restitution, time, [swing0, swing1], [velocity0, velocity1])?;
+        let restitution = self.shaken.pair().restitution.mid();
+        let [[a, b], [c, d]] = jacobian_between(restitution, time, [swing0, swing1], [velocity0, velocity1])?;
         let [x, y] = self.tangent;
         let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];
         let (before, after) = (x.hypot(y), image[0].hypot(image[1]));

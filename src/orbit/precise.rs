@@ -1,42 +1,45 @@
-//! One impact after another in multiprecision.
+//! One impact after another in multiprecision, whatever shakes the box.
 //!
 //! The centre of the set is a pair of MPFR numbers and flies in balls; the set around it is the parallelogram of
 //! [`super::set`], in units of a power of two, since a chaotic orbit of 10,000 impacts starts with one of `2^-5800`.
 //! The Jacobian (A.7) multiplies these radii, so doubles do for it.
 
+use std::sync::Arc;
+
 use rug::Float;
 
-use super::motion::{Motion, scale};
-use super::origin::{Location, Origin};
+use super::motion::{Motion, States, scale};
 use super::plan::Plan;
 use super::set::{Noise, SHORTEST_EDGE, Shape};
-use crate::contact::multiprecision::{Doubles, Passed, Refined, Start, isolate_first, pass};
-use crate::contact::{Contact, Margins, Undecided};
+use crate::contact::multiprecision::Passed;
+use crate::contact::{Contact, Undecided};
 use crate::exact::{Enclosure, Exact};
-use crate::flight::Flight;
-use crate::mapping::{Passage, jacobian};
-use crate::number::{ABOVE_TURN, Ball, LEAST_BITS, Magnitude, MpBall, Number};
-use crate::pair::{Inward, Reduced, Wall};
+use crate::flight::Launch;
+use crate::mapping::jacobian_between;
+use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall};
+use crate::pair::Wall;
+use crate::several::Phased;
+use crate::shaken::shaking::Shaking;
+use crate::shaken::{Arrival, Flights, Flying, Location, Origin};
+use crate::turns;
 
 /// Bits below the radius of a set that its centre is not worth.
 const DROWNED: i64 = 64;
 
 /// Certified in as many bits as the plan gives each impact.
 #[derive(Debug)]
-pub(super) struct PreciseMotion {
+pub(super) struct PreciseMotion<S: Flying> {
+    shaken: Arc<S>,
     /// In as many bits as the first impact gets.
-    pair: Reduced<MpBall>,
-    doubles: Doubles,
+    parameters: S::In<MpBall>,
     plan: Plan,
     /// Impacts so far.
     index: u64,
-    state: State,
-}
-
-#[derive(Debug)]
-enum State {
-    Wall { wall: Wall, set: PreciseSet, sin_cos: (MpBall, MpBall) },
-    Inside { height: MpBall, phase: MpBall, velocity: MpBall },
+    /// Whole turns of the last contact.
+    turns: i64,
+    states: States<PreciseSet, MpBall>,
+    /// At the start of the next flight, of the centre, where they are known.
+    waves: Option<S::Waves<MpBall>>,
 }
 
 /// A parallelogram of states around a centre.
@@ -95,7 +98,7 @@ fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
 }
 
 /// The bits planned for an impact, but none that the width of the set would drown by [`DROWNED`] bits.
-pub(super) fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
+fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     let planned = plan.bits(index);
     let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
     let radius = Magnitude::new(phase.max(velocity / set.shape.scale()), set.unit); // proposes: bits to compute with
@@ -106,123 +109,85 @@ pub(super) fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     }
 }
 
-/// What a step leads to.
-struct Arrival {
-    contact: Contact<Ball>,
-    set: PreciseSet,
-    sin_cos: (MpBall, MpBall),
-}
+/// What a step leads to: the contacts in doubles, the set after it, and what is known at its centre.
+type Arrived<W> = (Contact<Ball>, PreciseSet, Option<W>);
 
-impl PreciseMotion {
-    pub fn new(exact: &Reduced<Exact>, pair: &Reduced<Ball>, origin: &Origin<Exact>, plan: Plan) -> Self {
+impl<S: Flying> PreciseMotion<S> {
+    pub fn new(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Self {
         let bits = plan.bits(0);
-        let enclose = |x: &Exact| MpBall::enclosing(&x.enclose(bits + 8), bits);
-        let doubles = Doubles { pair: *pair, centre: pair.centre(), margins: Margins::new(pair) };
-        let (phase, velocity) = (enclose(&origin.phase), enclose(&origin.velocity));
-        let state = match &origin.place {
-            Location::Wall(wall) => State::Wall {
-                wall: *wall,
-                set: PreciseSet::new(&phase, &velocity, scale(pair, velocity.to_ball())),
-                sin_cos: MpBall::exact(phase.mid().clone()).sin_cos(),
-            },
-            Location::Inside(height) => State::Inside { height: enclose(height), phase, velocity },
+        let enclose = |x: &Exact| <MpBall as Phased>::enclose(x, bits);
+        let phase = match origin.release.as_ref().and_then(|release| release.zero.as_ref()) {
+            Some(zero) => zero.refined(bits),
+            None => enclose(&origin.phase),
         };
-        Self { pair: exact.map(enclose), doubles, plan, index: 0, state }
-    }
-
-    /// From inside the gap: the enclosure of all first contacts is the new set.
-    fn first(&self, height: &MpBall, phase: &MpBall, velocity: &MpBall) -> Result<Arrival, Undecided> {
-        let (height, phase, velocity) = (height.clone(), phase.clone(), velocity.clone());
-        let sin_cos = phase.sin_cos();
-        let all = Flight::from_inside(&self.pair, height, phase.clone(), velocity.clone(), sin_cos);
-        let start =
-            Start { wall: None, height: all.height.to_ball(), phase: phase.to_ball(), velocity: velocity.to_ball() };
-        let isolated = isolate_first(&self.doubles, &start, || all.clone(), &all.map(centre_of))?;
-        let contact = isolated.contact(all.wall);
-        let narrow = Undecided::precision(&contact);
-        let refined = isolated.refine(&all, self.plan.bits(1)).ok_or(narrow)?;
-        let Refined { at, error, velocity, sin_cos } = refined;
-        // The velocity at each contact of the set: at most the error away from `at`.
-        let velocity = all.wall.inward(velocity.widened(all.steepest() * error));
-        let sin_cos = all.wall.mirror(sin_cos);
-        let phase = MpBall::new(at, error);
-        let set = PreciseSet::new(&phase, &velocity, scale(&self.doubles.pair, velocity.to_ball()));
-        Ok(Arrival { contact, set, sin_cos })
+        let velocity = enclose(&origin.velocity);
+        let waves = shaken.waves(&origin.phases, &phase, bits);
+        let states = match &origin.place {
+            Location::Wall(wall) => {
+                let set = PreciseSet::new(&phase, &velocity, scale(shaken.pair(), velocity.to_ball()));
+                States::Wall { wall: *wall, set, is_release: origin.release.is_some() }
+            }
+            Location::Inside(height) => States::Inside { height: enclose(height), phase, velocity },
+        };
+        let parameters = shaken.precise(bits);
+        Self { shaken, parameters, plan, index: 0, turns: origin.turns, states, waves }
     }
 
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
-    fn step(&self, wall: Wall, set: &PreciseSet, sin_cos: &(MpBall, MpBall)) -> Result<Arrival, Undecided> {
-        let bits = bits_for(&self.plan, set, self.index);
-        let pair = self.pair.map(|x| x.rounded(bits));
-        let (phase, before) = set.balls();
-        let doubles = &self.doubles;
-        let (phase64, before64) = (phase.to_ball(), before.to_ball());
-        let sin_cos = (sin_cos.0.rounded(bits), sin_cos.1.rounded(bits));
-        let centre =
-            launch(&pair, wall, MpBall::exact(set.phase.clone()), MpBall::exact(set.velocity.clone()), sin_cos.clone());
-        let all = || launch_all(&pair, wall, set, &sin_cos);
-        let start = Start {
-            wall: Some(wall),
-            height: Ball::exact(0.0),
-            phase: phase64,
-            velocity: wall.inward(doubles.pair.rebound_of(before64)),
+    fn step(&self, wall: Wall, set: &PreciseSet, is_release: bool) -> Result<Arrived<S::Waves<MpBall>>, Undecided> {
+        let [bits, next_bits] = [self.index, self.index + 1].map(|index| bits_for(&self.plan, set, index));
+        let parameters = self.shaken.rounded(&self.parameters, bits);
+        let rebound = |phase: MpBall, before: MpBall| {
+            let after = -(parameters.restitution().clone() * before);
+            Launch::from_wall(wall, self.turns, phase, after, is_release)
         };
-        let isolated = isolate_first(doubles, &start, all, &centre)?;
-        let contact = isolated.contact(wall);
-        let narrow = Undecided::precision(&contact);
-        let next_bits = bits_for(&self.plan, set, self.index + 1);
-        let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, next_bits).ok_or(narrow)?;
-        let passage = Passage {
-            time: contact.time,
-            sin0: sin_cos.0.to_ball().widened(ABOVE_TURN * phase64.rad()),
-            sin1: wall.inward(isolated.sin),
-            velocity0: before64,
-            velocity1: contact.velocity,
+        let (phase, velocity) = set.balls();
+        let before = velocity.to_ball();
+        let flights = Flights {
+            all: rebound(phase, velocity),
+            centre: rebound(MpBall::exact(set.phase.clone()), MpBall::exact(set.velocity.clone())),
+            before,
+            waves: self.waves.as_ref(),
         };
-        let wide = Undecided::width(&contact);
-        let jacobian = jacobian(doubles.pair.beta, doubles.pair.restitution, &passage).ok_or(wide)?;
-        // The acceleration between `at` and the contact.
-        let sin1 = isolated.sin.widened(ABOVE_TURN * error.to_f64());
-        let slope = wall.inward(doubles.pair.beta.turn() * doubles.pair.beta * sin1);
-        let velocity = wall.inward(velocity).rounded(next_bits);
-        let (shape, unit) = set.image(&jacobian, error, velocity.rad(), slope);
-        let set = PreciseSet { phase: at, velocity: velocity.mid().clone(), shape, unit };
-        Ok(Arrival { contact, set, sin_cos: wall.mirror(arrival) })
+        let arrival = self.shaken.arrive(&parameters, flights, next_bits)?;
+        let Arrival { contact, swings, phase, error, velocity, slope, waves } = arrival;
+        let restitution = self.shaken.pair().restitution;
+        let jacobian = jacobian_between(restitution, contact.time, swings, [before, contact.velocity]);
+        let velocity = velocity.rounded(next_bits);
+        let (shape, unit) = set.image(&jacobian.ok_or(Undecided::width(&contact))?, error, velocity.rad(), slope);
+        Ok((contact, PreciseSet { phase, velocity: velocity.mid().clone(), shape, unit }, waves))
+    }
+
+    /// From inside the gap: the enclosure of all first contacts is the new set.
+    fn first(
+        &self,
+        height: &MpBall,
+        phase: &MpBall,
+        velocity: &MpBall,
+    ) -> Result<Arrived<S::Waves<MpBall>>, Undecided> {
+        let all = Launch::from_inside(height.clone(), self.turns, phase.clone(), velocity.clone());
+        let (shaken, bits) = (&self.shaken, self.plan.bits(1));
+        let (contact, [phase, velocity], waves) =
+            shaken.arrive_from_inside(&self.parameters, all, self.waves.as_ref(), bits)?;
+        Ok((contact, PreciseSet::new(&phase, &velocity, scale(shaken.pair(), velocity.to_ball())), waves))
     }
 }
 
-/// The flight that starts with an impact on `wall`, `before` being the velocity before it.
-fn launch(
-    pair: &Reduced<MpBall>,
-    wall: Wall,
-    phase: MpBall,
-    before: MpBall,
-    sin_cos: (MpBall, MpBall),
-) -> Flight<MpBall> {
-    Flight::from_wall(pair, wall, phase, wall.inward(pair.rebound(before)), sin_cos)
-}
-
-/// The same for all the states of a set as one flight; sine and cosine are those of the centre.
-fn launch_all(pair: &Reduced<MpBall>, wall: Wall, set: &PreciseSet, sin_cos: &(MpBall, MpBall)) -> Flight<MpBall> {
-    let (phase, before) = set.balls();
-    let turned = Magnitude::new(ABOVE_TURN, 0) * phase.rad();
-    let sin_cos = (sin_cos.0.clone().widened(turned), sin_cos.1.clone().widened(turned));
-    launch(pair, wall, phase, before, sin_cos)
-}
-
-impl Motion for PreciseMotion {
+impl<S: Flying> Motion for PreciseMotion<S> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
-        let Arrival { contact, mut set, sin_cos } = match &self.state {
-            State::Wall { wall, set, sin_cos } => self.step(*wall, set, sin_cos)?,
-            State::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
+        let (contact, mut set, waves) = match &self.states {
+            States::Wall { wall, set, is_release } => self.step(*wall, set, *is_release)?,
+            States::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
         let whole = set.phase.clone().round().to_f64(); // exact: within a few turns
         set.phase -= whole;
         let (phase, velocity) = set.balls();
+        let turns = contact.turns + whole;
         self.index += 1;
-        self.state = State::Wall { wall: contact.wall, set, sin_cos };
-        Ok(Contact { turns: contact.turns + whole, phase: phase.to_ball(), velocity: velocity.to_ball(), ..contact })
+        self.turns = turns::counted(self.turns, turns);
+        (self.states, self.waves) = (States::Wall { wall: contact.wall, set, is_release: false }, waves);
+        Ok(Contact { turns, phase: phase.to_ball(), velocity: velocity.to_ball(), ..contact })
     }
 
     fn bits(&self) -> u32 {
@@ -230,16 +195,21 @@ impl Motion for PreciseMotion {
     }
 
     fn pass_graze(&mut self) -> Option<Passed> {
-        let passed = pass(&match &self.state {
-            State::Wall { wall, set, sin_cos } => launch_all(&self.pair, *wall, set, sin_cos),
-            State::Inside { height, phase, velocity } => {
-                let (height, phase, velocity) = (height.clone(), phase.clone(), velocity.clone());
-                let sin_cos = phase.sin_cos();
-                Flight::from_inside(&self.pair, height, phase, velocity, sin_cos)
+        let launch = match &self.states {
+            States::Wall { wall, set, is_release } => {
+                let (phase, before) = set.balls();
+                let after = -(self.parameters.restitution().clone() * before);
+                Launch::from_wall(*wall, self.turns, phase, after, *is_release)
             }
-        })?;
+            States::Inside { height, phase, velocity } => {
+                Launch::from_inside(height.clone(), self.turns, phase.clone(), velocity.clone())
+            }
+        };
+        let passed = self.shaken.pass(&self.parameters, launch, self.waves.as_ref())?;
         let (height, velocity) = (passed.height.clone(), passed.velocity.clone());
-        self.state = State::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
+        self.turns = turns::after(self.turns, passed.turns)?;
+        self.states = States::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
+        self.waves = None;
         Some(passed)
     }
 
@@ -248,28 +218,28 @@ impl Motion for PreciseMotion {
     }
 
     fn accuracy(&self) -> f64 {
-        let (a, b) = match &self.state {
-            State::Wall { set, .. } => set.log2_radii(),
-            State::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
+        let (a, b) = match &self.states {
+            States::Wall { set, .. } => set.log2_radii(),
+            States::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
         };
         -a.max(b) // proposes: bits to raise by
     }
 
     fn radii(&self) -> Option<(f64, f64)> {
-        match &self.state {
-            State::Wall { set, .. } => Some(set.log2_radii()),
-            State::Inside { .. } => None,
-        }
+        self.set().map(PreciseSet::log2_radii)
     }
 
     fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
-        match &self.state {
-            State::Wall { set, .. } => set.enclosures(),
-            State::Inside { .. } => None,
-        }
+        self.set().and_then(PreciseSet::enclosures)
     }
 }
 
-fn centre_of(x: &MpBall) -> MpBall {
-    MpBall::exact(x.mid().clone())
+impl<S: Flying> PreciseMotion<S> {
+    /// The states at the last contact.
+    fn set(&self) -> Option<&PreciseSet> {
+        match &self.states {
+            States::Wall { set, .. } => Some(set),
+            States::Inside { .. } => None,
+        }
+    }
 }

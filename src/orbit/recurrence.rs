@@ -3,6 +3,7 @@
 use super::Period;
 use super::event::Progress;
 use crate::contact::Undecided;
+use crate::shaken::Released;
 
 /// Events that are kept to be repeated; longer periods are computed anew each time.
 const KEPT: usize = 1 << 16;
@@ -10,8 +11,8 @@ const KEPT: usize = 1 << 16;
 /// What has happened since the first release from a wall.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recurrence {
-    /// The first release of each kind: its turns, the impacts listed before it, and the events kept up to it.
-    first: Vec<Option<(i64, u64, usize)>>,
+    /// The first release of each kind, the impacts listed before it, and the events kept up to it.
+    first: Vec<(Released, u64, usize)>,
     /// Since the first release from any wall.
     events: Vec<Progress>,
     period: Option<Period>,
@@ -34,14 +35,14 @@ impl Recurrence {
     }
 
     /// Notes a release after `impacts` impacts, which was kept; after two of one kind the motion is the same.
-    pub fn release(&mut self, kind: usize, turns: i64, impacts: u64) {
-        if self.first.len() <= kind {
-            self.first.resize(kind + 1, None);
-        }
-        match self.first[kind] {
-            None => self.first[kind] = Some((turns, impacts, self.events.len())),
-            Some((since, before, kept)) if self.period.is_none() => {
-                self.period = Some(Period { cycles: turns.abs_diff(since), impacts: impacts - before });
+    pub fn release(&mut self, release: &Released, impacts: u64) {
+        let same = |(first, before, kept): &(Released, u64, usize)| {
+            Some((first.turns_of_same(release)?.abs_diff(first.turns), impacts - before, *kept))
+        };
+        match self.first.iter().find_map(same) {
+            None => self.first.push((release.clone(), impacts, self.events.len())),
+            Some((cycles, impacts, kept)) if self.period.is_none() => {
+                self.period = Some(Period { cycles, impacts });
                 self.rounds = 1;
                 // Lemma Z3: what was not kept cannot be repeated.
                 match self.events.len() <= KEPT {
@@ -68,15 +69,21 @@ impl Recurrence {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Enclosure;
+    use crate::pair::Wall;
+
+    fn release(wall: Wall, turns: i64) -> Released {
+        Released { wall, turns, phase: Enclosure::from_f64_bounds(0.0, 0.0).unwrap(), zero: None }
+    }
 
     /// Two kinds of releases; the kind that recurs was first seen after `before` other events.
     fn repeated(before: u64, between: u64) -> Option<Result<Progress, Undecided>> {
         let mut recurrence = Recurrence::default();
-        recurrence.release(0, 0, 0);
+        recurrence.release(&release(Wall::Left, 0), 0);
         (0..before).for_each(|index| recurrence.keep(&Progress::Retraced(index)));
-        recurrence.release(1, 1, before);
+        recurrence.release(&release(Wall::Right, 1), before);
         (0..between).for_each(|index| recurrence.keep(&Progress::Retraced(index)));
-        recurrence.release(1, 2, before + between);
+        recurrence.release(&release(Wall::Right, 2), before + between);
         assert_eq!(recurrence.period(), Some(Period { cycles: 1, impacts: between }));
         recurrence.repeat()
     }

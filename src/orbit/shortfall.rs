@@ -24,7 +24,7 @@ impl Orbit {
     /// How many bits a contact is wider than asked for; not positive if it is not.
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
-        let [time, velocity] = self.widths;
+        let [time, velocity] = self.asked.widths;
         let (of_time, of_velocity) = self.clock.widths(turns, contact.phase, contact.velocity);
         if of_time <= time.linear && of_velocity <= velocity.linear {
             return 0.0;
@@ -35,8 +35,8 @@ impl Orbit {
     /// The same where doubles are too coarse to say.
     #[cold]
     fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
-        let [time, velocity] = self.widths;
-        let radii = self.motion.radii();
+        let [time, velocity] = self.asked.widths;
+        let radii = self.engine.motion.radii();
         let radii = radii.unwrap_or((contact.phase.rad().log2(), contact.velocity.rad().log2())); // shown
         let (of_time, of_velocity) = self.clock.log2_widths(turns, radii, contact.velocity);
         let excess = [of_time - time.log2, of_velocity - velocity.log2];
@@ -46,13 +46,16 @@ impl Orbit {
 
     /// Phase and velocity as intervals where doubles are too coarse to show them.
     pub(super) fn precise(&self, contact: &Contact<Ball>) -> Option<(Enclosure, Enclosure)> {
-        let in_full = matches!(self.settings.arithmetic, Arithmetic::Bits(_));
-        let [time, velocity] = self.widths;
+        let in_full = matches!(self.asked.settings.arithmetic, Arithmetic::Bits(_));
+        let [time, velocity] = self.asked.widths;
         let fine = 4.0 * contact.phase.rad() <= time.linear && 4.0 * contact.velocity.rad() <= velocity.linear;
         if fine && !in_full {
             return None;
         }
-        self.motion.enclosures().map(|(phase, velocity)| (phase.rounded(self.shown), velocity.rounded(self.shown)))
+        self.engine
+            .motion
+            .enclosures()
+            .map(|(phase, velocity)| (phase.rounded(self.asked.shown), velocity.rounded(self.asked.shown)))
     }
 
     /// The motion cannot go on: in more precision, or not at all.
@@ -60,7 +63,7 @@ impl Orbit {
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
         // What so many bits do not tell apart is called a graze; both continuations are then followed as one set.
         let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
-        let deep = self.settings.arithmetic != Arithmetic::Auto || self.motion.bits() >= GRAZE_BITS;
+        let deep = self.asked.settings.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
         if may_graze
             && deep
             && let Some(graze) = self.pass_graze()
@@ -79,23 +82,24 @@ impl Orbit {
     /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
     #[cold]
     pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
-        if self.settings.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
+        if self.asked.settings.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
             return None;
         }
         if self.restart(Shortfall::Width(excess)) {
             return Some(Progress::Retraced(0));
         }
-        self.is_point.then(|| self.end(Undecided::precision(contact)))
+        self.engine.is_point.then(|| self.end(Undecided::precision(contact)))
     }
 
     /// Starts again in more precision, if that may help.
     #[cfg(feature = "multiprecision")]
     pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
-        let Some(raise) = &mut self.raise else { return false };
-        let Some(motion) = raise.again(shortfall, self.cursor.index - self.start.index, self.motion.accuracy()) else {
+        let Some(raise) = &mut self.engine.raise else { return false };
+        let Some(motion) = raise.again(shortfall, self.cursor.index - self.start.index, self.engine.motion.accuracy())
+        else {
             return false;
         };
-        self.motion = motion;
+        self.engine.motion = motion;
         self.cursor = self.start;
         true
     }

@@ -4,16 +4,13 @@
 //! the Jacobian (A.7) over the box times the box around the centre (Lemma S1), cut with the contacts of the whole box. A
 //! box is wrapped in another at each impact; [`super::set`] turns its axes instead.
 
-use std::convert::Infallible;
-
 use inari::Interval;
 
-#[cfg(feature = "multiprecision")]
-use super::motion::IntervalMotion;
 use super::motion::Motion;
-use super::origin::{Location, Origin};
 #[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::Passed;
+use super::motion::PASSING_BITS;
+#[cfg(feature = "multiprecision")]
+use crate::contact::multiprecision::{Passed, pass};
 use crate::contact::textbook::first_contact;
 use crate::contact::{Contact, Reason, Undecided, Verdict};
 use crate::flight::Flight;
@@ -22,36 +19,56 @@ use crate::mapping::{Passage, jacobian};
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing, Number, Wave};
 use crate::pair::{Inward, Reduced};
+use crate::shaken::{Location, Origin};
 
 /// One impact after another.
 #[derive(Clone, Debug)]
 pub(super) struct TextbookMotion {
     pair: Reduced<Interval>,
-    state: Origin<Interval>,
+    state: StateBox<Interval>,
 }
 
-/// The same state in another arithmetic.
-fn in_arithmetic<N: Copy, M>(state: &Origin<N>, f: impl Fn(N) -> M) -> Origin<M> {
-    let Ok(state) = state.map(|_, &x| Ok::<_, Infallible>(f(x)));
-    state
+/// A box of states: before an impact on a wall, or inside the gap.
+#[derive(Clone, Debug)]
+struct StateBox<N> {
+    place: Location<N>,
+    phase: N,
+    velocity: N,
+}
+
+impl<N: Copy> StateBox<N> {
+    /// The same states in another arithmetic.
+    fn map<M>(&self, f: impl Fn(N) -> M) -> StateBox<M> {
+        let place = match self.place {
+            Location::Wall(wall) => Location::Wall(wall),
+            Location::Inside(height) => Location::Inside(f(height)),
+        };
+        StateBox { place, phase: f(self.phase), velocity: f(self.velocity) }
+    }
+}
+
+impl<N: Wave> StateBox<N> {
+    /// The flights that start from these states. **Equation** (15)
+    fn flight(self, pair: &Reduced<N>) -> Flight<N> {
+        let sin_cos = self.phase.wave();
+        match self.place {
+            Location::Wall(wall) => {
+                Flight::from_wall(pair, wall, self.phase, wall.inward(pair.rebound(self.velocity)), sin_cos)
+            }
+            Location::Inside(height) => Flight::from_inside(pair, height, self.phase, self.velocity, sin_cos),
+        }
+    }
 }
 
 impl TextbookMotion {
     pub fn new(pair: &Reduced<Ball>, origin: &Origin<Ball>) -> Self {
-        Self { pair: pair.map(|&x| x.into()), state: in_arithmetic(origin, Interval::from) }
+        let state = StateBox { place: origin.place.clone(), phase: origin.phase, velocity: origin.velocity };
+        Self { pair: pair.map(|&x| x.into()), state: state.map(Interval::from) }
     }
 
     /// The first contact of all flights from a state.
-    fn contact(&self, state: &Origin<Interval>) -> Result<Contact<Interval>, Undecided> {
-        let Origin { phase, velocity, .. } = *state;
-        let flight = match state.place {
-            Location::Wall(wall) => {
-                let after = wall.inward(self.pair.rebound(velocity));
-                Flight::from_wall(&self.pair, wall, phase, after, phase.wave())
-            }
-            Location::Inside(height) => Flight::from_inside(&self.pair, height, phase, velocity, phase.wave()),
-        };
-        match first_contact(&flight) {
+    fn contact(&self, state: StateBox<Interval>) -> Result<Contact<Interval>, Undecided> {
+        match first_contact(&state.flight(&self.pair)) {
             Verdict::Certified(contact) => Ok(contact),
             Verdict::Undecided(undecided) => Err(undecided),
         }
@@ -59,8 +76,8 @@ impl TextbookMotion {
 
     /// Phase and velocity of all the contacts, in the mean value form. **Equations** (A.1)-(A.7), Lemma S1
     fn image(&self, contact: &Contact<Interval>) -> Result<(Interval, Interval), Undecided> {
-        let Origin { phase, velocity, .. } = self.state;
-        let centre = self.contact(&in_arithmetic(&self.state, |x| x.centre()))?;
+        let StateBox { phase, velocity, .. } = self.state;
+        let centre = self.contact(self.state.map(|x| x.centre()))?;
         let passage = Passage {
             time: contact.time,
             sin0: phase.wave().0,
@@ -85,9 +102,9 @@ fn balls(contact: &Contact<Interval>) -> Contact<Ball> {
 
 impl Motion for TextbookMotion {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
-        let mut contact = self.contact(&self.state).map_err(|doubt| {
+        let mut contact = self.contact(self.state.clone()).map_err(|doubt| {
             // A doubt that the centre does not share is the set's width's fault.
-            let centre = self.contact(&in_arithmetic(&self.state, |x| x.centre()));
+            let centre = self.contact(self.state.map(|x| x.centre()));
             let is_wide = centre.is_ok() && doubt.reason == Reason::Graze;
             if is_wide { Undecided { reason: Reason::Width, ..doubt } } else { doubt }
         })?;
@@ -96,17 +113,15 @@ impl Motion for TextbookMotion {
             (contact.phase, contact.velocity) = self.image(&contact)?;
         }
         let Contact { wall, phase, velocity, .. } = contact;
-        self.state = Origin { place: Location::Wall(wall), phase, velocity };
+        self.state = StateBox { place: Location::Wall(wall), phase, velocity };
         Ok(balls(&contact))
     }
 
-    /// As [`IntervalMotion`] does.
     #[cfg(feature = "multiprecision")]
     fn pass_graze(&mut self) -> Option<Passed> {
-        let ball = |x: Interval| x.as_ball();
-        let passed =
-            IntervalMotion::new(&self.pair.map(|&x| ball(x)), &in_arithmetic(&self.state, ball)).pass_graze()?;
-        self.state = Origin {
+        let wide = |x: Interval| MpBall::from_ball(x.as_ball()).rounded(PASSING_BITS);
+        let passed = pass(&self.state.map(wide).flight(&self.pair.map(|&x| wide(x))))?;
+        self.state = StateBox {
             place: Location::Inside(passed.height.to_ball().into()),
             phase: MpBall::exact(passed.phase.clone()).to_ball().into(),
             velocity: passed.velocity.to_ball().into(),
@@ -116,7 +131,7 @@ impl Motion for TextbookMotion {
 
     #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64 {
-        let Origin { phase, velocity, .. } = &self.state;
+        let StateBox { phase, velocity, .. } = &self.state;
         -phase.rad().max(velocity.rad()).log2() // proposes: bits to raise by
     }
 }

@@ -26,8 +26,9 @@ mod prove;
 mod search;
 mod several;
 mod shaken;
-pub mod shaking;
 mod stability;
+
+use num_bigint::BigInt;
 
 use crate::Error;
 use crate::exact::log2_of_digits;
@@ -35,6 +36,8 @@ use crate::mapping::Word;
 use crate::number::Ball;
 use crate::orbit::{MAX_BITS, Start};
 use crate::pair::{ImpactPair, Reduced};
+pub use crate::shaken::shaking;
+use crate::shaken::{One, Several};
 pub use attractor::{Attractor, Passing};
 pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
@@ -45,8 +48,8 @@ pub use krawczyk::Proved;
 pub use measured::{MeasuredImpact, MeasuredOrbit};
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::Budget;
-use several::Several;
-use shaken::{One, Shaken};
+use several::repetition;
+use shaken::Shaken;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
 /// How narrow the enclosures of an orbit are asked to be.
@@ -117,7 +120,7 @@ impl Problem {
     /// harmonics also when their frequencies are not proved to be commensurate, or the cycles are no multiple of the
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
-        let Some(several) = Several::new(pair)? else {
+        let Some(several) = Several::new(pair, &BigInt::ZERO)? else {
             let exact = Reduced::exact(pair)?;
             let reduced = exact.enclosed()?;
             let one = One::new(exact, reduced);
@@ -133,7 +136,7 @@ impl Problem {
         Ok(Self {
             impact_pair: pair.clone(),
             word: word.clone(),
-            chain: Chain::under(several.repetition(), word, cycles)?,
+            chain: Chain::under(repetition(pair, &several.spectrum)?, word, cycles)?,
             #[cfg(feature = "multiprecision")]
             is_point: pair.is_point(),
             pair: Pair::Several(Box::new(several)),

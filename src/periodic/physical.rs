@@ -5,21 +5,16 @@ use std::cmp::Ordering;
 use super::chain::{Chain, Leg, Legs};
 use super::shaking::Shaking;
 #[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::{Doubles, Start, isolate_first};
-use crate::contact::{Margins, Radii, Verdict, first_contact};
+use crate::contact::multiprecision::{Start, isolate_first};
+use crate::contact::{Court, Radii, Verdict, first_contact};
 use crate::flight::Flight;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing, kernel};
-use crate::pair::{Inward, Reduced, Wall};
-
-/// The pair as the certificates of first contacts want it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Court {
-    pub pair: Reduced<Ball>,
-    pub centre: Reduced<f64>,
-    pub margins: Margins,
-}
+use crate::pair::Inward;
+#[cfg(feature = "multiprecision")]
+use crate::pair::Reduced;
+use crate::pair::Wall;
 
 /// A flight of a proved chain over its box, with its start moved into the first turn.
 #[derive(Clone, Debug)]
@@ -156,8 +151,7 @@ fn first_in_balls(court: &Court, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) 
         phase: claim.start.to_ball(),
         velocity: after.to_ball(),
     };
-    let doubles = Doubles { pair: court.pair, centre: court.centre, margins: court.margins };
-    let isolated = isolate_first(&doubles, &start, || all, &centre).ok()?;
+    let isolated = isolate_first(court, &start, || all, &centre).ok()?;
     let wall = isolated.target.wall(claim.from);
     let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
     claim.is_at(pair, Found { wall, turns: isolated.turns, phase })

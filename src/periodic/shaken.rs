@@ -1,22 +1,23 @@
 //! A pair whose chains are proved, whatever shakes its box.
 
 use super::chain::{Chain, Legs};
-use super::physical::{self, Court};
+use super::physical;
 use super::shaking::Shaking;
-use crate::contact::{Margins, Radii, Verdict, first_contact, first_contact_f64};
-use crate::exact::Exact;
-use crate::flight::Flight;
+use crate::flight::Launch;
+use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
-use crate::number::{Ball, Kernel, Wave, kernel};
-use crate::pair::{Inward, Reduced, Wall};
-use crate::several::Phased;
+#[cfg(feature = "multiprecision")]
+use crate::pair::Reduced;
+use crate::pair::Wall;
+use crate::shaken::Flying;
+pub(super) use crate::shaken::One;
 
 /// An impact of a floating motion: wall, phase in turns, velocity before.
 pub(super) type Passing = (Wall, f64, f64);
 
 /// What an arithmetic knows of the box at a time.
-pub(super) type Moment<S, N> = <<S as Shaken>::In<N> as Shaking<N>>::Moment;
+pub(super) type Moment<S, N> = <<S as Flying>::In<N> as Shaking<N>>::Moment;
 
 /// The first contact of all flights that start in a box, and what the Jacobian (A.7) over it needs.
 pub(super) struct Step {
@@ -28,25 +29,31 @@ pub(super) struct Step {
     pub swings: [Ball; 2],
 }
 
-/// What proofs need of a pair.
-pub(super) trait Shaken {
-    /// The box in an arithmetic.
-    type In<N: Phased>: Shaking<N>;
-
-    /// The centres of the parameters.
-    fn floats(&self) -> &Self::In<f64>;
-    /// The parameters in doubles.
-    fn balls(&self) -> &Self::In<Ball>;
-    /// The parameters in so many bits.
-    #[cfg(feature = "multiprecision")]
-    fn precise(&self, bits: u32) -> Self::In<MpBall>;
+/// What proofs of chains need of a pair.
+pub(super) trait Shaken: Flying {
     /// The box's greatest speed in gaps a turn, about.
-    fn speed(&self) -> f64;
+    fn speed(&self) -> f64 {
+        self.pair().beta.mid()
+    }
+
     /// The impact after one of a floating motion.
-    fn next(&self, impact: Passing) -> Option<Passing>;
+    fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
+        let after = -self.pair().restitution.mid() * velocity;
+        // The whole turns are kept apart.
+        let (whole, rest) = (phase.floor(), phase - phase.floor()); // proposes
+        let contact = self.propose(&Launch::from_wall(wall, whole as i64, rest, after, false)).ok()?; // proposes
+        Some((contact.wall, whole + contact.turns + contact.phase, contact.velocity))
+    }
+
     /// The first contact of all flights that start with an impact in a box of phases, so many whole turns on, and of
     /// velocities before; `None` where it is not proved.
-    fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<Step>;
+    fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<Step> {
+        // H11: whole, polished phases are below 2^40
+        let launch = Launch::from_wall(wall, turns as i64, phase, self.pair().rebound_of(before), false);
+        let (contact, swings) = self.first_contact(launch, None).ok()?;
+        Some(Step { wall: contact.wall, time: contact.time, velocity: contact.velocity, swings })
+    }
+
     /// Whether each flight is proved to end at its first contact. Lemma T5
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool>;
     /// The same in balls, where doubles leave it open.
@@ -60,66 +67,7 @@ pub(super) trait Shaken {
     ) -> Option<bool>;
 }
 
-/// A pair that is shaken by one harmonic.
-#[derive(Clone, Debug)]
-pub(super) struct One {
-    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
-    exact: Reduced<Exact>,
-    pub court: Court,
-}
-
-impl One {
-    pub fn new(exact: Reduced<Exact>, pair: Reduced<Ball>) -> Self {
-        Self { exact, court: Court { pair, centre: pair.centre(), margins: Margins::new(&pair) } }
-    }
-
-    /// Whether no parameter is an interval of values.
-    #[cfg(feature = "multiprecision")]
-    pub fn is_point(&self) -> bool {
-        [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
-    }
-}
-
 impl Shaken for One {
-    type In<N: Phased> = Reduced<N>;
-
-    fn floats(&self) -> &Reduced<f64> {
-        &self.court.centre
-    }
-
-    fn balls(&self) -> &Reduced<Ball> {
-        &self.court.pair
-    }
-
-    #[cfg(feature = "multiprecision")]
-    fn precise(&self, bits: u32) -> Reduced<MpBall> {
-        self.exact.map(|x| <MpBall as Phased>::enclose(x, bits))
-    }
-
-    fn speed(&self) -> f64 {
-        self.court.centre.beta
-    }
-
-    fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
-        let pair = &self.court.centre;
-        let after = wall.inward(pair.rebound(velocity));
-        // The whole turns are kept apart: they are not shaken.
-        let rest = phase - phase.floor(); // proposes
-        let flight = Flight::from_wall(pair, wall, rest, after, kernel::sin_cos(rest));
-        let contact = first_contact_f64::<Kernel>(&flight)?;
-        Some((contact.wall, phase.floor() + contact.turns + contact.phase, contact.velocity)) // proposes
-    }
-
-    fn step(&self, wall: Wall, _: f64, phase: Ball, before: Ball) -> Option<Step> {
-        let Court { pair, centre, margins } = &self.court;
-        let after = wall.inward(pair.rebound_of(before));
-        let flight = Flight::from_wall(centre, wall, phase.mid(), after.mid(), kernel::sin_cos(phase.mid()));
-        let radii = Radii { phase: phase.rad(), velocity: after.rad(), height: 0.0 };
-        let Verdict::Certified(contact) = first_contact(&flight, margins, radii) else { return None };
-        let swings = [phase, contact.phase].map(|phase| pair.swing(&phase.wave()));
-        Some(Step { wall: contact.wall, time: contact.time, velocity: contact.velocity, swings })
-    }
-
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
         physical::is_physical(&self.court, chain, phases, legs)
     }

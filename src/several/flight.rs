@@ -11,6 +11,7 @@
 //! `2 pi (W_k/W) h` add up to `z - z0 = z'(0) h + sum alpha_k (cos th_k0 excess_k + sin th_k0 versine_k)`.
 
 use super::harmonics::{Harmonics, Phased, Sums};
+use crate::flight::Launch;
 use crate::pair::Wall;
 
 /// A time since the start of a flight: whole turns and the rest, an exact number.
@@ -58,39 +59,9 @@ impl<N: Phased> Instant<N> {
     }
 }
 
-/// Where a flight starts: after the impact, for a start on a wall.
-#[derive(Clone, Debug)]
-pub(crate) struct Launch<N> {
-    /// `None` inside the gap.
-    pub wall: Option<Wall>,
-    /// Above the left wall, inside the gap.
-    pub height: N,
-    /// Whole turns and the rest of the phase.
-    pub turns: i64,
-    pub phase: N,
-    /// `z'`
-    pub velocity: N,
-    /// The acceleration of each flight is exactly 0 there: the ball was pressed against the wall before.
-    pub is_release: bool,
-}
-
-impl<N> Launch<N> {
-    /// The same in another arithmetic.
-    pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Launch<M> {
-        Launch {
-            wall: self.wall,
-            height: f(&self.height),
-            turns: self.turns,
-            phase: f(&self.phase),
-            velocity: f(&self.velocity),
-            is_release: self.is_release,
-        }
-    }
-}
-
 /// One flight, or all the flights of a set.
 #[derive(Clone, Debug)]
-pub(crate) struct Flight<'h, N: Phased> {
+pub(crate) struct SumFlight<'h, N: Phased> {
     pub harmonics: &'h Harmonics<N>,
     pub launch: Launch<N>,
     /// Sines and cosines at the start.
@@ -106,7 +77,7 @@ pub(crate) struct Flight<'h, N: Phased> {
 
 /// What the formulas give at a time: distances from both walls, `z'` and `z''`.
 #[derive(Clone, Debug)]
-pub(crate) struct State<N> {
+pub(crate) struct Kinematics<N> {
     pub left: N,
     pub right: N,
     pub velocity: N,
@@ -116,12 +87,13 @@ pub(crate) struct State<N> {
 /// Departures take at most so many turns.
 const SHORT: f64 = 0.124;
 
-impl<'h, N: Phased> Flight<'h, N> {
+impl<'h, N: Phased> SumFlight<'h, N> {
     /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
-    pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<Vec<(N, N)>>) -> Self {
+    pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<&Vec<(N, N)>>) -> Self {
         let zero = N::from_f64(0.0);
-        let waves =
-            waves.unwrap_or_else(|| harmonics.waves(launch.turns, &launch.phase).map(|(_, wave)| wave).collect());
+        let waves = waves
+            .cloned()
+            .unwrap_or_else(|| harmonics.waves(launch.turns, &launch.phase).map(|(_, wave)| wave).collect());
         let (mut sine, mut cosine, mut swing, mut jerk) = (zero.clone(), zero.clone(), zero.clone(), zero);
         for (term, (sin, cos)) in harmonics.terms.iter().zip(&waves) {
             sine = term.alpha.clone().mul_add(sin.clone(), sine);
@@ -144,7 +116,7 @@ impl<'h, N: Phased> Flight<'h, N> {
 
     /// The state at a time after the start.
     #[inline]
-    pub fn state(&self, at: &Instant<N>) -> State<N> {
+    pub fn state(&self, at: &Instant<N>) -> Kinematics<N> {
         if let Some(wall) = self.launch.wall
             && at.turns == 0
             && at.rest.bounds().1 <= SHORT
@@ -155,7 +127,7 @@ impl<'h, N: Phased> Flight<'h, N> {
         let rest = self.launch.phase.clone() + at.rest.clone();
         let Sums { sine, cosine, swing } = self.harmonics.sums(self.launch.turns + at.turns, &rest);
         let left = self.drift.clone().mul_add(at.time(), self.offset.clone()) - sine;
-        State {
+        Kinematics {
             right: N::from_f64(1.0) - left.clone(),
             left,
             velocity: self.drift.clone() - cosine,
@@ -164,14 +136,14 @@ impl<'h, N: Phased> Flight<'h, N> {
     }
 
     /// The state so long after the departure from a wall, without cancellation.
-    fn departure(&self, wall: Wall, time: &N) -> Option<State<N>> {
+    fn departure(&self, wall: Wall, time: &N) -> Option<Kinematics<N>> {
         let added = self.harmonics.departure(&self.waves, time)?;
         let moved = self.launch.velocity.clone().mul_add(time.clone(), added.height);
         let (left, right) = match wall {
             Wall::Left => (moved.clone(), N::from_f64(1.0) - moved),
             Wall::Right => (N::from_f64(1.0) + moved.clone(), -moved),
         };
-        Some(State {
+        Some(Kinematics {
             left,
             right,
             velocity: self.launch.velocity.clone() + added.velocity,

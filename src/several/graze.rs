@@ -2,12 +2,13 @@
 
 use rug::Float;
 
-use super::flight::{Flight, Instant, Launch};
+use super::flight::{Instant, SumFlight};
 use super::harmonics::{Harmonics, Phased, Rates};
 use super::reach::{Band, Reach};
 use super::scan::{Doubt, Scan};
 use super::view::Side;
 use crate::contact::multiprecision::Passed;
+use crate::flight::Launch;
 use crate::number::{Ball, Magnitude, MpBall, Number, is_positive};
 use crate::pair::Wall;
 
@@ -20,8 +21,8 @@ pub(crate) fn pass(
     (band, balls): (&Band, &Harmonics<Ball>),
     launch: Launch<MpBall>,
 ) -> Option<Passed> {
-    let all = Flight::new(harmonics, launch.clone(), None);
-    let centre = Flight::new(harmonics, launch.map(Phased::centre_of), None);
+    let all = SumFlight::new(harmonics, launch.clone(), None);
+    let centre = SumFlight::new(harmonics, launch.map(Phased::centre_of), None);
     let scan = Scan::new(&all, &centre);
     let Err(Doubt::Graze { wall, free, at }) = scan.first(&mut Reach::new(band, balls)) else { return None };
     let bottom = scan.bottom(at);
@@ -72,7 +73,7 @@ impl Touch {
     /// The box of both continuations `step` after the bottom, if both are on their way across the gap there.
     fn go_on(
         &self,
-        all: &Flight<'_, MpBall>,
+        all: &SumFlight<'_, MpBall>,
         wall: Wall,
         bottom: &Instant<MpBall>,
         side: &Side,

@@ -10,7 +10,7 @@ use crate::number::{MpBall, Number};
 use crate::pair::{ImpactPair, too_large};
 
 /// A number in which flights under several harmonics are computed.
-pub(crate) trait Phased: Wave {
+pub(crate) trait Phased: Wave + std::fmt::Debug + Send {
     /// The phase of a harmonic as a function of whole turns of the fastest.
     type Counter: Clone + std::fmt::Debug + Send + Sync;
 

@@ -17,7 +17,7 @@ mod view;
 
 #[cfg(feature = "multiprecision")]
 pub(crate) use flight::Instant;
-pub(crate) use flight::{Flight, Launch};
+pub(crate) use flight::SumFlight;
 #[cfg(feature = "multiprecision")]
 pub(crate) use graze::pass;
 pub(crate) use harmonics::{Harmonics, Phased, Sums};

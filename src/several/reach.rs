@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::sync::OnceLock;
 
-use super::flight::Flight;
+use super::flight::SumFlight;
 use super::harmonics::{Harmonics, Phased, Sums};
 use crate::number::{Ball, up};
 
@@ -101,7 +101,7 @@ impl<'b> Reach<'b> {
     }
 
     /// When to look next, in turns after the start, if until then no wall is near at `now`.
-    pub fn jump<N: Phased>(&mut self, flight: &Flight<'_, N>, now: f64) -> Option<f64> {
+    pub fn jump<N: Phased>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.asked += 1;
         if self.asked == 1 || self.asked == PATIENCE {
             let band = if self.asked == 1 { self.band.coarse() } else { self.band.tight(self.harmonics) };

@@ -4,6 +4,8 @@
 //! no closed form: chatter is proved to end where the pressure hardly changes meanwhile, and the ball is released at
 //! the first proved change of the pressure's sign.
 
+use std::sync::Arc;
+
 use super::flight::Instant;
 use super::harmonics::{Harmonics, Phased, magnitude};
 use super::spectrum::Spectrum;
@@ -54,6 +56,7 @@ fn pressure<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, rest: &
 /// A simple zero of the pressure: the ball is released there.
 #[derive(Clone, Debug)]
 pub(crate) struct Zero {
+    spectrum: Arc<Spectrum>,
     pub wall: Wall,
     pub turns: i64,
     /// Exactly one zero lies within `reach` of this phase, less the whole turns, and the pressure falls at least so fast.
@@ -73,28 +76,33 @@ const BITS: [u32; 3] = [128, 512, 2048];
 /// The first change of the pressure's sign after a phase at which the wall is pressed, or from which on it is; `None`
 /// where none is proved.
 pub(crate) fn release(
-    spectrum: &Spectrum,
+    spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<Ball>,
     wall: Wall,
     turns: i64,
     phase: f64,
 ) -> Option<Zero> {
-    if let Some(zero) = first_zero(harmonics, wall, turns, Ball::exact(phase)) {
+    if let Some(zero) = first_zero(spectrum, harmonics, wall, turns, Ball::exact(phase)) {
         return Some(zero);
     }
     #[cfg(feature = "multiprecision")]
     for bits in BITS {
         let harmonics = Harmonics::<MpBall>::new(spectrum, bits);
-        if let Some(zero) = first_zero(&harmonics, wall, turns, MpBall::from_f64_bits(phase, bits)) {
+        if let Some(zero) = first_zero(spectrum, &harmonics, wall, turns, MpBall::from_f64_bits(phase, bits)) {
             return Some(zero);
         }
     }
-    let _ = spectrum;
     None
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
-fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase: N) -> Option<Zero> {
+fn first_zero<N: Phased>(
+    spectrum: &Arc<Spectrum>,
+    harmonics: &Harmonics<N>,
+    wall: Wall,
+    turns: i64,
+    phase: N,
+) -> Option<Zero> {
     let fourth = harmonics.rates.fourth;
     let slope = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).bounds();
     let value = |at: &Instant<N>| pressure(harmonics, wall, turns + at.turns, &at.rest);
@@ -124,7 +132,8 @@ fn first_zero<N: Phased>(harmonics: &Harmonics<N>, wall: Wall, turns: i64, phase
                 let turns = turns::later(turns, instant.turns)?;
                 // Lemma H8: within `reach` of the rounded place, which is within as much of the zero.
                 let least = Some((least - up(2.0 * fourth * reach)).next_down()).filter(|least| is_positive(*least))?;
-                return Some(Zero { wall, turns, near: middle, reach, least, fourth });
+                let spectrum = spectrum.clone();
+                return Some(Zero { spectrum, wall, turns, near: middle, reach, least, fourth });
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;
@@ -174,7 +183,7 @@ impl Zero {
 
     /// Encloses it in as many bits.
     #[cfg(feature = "multiprecision")]
-    pub fn refined(&self, spectrum: &Spectrum, bits: u32) -> MpBall {
+    pub fn refined(&self, bits: u32) -> MpBall {
         let near = MpBall::from_f64_bits(self.near, bits);
         let limit = MpBall::from_ball(self.phase());
         let mut at = near;
@@ -182,7 +191,7 @@ impl Zero {
         // Newton doubles the bits, the last steps are at full precision.
         let mut level = 64;
         for _ in 0..STEPS {
-            let harmonics = Harmonics::<MpBall>::new(spectrum, level + 32);
+            let harmonics = Harmonics::<MpBall>::new(&self.spectrum, level + 32);
             let p = pressure(&harmonics, self.wall, self.turns, &at);
             // The mean value theorem between here and the zero.
             let error = p.mag().over(Magnitude::new(self.least, 0));
@@ -203,19 +212,19 @@ impl Zero {
     }
 
     /// Encloses it as narrowly as `bits` bits allow in this build.
-    pub fn enclosure(&self, spectrum: &Spectrum, bits: u32) -> Option<Enclosure> {
+    pub fn enclosure(&self, bits: u32) -> Option<Enclosure> {
         #[cfg(feature = "multiprecision")]
-        return self.refined(spectrum, bits).enclosure();
+        return self.refined(bits).enclosure();
         #[cfg(not(feature = "multiprecision"))]
         {
-            let _ = (spectrum, bits);
+            let _ = bits;
             self.phase().enclosure()
         }
     }
 
-    /// The whole turns of `later`, told as those of `self` are, if both are proved to be a multiple of `period` turns apart
-    /// (Lemma H9).
-    pub fn turns_of_same(&self, period: i64, later: &Self) -> Option<i64> {
+    /// The whole turns of `later`, told as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
+    pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
+        let period = i64::try_from(self.spectrum.period?).ok()?;
         let apart = later.near - self.near;
         // exact: -1, 0 or 1, as half a turn is told in two ways
         let whole = apart.round();

@@ -4,7 +4,7 @@
 //! where that proof ends. Pieces are as long as the motion is far from the walls, so their number grows with the number
 //! of near approaches. Floating point only proposes: where to look for a contact and where for an extremum near a wall.
 
-use super::flight::{Flight, Instant, State};
+use super::flight::{Instant, Kinematics, SumFlight};
 use super::harmonics::{Phased, Rates, magnitude};
 use super::reach::Reach;
 use super::view::Side;
@@ -70,8 +70,8 @@ const WALLS: [Wall; 2] = [Wall::Left, Wall::Right];
 
 /// The search for the first contact of all the flights of a set.
 pub(crate) struct Scan<'f, 'h, N: Phased> {
-    all: &'f Flight<'h, N>,
-    centre: &'f Flight<'h, N>,
+    all: &'f SumFlight<'h, N>,
+    centre: &'f SumFlight<'h, N>,
     rates: Rates,
     /// The rates hold for so many turns after the start.
     horizon: f64,
@@ -79,7 +79,7 @@ pub(crate) struct Scan<'f, 'h, N: Phased> {
 
 impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     /// The flights `all`, and the one that starts at their centre.
-    pub fn new(all: &'f Flight<'h, N>, centre: &'f Flight<'h, N>) -> Self {
+    pub fn new(all: &'f SumFlight<'h, N>, centre: &'f SumFlight<'h, N>) -> Self {
         Self { all, centre, rates: all.harmonics.rates, horizon: LONGEST_FLIGHT }
     }
 
@@ -289,7 +289,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
     }
 
     /// Newton's method on the flight of the centre: `step` gives what to go back, and whether it is noise.
-    fn newton(&self, near: Instant<N>, step: impl Fn(&State<N>) -> Option<(N, bool)>) -> Instant<N> {
+    fn newton(&self, near: Instant<N>, step: impl Fn(&Kinematics<N>) -> Option<(N, bool)>) -> Instant<N> {
         let (mut at, mut before) = (near, f64::INFINITY);
         for _ in 0..STEPS {
             let Some((back, is_done)) = step(&self.centre.state(&at)) else { return at };

@@ -1,6 +1,6 @@
 //! What is seen of a state in double-precision bounds, and how far it is proved to stay off the walls.
 
-use super::flight::State;
+use super::flight::Kinematics;
 use super::harmonics::{Phased, Rates};
 use crate::number::{UNIT, up};
 use crate::pair::Wall;
@@ -16,7 +16,7 @@ pub(crate) struct Side {
     pub bend: (f64, f64),
 }
 
-impl<N: Phased> State<N> {
+impl<N: Phased> Kinematics<N> {
     /// The distance from a wall, in the arithmetic of the flight.
     pub fn room(&self, wall: Wall) -> &N {
         match wall {

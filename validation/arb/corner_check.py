@@ -65,7 +65,7 @@ def graze_proof(corner, rows, _):
         if not len(grazes) == len(rows) == len(corner.events):
             raise Disagreement("something else than the expected grazes, though there is no drift")
         return tally
-    # The first impact after the graze has a mapping here, and none from a start inside.
+    # The first impact after the graze may have a mapping here, and none from a start inside.
     rest = [rows[1] | {"mapping": ""}, *rows[2:]]
     verdict = judge(rest, Timeline(Scene(corner.later), corner.digits))
     if verdict.proved_end is not None or verdict.impacts != corner.impacts or len(grazes) != 1:

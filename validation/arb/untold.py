@@ -63,12 +63,12 @@ def impact_row(origin, proved, before, index):
 
 
 def after(rows, proved, before, hit):
-    """The rows after a graze, counted with it; which mapping leads away from one is not judged."""
+    """The rows after a graze, counted with it; the mapping that leads away from one is judged where it is named."""
     is_next = True
     for row in rows:
         if row["event"] == "impact":
             row = row | {"index": str(int(row["index"]) + hit)}
             if is_next and len(proved.impacts) > before + hit:
-                row["mapping"] = proved.impacts[before + hit].mapping or ""
+                row["mapping"] = row["mapping"] or proved.impacts[before + hit].mapping or ""
         is_next = False
         yield row

@@ -41,6 +41,7 @@ impl Walk<'_> {
             return Err(Doubt::False("the wall is missed by more than the bounds of the time allow".into()));
         }
         self.departure = self.pass(&flight, claim.wall, &summit)?;
+        self.last = self.last.filter(|wall| *wall == claim.wall);
         Ok(())
     }
 

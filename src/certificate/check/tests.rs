@@ -203,6 +203,23 @@ fn sets_under_a_sum_depend_on_each_datum_as_their_members() {
 }
 
 #[test]
+fn r16_after_a_graze_no_mapping_is_confirmed_that_is_not_proved() {
+    let document = orbit(
+        "excitation = { amplitude = 1, frequency = 2, phase = 0.7 }\n\
+         pair = { gap = 5.51996296806061375229774706080799496119226455, restitution = 0.5 }\n\
+         start = { time = 0, wall = \"left\", velocity = -0.4 }\nrun = { impacts = 3 }",
+    );
+    assert_eq!((event(&document, "graze"), &document["events"][1]["mapping"]), (0, &Value::Null));
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    for mapping in ["P2", "P3"] {
+        let verdict = spoiled(&document, &entry(1, "mapping"), json!(mapping));
+        assert!(matches!(verdict, Verdict::Undecided(_)), "{mapping}: {verdict:?}");
+    }
+    assert!(matches!(spoiled(&document, &entry(1, "mapping"), json!("P1")), Verdict::Refuted(_)));
+    assert!(matches!(spoiled(&document, &entry(2, "mapping"), Value::Null), Verdict::Refuted(_)));
+}
+
+#[test]
 fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
     let document = split(&certificate("1", "wall = \"left\", velocity = -0.5", "0.3", 40));
     let [rest, release] = [event(&document, "rest"), event(&document, "release")];

@@ -32,7 +32,7 @@ pub(in crate::certificate) struct Walk<'c> {
     pub landing: Option<Landing>,
     pub(super) rest: Option<Rest>,
     pub(super) still: Option<Still>,
-    /// The wall that the last flight between walls left.
+    /// The wall that the last flight between walls left; `None` where a graze since may have been a touch of the other.
     pub(super) last: Option<Wall>,
     /// The first release from each wall under one harmonic: half turns, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
@@ -134,7 +134,15 @@ impl<'c> Walk<'c> {
             return Err(Doubt::False(format!("the impact is number {}, not {index}", self.impacts + 1)));
         }
         if mapping != self.last.map(|from| Mapping::between(from, claim.wall)) {
-            return Err(Doubt::False("the mapping does not lead from the wall before to this one".into()));
+            let is_after_graze =
+                matches!(self.certificate.events()[..self.event].last(), Some(Claim { kind: ClaimKind::Graze, .. }));
+            return Err(match mapping {
+                // It is the one or the other.
+                Some(mapping) if self.last.is_none() && is_after_graze && mapping.walls().1 == claim.wall => {
+                    Doubt::Open("the graze before is not told from a touch, so no mapping is proved".into())
+                }
+                _ => Doubt::False("the mapping does not lead from the wall before to this one".into()),
+            });
         }
         if velocity[0] > velocity[1] {
             return Err(Doubt::False("the lower bound of the velocity is above the upper one".into()));

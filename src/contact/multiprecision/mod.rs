@@ -17,10 +17,10 @@ use super::bounds::{Bounds, Margins, Radii};
 use super::certify::Bracket;
 use super::extrema::Target;
 use super::solve::propose;
-use super::{Contact, Reason, Undecided};
+use super::{Contact, Court, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
-use crate::pair::{Inward, Reduced, Wall};
+use crate::pair::{Inward, Wall};
 pub(crate) use graze::{Passed, pass};
 pub(crate) use refine::Refined;
 
@@ -80,14 +80,6 @@ impl Flight<MpBall> {
     }
 }
 
-/// The pair as the double-precision certificate wants it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Doubles {
-    pub pair: Reduced<Ball>,
-    pub centre: Reduced<f64>,
-    pub margins: Margins,
-}
-
 /// A set of starts in doubles: after the impact, told from the wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
@@ -102,7 +94,7 @@ pub(crate) struct Start {
 ///
 /// A doubt that the flight of the `centre` does not share is the set's width's fault.
 pub(crate) fn isolate_first(
-    pair: &Doubles,
+    pair: &Court,
     start: &Start,
     all: impl FnOnce() -> Flight<MpBall>,
     centre: &Flight<MpBall>,
@@ -117,7 +109,7 @@ pub(crate) fn isolate_first(
 }
 
 /// What doubles can say of the set.
-fn isolate_in_doubles(pair: &Doubles, start: &Start) -> Option<Isolated> {
+fn isolate_in_doubles(pair: &Court, start: &Start) -> Option<Isolated> {
     let Start { wall, height, phase, velocity } = *start;
     let sin_cos = kernel::sin_cos(phase.mid());
     let (flight, height) = match wall {

@@ -6,7 +6,7 @@ use super::super::Precision;
 use super::super::equations::flights;
 use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit};
-use super::super::physical::{self, Court};
+use super::super::physical;
 use super::super::precondition::Preconditioner;
 use super::follow::Change;
 use super::point::{Kind, Point};
@@ -14,7 +14,7 @@ use super::ring::Ring;
 use super::solve::newton;
 use super::system::{Critical, Family, Graze, Posed, System, Unknown, Vanishing};
 use super::trace::null_vector;
-use crate::contact::Margins;
+use crate::contact::Court;
 #[cfg(feature = "multiprecision")]
 use crate::exact::working_bits;
 use crate::exact::{Enclosure, Exact};
@@ -271,19 +271,14 @@ impl<S: Condition> Claim<'_, S> {
     }
 }
 
-/// The pair as the proofs of first contacts want it.
-fn court(pair: Reduced<Ball>) -> Court {
-    Court { pair, centre: pair.centre(), margins: Margins::new(&pair) }
-}
-
 fn court_in_doubles(ring: &Ring, pair: &Reduced<Ball>, phases: &[Ball]) -> Option<bool> {
     let legs = ring.chain().legs(pair, phases)?;
-    physical::is_physical(&court(*pair), ring.chain(), phases, &legs)
+    physical::is_physical(&Court::new(*pair), ring.chain(), phases, &legs)
 }
 
 #[cfg(feature = "multiprecision")]
 fn court_in_balls(ring: &Ring, pair: &Reduced<MpBall>, phases: &[MpBall]) -> Option<bool> {
     let legs = ring.chain().legs(pair, phases)?;
-    let court = court(pair.map(Enclosing::as_ball));
+    let court = Court::new(pair.map(Enclosing::as_ball));
     physical::is_physical_precisely(&court, pair, ring.chain(), phases, &legs)
 }

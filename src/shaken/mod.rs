@@ -1,0 +1,177 @@
+//! What shakes the box, as motions see it: one harmonic, equation (9), or several, equation (1).
+//!
+//! How first contacts are proved are two theorems in two places, the closed form of [`crate::contact`] and the scan of
+//! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
+//! Times are in turns of the fastest harmonic, told as whole turns and the rest, lengths in gaps.
+
+mod one;
+mod origin;
+mod several;
+pub mod shaking;
+mod still;
+mod sum;
+
+use std::fmt::Debug;
+
+#[cfg(feature = "multiprecision")]
+use rug::Float;
+
+#[cfg(feature = "multiprecision")]
+use crate::contact::multiprecision::Passed;
+use crate::contact::{Contact, SetContact, Undecided};
+use crate::exact::{Enclosure, Exact};
+use crate::flight::Launch;
+use crate::number::Ball;
+#[cfg(feature = "multiprecision")]
+use crate::number::{Magnitude, MpBall};
+use crate::pair::{Reduced, Wall};
+use crate::several::Phased;
+pub(crate) use one::One;
+pub(crate) use origin::{Location, Origin, Released};
+pub(crate) use several::Several;
+use shaking::Shaking;
+pub(crate) use still::Still;
+pub(crate) use sum::Sum;
+
+/// The box, and a ball that lies on its walls.
+pub(crate) trait Shaken: Debug + Send + Sync {
+    /// What is left of the pair without units; under several harmonics `alpha` and `beta` are the sums of theirs.
+    fn pair(&self) -> &Reduced<Ball>;
+
+    /// Turns after which all phases are the same, where that is proved to happen.
+    fn period(&self) -> Option<u32>;
+
+    /// `E/d`, `E'` in gaps a turn and `y''` in gaps a turn squared. **Equations** (1), (9), (10)
+    fn displacement(&self, turns: i64, phase: Ball) -> [Ball; 3];
+
+    /// `y''` in plain doubles.
+    #[cfg(feature = "multiprecision")]
+    fn swing(&self, turns: i64, phase: f64) -> f64;
+
+    /// Chatter of how many turns may be told, if widths of `least` turns are; `None`: any that ends before the pressure does, half
+    /// a turn after it began at the latest. It proposes.
+    fn patience(&self, least: f64) -> Option<f64>;
+
+    /// How long, in turns, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
+    /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
+    fn accumulation(&self, wall: Wall, turns: i64, phase: Ball, after: Ball, phases: &[Exact]) -> Option<f64>;
+
+    /// When a ball that rests on a wall since a phase is released, shown in so many bits. Lemmas Z2, H8
+    fn release(&self, wall: Wall, turns: i64, phase: f64, bits: u32) -> Option<Released>;
+
+    /// Whether the pressure on a wall may be 0 at a phase.
+    fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool;
+
+    /// The motion from an origin that is proved never to hit a wall again. Lemma Z4
+    fn still(&self, origin: &Origin<Exact>) -> Option<Still>;
+}
+
+/// First contacts.
+pub(crate) trait Flying: Shaken + Sized + 'static {
+    /// The parameters in an arithmetic.
+    type In<N: Phased>: Shaking<N> + Debug + Send;
+    /// Sines and cosines at the start of a flight.
+    type Waves<N: Phased>: Debug + Send;
+
+    /// The centres of the parameters.
+    fn floats(&self) -> &Self::In<f64>;
+
+    /// The parameters in doubles.
+    fn balls(&self) -> &Self::In<Ball>;
+
+    /// Those at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
+    fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
+
+    /// The first contact of a floating flight, proved in no way.
+    fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided>;
+
+    /// The first contact of all the flights that start so, and `y''` at their start and there.
+    fn first_contact(
+        &self,
+        all: Launch<Ball>,
+        waves: Option<&Self::Waves<Ball>>,
+    ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided>;
+
+    /// The first contacts of all the flights that leave a wall so and, more closely, of the one from the centre, and `y''` at
+    /// start and contact of all. A doubt that the centre does not share is the set's width's fault.
+    fn first_contacts(
+        &self,
+        all: Launch<Ball>,
+        centre: Launch<Ball>,
+        waves: Option<&Self::Waves<Ball>>,
+    ) -> Result<(SetContact, [Ball; 2]), Undecided>;
+
+    /// The parameters in so many bits.
+    #[cfg(feature = "multiprecision")]
+    fn precise(&self, bits: u32) -> Self::In<MpBall>;
+
+    /// Those of [`Shaken::pair`] in so many bits.
+    #[cfg(feature = "multiprecision")]
+    fn widened(&self, bits: u32) -> Self::In<MpBall>;
+
+    /// The same parameters in fewer bits.
+    #[cfg(feature = "multiprecision")]
+    fn rounded(&self, parameters: &Self::In<MpBall>, bits: u32) -> Self::In<MpBall>;
+
+    /// Goes past the first extremum that may touch its wall. Lemmas G1, H13
+    #[cfg(feature = "multiprecision")]
+    fn pass(
+        &self,
+        parameters: &Self::In<MpBall>,
+        all: Launch<MpBall>,
+        waves: Option<&Self::Waves<MpBall>>,
+    ) -> Option<Passed>;
+
+    /// The first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to so
+    /// many bits. Lemma M3
+    #[cfg(feature = "multiprecision")]
+    fn arrive(
+        &self,
+        parameters: &Self::In<MpBall>,
+        flights: Flights<'_, Self::Waves<MpBall>>,
+        bits: u32,
+    ) -> Result<Arrival<Self::Waves<MpBall>>, Undecided>;
+
+    /// The first contacts of all flights from inside the gap, to so many bits: in doubles, phase less the whole turns, velocity.
+    #[cfg(feature = "multiprecision")]
+    fn arrive_from_inside(
+        &self,
+        parameters: &Self::In<MpBall>,
+        all: Launch<MpBall>,
+        waves: Option<&Self::Waves<MpBall>>,
+        bits: u32,
+    ) -> Result<Precisely<Self::Waves<MpBall>>, Undecided>;
+}
+
+/// A set of flights that leave a wall.
+#[cfg(feature = "multiprecision")]
+pub(crate) struct Flights<'w, W> {
+    pub all: Launch<MpBall>,
+    pub centre: Launch<MpBall>,
+    /// The velocities before the impact, in doubles.
+    pub before: Ball,
+    /// At the start of the centre.
+    pub waves: Option<&'w W>,
+}
+
+/// The first contacts of a set of flights that left a wall.
+#[cfg(feature = "multiprecision")]
+pub(crate) struct Arrival<W> {
+    /// Encloses the contact of every flight of the set.
+    pub contact: Contact<Ball>,
+    /// Encloses `y''` of all of them, at the start and at the contact.
+    pub swings: [Ball; 2],
+    /// The contact of the centre is within `error` of this phase, less the whole turns.
+    pub phase: Float,
+    pub error: Magnitude,
+    /// Its velocity at this phase; at the contact the slope times the distance is added.
+    pub velocity: MpBall,
+    pub slope: Ball,
+    /// At this phase, where they are known.
+    pub waves: Option<W>,
+}
+
+/// Encloses the first contacts of all flights of a set: in doubles, and phase less the whole turns and velocity in balls, with
+/// the sines and cosines at the middle of the phases, where they are known.
+#[cfg(feature = "multiprecision")]
+pub(crate) type Precisely<W> = (Contact<Ball>, [MpBall; 2], Option<W>);

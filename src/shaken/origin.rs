@@ -1,0 +1,86 @@
+//! Where a motion starts, without units, in any arithmetic.
+
+use crate::exact::{Enclosure, Exact};
+use crate::pair::Wall;
+use crate::several::Zero;
+
+/// A start in turns and gaps; the phase is in `[-1/2, 1/2]` (about).
+#[derive(Clone, Debug)]
+pub(crate) struct Origin<N> {
+    pub place: Location<N>,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    pub phase: N,
+    /// Before the impact for a start on a wall.
+    pub velocity: N,
+    /// The phases of several harmonics, exactly; none at a release.
+    pub phases: Vec<Exact>,
+    /// The release that it is, if it is one.
+    pub release: Option<Released>,
+}
+
+/// Where the ball is.
+#[derive(Clone, Debug)]
+pub(crate) enum Location<N> {
+    Wall(Wall),
+    /// The height in gaps above the left wall.
+    Inside(N),
+}
+
+impl<N> Origin<N> {
+    /// The wall it starts on, if it does.
+    pub fn wall(&self) -> Option<Wall> {
+        match self.place {
+            Location::Wall(wall) => Some(wall),
+            Location::Inside(_) => None,
+        }
+    }
+
+    /// The same start in another arithmetic; `f` also gets the key of what it reads.
+    pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Origin<M>, E> {
+        let place = match &self.place {
+            Location::Wall(wall) => Location::Wall(*wall),
+            Location::Inside(height) => Location::Inside(f("start.position", height)?),
+        };
+        let (phase, velocity) = (f("start.time", &self.phase)?, f("start.velocity", &self.velocity)?);
+        let (turns, phases, release) = (self.turns, self.phases.clone(), self.release.clone());
+        Ok(Origin { place, turns, phase, velocity, phases, release })
+    }
+}
+
+impl Origin<Exact> {
+    /// A release: no velocity, and the phase as exactly as it can be shown.
+    pub fn released(release: Released) -> Self {
+        let [lo, hi] = [release.phase.lo(), release.phase.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        Self {
+            place: Location::Wall(release.wall),
+            turns: release.turns,
+            phase: Exact::interval(&lo, &hi).expect("bounds are in order"),
+            velocity: Exact::from(0),
+            phases: Vec::new(),
+            release: Some(release),
+        }
+    }
+}
+
+/// When a ball that rested on a wall leaves it.
+#[derive(Clone, Debug)]
+pub(crate) struct Released {
+    pub wall: Wall,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    /// Encloses the rest of the phase.
+    pub phase: Enclosure,
+    /// The zero of the pressure that it is, under several harmonics; one harmonic has it at an exact phase.
+    pub zero: Option<Zero>,
+}
+
+impl Released {
+    /// The turns of `later`, told as those of `self` are, if the motion is the same from both on (Lemmas Z3, H9).
+    pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
+        match (&self.zero, &later.zero) {
+            (Some(zero), Some(other)) => zero.turns_of_same(other),
+            _ => (self.wall == later.wall).then_some(later.turns),
+        }
+    }
+}

@@ -1,0 +1,276 @@
+//! Several harmonics: first contacts by the scan of [`crate::several`].
+
+#[cfg(feature = "multiprecision")]
+mod precise;
+
+use std::sync::Arc;
+
+use num_bigint::BigInt;
+
+use super::still::quarter_turn;
+#[cfg(feature = "multiprecision")]
+use super::{Arrival, Flights, Precisely};
+use super::{Flying, Origin, Released, Shaken, Still, Sum};
+use crate::Error;
+#[cfg(feature = "multiprecision")]
+use crate::contact::multiprecision::Passed;
+use crate::contact::{Contact, Reason, SetContact, Undecided};
+use crate::exact::{Enclosure, Exact};
+use crate::flight::Launch;
+use crate::number::{Ball, UNIT, up};
+#[cfg(feature = "multiprecision")]
+use crate::number::{LEAST_BITS, Magnitude, MpBall};
+use crate::pair::{ImpactPair, Inward, Reduced, Wall, ball, within};
+#[cfg(feature = "multiprecision")]
+use crate::several::pass;
+use crate::several::{Band, Doubt, Found, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, accumulation, release};
+
+/// A pair that is shaken by several harmonics, equation (1).
+#[derive(Clone, Debug)]
+pub(crate) struct Several {
+    pub spectrum: Arc<Spectrum>,
+    pub pair: Reduced<Ball>,
+    pub floats: Sum<f64>,
+    pub balls: Sum<Ball>,
+    pub band: Arc<Band>,
+}
+
+impl Several {
+    /// The harmonics of `pair`, phases counted from the turn `origin`; `None` of a single one.
+    ///
+    /// # Errors
+    /// When a value is beyond what exact expressions or doubles hold.
+    pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
+        let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
+        let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
+        let amplitude = pair.excitation().reference().amplitude();
+        let sums = within("excitation.amplitude", amplitude, spectrum.sums())?;
+        let enclose = |x: &Exact| ball("excitation.amplitude", x);
+        let (alpha, beta) = (enclose(&sums.alpha)?, enclose(&sums.beta)?);
+        let restitution = ball("pair.restitution", &sums.restitution)?;
+        let floats = Harmonics::new(&spectrum, f64::MANTISSA_DIGITS);
+        Ok(Some(Self {
+            pair: Reduced { alpha, beta, restitution },
+            floats: Sum { harmonics: floats, restitution: restitution.mid() },
+            band: Arc::new(Band::new(&harmonics, spectrum.period)),
+            balls: Sum { harmonics, restitution },
+            spectrum: Arc::new(spectrum),
+        }))
+    }
+
+    fn reach(&self) -> Reach<'_> {
+        Reach::new(&self.band, &self.balls.harmonics)
+    }
+
+    /// The first contact of all the flights that start so. Lemmas H2-H6
+    pub fn first<N: Phased>(&self, harmonics: &Harmonics<N>, all: Launch<N>) -> Result<Found<N>, Doubt<N>> {
+        let centre = SumFlight::new(harmonics, all.map(Phased::centre_of), None);
+        Scan::new(&SumFlight::new(harmonics, all, None), &centre).first(&mut self.reach())
+    }
+
+    /// The first contacts of all flights; a doubt that the centre does not share is the set's width's fault.
+    fn scan<N: Phased>(&self, all: &SumFlight<'_, N>, centre: &SumFlight<'_, N>) -> Result<Found<N>, Undecided> {
+        Scan::new(all, centre).first(&mut self.reach()).map_err(|doubt| {
+            let undecided = doubt.undecided(all.launch.wall);
+            let is_width = || Scan::new(centre, centre).first(&mut self.reach()).is_ok();
+            match doubt {
+                Doubt::Graze { .. } | Doubt::Departure if is_width() => {
+                    Undecided { reason: Reason::Width, ..undecided }
+                }
+                _ => undecided,
+            }
+        })
+    }
+
+    /// Whether a ball that lies on a wall at an origin, where the pressure is exactly 0, is proved to be pressed from then on.
+    fn is_pressed_from(&self, wall: Wall, phases: &[Exact]) -> bool {
+        let zero = Ball::exact(0.0);
+        let launch = Launch::from_wall(wall, 0, zero, zero, false);
+        let waves = waves(phases, f64::MANTISSA_DIGITS);
+        let flight = SumFlight::new(&self.balls.harmonics, launch, waves.as_ref());
+        let jerk = wall.inward(flight.jerk).bounds();
+        flight.acceleration == zero && jerk.1 < 0.0
+    }
+}
+
+/// Sines and cosines of phases, exact at quarter turns; `None` of none.
+fn waves<N: Phased>(phases: &[Exact], bits: u32) -> Option<Vec<(N, N)>> {
+    let wave = |phase: &Exact| match quarter_turn(phase) {
+        Some((sin, cos)) => (N::enclose(&sin, bits), N::enclose(&cos, bits)),
+        None => N::enclose(phase, bits).wave(),
+    };
+    (!phases.is_empty()).then(|| phases.iter().map(wave).collect())
+}
+
+impl Shaken for Several {
+    fn pair(&self) -> &Reduced<Ball> {
+        &self.pair
+    }
+
+    fn period(&self) -> Option<u32> {
+        self.spectrum.period.and_then(|period| u32::try_from(period).ok())
+    }
+
+    fn displacement(&self, turns: i64, phase: Ball) -> [Ball; 3] {
+        let sums = self.balls.harmonics.sums(turns, &phase);
+        [sums.sine, sums.cosine, sums.swing]
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn swing(&self, turns: i64, phase: f64) -> f64 {
+        self.floats.harmonics.sums(turns, &phase).swing
+    }
+
+    fn patience(&self, least: f64) -> Option<f64> {
+        // A rest is told once the chatter left is shorter than the digits show.
+        Some(least.max(f64::MIN_POSITIVE)) // proposes: Z1 is proved where it says so
+    }
+
+    fn accumulation(&self, wall: Wall, turns: i64, phase: Ball, after: Ball, phases: &[Exact]) -> Option<f64> {
+        if !phases.is_empty() && after == Ball::exact(0.0) && self.is_pressed_from(wall, phases) {
+            return Some(0.0);
+        }
+        accumulation(&self.balls.harmonics, self.pair.restitution, wall, turns, phase, after)
+    }
+
+    fn release(&self, wall: Wall, turns: i64, phase: f64, bits: u32) -> Option<Released> {
+        let zero = release(&self.spectrum, &self.balls.harmonics, wall, turns, phase)?;
+        Some(Released { wall, turns: zero.turns, phase: zero.enclosure(bits)?, zero: Some(zero) })
+    }
+
+    fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool {
+        let (mid, rad) = phase.mid_rad();
+        let inward = wall.inward(self.balls.harmonics.sums(turns, &Ball::new(mid, rad)).swing);
+        inward.mid() + inward.rad() >= 0.0
+    }
+
+    fn still(&self, origin: &Origin<Exact>) -> Option<Still> {
+        Still::under_several(&self.spectrum, origin).ok().flatten()
+    }
+}
+
+impl Flying for Several {
+    type In<N: Phased> = Sum<N>;
+    type Waves<N: Phased> = Vec<(N, N)>;
+
+    fn floats(&self) -> &Sum<f64> {
+        &self.floats
+    }
+
+    fn balls(&self) -> &Sum<Ball> {
+        &self.balls
+    }
+
+    fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Vec<(N, N)>> {
+        // Of a phase that is rounded the centre is another.
+        let is_point = (phase.clone() - phase.centre_of()).is_zero();
+        if is_point { waves(exact, bits) } else { None }
+    }
+
+    fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided> {
+        let found = self.first(&self.floats.harmonics, launch.clone()).map_err(|doubt| doubt.undecided(launch.wall))?;
+        let velocity = match found.wall {
+            Wall::Left => found.centre_velocity.min(0.0),  // proposes
+            Wall::Right => found.centre_velocity.max(0.0), // proposes
+        };
+        let (turns, time) = (found.at.turns as f64, found.at.time()); // proposes
+        Ok(Contact { wall: found.wall, turns, phase: launch.phase + found.at.rest, time, velocity })
+    }
+
+    fn first_contact(
+        &self,
+        all: Launch<Ball>,
+        waves: Option<&Vec<(Ball, Ball)>>,
+    ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided> {
+        let centre = all.map(Phased::centre_of);
+        let (contact, swings) = self.first_contacts(all, centre, waves)?;
+        Ok((contact.all, swings))
+    }
+
+    fn first_contacts(
+        &self,
+        all: Launch<Ball>,
+        centre: Launch<Ball>,
+        waves: Option<&Vec<(Ball, Ball)>>,
+    ) -> Result<(SetContact, [Ball; 2]), Undecided> {
+        let (phase, middle) = (all.phase, centre.phase.mid());
+        let [all, centre] = [all, centre].map(|launch| SumFlight::new(&self.balls.harmonics, launch, waves));
+        let found = self.scan(&all, &centre)?;
+        Ok((set_contact(&found, phase, middle), [all.acceleration, found.acceleration]))
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn precise(&self, bits: u32) -> Sum<MpBall> {
+        let restitution = <MpBall as Phased>::enclose(&self.spectrum.restitution, bits);
+        Sum { harmonics: Harmonics::new(&self.spectrum, bits.max(LEAST_BITS)), restitution } // M1: any number of bits
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn widened(&self, bits: u32) -> Sum<MpBall> {
+        self.precise(bits)
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn rounded(&self, sum: &Sum<MpBall>, bits: u32) -> Sum<MpBall> {
+        Sum { harmonics: sum.harmonics.rounded(bits), restitution: sum.restitution.rounded(bits) }
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn pass(&self, sum: &Sum<MpBall>, all: Launch<MpBall>, _: Option<&Vec<(MpBall, MpBall)>>) -> Option<Passed> {
+        pass(&sum.harmonics, (&self.band, &self.balls.harmonics), all)
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn arrive(
+        &self,
+        sum: &Sum<MpBall>,
+        Flights { all, centre, waves, .. }: Flights<'_, Vec<(MpBall, MpBall)>>,
+        bits: u32,
+    ) -> Result<Arrival<Vec<(MpBall, MpBall)>>, Undecided> {
+        let centre = SumFlight::new(&sum.harmonics, centre, waves);
+        let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
+        let (phase, error, velocity) = isolated.told_at(&centre, &at, bits);
+        let precise::Isolated { contact, swings, .. } = isolated;
+        Ok(Arrival { contact, swings, phase, error, velocity, slope: swings[1], waves: None })
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn arrive_from_inside(
+        &self,
+        sum: &Sum<MpBall>,
+        all: Launch<MpBall>,
+        waves: Option<&Vec<(MpBall, MpBall)>>,
+        bits: u32,
+    ) -> Result<Precisely<Vec<(MpBall, MpBall)>>, Undecided> {
+        let centre = SumFlight::new(&sum.harmonics, all.map(Phased::centre_of), waves);
+        let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
+        let all = SumFlight::new(&sum.harmonics, all, waves);
+        let (phase, error, velocity) = isolated.told_at(&all, &at, bits);
+        let velocity = velocity.widened(error * Magnitude::new(sum.harmonics.rates.second, 0));
+        Ok((isolated.contact, [MpBall::new(phase, error), velocity], None))
+    }
+}
+
+/// The contact that was found, of flights that start at `phase`, their centre at `middle`.
+fn set_contact(found: &Found<Ball>, phase: Ball, middle: f64) -> SetContact {
+    let rest = found.at.rest.mid();
+    let at = middle + rest;
+    let rounding = UNIT * at.abs();
+    let time = found.at.time();
+    let velocity = found.centre_velocity;
+    // The enclosure of all, around the velocity of the centre.
+    let apart = (found.velocity.mid() - velocity.mid()).abs();
+    SetContact {
+        all: Contact {
+            wall: found.wall,
+            turns: found.at.turns as f64, // N1: below 2^52
+            phase: Ball::new(at, up(found.reach + phase.rad() + (phase.mid() - middle).abs() + rounding)),
+            time: time.widened(found.reach),
+            velocity: Ball::new(velocity.mid(), up(found.velocity.rad() + apart)),
+        },
+        phase: Ball::new(at, up(found.centre_reach + rounding)),
+        // That at the time found; the phase that is stored is rounded (Lemma S4).
+        velocity: velocity.widened(up(found.acceleration.mag() * rounding)),
+        slope: found.acceleration,
+    }
+}

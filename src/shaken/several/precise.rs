@@ -1,0 +1,116 @@
+//! First contacts of a set in multiprecision: isolated in doubles, if they suffice, and refined (Lemma M3).
+
+use rug::Float;
+
+use super::super::Sum;
+use super::Several;
+use crate::contact::{Contact, Undecided};
+use crate::flight::Launch;
+use crate::number::{Ball, Magnitude, MpBall, Number};
+use crate::several::{Found, Instant, Phased, Scan, SumFlight};
+
+/// The first contacts of a set: one for each flight, near a time.
+pub(super) struct Isolated {
+    /// Encloses them in doubles.
+    pub contact: Contact<Ball>,
+    /// `y''` at the start and at the contact.
+    pub swings: [Ball; 2],
+    turns: i64,
+    rest: Float,
+    reach: f64,
+    least: f64,
+}
+
+impl Isolated {
+    /// What was found of flights that start in these phases with this acceleration.
+    fn new<N: Phased>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, swing: Ball) -> Self {
+        let near = MpBall::new(rest.clone(), Magnitude::new(found.reach, 0)).to_ball();
+        Self {
+            contact: Contact {
+                wall: found.wall,
+                turns: found.at.turns as f64, // N1: below 2^52
+                phase: phase + near,
+                time: time.widened(found.reach),
+                velocity: found.velocity,
+            },
+            swings: [swing, found.acceleration],
+            turns: found.at.turns,
+            rest,
+            reach: found.reach,
+            least: found.least,
+        }
+    }
+
+    /// The contact of one flight of the set to `bits` bits: Lemma M3.
+    fn refine(&self, flight: &SumFlight<'_, MpBall>, bits: u32) -> Option<Instant<MpBall>> {
+        let limit = MpBall::new(self.rest.clone(), Magnitude::new(self.reach, 0));
+        let mut at = Instant { turns: self.turns, rest: MpBall::exact(Float::with_val(bits, &self.rest)) };
+        let (wall, mut before) = (self.contact.wall, Magnitude::INFINITE);
+        loop {
+            let state = flight.state(&at);
+            let room = state.room(wall);
+            let (size, noise) = (room.mag(), room.rad());
+            if size <= noise + noise || size >= before {
+                // Half a turn is one time in two ways: tell it as the isolated one is told.
+                // M3: any instant; it is looked at again
+                let turns = MpBall::from_f64((at.turns - self.turns) as f64);
+                let rest = at.rest.later(&turns);
+                return limit.contains(&rest).then_some(Instant { turns: self.turns, rest });
+            }
+            before = size;
+            let newton = room.clone().signed(wall.sign()).ratio_to(&state.velocity)?;
+            let bend = state.acceleration.ratio_to(&state.velocity)?;
+            let half = newton.like(0.5);
+            let back = newton.clone() + half * bend * newton.clone() * newton;
+            at = at.later(&-back);
+        }
+    }
+
+    /// The contacts of flights of the set, told near a time: the phase, its error, and the velocity there (Lemma M3).
+    pub fn told_at(
+        &self,
+        flight: &SumFlight<'_, MpBall>,
+        at: &Instant<MpBall>,
+        bits: u32,
+    ) -> (Float, Magnitude, MpBall) {
+        let state = flight.state(at);
+        let error = state.room(self.contact.wall).mag().over(Magnitude::new(self.least, 0));
+        let sum = flight.launch.phase.clone() + at.rest.clone();
+        let phase = Float::with_val(bits, sum.mid());
+        let rounding = (MpBall::exact(phase.clone()) - sum).mag();
+        let velocity = state.velocity.widened(rounding * Magnitude::new(flight.harmonics.rates.second, 0));
+        (phase, error + rounding, velocity)
+    }
+}
+
+impl Several {
+    /// Isolates the first contacts of all, in doubles if they suffice, and finds that of the centre to so many bits.
+    pub(super) fn isolated(
+        &self,
+        sum: &Sum<MpBall>,
+        all: &Launch<MpBall>,
+        centre: &SumFlight<'_, MpBall>,
+        waves: Option<&Vec<(MpBall, MpBall)>>,
+        bits: u32,
+    ) -> Result<(Isolated, Instant<MpBall>), Undecided> {
+        let start = all.phase.to_ball();
+        let launch = all.map(MpBall::to_ball);
+        let middle = launch.map(Phased::centre_of);
+        let doubles = [launch, middle].map(|launch| SumFlight::new(&self.balls.harmonics, launch, None));
+        let isolated = match Scan::new(&doubles[0], &doubles[1]).first(&mut self.reach()) {
+            Ok(found) => {
+                let rest = Float::with_val(f64::MANTISSA_DIGITS, found.at.rest.mid());
+                Isolated::new(&found, rest, found.at.time(), start, doubles[0].acceleration)
+            }
+            Err(_) => {
+                let all = SumFlight::new(&sum.harmonics, all.clone(), waves);
+                let found = self.scan(&all, centre)?;
+                let (rest, time) = (found.at.rest.mid().clone(), found.at.time().to_ball());
+                Isolated::new(&found, rest, time, start, all.acceleration.to_ball())
+            }
+        };
+        let refined = isolated.refine(centre, bits);
+        let at = refined.ok_or_else(|| Undecided::precision(&isolated.contact))?;
+        Ok((isolated, at))
+    }
+}

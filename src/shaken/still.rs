@@ -1,0 +1,100 @@
+//! Motions without drift that never hit a wall again, proved from the exact data.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::ToPrimitive;
+
+use super::{Location, Origin};
+use crate::exact::{Exact, ExactError};
+use crate::pair::{Reduced, Wall};
+use crate::several::Spectrum;
+
+/// A motion without drift that stays between the walls for ever.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Still {
+    /// It touches the left wall, with no velocity, at phase 1/4 of every turn.
+    pub grazes_left: bool,
+    /// It touches the right wall at phase 3/4.
+    pub grazes_right: bool,
+}
+
+impl Still {
+    /// It touches none.
+    const UNTOUCHED: Self = Self { grazes_left: false, grazes_right: false };
+
+    /// Whether the motion from an origin is proved to stay between the walls for ever, under one harmonic (Lemma Z4).
+    ///
+    /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
+    /// box stands still, and at quarter turns, where sine and cosine are exact.
+    pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
+        let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
+        let (height, on_wall) = match &origin.place {
+            Location::Inside(height) => (height.clone(), false),
+            Location::Wall(wall) => (Exact::from(i64::from(*wall == Wall::Right)), true),
+        };
+        if is_zero(&pair.beta) {
+            return Ok((!on_wall && is_zero(&origin.velocity)).then_some(Self::UNTOUCHED));
+        }
+        let Some((sin, cos)) = quarter_turn(&origin.phase) else { return Ok(None) };
+        // After an impact on a wall nothing is left of the velocity, or there is no such drift.
+        if on_wall && !is_zero(&origin.velocity) && !is_zero(&pair.restitution) {
+            return Ok(None);
+        }
+        let velocity = if on_wall { Exact::from(0) } else { origin.velocity.clone() };
+        let drift = velocity.checked_add(&pair.beta.checked_mul(&cos)?)?;
+        if !is_zero(&drift) {
+            return Ok(None);
+        }
+        // Lemma Z4: what is not shaken does not leave its wall.
+        if on_wall && pair.alpha.sign() != Some(Ordering::Greater) {
+            return Ok(None);
+        }
+        // z = z0 + alpha sin th0 - alpha sin th; sin th0 is -1, 0 or 1, so that a wall touched at the start has no room, exactly.
+        let one = Exact::from(1);
+        let swing = |part: Exact| if is_zero(&part) { Ok(Exact::from(0)) } else { pair.alpha.checked_mul(&part) };
+        let room_below = height.checked_sub(&swing(one.checked_sub(&sin)?)?)?.sign();
+        let room_above = one.checked_sub(&height)?.checked_sub(&swing(one.checked_add(&sin)?)?)?.sign();
+        let inside = |room: Option<Ordering>| matches!(room, Some(Ordering::Greater | Ordering::Equal));
+        let [grazes_left, grazes_right] = [room_below, room_above].map(|room| room == Some(Ordering::Equal));
+        Ok((inside(room_below) && inside(room_above)).then_some(Self { grazes_left, grazes_right }))
+    }
+
+    /// The same under several harmonics, where there is room for all of them.
+    pub fn under_several(spectrum: &Spectrum, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
+        let Location::Inside(height) = &origin.place else { return Ok(None) };
+        let waves: Option<Vec<_>> = origin.phases.iter().map(quarter_turn).collect();
+        let Some(waves) = waves else { return Ok(None) };
+        let turn = Exact::pi() * Exact::from(2);
+        let (mut drift, mut middle, mut swing) = (origin.velocity.clone(), height.clone(), Exact::from(0));
+        for (term, (sin, cos)) in spectrum.terms.iter().zip(&waves) {
+            let beta = term.alpha.checked_mul(&term.ratio)?.checked_mul(&turn)?;
+            drift = drift.checked_add(&beta.checked_mul(cos)?)?;
+            middle = middle.checked_add(&term.alpha.checked_mul(sin)?)?;
+            swing = swing.checked_add(&term.alpha)?;
+        }
+        let is_above_0 = |x: &Exact| x.sign() == Some(Ordering::Greater);
+        let (below, above) = (middle.checked_sub(&swing)?, Exact::from(1).checked_sub(&middle.checked_add(&swing)?)?);
+        let is_inside = is_above_0(&below) && is_above_0(&above);
+        Ok((drift.sign() == Some(Ordering::Equal) && is_inside).then_some(Self::UNTOUCHED))
+    }
+
+    /// The first graze after `phase`, or the next one after another: its wall, whole turns and phase.
+    pub fn graze_after(self, turns: i64, phase: f64) -> Option<(Wall, i64, f64)> {
+        let candidates = [(Wall::Left, 0.25, self.grazes_left), (Wall::Right, -0.25, self.grazes_right)];
+        let next = candidates.into_iter().filter(|(.., grazes)| *grazes).map(|(wall, at, _)| {
+            // Lemma N1: one turn at a time comes nowhere near the end of the count.
+            (wall, if at > phase { turns } else { turns + 1 }, at)
+        });
+        next.min_by(|a, b| (a.1, a.2).partial_cmp(&(b.1, b.2)).expect("phases are numbers"))
+    }
+}
+
+/// Sine and cosine of a phase that is exactly a number of quarter turns.
+pub(super) fn quarter_turn(phase: &Exact) -> Option<(Exact, Exact)> {
+    let quarters = phase.as_rational()? * BigInt::from(4);
+    let quarter = quarters.is_integer().then(|| quarters.to_integer())?;
+    let quarter = (quarter % BigInt::from(4)).to_i64()?.rem_euclid(4) as usize; // exact: 0 to 3
+    let at = |shift: usize| Exact::from([0, 1, 0, -1][(quarter + shift) % 4]);
+    Some((at(0), at(1)))
+}
