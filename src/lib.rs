@@ -72,6 +72,7 @@
 //! ```
 
 pub mod certificate;
+pub mod clock;
 pub mod contact;
 pub mod document;
 pub mod excitation;

@@ -3,20 +3,20 @@
 use std::sync::Arc;
 
 use super::Arithmetic;
-use super::clock::Clock;
+use super::Start;
 use super::motion::{FloatMotion, IntervalMotion, Motion};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
 #[cfg(feature = "multiprecision")]
 use super::precise::PreciseMotion;
 use super::textbook::TextbookMotion;
-use super::{Place, Start};
 use crate::Error;
+use crate::clock::Clock;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Reduced, ball, within};
 use crate::several::phases_at;
-use crate::shaken::{Flying, Location, One, Origin, Released, Several, Shaken};
+use crate::shaken::{Flying, One, Origin, Released, Several, Shaken};
 
 /// A pair and a start.
 #[derive(Clone, Debug)]
@@ -57,17 +57,6 @@ impl<S: Flying> Motions for S {
 impl Given {
     /// What is given of `pair` from `start`, told by the clock.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
-        let (turns, phase) = clock.split("start.time", start.time())?;
-        let velocity = clock.reduced_velocity(start.velocity())?;
-        let place = match start.place() {
-            Place::Wall(wall) => Location::Wall(*wall),
-            Place::Inside(position) => {
-                let half = Exact::from(1).checked_div(&Exact::from(2));
-                let ratio = position.checked_div(pair.gap());
-                let height = ratio.and_then(|ratio| ratio.checked_add(&half?));
-                Location::Inside(within("start.position", position, height)?)
-            }
-        };
         let (shaken, phases): (Arc<dyn Motions>, _) = match Several::new(pair, clock.origin())? {
             None => {
                 let exact = Reduced::exact(pair)?;
@@ -76,7 +65,7 @@ impl Given {
             }
             Some(several) => (Arc::new(several), within("start.time", start.time(), phases_at(pair, start.time()))?),
         };
-        let origin = Origin { place, turns, phase, velocity, phases, release: None };
+        let origin = Origin::new(pair, start, clock, phases)?;
         Ok(Self { pair: Arc::new(pair.clone()), shaken, origin })
     }
 

@@ -2,7 +2,6 @@
 
 mod aside;
 mod attraction;
-mod clock;
 mod course;
 mod event;
 mod given;
@@ -20,7 +19,6 @@ mod shortfall;
 mod textbook;
 mod width;
 
-pub use clock::Clock;
 pub use course::{Course, CoursePoint};
 pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
@@ -31,6 +29,8 @@ use inari::Interval;
 
 use crate::Error;
 use crate::Scene;
+pub use crate::clock::Clock;
+use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
 use crate::mapping::Mapping;
@@ -42,7 +42,6 @@ use crate::rest;
 use crate::switch_plane::{SwitchPoint, absolute};
 use crate::turns;
 use aside::Aside;
-use clock::Phase;
 use event::finite;
 use given::Given;
 use motion::Motion;

@@ -14,7 +14,7 @@ use crate::mapping::jacobian_between;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, LARGEST_RATE};
-use crate::pair::{Reduced, Wall};
+use crate::pair::{Reduced, Wall, rebound};
 use crate::shaken::{Flying, Location, Origin};
 use crate::turns;
 /// An arithmetic's way from one contact to the next.
@@ -93,14 +93,7 @@ pub(super) struct FloatMotion<S> {
 
 impl<S: Flying> FloatMotion<S> {
     pub fn new(shaken: Arc<S>, origin: &Origin<Ball>) -> Self {
-        let (turns, phase, velocity) = (origin.turns, origin.phase.mid(), origin.velocity.mid());
-        let next = match origin.place {
-            Location::Wall(wall) => {
-                let after = shaken.pair().centre().rebound(velocity);
-                Launch::from_wall(wall, turns, phase, after, origin.release.is_some())
-            }
-            Location::Inside(height) => Launch::from_inside(height.mid(), turns, phase, velocity),
-        };
+        let next = origin.launch(shaken.pair().restitution.mid());
         Self { shaken, next }
     }
 }
@@ -109,7 +102,7 @@ impl<S: Flying> Motion for FloatMotion<S> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
         let Contact { wall, turns, phase, time, velocity } = self.shaken.propose(&self.next)?;
         let (turns, phase) = carry(turns, phase);
-        let after = -self.shaken.pair().restitution.mid() * velocity;
+        let after = rebound(&self.shaken.pair().restitution.mid(), velocity);
         self.next = Launch::from_wall(wall, turns::counted(self.next.turns, turns), phase, after, false);
         let exact = Ball::exact;
         Ok(Contact { wall, turns, phase: exact(phase), time: exact(time), velocity: exact(velocity) })

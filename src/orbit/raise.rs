@@ -5,11 +5,11 @@
 // Labels: proposes throughout.
 
 use super::Settings;
-use super::clock::Phase;
 use super::given::Given;
 use super::motion::Motion;
 use super::plan::{Growth, Plan};
 use super::shortfall::Shortfall;
+use crate::clock::Phase;
 use crate::exact::log2_of_digits;
 use crate::number::LEAST_BITS;
 

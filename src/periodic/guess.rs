@@ -5,11 +5,14 @@
 use super::chain::Chain;
 use super::newton::{is_plausible, polish};
 use super::shaken::{Passing, Shaken};
-use crate::orbit::{Arithmetic, Orbit, Settings, Start};
-use crate::pair::ImpactPair;
+use impact_pair_model::Start;
+
+use crate::clock::Clock;
+use crate::pair::{ImpactPair, ball};
+use crate::shaken::Origin;
 
 /// Impacts of the scene's own motion, and of each motion from elsewhere.
-const OWN_IMPACTS: u64 = 20_000;
+const OWN_IMPACTS: usize = 20_000;
 const OTHER_IMPACTS: usize = 1_500;
 /// Motions from elsewhere, and spread phases.
 const MOTIONS: usize = 48;
@@ -26,8 +29,9 @@ pub(super) fn guesses<S: Shaken>(
     pair: &ImpactPair,
     start: &Start,
 ) -> impl Iterator<Item = Vec<f64>> {
-    let own = windows(chain, &motion_of(chain, pair, start));
-    let others = (0..MOTIONS).flat_map(move |n| windows(chain, &motion_from(shaken, spread_state(chain, shaken, n))));
+    let own = windows(chain, &motion_of(chain, shaken, pair, start));
+    let others = (0..MOTIONS)
+        .flat_map(move |n| windows(chain, &motion_from(shaken, spread_state(chain, shaken, n), OTHER_IMPACTS)));
     let spread = (0..SPREAD).map(move |n| spread_phases(chain, n));
     let settled = move |guess| polish(chain, shaken.floats(), guess);
     own.into_iter()
@@ -38,22 +42,22 @@ pub(super) fn guesses<S: Shaken>(
         .map(|guess| into_first_period(chain, guess))
 }
 
-/// The floating motion of a start.
-fn motion_of(chain: &Chain, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
-    let settings = Settings { impacts: Some(OWN_IMPACTS), arithmetic: Arithmetic::Float, ..Settings::default() };
-    let follow = |orbit: Orbit| -> Vec<Passing> {
-        let origin = orbit.clock().turns_into(chain.period());
-        let passing = |impact: crate::orbit::Impact| {
-            (impact.wall, (impact.turns + origin) as f64 + impact.phase.mid(), impact.velocity.mid())
-        };
-        orbit.map(passing).collect()
+/// The floating motion of a start; nothing where that is beyond doubles.
+fn motion_of<S: Shaken>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
+    let first = || -> Option<Passing> {
+        let clock = Clock::new(pair, start.time(), f64::MANTISSA_DIGITS).ok()?;
+        let origin = Origin::new(pair, start, &clock, Vec::new()).and_then(|origin| origin.map(ball)).ok()?;
+        let launch = origin.launch(shaken.pair().restitution.mid());
+        let contact = shaken.propose(&launch).ok()?;
+        let whole = (launch.turns + clock.turns_into(chain.period())) as f64;
+        Some((contact.wall, whole + contact.turns + contact.phase, contact.velocity))
     };
-    Orbit::new(pair, start, settings).map(follow).unwrap_or_default()
+    first().map_or_else(Vec::new, |first| motion_from(shaken, first, OWN_IMPACTS))
 }
 
 /// The floating motion from a state on a wall.
-fn motion_from<S: Shaken>(shaken: &S, start: Passing) -> Vec<Passing> {
-    std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(OTHER_IMPACTS).collect()
+fn motion_from<S: Shaken>(shaken: &S, start: Passing, impacts: usize) -> Vec<Passing> {
+    std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(impacts).collect()
 }
 
 /// The windows of a motion that have the chain's walls and nearly close, the best of each block.

@@ -9,7 +9,7 @@ use crate::number::Ball;
 use crate::number::MpBall;
 #[cfg(feature = "multiprecision")]
 use crate::pair::Reduced;
-use crate::pair::Wall;
+use crate::pair::{Wall, rebound};
 use crate::shaken::Flying;
 pub(super) use crate::shaken::One;
 
@@ -38,7 +38,7 @@ pub(super) trait Shaken: Flying {
 
     /// The impact after one of a floating motion.
     fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
-        let after = -self.pair().restitution.mid() * velocity;
+        let after = rebound(&self.pair().restitution.mid(), velocity);
         // The whole turns are kept apart.
         let (whole, rest) = (phase.floor(), phase - phase.floor()); // proposes
         let contact = self.propose(&Launch::from_wall(wall, whole as i64, rest, after, false)).ok()?; // proposes

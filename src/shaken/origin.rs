@@ -1,7 +1,13 @@
 //! Where a motion starts, without units, in any arithmetic.
 
+use impact_pair_model::{Place, Start};
+
+use crate::Error;
+use crate::clock::Clock;
 use crate::exact::{Enclosure, Exact};
-use crate::pair::Wall;
+use crate::flight::Launch;
+use crate::number::Ball;
+use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
 
 /// A start in turns and gaps; the phase is in `[-1/2, 1/2]` (about).
@@ -49,6 +55,22 @@ impl<N> Origin<N> {
 }
 
 impl Origin<Exact> {
+    /// The exact start of a pair, told by the clock; `phases` are those of several harmonics there.
+    pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock, phases: Vec<Exact>) -> Result<Self, Error> {
+        let (turns, phase) = clock.split("start.time", start.time())?;
+        let velocity = clock.reduced_velocity(start.velocity())?;
+        let place = match start.place() {
+            Place::Wall(wall) => Location::Wall(*wall),
+            Place::Inside(position) => {
+                let half = Exact::from(1).checked_div(&Exact::from(2));
+                let ratio = position.checked_div(pair.gap());
+                let height = ratio.and_then(|ratio| ratio.checked_add(&half?));
+                Location::Inside(within("start.position", position, height)?)
+            }
+        };
+        Ok(Self { place, turns, phase, velocity, phases, release: None })
+    }
+
     /// A release: no velocity, and the phase as exactly as it can be shown.
     pub fn released(release: Released) -> Self {
         let [lo, hi] = [release.phase.lo(), release.phase.hi()].map(|end| Exact::from_rational(end.to_rational()));
@@ -59,6 +81,19 @@ impl Origin<Exact> {
             velocity: Exact::from(0),
             phases: Vec::new(),
             release: Some(release),
+        }
+    }
+}
+
+impl Origin<Ball> {
+    /// The flight from the middle of the start, in floats.
+    pub fn launch(&self, restitution: f64) -> Launch<f64> {
+        let (turns, phase, velocity) = (self.turns, self.phase.mid(), self.velocity.mid());
+        match self.place {
+            Location::Wall(wall) => {
+                Launch::from_wall(wall, turns, phase, rebound(&restitution, velocity), self.release.is_some())
+            }
+            Location::Inside(height) => Launch::from_inside(height.mid(), turns, phase, velocity),
         }
     }
 }

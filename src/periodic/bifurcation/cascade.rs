@@ -17,8 +17,8 @@ use super::tube::is_one_curve;
 use crate::Error;
 use crate::exact::Dyadic;
 use crate::mapping::Word;
-use crate::orbit::Start;
 use crate::pair::{ImpactPair, Reduced};
+use impact_pair_model::Start;
 
 /// A branch to be followed.
 struct Lead {

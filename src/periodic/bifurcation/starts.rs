@@ -11,8 +11,8 @@ use super::over::{Key, Over};
 use super::ring::Ring;
 use crate::Error;
 use crate::exact::Exact;
-use crate::orbit::Start;
 use crate::pair::{ImpactPair, Reduced};
+use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
 const PARTS: u32 = 6;

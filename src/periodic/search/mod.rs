@@ -15,8 +15,8 @@ use crate::Error;
 use crate::contact::{Court, Reason};
 use crate::exact::Enclosure;
 use crate::number::Ball;
-use crate::orbit::Start;
 use cut::{Part, Terms};
+use impact_pair_model::Start;
 use interval::Interval;
 
 /// How far a search goes before it gives up on what is left.

@@ -46,7 +46,7 @@ pub struct Clock {
 
 impl Clock {
     /// The clock of `pair` whose turn 0 is the one nearest to `time`; it shows widths down to about `2^-shown`.
-    pub(super) fn new(pair: &ImpactPair, time: &Exact, shown: u32) -> Result<Self, Error> {
+    pub(crate) fn new(pair: &ImpactPair, time: &Exact, shown: u32) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
         let (frequency, delay) = (pair.excitation().reference().frequency(), pair.excitation().reference().phase());
         let shift = within("excitation.phase", delay, delay.checked_div(&turn))?;
@@ -83,12 +83,12 @@ impl Clock {
     }
 
     /// The whole turns that phases are counted from.
-    pub(super) fn origin(&self) -> &BigInt {
+    pub(crate) fn origin(&self) -> &BigInt {
         &self.origin
     }
 
     /// The phase `(W t + tau) / (2 pi)` of a time, in whole turns after the origin and the rest.
-    pub(super) fn split(&self, key: &'static str, time: &Exact) -> Result<(i64, Exact), Error> {
+    pub(crate) fn split(&self, key: &'static str, time: &Exact) -> Result<(i64, Exact), Error> {
         let origin = Exact::from(self.origin.clone());
         let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
         let since = within(key, time, since)?;
@@ -99,7 +99,7 @@ impl Clock {
     }
 
     /// The same with the rest in a ball.
-    pub(super) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
+    pub(crate) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
         let (turns, rest) = self.split(key, time)?;
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
@@ -107,13 +107,13 @@ impl Clock {
     /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gaps a turn.
     ///
     /// The bits of exact factors are not counted: they are 160 more than what is asked for has.
-    pub(super) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
+    pub(crate) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         (2.0f64.mul_add(rest.rad(), time), 2.0f64.mul_add(velocity.rad(), of_velocity))
     }
 
     /// The same by logarithms of radii, which may be below the range of doubles.
-    pub(super) fn log2_widths(&self, turns: i64, radii: (f64, f64), velocity: Ball) -> (f64, f64) {
+    pub(crate) fn log2_widths(&self, turns: i64, radii: (f64, f64), velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         let sum =
             |radius: f64, spread: f64| if spread > 0.0 { (2.0 * radius.exp2() + spread).log2() } else { 1.0 + radius };
@@ -129,7 +129,7 @@ impl Clock {
     }
 
     /// A velocity in gaps a turn.
-    pub(super) fn reduced_velocity(&self, velocity: &Exact) -> Result<Exact, Error> {
+    pub(crate) fn reduced_velocity(&self, velocity: &Exact) -> Result<Exact, Error> {
         within("start.velocity", velocity, velocity.checked_mul(&self.slowness))
     }
 
