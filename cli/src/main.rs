@@ -71,15 +71,11 @@ fn main() -> ExitCode {
     }
 }
 
-/// The error and its causes, but for those that the one before tells already.
+/// The error and its causes, down to one of the library, whose message tells what it comes from.
 fn told(error: &Error) -> String {
-    let mut said: Vec<String> = Vec::new();
-    for cause in error.chain().map(ToString::to_string) {
-        if said.last().is_none_or(|last| !last.contains(&cause)) {
-            said.push(cause);
-        }
-    }
-    said.join(": ")
+    let ours = error.chain().position(|cause| cause.is::<impact_pair::Error>());
+    let told = error.chain().take(ours.map_or(usize::MAX, |last| last + 1));
+    told.map(ToString::to_string).collect::<Vec<_>>().join(": ")
 }
 
 fn is_broken_pipe(error: &Error) -> bool {

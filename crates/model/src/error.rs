@@ -2,14 +2,14 @@
 
 use std::cmp::Ordering;
 use std::sync::Arc;
+use std::{error, fmt};
 
 use impact_pair_exact::{Exact, ExactError};
 
 /// A question that cannot be asked: the message names the key, the value and what is accepted.
 ///
 /// Two that say the same are equal, whatever they come from.
-#[derive(Clone, Debug, thiserror::Error)]
-#[error("{place}{message}")]
+#[derive(Clone, Debug)]
 pub struct Error {
     kind: Kind,
     /// The key of the scene file that is at fault, when it is one.
@@ -18,8 +18,19 @@ pub struct Error {
     place: String,
     message: String,
     /// What it comes from, which the message tells.
-    #[source]
-    cause: Option<Arc<dyn std::error::Error + Send + Sync>>,
+    cause: Option<Arc<dyn error::Error + Send + Sync>>,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.place, self.message)
+    }
+}
+
+impl error::Error for Error {
+    fn source(&self) -> Option<&(dyn error::Error + 'static)> {
+        self.cause.as_deref().map(|cause| cause as _)
+    }
 }
 
 impl PartialEq for Error {
@@ -78,7 +89,7 @@ impl Error {
     }
 
     /// The error with what it comes from, which its message tells.
-    pub fn because(self, cause: impl std::error::Error + Send + Sync + 'static) -> Self {
+    pub fn because(self, cause: impl error::Error + Send + Sync + 'static) -> Self {
         Self { cause: Some(Arc::new(cause)), ..self }
     }
 
