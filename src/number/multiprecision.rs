@@ -299,6 +299,11 @@ impl Sub for MpBall {
 }
 
 impl MpBall {
+    /// What the radii add to a sum or difference.
+    fn sum_spread(&self, b: &Self) -> Magnitude {
+        self.rad + b.rad
+    }
+
     /// What the radii add to a product.
     fn product_spread(&self, b: &Self) -> Magnitude {
         match (self.rad.is_zero(), b.rad.is_zero()) {
@@ -325,14 +330,14 @@ impl MpBall {
 impl AddAssign<&Self> for MpBall {
     fn add_assign(&mut self, b: &Self) {
         self.grow(b);
-        self.set(self.rad + b.rad, |mid| mid.add_assign_round(&b.mid, Round::Nearest));
+        self.set(self.sum_spread(b), |mid| mid.add_assign_round(&b.mid, Round::Nearest));
     }
 }
 
 impl SubAssign<&Self> for MpBall {
     fn sub_assign(&mut self, b: &Self) {
         self.grow(b);
-        self.set(self.rad + b.rad, |mid| mid.sub_assign_round(&b.mid, Round::Nearest));
+        self.set(self.sum_spread(b), |mid| mid.sub_assign_round(&b.mid, Round::Nearest));
     }
 }
 
