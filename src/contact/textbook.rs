@@ -10,6 +10,8 @@
 //! Nothing here is cleverer than that: it is slow, and it is the second judge of [`super::first_contact`]. Lemma I3 of
 //! `docs/proofs.md`, same label.
 
+use std::cmp::Ordering;
+
 use inari::Interval;
 
 use super::extrema::Target;
@@ -116,7 +118,7 @@ impl Walk<'_> {
 
     /// Whether the flight starts on its wall, which nothing but a rise takes it off.
     fn is_on_wall(&self) -> bool {
-        !(self.0.height.inf() > 0.0)
+        self.0.height.inf() <= 0.0
     }
 
     fn piece(&self, begin: f64, end: f64) -> Piece {
@@ -160,7 +162,7 @@ impl Walk<'_> {
             if let Some(step) = excess.checked_div(self.velocity(time)) {
                 next = next.intersection(middle - step);
             }
-            if !(next.wid() < 0.75 * time.wid()) {
+            if next.wid().partial_cmp(&(0.75 * time.wid())) != Some(Ordering::Less) {
                 break;
             }
             time = next;

@@ -1,7 +1,8 @@
 //! Intervals between two doubles, for boxes that are wide: cutting them asks for ends, not for centres.
 //!
 //! The rounding mode is never touched: each end is moved out by one unit in the last place, which is at least what
-//! rounding to nearest may have taken.
+//! rounding to nearest may have taken. inari's intervals, which judge these in the tests, would take about 1.1 times the
+//! processor time of a search (`benches/periodic`, figures 12-15).
 
 use std::ops::{Add, Mul, Neg, Sub};
 
