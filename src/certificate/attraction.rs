@@ -15,13 +15,23 @@ pub(super) struct Attraction {
     pub cycles: u64,
     /// From this impact on it is in a neighbourhood that the period contracts.
     pub from: u64,
-    /// Wall, phase, velocity of each impact.
-    pub impacts: Vec<(Wall, [Bounds; 2])>,
+    /// The impacts, in time order.
+    pub impacts: Vec<Passage>,
     /// Trace, determinant, and both eigenvalues, real and imaginary parts.
     pub numbers: [Bounds; 6],
     pub symmetric: Option<bool>,
     /// Whether it is claimed to be the only one in its box, physical and stable.
     pub is_attractor: bool,
+}
+
+/// An impact of it.
+#[derive(Clone, Debug)]
+pub(super) struct Passage {
+    pub wall: Wall,
+    /// Whole turns of the common period of all harmonics before the phase; 0 where it says nothing.
+    pub turn: u64,
+    pub phase: Bounds,
+    pub velocity: Bounds,
 }
 
 /// A lower and an upper bound.
@@ -31,7 +41,9 @@ impl Attraction {
     /// The claim of an outcome that has an `orbit`.
     pub fn read(outcome: &Entry<'_>, orbit: &Entry<'_>) -> Result<Self, Error> {
         let impact = |impact: &Entry<'_>| {
-            Ok((impact.get("wall")?.wall()?, [impact.get("phase")?.bounds()?, impact.get("velocity")?.bounds()?]))
+            let turn = impact.find("turn")?.map_or(Ok(0), |turn| turn.integer())?;
+            let (wall, phase) = (impact.get("wall")?.wall()?, impact.get("phase")?.bounds()?);
+            Ok(Passage { wall, turn, phase, velocity: impact.get("velocity")?.bounds()? })
         };
         let eigenvalues = orbit.get("eigenvalues")?;
         let [one, other] = eigenvalues.list()?.try_into().map_err(|_| eigenvalues.refused("must be two"))?;

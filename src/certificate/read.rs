@@ -215,7 +215,7 @@ impl<'j> Entry<'j> {
         if self.key.is_empty() { key.to_owned() } else { format!("{}.{key}", self.key) }
     }
 
-    fn find(&self, key: &str) -> Result<Option<Self>, Error> {
+    pub fn find(&self, key: &str) -> Result<Option<Self>, Error> {
         let map: &Map<String, Value> = self.value.as_object().ok_or_else(|| self.refused("must be an object"))?;
         Ok(map.get(key).map(|value| Self { key: self.full(key), value }))
     }

@@ -31,6 +31,29 @@ impl Affine {
         Self { centre, columns, error: Dyadic::zero() }
     }
 
+    /// `centre + columns[0] q_first + columns[1] q_(first + 1)`
+    pub fn spanned(centre: Real, first: usize, columns: [Real; 2]) -> Self {
+        let mut all = vec![Real::zero(COLUMN_BITS); first];
+        all.extend(columns);
+        Self { centre, columns: all, error: Dyadic::zero() }
+    }
+
+    /// How many deviations it knows of.
+    pub fn length(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// Encloses its derivative by `q_j`.
+    pub fn column(&self, j: usize) -> Real {
+        self.columns.get(j).cloned().unwrap_or_else(|| Real::zero(COLUMN_BITS)) // exact: it does not depend on it
+    }
+
+    /// Its values where the deviations from `first` on are 0.
+    pub fn without(&self, first: usize) -> Self {
+        let columns = self.columns.iter().take(first).cloned().collect();
+        Self { columns, ..self.clone() }
+    }
+
     /// The mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
     ///
     /// Each slope holds the partial derivative over the hulls of all the terms, `centre` the value where each of them is

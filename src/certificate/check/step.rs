@@ -71,6 +71,14 @@ impl Parameters {
         self.terms.iter().all(|term| term.amplitude.hull().is_zero())
     }
 
+    /// How many data are intervals, as the columns count them.
+    pub fn columns(&self) -> usize {
+        let Self { half_gap, restitution, terms, .. } = self;
+        let of_term = |term: &Term| [Some(&term.amplitude), Some(&term.phase), term.rate.as_ref()].map(|x| x.map_or(0, Affine::length));
+        let of_terms = terms.iter().flat_map(of_term);
+        of_terms.chain([half_gap.length(), restitution.length()]).max().unwrap_or(0) // exact: a length
+    }
+
     /// The shaking of those members of the set that `member` says, from the phase `since` after the origin.
     pub fn shaking(&self, since: &Real, member: fn(&Affine) -> Real) -> Shaking {
         let bits = since.bits();
