@@ -2,7 +2,7 @@
 
 use crate::exact::{Dyadic, Real};
 
-/// Bits of columns and errors, which measure widths.
+/// Bits of errors, and of columns that measure widths.
 pub(super) const COLUMN_BITS: u32 = 96;
 
 /// `x = centre + sum_j columns[j] q_j + r` with `|q_j| <= 1` and `|r| <= error`.
@@ -43,6 +43,11 @@ impl Affine {
         self.columns.len()
     }
 
+    /// Bits that its columns are known with.
+    pub fn column_bits(&self) -> u32 {
+        self.columns.iter().map(Real::bits).max().unwrap_or(COLUMN_BITS) // X1: any number of bits encloses
+    }
+
     /// Encloses its derivative by `q_j`.
     pub fn column(&self, j: usize) -> Real {
         self.columns.get(j).cloned().unwrap_or_else(|| Real::zero(COLUMN_BITS)) // exact: it does not depend on it
@@ -63,7 +68,7 @@ impl Affine {
         let mut columns = vec![Real::zero(COLUMN_BITS); length];
         let mut spread = Real::zero(COLUMN_BITS);
         for (slope, x) in terms {
-            let slope = slope.rounded(COLUMN_BITS);
+            let slope = slope.rounded(x.column_bits());
             for (sum, column) in columns.iter_mut().zip(&x.columns) {
                 *sum = sum.clone() + &(column.clone() * &slope);
             }

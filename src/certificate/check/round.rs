@@ -1,6 +1,6 @@
 //! Whole periods of a word of mappings, run by all states of a set (Lemma V2).
 
-use super::affine::Affine;
+use super::affine::{Affine, COLUMN_BITS};
 use super::contact::{Claimed, Doubt};
 use super::step::{Departure, Landing, Parameters};
 use crate::exact::{Dyadic, Real};
@@ -11,6 +11,8 @@ pub(super) type Matrix = [[Real; 2]; 2];
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 40;
+/// The last one needed is below so many bits of the arithmetic.
+const ENOUGH: i64 = 32;
 
 /// A period of a word: from a state just before its first impact to the next one of these.
 pub(super) struct Round<'p> {
@@ -44,12 +46,16 @@ impl Round<'_> {
 
     /// The set and its impacts up to the next first one, this a round earlier; all first contacts are proved.
     pub fn run(&self, set: Landing) -> Result<Vec<Landing>, Doubt> {
+        self.run_under(self.parameters, set)
+    }
+
+    fn run_under(&self, parameters: &Parameters, set: Landing) -> Result<Vec<Landing>, Doubt> {
         let mut landings = vec![set];
         let next = self.walls.iter().cycle().skip(1);
         for (i, (&wall, time)) in next.zip(&self.times).enumerate() {
-            let departure = Departure::rebound(self.parameters, &landings[i]);
+            let departure = Departure::rebound(parameters, &landings[i]);
             let claimed = Claimed { from: Real::zero(self.bits()), guess: time.clone(), to: None };
-            landings.push(departure.land(self.parameters, wall, &claimed)?);
+            landings.push(departure.land(parameters, wall, &claimed)?);
         }
         let Landing { wall, phase, velocity } = landings.pop().expect("the set");
         landings.push(Landing { wall, phase: phase.shifted(&-self.lasting.clone()), velocity });
@@ -62,15 +68,16 @@ impl Round<'_> {
         [&state.phase, &state.velocity].map(|x| [column(x, 0), column(x, 1)])
     }
 
-    /// Where Newton's iteration for a state that comes again ends, and the derivative of the round near it. Nothing is proved.
+    /// Where Newton's iteration for a state that comes again under the middle of the data ends, and the derivative of the round
+    /// near it. Nothing is proved.
     pub fn polish(&mut self, guess: [Real; 2]) -> Result<([Real; 2], Matrix), Doubt> {
         let bits = self.bits();
         let point = |x: &Real| Real::point(x.mid(), bits);
         let (mut state, mut before) = (guess.map(|x| point(&x)), None::<Dyadic>);
-        let [tiny, large] = [-i64::from(bits), bits.into()].map(|n| Real::point(Dyadic::power_of_two(n), bits));
-        let zero = || Real::zero(bits);
+        let [tiny, large] = [-i64::from(bits), bits.into()].map(|n| Real::point(Dyadic::power_of_two(n), COLUMN_BITS));
+        let (zero, middle) = (|| Real::zero(COLUMN_BITS), self.parameters.middle());
         for _ in 0..STEPS {
-            let landings = self.run(self.set(&state, &[[tiny.clone(), zero()], [zero(), tiny.clone()]]))?;
+            let landings = self.run_under(&middle, self.set(&state, &[[tiny.clone(), zero()], [zero(), tiny.clone()]]))?;
             let starts = landings.iter().map(|landing| point(&landing.phase.centre));
             let mut lasting: Vec<_> = starts.clone().zip(starts.skip(1)).map(|(from, to)| to - &from).collect();
             lasting.iter_mut().last().into_iter().for_each(|last| *last = point(&(last.clone() + &self.lasting)));
@@ -86,10 +93,13 @@ impl Round<'_> {
             let Some(step) = step else { return Err(Doubt::Open("an orbit is not told from its neighbours".into())) };
             let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
             // As many digits as rounding leaves.
-            if size.is_zero() || before.is_some_and(|before| size.scaled(1) > before) {
+            if before.is_some_and(|before| size.scaled(1) > before) {
                 return Ok((state, derivative));
             }
             state = [0, 1].map(|i| point(&(state[i].clone() + &step[i])));
+            if size.top().is_none_or(|top| top < ENOUGH - i64::from(bits)) {
+                return Ok((state, derivative));
+            }
             before = Some(size);
         }
         Err(Doubt::Open("no periodic orbit is found near the motion".into()))

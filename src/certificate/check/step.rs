@@ -1,7 +1,7 @@
 //! One impact for all states of a set: from a departure to the next landing (Lemma V2).
 
-use super::affine::Affine;
-use super::contact::{Claimed, Doubt, Start, first_contact, newton};
+use super::affine::{Affine, COLUMN_BITS};
+use super::contact::{Claimed, Doubt, Start, contract, first_contact, newton};
 use super::flight::Flight;
 use super::shaking::{Shaking, Term, Wave};
 use crate::exact::Real;
@@ -69,6 +69,22 @@ impl Parameters {
     /// Whether the box stands still.
     pub fn is_still(&self) -> bool {
         self.terms.iter().all(|term| term.amplitude.hull().is_zero())
+    }
+
+    /// Those at the middle of the data.
+    pub fn middle(&self) -> Self {
+        let middle = |x: &Affine| Affine::fixed(x.centre.clone());
+        let of_term = |term: &Term| Term {
+            amplitude: middle(&term.amplitude),
+            phase: middle(&term.phase),
+            rate: term.rate.as_ref().map(middle),
+        };
+        Self {
+            half_gap: middle(&self.half_gap),
+            restitution: middle(&self.restitution),
+            terms: self.terms.iter().map(of_term).collect(),
+            parts: self.parts,
+        }
     }
 
     /// How many data are intervals, as the columns count them.
@@ -140,6 +156,8 @@ impl Departure {
         let departed = self.phase.centre.rounded(bits);
         let landed = Real::point((departed.clone() + &h).mid(), bits);
         let h = landed.clone() - &departed;
+        // Columns that are more than widths are worth a narrower one.
+        let contact = if self.phase.column_bits() > COLUMN_BITS { contract(&set, wall, contact.at(bits)) } else { contact };
         let contact = contact.at(bits).hull(&h);
         let v = set.slope(&contact);
         let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::Open("a graze is not excluded".into()));
