@@ -29,6 +29,8 @@ const SPARE_BITS: u32 = 96;
 const MOST_BITS: u32 = 1 << 12;
 /// How often these are doubled.
 const DOUBLED: u32 = 3;
+/// Pieces that intervals among the data are cut into.
+const MOST_PIECES: usize = 256;
 /// Periods that a motion is followed beyond the claimed impacts.
 const FOLLOWED: u32 = 1 << 10;
 
@@ -62,7 +64,8 @@ impl Certificate {
         while let Some(piece) = pieces.pop() {
             let Err(doubt) = question.answer(&piece) else { continue };
             match (&doubt, question.widest_datum(&piece)) {
-                (Doubt::Open(_), Some(datum)) if cut < most => {
+                (Doubt::Open(_), Some(datum)) if cut < most.min(MOST_PIECES) => {
+                    // proposes
                     pieces.extend(piece.halves(datum));
                     cut += 1;
                 }
@@ -185,7 +188,9 @@ impl Question<'_> {
         while let Some(before) = at.checked_sub(self.walls.len()) {
             let [first, rest @ ..] = &self.hits[before..=at] else { break };
             let walls = self.walls.iter().cycle().skip(1);
-            if first.wall != self.walls[0] || rest.iter().zip(walls).any(|(hit, &wall)| !hit.follows || hit.wall != wall) {
+            if first.wall != self.walls[0]
+                || rest.iter().zip(walls).any(|(hit, &wall)| !hit.follows || hit.wall != wall)
+            {
                 break;
             }
             at = before;
@@ -194,7 +199,8 @@ impl Question<'_> {
     }
 
     fn round<'p>(&'p self, end: usize, frame: &'p Frame) -> Round<'p> {
-        let phases: Vec<_> = self.hits[end - self.walls.len()..=end].iter().map(|hit| frame.clock.phase(&hit.time[0])).collect();
+        let phases: Vec<_> =
+            self.hits[end - self.walls.len()..=end].iter().map(|hit| frame.clock.phase(&hit.time[0])).collect();
         let bits = frame.turn.bits();
         Round {
             parameters: &frame.parameters,
@@ -242,7 +248,9 @@ impl Question<'_> {
             let (centre, _) = round.polish(centre.clone())?;
             match FixedPoint::enclosed(&round, &basin, &centre).and_then(|orbit| self.compare(&frame, &orbit)) {
                 Err(Doubt::Open(_)) if n < DOUBLED && round.first() == 0 => bits *= 2,
-                Ok(()) if !basin.holds(&claimed) => return Err(open("the orbit is not proved to be the only one in its bounds")),
+                Ok(()) if !basin.holds(&claimed) => {
+                    return Err(open("the orbit is not proved to be the only one in its bounds"));
+                }
                 answer => return answer,
             }
         }
@@ -288,7 +296,10 @@ impl Question<'_> {
         let determinant = Real::new(determinant.ok_or_else(|| Doubt::Open("the word is too long".into()))?, bits);
         let [one, other] = eigenvalues(&trace, &determinant);
         let inside = |found: [&Real; 2], claimed: &[Bounds]| {
-            found.into_iter().zip(claimed).try_for_each(|(found, claimed)| compare("number of the orbit", found, claimed))
+            found
+                .into_iter()
+                .zip(claimed)
+                .try_for_each(|(found, claimed)| compare("number of the orbit", found, claimed))
         };
         let (product, rest) = numbers.split_at(2);
         let (first, second) = rest.split_at(2);

@@ -69,12 +69,9 @@ impl<'r> FixedPoint<'r> {
         };
         let seen = if has_mirror { self.impacts() } else { &[] };
         let seen: Vec<_> = seen.iter().map(mirrored).collect();
-        let verdicts: Vec<_> = (0..seen.len()).filter(|&i| fits(&seen, i, self.impacts())).map(|i| self.is_first(&seen[i])).collect();
-        if verdicts.contains(&Some(true)) {
-            Some(true)
-        } else {
-            verdicts.iter().all(Option::is_some).then_some(false)
-        }
+        let verdicts: Vec<_> =
+            (0..seen.len()).filter(|&i| fits(&seen, i, self.impacts())).map(|i| self.is_first(&seen[i])).collect();
+        if verdicts.contains(&Some(true)) { Some(true) } else { verdicts.iter().all(Option::is_some).then_some(false) }
     }
 
     /// Whether it is proved not to run through a shorter orbit several times.
@@ -115,7 +112,13 @@ pub(super) fn eigenvalues(trace: &Real, determinant: &Real) -> [Eigenvalue; 2] {
         Some(Ordering::Less) => (zero.clone(), root(&-under)),
         None => (root(&under).hull(&zero), root(&-under).hull(&zero)),
     };
-    // The one of larger modulus first.
-    let re = if trace.is_negative() { -re } else { re };
-    [[middle.clone() + &re, im.clone()], [middle - &re, -im]]
+    let [one, other] = [middle.clone() + &re, middle - &re];
+    // The one of larger modulus first; the other by the determinant, without cancellation.
+    let (large, small) = if trace.is_negative() { (other, one) } else { (one, other) };
+    let small = if im.is_zero() {
+        determinant.over(&large).map_or(small.clone(), |quotient| small.cut(&quotient))
+    } else {
+        small
+    };
+    [[large, im.clone()], [small, -im]]
 }

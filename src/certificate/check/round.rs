@@ -39,8 +39,7 @@ impl Round<'_> {
 
     /// The states `centre + columns q`, `q` the two deviations of states.
     pub fn set(&self, centre: &[Real; 2], columns: &Matrix) -> Landing {
-        let [phase, velocity] =
-            [0, 1].map(|i| Affine::spanned(centre[i].clone(), self.first(), columns[i].clone()));
+        let [phase, velocity] = [0, 1].map(|i| Affine::spanned(centre[i].clone(), self.first(), columns[i].clone()));
         Landing { wall: self.walls[0], phase, velocity }
     }
 
@@ -77,7 +76,8 @@ impl Round<'_> {
         let [tiny, large] = [-i64::from(bits), bits.into()].map(|n| Real::point(Dyadic::power_of_two(n), COLUMN_BITS));
         let (zero, middle) = (|| Real::zero(COLUMN_BITS), self.parameters.middle());
         for _ in 0..STEPS {
-            let landings = self.run_under(&middle, self.set(&state, &[[tiny.clone(), zero()], [zero(), tiny.clone()]]))?;
+            let landings =
+                self.run_under(&middle, self.set(&state, &[[tiny.clone(), zero()], [zero(), tiny.clone()]]))?;
             let starts = landings.iter().map(|landing| point(&landing.phase.centre));
             let mut lasting: Vec<_> = starts.clone().zip(starts.skip(1)).map(|(from, to)| to - &from).collect();
             lasting.iter_mut().last().into_iter().for_each(|last| *last = point(&(last.clone() + &self.lasting)));

@@ -90,7 +90,9 @@ impl Parameters {
     /// How many data are intervals, as the columns count them.
     pub fn columns(&self) -> usize {
         let Self { half_gap, restitution, terms, .. } = self;
-        let of_term = |term: &Term| [Some(&term.amplitude), Some(&term.phase), term.rate.as_ref()].map(|x| x.map_or(0, Affine::length));
+        let of_term = |term: &Term| {
+            [Some(&term.amplitude), Some(&term.phase), term.rate.as_ref()].map(|x| x.map_or(0, Affine::length))
+        };
         let of_terms = terms.iter().flat_map(of_term);
         of_terms.chain([half_gap.length(), restitution.length()]).max().unwrap_or(0) // exact: a length
     }
@@ -157,7 +159,8 @@ impl Departure {
         let landed = Real::point((departed.clone() + &h).mid(), bits);
         let h = landed.clone() - &departed;
         // Columns that are more than widths are worth a narrower one.
-        let contact = if self.phase.column_bits() > COLUMN_BITS { contract(&set, wall, contact.at(bits)) } else { contact };
+        let contact =
+            if self.phase.column_bits() > COLUMN_BITS { contract(&set, wall, contact.at(bits)) } else { contact };
         let contact = contact.at(bits).hull(&h);
         let v = set.slope(&contact);
         let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::Open("a graze is not excluded".into()));
