@@ -8,14 +8,13 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 
-use super::affine::Affine;
 use super::basin::{Ellipse, basin};
-use super::clock::Clock;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::fixed_point::{Eigenvalue, FixedPoint, eigenvalues};
+use super::frame::{Frame, hull};
 use super::round::Round;
-use super::step::{Landing, Parameters};
+use super::step::Landing;
 use super::walk::compare;
 use crate::certificate::attraction::{Attraction, Bounds};
 use crate::certificate::{Certificate, Claim, ClaimKind};
@@ -60,12 +59,12 @@ impl Certificate {
             return Err(open("the cycles are no common periods of all harmonics"));
         }
         let question = Question { claim, data, walls: &walls, turns, hits: self.hits() };
+        let most = most.min(MOST_PIECES); // proposes: when to give up
         let (mut pieces, mut cut) = (vec![Piece::default()], 1);
         while let Some(piece) = pieces.pop() {
             let Err(doubt) = question.answer(&piece) else { continue };
             match (&doubt, question.widest_datum(&piece)) {
-                (Doubt::Open(_), Some(datum)) if cut < most.min(MOST_PIECES) => {
-                    // proposes
+                (Doubt::Open(_), Some(datum)) if cut < most => {
                     pieces.extend(piece.halves(datum));
                     cut += 1;
                 }
@@ -107,45 +106,6 @@ struct Question<'c> {
     /// Of the reference, after which the shaking repeats.
     turns: BigInt,
     hits: Vec<Hit<'c>>,
-}
-
-/// Radians and their lengths, over a piece of the data.
-struct Frame {
-    parameters: Parameters,
-    clock: Clock,
-    /// `2 pi`
-    turn: Real,
-}
-
-impl Frame {
-    fn new(data: &Data, piece: &Piece, bits: u32) -> Self {
-        let clock = Clock::at_start(data, &data.state(piece, bits).0, bits);
-        Self { parameters: data.parameters(piece, bits), clock, turn: Real::pi(bits) * 2 }
-    }
-
-    /// All states of these times and velocities.
-    fn states(&self, wall: Wall, time: &Bounds, velocity: &Bounds) -> Landing {
-        let [phase, velocity] = [
-            hull(&time.each_ref().map(|time| self.clock.phase(time))),
-            hull(&velocity.each_ref().map(|velocity| self.clock.slowed(&Real::rational(velocity, self.turn.bits())))),
-        ];
-        self.spanned(wall, phase, velocity)
-    }
-
-    /// A box of states in which the deviations are those of phase and velocity.
-    fn spanned(&self, wall: Wall, phase: Real, velocity: Real) -> Landing {
-        let (first, zero) = (self.parameters.columns(), Real::zero(self.turn.bits()));
-        let [[phase, off], [velocity, away]] = [phase, velocity].map(|x| {
-            let middle = x.middle();
-            let off = Real::point((x - &middle).enclosure().mag(), middle.bits());
-            [middle, off]
-        });
-        Landing {
-            wall,
-            phase: Affine::spanned(phase, first, [off, zero.clone()]),
-            velocity: Affine::spanned(velocity, first, [zero, away]),
-        }
-    }
 }
 
 impl Question<'_> {
@@ -278,9 +238,13 @@ impl Question<'_> {
         }
         // Phases are those of one turn, or all so many turns later.
         let bits = frame.turn.bits();
-        let turn = |phase: &Bounds| Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor());
+        let turn = |phase: &Bounds| {
+            let turns = Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor()); // V6: shared by all members
+            turns.ok_or_else(|| Doubt::Open("the turn of a phase is not decided".into()))
+        };
+        let first = turn(&impacts[0].phase)?;
         for (claimed, found) in impacts.iter().zip(orbit.impacts()) {
-            if turn(&claimed.phase) != turn(&impacts[0].phase) {
+            if turn(&claimed.phase)? != first {
                 return Err(Doubt::False("the phases of the orbit are not those of one turn".into()));
             }
             let phase = found.phase.clone().shifted(&self.origin(frame, claimed.turn));
@@ -317,8 +281,9 @@ impl Attraction {
     fn bits(&self) -> u32 {
         let bounds = self.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
         let widths = bounds.map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top());
-        let narrowest = widths.flatten().min().unwrap_or(0);
         // proposes: bits to enclose the orbit with
+        let narrowest = widths.flatten().min().unwrap_or(0);
+        // proposes
         SPARE_BITS.saturating_add(u32::try_from(-narrowest).unwrap_or(0)).clamp(BITS, MOST_BITS)
     }
 }
@@ -332,8 +297,4 @@ fn arrives(round: &Round<'_>, basin: &Ellipse, mut state: Landing) -> Result<(),
         state = round.run(state)?.pop().expect("the set");
     }
     Err(Doubt::Open("the motion is not proved to come near enough to the orbit".into()))
-}
-
-fn hull([lower, upper]: &[Real; 2]) -> Real {
-    lower.hull(upper)
 }

@@ -1,6 +1,7 @@
 //! Ellipses of states that a period maps into themselves and contracts (Lemma V6).
 
 use super::affine::Affine;
+use super::axes::axes;
 use super::contact::Doubt;
 use super::round::{Matrix, Round, determinant, inverse, times};
 use super::step::Landing;
@@ -34,9 +35,6 @@ pub(super) struct Contraction {
 const UNITS: [f64; 3] = [1.0, 0.125, 8.0];
 /// Each ellipse tried is so many times smaller than the one before, as a power of 2.
 const SMALLER: usize = 2;
-/// Squarings of a matrix, which leave nothing of one that contracts by more than `1 - 2^-40`.
-const SQUARINGS: u32 = 48;
-
 impl Ellipse {
     /// `None` where `T` may have no inverse.
     pub fn new(centre: [Real; 2], axes: Matrix, size: i64) -> Option<Self> {
@@ -129,10 +127,10 @@ pub(super) fn basin(
     });
     let shapes: Vec<_> = shapes.collect();
     let sizes = shapes.iter().flat_map(|shape| wanted.map(|set| shape.size_for(set)));
-    // proposes: sizes to try
-    let (least, most) = (-i64::from(bits / 2), sizes.flatten().max().unwrap_or(0).min(0));
+    let least = -i64::from(bits / 2);
+    let most = sizes.flatten().max().unwrap_or(0).min(0).max(least); // proposes: sizes to try
     let mut doubt = Doubt::Open("the orbit is not proved to be stable".into());
-    for size in (least..=most.max(least)).rev().step_by(SMALLER) {
+    for size in (least..=most).rev().step_by(SMALLER) {
         for shape in &shapes {
             match shape.sized(size).contracted(round) {
                 Ok(contraction) if contraction.is_proved() => return Ok(contraction.ellipse),
@@ -142,41 +140,6 @@ pub(super) fn basin(
         }
     }
     Err(doubt)
-}
-
-/// A `T` in whose coordinates a matrix of spectral radius less than 1 shrinks all lengths, in floats; any one is as sound.
-///
-/// With `B = M/q`, `q` between that radius and 1, `X = I + B^T X B` is the square of the norm `|T^-1 x|`, `X = T^-T T^-1`:
-/// `|T^-1 M x|^2 = q^2 (x^T X x - x^T x)`.
-fn axes(derivative: &Matrix, unit: f64) -> Option<[[f64; 2]; 2]> {
-    // proposes
-    let unit = if unit > 0.0 { unit } else { 1.0 };
-    let [[a, b], [c, d]] = derivative.each_ref().map(|row| row.each_ref().map(Real::to_f64));
-    let (b, c) = (b * unit, c / unit);
-    let (half, product) = ((a + d) / 2.0, a * d - b * c);
-    let under = half * half - product;
-    let radius = if under > 0.0 { half.abs() + under.sqrt() } else { product.abs().sqrt() };
-    if !(radius < 1.0) {
-        return None;
-    }
-    let q = (1.0 + radius) / 2.0;
-    let (mut power, mut x) = ([[a / q, b / q], [c / q, d / q]], [1.0, 0.0, 1.0]);
-    for _ in 0..SQUARINGS {
-        let [[a, b], [c, d]] = power;
-        let [x0, x1, x2] = x;
-        x = [
-            x0 + a * (x0 * a + x1 * c) + c * (x1 * a + x2 * c),
-            x1 + a * (x0 * b + x1 * d) + c * (x1 * b + x2 * d),
-            x2 + b * (x0 * b + x1 * d) + d * (x1 * b + x2 * d),
-        ];
-        power = [[a * a + b * c, b * (a + d)], [c * (a + d), d * d + b * c]];
-    }
-    // Cholesky: X = R^T R, T = R^-1.
-    let first = x[0].sqrt();
-    let beside = x[1] / first;
-    let second = (x[2] - beside * beside).sqrt();
-    let axes = [[1.0 / first, -beside / (first * second)], [0.0, unit / second]];
-    axes.iter().flatten().all(|x| x.is_finite()).then_some(axes)
 }
 
 /// An upper bound of the norm of all matrices of a set (Lemma Q2).

@@ -10,6 +10,7 @@
 
 mod affine;
 mod attraction;
+mod axes;
 mod basin;
 mod chatter;
 mod clock;
@@ -17,6 +18,7 @@ mod contact;
 mod data;
 mod fixed_point;
 mod flight;
+mod frame;
 mod graze;
 mod release;
 mod rest;
