@@ -1,6 +1,6 @@
 //! What an orbit JSON claims of the periodic orbit that its motion converges to.
 
-use impact_pair_certificate::document::{Bounds, Decimal, OutcomeDocument, PeriodicImpactDocument, Place};
+use impact_pair_certificate::document::{Decimal, OutcomeDocument, PeriodicImpactDocument, Place};
 use num_rational::BigRational;
 
 use crate::Error;
@@ -14,21 +14,39 @@ pub(super) struct Attraction {
     pub cycles: u64,
     /// From this impact on it is in a neighbourhood that the period contracts.
     pub from: u64,
-    /// Wall, phase, velocity of each impact.
-    pub impacts: Vec<(Wall, [[BigRational; 2]; 2])>,
+    /// The impacts, in time order.
+    pub impacts: Vec<Passage>,
     /// Trace, determinant, and both eigenvalues, real and imaginary parts.
-    pub numbers: [[BigRational; 2]; 6],
+    pub numbers: [Bounds; 6],
     pub symmetric: Option<bool>,
     /// Whether it is claimed to be the only one in its box, physical and stable.
     pub is_attractor: bool,
 }
 
+/// An impact of it.
+#[derive(Clone, Debug)]
+pub(super) struct Passage {
+    pub wall: Wall,
+    /// Whole turns of the common period of all harmonics before the phase; 0 where it says nothing.
+    pub turn: u64,
+    pub phase: Bounds,
+    pub velocity: Bounds,
+}
+
+/// A lower and an upper bound.
+pub(super) type Bounds = [BigRational; 2];
+
 impl Attraction {
     /// What an outcome claims, if it has an `orbit`; it stands at `place`.
     pub fn of(outcome: &OutcomeDocument, place: &Place<'_>) -> Result<Option<Self>, Error> {
         let Some(orbit) = &outcome.orbit else { return Ok(None) };
-        let values = |bounds: &Bounds| bounds.each_ref().map(Decimal::value);
-        let impact = |impact: &PeriodicImpactDocument| (impact.wall, [values(&impact.phase), values(&impact.velocity)]);
+        let values = |bounds: &[Decimal; 2]| bounds.each_ref().map(Decimal::value);
+        let impact = |impact: &PeriodicImpactDocument| Passage {
+            wall: impact.wall,
+            turn: impact.turn.map_or(0, u64::from),
+            phase: values(&impact.phase),
+            velocity: values(&impact.velocity),
+        };
         let there = |key: &str| place.missing(&format!("orbit.{key}"));
         let [one, other] = orbit.eigenvalues.as_ref().ok_or_else(|| there("eigenvalues"))?;
         Ok(Some(Self {

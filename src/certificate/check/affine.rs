@@ -2,7 +2,7 @@
 
 use crate::exact::{Dyadic, Real};
 
-/// Bits of columns and errors, which measure widths.
+/// Bits of errors, and of columns that measure widths.
 pub(super) const COLUMN_BITS: u32 = 96;
 
 /// `x = centre + sum_j columns[j] q_j + r` with `|q_j| <= 1` and `|r| <= error`.
@@ -31,6 +31,34 @@ impl Affine {
         Self { centre, columns, error: Dyadic::zero() }
     }
 
+    /// `centre + columns[0] q_first + columns[1] q_(first + 1)`
+    pub fn spanned(centre: Real, first: usize, columns: [Real; 2]) -> Self {
+        let mut all = vec![Real::zero(COLUMN_BITS); first];
+        all.extend(columns);
+        Self { centre, columns: all, error: Dyadic::zero() }
+    }
+
+    /// How many deviations it knows of.
+    pub fn length(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// Bits that its columns are known with.
+    pub fn column_bits(&self) -> u32 {
+        self.columns.iter().map(Real::bits).max().unwrap_or(COLUMN_BITS) // X1: any number of bits encloses
+    }
+
+    /// Encloses its derivative by `q_j`.
+    pub fn column(&self, j: usize) -> Real {
+        self.columns.get(j).cloned().unwrap_or_else(|| Real::zero(COLUMN_BITS)) // exact: it does not depend on it
+    }
+
+    /// Its values where the deviations from `first` on are 0.
+    pub fn without(&self, first: usize) -> Self {
+        let columns = self.columns.iter().take(first).cloned().collect();
+        Self { columns, ..self.clone() }
+    }
+
     /// The mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
     ///
     /// Each slope holds the partial derivative over the hulls of all the terms, `centre` the value where each of them is
@@ -40,7 +68,7 @@ impl Affine {
         let mut columns = vec![Real::zero(COLUMN_BITS); length];
         let mut spread = Real::zero(COLUMN_BITS);
         for (slope, x) in terms {
-            let slope = slope.rounded(COLUMN_BITS);
+            let slope = slope.rounded(x.column_bits());
             for (sum, column) in columns.iter_mut().zip(&x.columns) {
                 *sum = sum.clone() + &(column.clone() * &slope);
             }

@@ -65,6 +65,11 @@ impl Clock {
         velocity.clone() * &self.frequency
     }
 
+    /// A velocity given in lengths per time.
+    pub fn slowed(&self, velocity: &Real) -> Real {
+        velocity.clone() * &self.slowness
+    }
+
     /// The phase that passes in a time.
     pub fn radians(&self, lasting: &Real) -> Real {
         lasting.clone() * &self.frequency

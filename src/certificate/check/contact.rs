@@ -174,7 +174,7 @@ fn is_last(step: &Real, h: &Real) -> bool {
 }
 
 /// The bracket cut by interval Newton for as long as that halves it: it still holds all contacts (Lemma V1).
-fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
+pub(super) fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
     let level = flight.level(wall);
     zero(bracket, |h| flight.height(h) - &level, |part| flight.slope(part))
 }

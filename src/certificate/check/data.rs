@@ -148,6 +148,14 @@ impl Data {
         rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))
     }
 
+    /// Whether half of these turns later the shaking is the opposite: each harmonic passes an odd number of half turns.
+    pub fn has_mirror(&self) -> bool {
+        let Some(turns) = self.common_turns() else { return false };
+        let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());
+        let passed = rates.map(|rate| rate * &turns).chain([turns.clone().into()]);
+        passed.into_iter().all(|turns| turns.to_integer().is_odd())
+    }
+
     /// If the acceleration at the start is exactly 0: the sign of `-E'''` there.
     pub fn jerk_without_acceleration(&self) -> Option<Ordering> {
         let acceleration = self.sum(|tone| tone.phase.checked_sin(), 2).ok()?;

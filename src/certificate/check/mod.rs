@@ -2,22 +2,27 @@
 //!
 //! The route shares nothing with the one that made the certificate but the exact numbers and their interval arithmetic: physical
 //! lengths instead of gaps, radians instead of turns, one arithmetic of integers at a precision that rises until every claim is
-//! decided, no closed-form extrema, no parallelograms; only that a motion is `attracted` is proved by the library's own Lemma Q3,
-//! from the confirmed impacts ([`attraction`]). The claimed times only say where to look. Every flight is followed from
+//! decided, no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
-//! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2). A claim is confirmed when what is found lies inside
+//! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
+//! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
 
 mod affine;
 mod attraction;
+mod axes;
+mod basin;
 mod chatter;
 mod clock;
 mod contact;
 mod data;
+mod fixed_point;
 mod flight;
+mod frame;
 mod graze;
 mod release;
 mod rest;
+mod round;
 mod shaking;
 mod step;
 mod still;
@@ -129,7 +134,7 @@ impl Certificate {
             }
         }
         let event = self.events().len();
-        Ok(match self.attracts() {
+        Ok(match self.attracts(&data, effort.pieces) {
             Ok(()) => Verdict::Confirmed { bits, pieces: cut },
             Err(Doubt::False(message)) => Verdict::Refuted(Finding { event, message }),
             Err(Doubt::Open(message)) => Verdict::Undecided(Finding { event, message }),

@@ -1,7 +1,7 @@
 //! One impact for all states of a set: from a departure to the next landing (Lemma V2).
 
-use super::affine::Affine;
-use super::contact::{Claimed, Doubt, Start, first_contact, newton};
+use super::affine::{Affine, COLUMN_BITS};
+use super::contact::{Claimed, Doubt, Start, contract, first_contact, newton};
 use super::flight::Flight;
 use super::shaking::{Shaking, Term, Wave};
 use crate::exact::Real;
@@ -71,6 +71,32 @@ impl Parameters {
         self.terms.iter().all(|term| term.amplitude.hull().is_zero())
     }
 
+    /// Those at the middle of the data.
+    pub fn middle(&self) -> Self {
+        let middle = |x: &Affine| Affine::fixed(x.centre.clone());
+        let of_term = |term: &Term| Term {
+            amplitude: middle(&term.amplitude),
+            phase: middle(&term.phase),
+            rate: term.rate.as_ref().map(middle),
+        };
+        Self {
+            half_gap: middle(&self.half_gap),
+            restitution: middle(&self.restitution),
+            terms: self.terms.iter().map(of_term).collect(),
+            parts: self.parts,
+        }
+    }
+
+    /// How many data are intervals, as the columns count them.
+    pub fn columns(&self) -> usize {
+        let Self { half_gap, restitution, terms, .. } = self;
+        let of_term = |term: &Term| {
+            [Some(&term.amplitude), Some(&term.phase), term.rate.as_ref()].map(|x| x.map_or(0, Affine::length))
+        };
+        let of_terms = terms.iter().flat_map(of_term);
+        of_terms.chain([half_gap.length(), restitution.length()]).max().unwrap_or(0) // exact: a length
+    }
+
     /// The shaking of those members of the set that `member` says, from the phase `since` after the origin.
     pub fn shaking(&self, since: &Real, member: fn(&Affine) -> Real) -> Shaking {
         let bits = since.bits();
@@ -132,6 +158,9 @@ impl Departure {
         let departed = self.phase.centre.rounded(bits);
         let landed = Real::point((departed.clone() + &h).mid(), bits);
         let h = landed.clone() - &departed;
+        // Columns that are more than widths are worth a narrower one.
+        let contact =
+            if self.phase.column_bits() > COLUMN_BITS { contract(&set, wall, contact.at(bits)) } else { contact };
         let contact = contact.at(bits).hull(&h);
         let v = set.slope(&contact);
         let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::Open("a graze is not excluded".into()));

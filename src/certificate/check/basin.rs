@@ -1,0 +1,151 @@
+//! Ellipses of states that a period maps into themselves and contracts (Lemma V6).
+
+use super::affine::Affine;
+use super::axes::axes;
+use super::contact::Doubt;
+use super::round::{Matrix, Round, determinant, inverse, times};
+use super::step::Landing;
+use crate::exact::{Dyadic, Real};
+
+/// The states `centre + 2^size T s`, `|s| <= 1`.
+#[derive(Clone, Debug)]
+pub(super) struct Ellipse {
+    centre: [Real; 2],
+    /// `T`
+    axes: Matrix,
+    /// `T^-1`
+    inverse: Matrix,
+    size: i64,
+}
+
+/// What a period makes of an ellipse.
+pub(super) struct Contraction {
+    pub ellipse: Ellipse,
+    /// Its impacts, the next first one at the end.
+    pub landings: Vec<Landing>,
+    /// Encloses `T^-1 DP T` over the ellipse.
+    pub derivative: Matrix,
+    /// What distances are multiplied by at most, where an ellipse's radius is 1.
+    factor: Real,
+    /// How far the centre is moved.
+    moved: Real,
+}
+
+/// Units of velocity that axes are sought in, in those of the first impact.
+const UNITS: [f64; 3] = [1.0, 0.125, 8.0];
+/// Each ellipse tried is so many times smaller than the one before, as a power of 2.
+const SMALLER: usize = 2;
+impl Ellipse {
+    /// `None` where `T` may have no inverse.
+    pub fn new(centre: [Real; 2], axes: Matrix, size: i64) -> Option<Self> {
+        let inverse = inverse(&axes)?;
+        Some(Self { centre, axes, inverse, size })
+    }
+
+    /// An ellipse of the same axes around another centre.
+    pub fn around(&self, centre: [Real; 2], size: i64) -> Option<Self> {
+        let bits = centre[0].bits();
+        Self::new(centre, self.axes.each_ref().map(|row| row.each_ref().map(|x| x.at(bits))), size)
+    }
+
+    /// Another size of it.
+    pub fn sized(&self, size: i64) -> Self {
+        Self { size, ..self.clone() }
+    }
+
+    /// `|s|` of all states of a set.
+    fn place(&self, set: [&Affine; 2]) -> Option<Real> {
+        let [square, other] = self.inverse.each_ref().map(|row| {
+            let off = [0, 1].map(|i| set[i].centre.clone() - &self.centre[i]);
+            let centre = super::round::along(row, &off);
+            Affine::of(centre, &[(&row[0], set[0]), (&row[1], set[1])]).hull().square()
+        });
+        Some((square + &other).sqrt()? * &self.radius(-1))
+    }
+
+    /// Whether all states of a set lie strictly inside.
+    pub fn holds(&self, set: &Landing) -> bool {
+        self.place([&set.phase, &set.velocity]).is_some_and(|place| place.is_below(&Real::int(1, place.bits())))
+    }
+
+    /// The least size that holds a set.
+    pub fn size_for(&self, set: &Landing) -> Option<i64> {
+        let place = self.sized(0).place([&set.phase, &set.velocity])?;
+        Some(place.enclosure().hi().top().map_or(i64::MIN, |top| top + 1)) // exact: a point has no size
+    }
+
+    /// `2^(sign size)`
+    fn radius(&self, sign: i64) -> Real {
+        Real::point(Dyadic::power_of_two(sign * self.size), self.centre[0].bits())
+    }
+
+    /// What a round makes of it, if all first contacts are proved.
+    pub fn contracted(self, round: &Round<'_>) -> Result<Contraction, Doubt> {
+        let radius = self.radius(1);
+        let columns = self.axes.each_ref().map(|row| row.each_ref().map(|x| x.clone() * &radius));
+        let landings = round.run(round.set(&self.centre, &columns))?;
+        let end = landings.last().expect("the set");
+        let derivative = times(&self.inverse, &round.derivatives(end, &self.radius(-1)));
+        let first = round.first();
+        let centre = [&end.phase, &end.velocity].map(|x| x.without(first));
+        let open = || Doubt::Open("no neighbourhood of the orbit is enclosed".into());
+        let moved = self.place([&centre[0], &centre[1]]).ok_or_else(open)?;
+        let factor = norm(&derivative).ok_or_else(open)?;
+        Ok(Contraction { ellipse: self, landings, derivative, factor, moved })
+    }
+}
+
+impl Contraction {
+    /// Whether it is proved to be mapped into itself and contracted.
+    pub fn is_proved(&self) -> bool {
+        let (one, reach) = (Real::int(1, self.factor.bits()), self.factor.clone() + &self.moved);
+        self.factor.is_below(&one) && reach.enclosure().hi() <= one.enclosure().lo()
+    }
+
+    /// About how many times larger, as a power of 2, an ellipse is that holds the orbit.
+    pub fn larger_by(&self) -> i64 {
+        let rest = Real::int(1, self.factor.bits()) - &self.factor;
+        let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().hi().top());
+        needed.map_or(1, |top| top + 2).max(1) // proposes: a size to try
+    }
+}
+
+/// The largest ellipse around `centre` found that is proved to be contracted: at first of the size that holds all `wanted`.
+///
+/// `derivative` is that of the round near the centre.
+pub(super) fn basin(
+    round: &Round<'_>,
+    centre: &[Real; 2],
+    derivative: &Matrix,
+    wanted: [&Landing; 2],
+) -> Result<Ellipse, Doubt> {
+    let bits = centre[0].bits();
+    let shapes = UNITS.iter().filter_map(|unit| {
+        let [[a, b], [c, d]] = axes(derivative, unit * centre[1].to_f64().abs())?
+            .map(|row| row.map(|x| Dyadic::from_f64(x).map(|x| Real::point(x, bits))));
+        Ellipse::new(centre.clone(), [[a?, b?], [c?, d?]], 0)
+    });
+    let shapes: Vec<_> = shapes.collect();
+    let sizes = shapes.iter().flat_map(|shape| wanted.map(|set| shape.size_for(set)));
+    let least = -i64::from(bits / 2);
+    let most = sizes.flatten().max().unwrap_or(0).min(0).max(least); // proposes: sizes to try
+    let mut doubt = Doubt::Open("the orbit is not proved to be stable".into());
+    for size in (least..=most).rev().step_by(SMALLER) {
+        for shape in &shapes {
+            match shape.sized(size).contracted(round) {
+                Ok(contraction) if contraction.is_proved() => return Ok(contraction.ellipse),
+                Ok(_) => doubt = Doubt::Open("no neighbourhood of the orbit is proved to be contracted".into()),
+                Err(found) => doubt = found,
+            }
+        }
+    }
+    Err(doubt)
+}
+
+/// An upper bound of the norm of all matrices of a set (Lemma Q2).
+fn norm(matrix: &Matrix) -> Option<Real> {
+    let squares = matrix.iter().flatten().map(Real::square).reduce(|sum, x| sum + &x)?;
+    let product = determinant(matrix);
+    let apart = (squares.square() - &(product.square() * 4)).sqrt()?;
+    (squares + &apart).half().sqrt()
+}

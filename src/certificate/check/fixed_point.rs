@@ -1,0 +1,124 @@
+//! The periodic orbit in an ellipse that the period contracts, as narrowly as asked, and what follows of it (Lemma V6).
+
+use std::cmp::Ordering;
+
+use super::affine::Affine;
+use super::basin::{Contraction, Ellipse};
+use super::contact::Doubt;
+use super::round::Round;
+use super::step::Landing;
+use crate::exact::Real;
+
+/// An eigenvalue: real and imaginary part.
+pub(super) type Eigenvalue = [Real; 2];
+
+/// Ellipses that are tried.
+const TRIED: u32 = 12;
+/// Bits that rounding may take of the first one's size.
+const SPARE_BITS: i64 = 40;
+
+/// The orbit of a basin.
+pub(super) struct FixedPoint<'r> {
+    round: &'r Round<'r>,
+    basin: &'r Ellipse,
+    contraction: Contraction,
+}
+
+impl<'r> FixedPoint<'r> {
+    /// The orbit with the bits of `centre`, where Newton's iteration ended.
+    pub fn enclosed(round: &'r Round<'r>, basin: &'r Ellipse, centre: &[Real; 2]) -> Result<Self, Doubt> {
+        let open = || Doubt::Open("the orbit is not enclosed".into());
+        let mut size = SPARE_BITS - i64::from(centre[0].bits());
+        for _ in 0..TRIED {
+            let ellipse = basin.around(centre.clone(), size).ok_or_else(open)?;
+            let contraction = ellipse.contracted(round)?;
+            if contraction.is_proved() {
+                // What is in both is the only orbit of either.
+                let is_it = basin.holds(&contraction.landings[0]);
+                return if is_it { Ok(Self { round, basin, contraction }) } else { Err(open()) };
+            }
+            size += contraction.larger_by();
+        }
+        Err(open())
+    }
+
+    /// Its impacts.
+    pub fn impacts(&self) -> &[Landing] {
+        &self.contraction.landings[..self.round.walls.len()]
+    }
+
+    /// Phases whole common periods off, nearest to another one.
+    pub fn near(&self, phases: &Affine, other: &Real) -> Option<Affine> {
+        self.round.near(phases, other)
+    }
+
+    /// The trace of the derivative of the period. **Equation** (38)
+    pub fn trace(&self) -> Real {
+        let [[a, _], [_, d]] = &self.contraction.derivative;
+        a.clone() + d
+    }
+
+    /// Whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one.
+    pub fn is_symmetric(&self, has_mirror: bool) -> Option<bool> {
+        let half = self.round.common.half();
+        let minus = Real::int(-1, half.bits());
+        let mirrored = |Landing { wall, phase, velocity }: &Landing| Landing {
+            wall: wall.other(),
+            phase: phase.clone().shifted(&half),
+            velocity: Affine::of(-velocity.centre.clone(), &[(&minus, velocity)]),
+        };
+        let seen = if has_mirror { self.impacts() } else { &[] };
+        let seen: Vec<_> = seen.iter().map(mirrored).collect();
+        let verdicts: Vec<_> =
+            (0..seen.len()).filter(|&i| fits(&seen, i, self.impacts())).map(|i| self.is_first(&seen[i])).collect();
+        if verdicts.contains(&Some(true)) { Some(true) } else { verdicts.iter().all(Option::is_some).then_some(false) }
+    }
+
+    /// Whether it is proved not to run through a shorter orbit several times.
+    pub fn is_whole(&self) -> bool {
+        let impacts = self.impacts();
+        (1..impacts.len()).filter(|&i| fits(impacts, i, impacts)).all(|i| self.is_first(&impacts[i]) == Some(false))
+    }
+
+    /// Whether a state of a periodic orbit of the same word, whole common periods off, is that of the first impact.
+    fn is_first(&self, state: &Landing) -> Option<bool> {
+        let first = &self.impacts()[0];
+        let state = Landing { phase: self.round.near(&state.phase, &first.phase.centre)?, ..state.clone() };
+        if self.basin.holds(&state) {
+            return Some(true);
+        }
+        let off = [(&state.phase, &first.phase), (&state.velocity, &first.velocity)].map(|(x, y)| x.hull() - &y.hull());
+        let common = &self.round.common;
+        let is_within = off[0].is_below(common) && (-off[0].clone()).is_below(common);
+        let is_off = |x: &Real| x.is_positive() || x.is_negative();
+        (is_within && is_off(&off[0]) || is_off(&off[1])).then_some(false)
+    }
+}
+
+/// Whether the walls of `seen`, from impact `shift` on, are those of `impacts`.
+fn fits(seen: &[Landing], shift: usize, impacts: &[Landing]) -> bool {
+    let later = seen.iter().cycle().skip(shift);
+    impacts.iter().zip(later).all(|(impact, later)| impact.wall == later.wall)
+}
+
+/// Both eigenvalues; where they may be real or complex, for either case. **Equation** (38)
+pub(super) fn eigenvalues(trace: &Real, determinant: &Real) -> [Eigenvalue; 2] {
+    let zero = Real::zero(trace.bits());
+    let middle = trace.half();
+    let under = middle.square() - determinant;
+    let root = |x: &Real| x.sqrt().unwrap_or_else(|| zero.clone());
+    let (re, im) = match under.sign() {
+        Some(Ordering::Greater | Ordering::Equal) => (root(&under), zero.clone()),
+        Some(Ordering::Less) => (zero.clone(), root(&-under)),
+        None => (root(&under).hull(&zero), root(&-under).hull(&zero)),
+    };
+    let [one, other] = [middle.clone() + &re, middle - &re];
+    // The one of larger modulus first; the other by the determinant, without cancellation.
+    let (large, small) = if trace.is_negative() { (other, one) } else { (one, other) };
+    let small = if im.is_zero() {
+        determinant.over(&large).map_or(small.clone(), |quotient| small.cut(&quotient))
+    } else {
+        small
+    };
+    [[large, im.clone()], [small, -im]]
+}
