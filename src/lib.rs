@@ -71,7 +71,6 @@
 //! # Ok::<(), impact_pair::Error>(())
 //! ```
 
-pub mod certificate;
 pub mod clock;
 pub mod contact;
 pub mod document;
@@ -94,6 +93,8 @@ mod tolerances;
 pub mod turns;
 pub mod two_impact;
 
+#[doc(inline)]
+pub use impact_pair_certificate as certificate;
 #[doc(inline)]
 pub use impact_pair_exact as exact;
 #[doc(inline)]

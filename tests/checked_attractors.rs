@@ -2,8 +2,9 @@
 //! are not. Lemma V6
 
 use impact_pair::Scene;
-use impact_pair::certificate::{self, Certificate, Conclusion, Event, Verdict};
-use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::certificate::{Certificate, Verdict};
+use impact_pair::document;
+use impact_pair::orbit::{Arithmetic, Settings};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -11,14 +12,7 @@ use serde_json::{Value, json};
 fn document(scene: &str) -> Value {
     let scene = Scene::parse(scene).unwrap();
     let settings = Settings { arithmetic: Arithmetic::Interval, attractor: true, ..scene.settings() };
-    let mut orbit = Orbit::of(&scene, settings).unwrap();
-    let impacts: Vec<_> = orbit.by_ref().collect();
-    let events: Vec<_> = impacts.iter().map(|impact| Event::new(&orbit, impact)).collect();
-    let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
-    let head = certificate::head(scene.pair(), scene.start(), Arithmetic::Interval, certificate::arithmetic(&orbit));
-    let mut text = Vec::new();
-    certificate::write_json(&mut text, &head, &conclusion, &events).unwrap();
-    serde_json::from_slice(&text).unwrap()
+    serde_json::to_value(document::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
 }
 
 fn scene(excitation: &str, pair: &str, velocity: &str, impacts: u32) -> String {

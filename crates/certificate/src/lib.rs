@@ -1,5 +1,17 @@
 //! Documents of certified orbits, and their check by a route of its own.
 //!
-//! What this crate judges it shares nothing with: it rests on exact numbers and on the model alone.
+//! What an orbit JSON claims is checked, and made a theorem for Coq. What this crate judges it shares nothing with: it rests on
+//! exact numbers and on the model alone.
 
+mod attraction;
+mod check;
 pub mod document;
+mod prove;
+mod read;
+#[cfg(test)]
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
+
+pub use check::{Effort, Finding, Verdict};
+pub use prove::Theorem;
+pub use read::{Certificate, Claim, ClaimKind};

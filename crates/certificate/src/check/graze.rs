@@ -5,9 +5,9 @@ use super::contact::{Doubt, Start, clear};
 use super::flight::{Flight, Part};
 use super::step::Departure;
 use super::walk::{Walk, compare};
-use crate::certificate::Claim;
-use crate::exact::{Dyadic, Real};
-use crate::pair::Wall;
+use crate::Claim;
+use impact_pair_exact::{Dyadic, Real};
+use impact_pair_model::Wall;
 
 /// What is found around an extremum of all flights of a set, told from the wall it is near.
 struct Summit {

@@ -9,16 +9,16 @@ use super::rest::Rest;
 use super::shaking::Shaking;
 use super::step::Departure;
 use super::walk::{Walk, compare};
-use crate::certificate::Claim;
-use crate::exact::Real;
-use crate::orbit::Period;
-use crate::pair::Wall;
+use crate::Claim;
+use impact_pair_exact::Real;
+use impact_pair_model::Period;
+use impact_pair_model::Wall;
 
 /// Bits that rests are first followed with.
 const FIRST_BITS: u32 = 128;
 
 /// A release from a wall.
-pub(in crate::certificate) struct Release {
+pub(crate) struct Release {
     wall: Wall,
     /// Phases since the origin that hold it.
     phase: Real,

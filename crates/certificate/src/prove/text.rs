@@ -7,11 +7,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::legs::{Box, Leg};
-use crate::Error;
-use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::{Exact, Operation};
-use crate::excitation::Harmonic;
-use crate::orbit::Place;
+use crate::{Certificate, Claim, ClaimKind};
+use impact_pair_exact::{Exact, Operation};
+use impact_pair_model::Error;
+use impact_pair_model::Harmonic;
+use impact_pair_model::Place;
 
 /// Beyond so many impacts, or so fine a grid, Coq's faster integers are used.
 const PLAIN_IMPACTS: usize = 20;

@@ -5,7 +5,7 @@ use super::axes::axes;
 use super::contact::Doubt;
 use super::round::{Matrix, Round, determinant, inverse, times};
 use super::step::Landing;
-use crate::exact::{Dyadic, Real};
+use impact_pair_exact::{Dyadic, Real};
 
 /// The states `centre + 2^size T s`, `|s| <= 1`.
 #[derive(Clone, Debug)]

@@ -11,9 +11,9 @@ mod text;
 
 use super::check::{Data, Doubt, Finding};
 use super::{Certificate, ClaimKind};
-use crate::Error;
-use crate::exact::Exact;
 use flights::{Flight, Origin, flights};
+use impact_pair_exact::Exact;
+use impact_pair_model::Error;
 use legs::{Box, Leg, excess, leg, start};
 
 /// A file for Coq.

@@ -8,12 +8,12 @@ use super::clock::Clock;
 use super::contact::{Doubt, clear};
 use super::data::Data;
 use super::walk::{Walk, compare};
-use crate::certificate::Claim;
-use crate::exact::{Exact, Real};
-use crate::pair::Wall;
+use crate::Claim;
+use impact_pair_exact::{Exact, Real};
+use impact_pair_model::Wall;
 
 /// `y = m - A sin th` for ever, between the walls.
-pub(in crate::certificate) struct Still {
+pub(crate) struct Still {
     /// The phase last grazed, or of the start, in quarter turns; not 0 without shaking only if it is one.
     quarters: BigInt,
     /// Whether the left wall is touched at 1 quarter turn, and the right wall at 3.

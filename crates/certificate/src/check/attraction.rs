@@ -16,10 +16,10 @@ use super::frame::{Frame, hull};
 use super::round::Round;
 use super::step::Landing;
 use super::walk::compare;
-use crate::certificate::attraction::{Attraction, Bounds};
-use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::Real;
-use crate::pair::Wall;
+use crate::attraction::{Attraction, Bounds};
+use crate::{Certificate, Claim, ClaimKind};
+use impact_pair_exact::Real;
+use impact_pair_model::Wall;
 
 /// Bits that neighbourhoods are proved with.
 const BITS: u32 = 192;

@@ -4,12 +4,12 @@ use super::affine::{Affine, COLUMN_BITS};
 use super::contact::{Claimed, Doubt, Start, contract, first_contact, newton};
 use super::flight::Flight;
 use super::shaking::{Shaking, Term, Wave};
-use crate::exact::Real;
-use crate::pair::Wall;
+use impact_pair_exact::Real;
+use impact_pair_model::Wall;
 
 /// What the motion depends on, over the data of the scene.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Parameters {
+pub(crate) struct Parameters {
     /// `d/2` \[length\]
     pub half_gap: Affine,
     /// `e`
@@ -22,7 +22,7 @@ pub(in crate::certificate) struct Parameters {
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Departure {
+pub(crate) struct Departure {
     pub start: Start,
     /// \[rad\]
     pub phase: Affine,
@@ -34,7 +34,7 @@ pub(in crate::certificate) struct Departure {
 
 /// The states just before an impact.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Landing {
+pub(crate) struct Landing {
     pub wall: Wall,
     pub phase: Affine,
     /// `y'` \[length/rad\]

@@ -4,9 +4,9 @@ use super::affine::Affine;
 use super::clock::Clock;
 use super::data::{Data, Piece};
 use super::step::{Landing, Parameters};
-use crate::certificate::attraction::Bounds;
-use crate::exact::Real;
-use crate::pair::Wall;
+use crate::attraction::Bounds;
+use impact_pair_exact::Real;
+use impact_pair_model::Wall;
 
 /// Radians and their lengths, over a piece of the data.
 pub(super) struct Frame {

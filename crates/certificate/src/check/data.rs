@@ -9,15 +9,15 @@ use super::Effort;
 use super::affine::Affine;
 use super::shaking::Term;
 use super::step::Parameters;
-use crate::Error;
-use crate::exact::{Dyadic, Enclosure, Exact, ExactError, Real};
-use crate::excitation::Harmonic;
-use crate::orbit::{Place, Start};
-use crate::pair::{ImpactPair, Wall, within};
+use impact_pair_exact::{Dyadic, Enclosure, Exact, ExactError, Real};
+use impact_pair_model::Error;
+use impact_pair_model::Harmonic;
+use impact_pair_model::{ImpactPair, Wall, within};
+use impact_pair_model::{Place, Start};
 
 /// The exact data.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Data {
+pub(crate) struct Data {
     /// The harmonics, the reference first.
     pub tones: Vec<Tone>,
     pub half_gap: Exact,
@@ -41,7 +41,7 @@ pub(in crate::certificate) struct Data {
 
 /// One harmonic.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Tone {
+pub(crate) struct Tone {
     /// `A_k`
     pub amplitude: Exact,
     /// `W_k t0 + tau_k` less whole turns.
@@ -52,7 +52,7 @@ pub(in crate::certificate) struct Tone {
 
 /// Which halves of halves of each datum that is an interval.
 #[derive(Clone, Debug, Default)]
-pub(in crate::certificate) struct Piece {
+pub(crate) struct Piece {
     /// By the number of the datum: part `k` of `2^n`; the whole of those that are not listed.
     parts: Vec<(u32, u32)>,
 }
@@ -240,4 +240,30 @@ fn nearest(x: &Exact) -> BigInt {
     let top = x.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
     let near = x.enclose(64 + u32::try_from(top).unwrap_or(0)); // X1
     Enclosure::point(near.lo().clone()).floor().unwrap_or_default() // exact: any whole number is taken off
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Certificate;
+    use serde_json::json;
+
+    #[test]
+    fn only_commensurate_harmonics_have_a_common_period() {
+        let common_turns = |frequencies: [&str; 3]| {
+            let document = json!({
+                "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "impacts-reached"},
+                "scene": {
+                    "excitation": {"amplitude": ["1", "1", "1"], "frequency": frequencies, "phase": ["0", "0", "0"]},
+                    "gap": "4", "restitution": "0.5", "start": {"time": "0", "position": "0", "velocity": "0"},
+                },
+            });
+            let certificate = Certificate::parse(&document.to_string()).unwrap();
+            Data::new(certificate.pair(), certificate.start()).unwrap().common_turns().map(|turns| turns.to_string())
+        };
+        assert_eq!(common_turns(["2*pi/3", "pi/2", "pi"]).as_deref(), Some("6"));
+        assert_eq!(common_turns(["sqrt(2)/5", "2*sqrt(2)", "sqrt(2)"]).as_deref(), Some("10"));
+        assert_eq!(common_turns(["1", "sqrt(2)", "2"]), None);
+        assert_eq!(common_turns(["1", "[0.3, 0.4]", "2"]), None);
+    }
 }

@@ -2,17 +2,15 @@
 //!
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
-use impact_pair_certificate::document::{
-    EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument,
-};
+use crate::document::{EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument};
 use num_rational::BigRational;
 use serde_json::{Deserializer, Value};
 
 use super::attraction::Attraction;
-use crate::Error;
-use crate::mapping::Mapping;
-use crate::orbit::{Period, Start};
-use crate::pair::{ImpactPair, Wall};
+use impact_pair_model::Error;
+use impact_pair_model::Mapping;
+use impact_pair_model::{ImpactPair, Wall};
+use impact_pair_model::{Period, Start};
 
 /// What an orbit JSON claims of an orbit.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 
 use super::contact::Doubt;
 use super::step::{Departure, Parameters};
-use crate::exact::Real;
-use crate::pair::Wall;
+use impact_pair_exact::Real;
+use impact_pair_model::Wall;
 
 /// Windows are tried from so many times what a constant pressure would take, doubled at most so often.
 const WINDOWS: u32 = 8;

@@ -29,11 +29,11 @@ mod still;
 mod walk;
 
 use super::{Certificate, ClaimKind};
-use crate::Error;
-use crate::exact::Enclosure;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
 pub(super) use flight::Flight;
+use impact_pair_exact::Enclosure;
+use impact_pair_model::Error;
 pub(super) use walk::Walk;
 
 /// What a check finds.
@@ -171,6 +171,3 @@ impl Certificate {
         wanted as u32 // proposes: 16 times the bits at most
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -5,8 +5,8 @@ use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
 use super::flights::{Flight, Origin};
-use crate::exact::{Dyadic, Enclosure, Real};
-use crate::pair::Wall;
+use impact_pair_exact::{Dyadic, Enclosure, Real};
+use impact_pair_model::Wall;
 
 /// A box `|th - t| <= rt`, `|v/(A W) - v| <= rv`, all in units of `2^-scale`.
 #[derive(Clone, Debug)]

@@ -7,11 +7,11 @@ use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::data::Data;
-use crate::exact::{Exact, Real, compare_rational};
+use impact_pair_exact::{Exact, Real, compare_rational};
 
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Clock {
+pub(crate) struct Clock {
     /// With as many more bits as it has turns.
     base: Real,
     slowness: Real,

@@ -5,11 +5,11 @@
 //! `E = sum A_k sin(f_k + r_k s)`, and `y'' = -E'' = sum A_k r_k^2 sin(f_k + r_k s)` between impacts.
 
 use super::affine::Affine;
-use crate::exact::Real;
+use impact_pair_exact::Real;
 
 /// A harmonic over the data of the scene.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Term {
+pub(crate) struct Term {
     /// `A_k` \[length\]
     pub amplitude: Affine,
     /// `f_k` \[rad\]
@@ -20,13 +20,13 @@ pub(in crate::certificate) struct Term {
 
 /// All harmonics over the flights of a set, since their departures; the reference comes first.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Shaking {
+pub(crate) struct Shaking {
     pub waves: Vec<Wave>,
 }
 
 /// One harmonic of them.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Wave {
+pub(crate) struct Wave {
     pub amplitude: Real,
     /// `r_k`; `None` is 1.
     rate: Option<Real>,

@@ -11,16 +11,16 @@ use super::clock::{Beside, Clock, beside};
 use super::contact::{Claimed, Doubt};
 use super::step::Departure;
 use super::walk::{Walk, compare};
-use crate::certificate::Claim;
-use crate::exact::Real;
-use crate::orbit::Period;
-use crate::pair::Wall;
+use crate::Claim;
+use impact_pair_exact::Real;
+use impact_pair_model::Period;
+use impact_pair_model::Wall;
 
 /// Bounces that are not listed are followed so far at most.
 const MOST_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
-pub(in crate::certificate) struct Rest {
+pub(crate) struct Rest {
     pub wall: Wall,
     /// Since the origin.
     pub since: Real,

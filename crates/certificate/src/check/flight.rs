@@ -6,12 +6,12 @@
 //! their mean value and Taylor forms, and halved.
 
 use super::shaking::Shaking;
-use crate::exact::Real;
-use crate::pair::Wall;
+use impact_pair_exact::Real;
+use impact_pair_model::Wall;
 
 /// All flights from a set of departures.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Flight {
+pub(crate) struct Flight {
     pub shaking: Shaking,
     pub half_gap: Real,
     /// `y0`
@@ -23,7 +23,7 @@ pub(in crate::certificate) struct Flight {
 }
 
 /// What is known of a part of a flight.
-pub(in crate::certificate) enum Part {
+pub(crate) enum Part {
     /// The ball is strictly between the walls throughout.
     Clear,
     /// Before the end of the part a wall is hit.

@@ -1,11 +1,11 @@
 //! What an orbit JSON claims of the periodic orbit that its motion converges to.
 
-use impact_pair_certificate::document::{Decimal, OutcomeDocument, PeriodicImpactDocument, Place};
+use crate::document::{Decimal, OutcomeDocument, PeriodicImpactDocument, Place};
 use num_rational::BigRational;
 
-use crate::Error;
-use crate::mapping::Word;
-use crate::pair::Wall;
+use impact_pair_model::Error;
+use impact_pair_model::Wall;
+use impact_pair_model::Word;
 
 /// A stable periodic orbit that the motion is claimed to converge to.
 #[derive(Clone, Debug)]

@@ -13,14 +13,14 @@ use super::release::Release;
 use super::rest::Rest;
 use super::step::{Departure, Landing, Parameters};
 use super::still::Still;
-use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::{Real, decimal_digits};
-use crate::mapping::Mapping;
-use crate::orbit::Period;
-use crate::pair::Wall;
+use crate::{Certificate, Claim, ClaimKind};
+use impact_pair_exact::{Real, decimal_digits};
+use impact_pair_model::Mapping;
+use impact_pair_model::Period;
+use impact_pair_model::Wall;
 
 /// An orbit followed along the claims.
-pub(in crate::certificate) struct Walk<'c> {
+pub(crate) struct Walk<'c> {
     pub(super) certificate: &'c Certificate,
     pub(super) data: &'c Data,
     pub parameters: Parameters,

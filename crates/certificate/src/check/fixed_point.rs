@@ -7,7 +7,7 @@ use super::basin::{Contraction, Ellipse};
 use super::contact::Doubt;
 use super::round::Round;
 use super::step::Landing;
-use crate::exact::Real;
+use impact_pair_exact::Real;
 
 /// An eigenvalue: real and imaginary part.
 pub(super) type Eigenvalue = [Real; 2];

@@ -2,7 +2,7 @@
 // Labels: proposes throughout.
 
 use super::round::Matrix;
-use crate::exact::Real;
+use impact_pair_exact::Real;
 
 /// Squarings of a matrix, which leave nothing of one that contracts by more than `1 - 2^-40`.
 const SQUARINGS: u32 = 48;

@@ -1,8 +1,8 @@
 //! Where a flight is cut for the proof: 3/4 of the way to the first zero of `y'`, and as much before the last one. Nothing
 //! here is trusted; a cut in a bad place costs time, or the proof.
 
-use crate::certificate::check::Flight;
-use crate::exact::{Dyadic, Real};
+use crate::check::Flight;
+use impact_pair_exact::{Dyadic, Real};
 
 /// Bits that suffice to tell signs, beyond those a short flight loses.
 const BITS: u32 = 96;

@@ -3,12 +3,11 @@
 
 use serde_json::{Value, json};
 
-use super::{Data, Effort, Verdict};
-use crate::Scene;
-use crate::certificate::Certificate;
-use crate::document;
-use crate::exact::Enclosure;
-use crate::orbit::{Arithmetic, Settings};
+use impact_pair::Scene;
+use impact_pair::certificate::{Certificate, Effort, Verdict};
+use impact_pair::document;
+use impact_pair::exact::Enclosure;
+use impact_pair::orbit::{Arithmetic, Settings};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
 fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {
@@ -239,7 +238,7 @@ fn rests_and_releases_of_a_sum_are_confirmed_and_nothing_else() {
 /// There are two releases from a wall in a common period, and a second one of each kind only after a while.
 #[test]
 fn the_period_ends_with_a_release_at_the_same_phase_of_all_harmonics() {
-    let document = orbit(include_str!("../../../validation/certificates/scenes/dead-impacts.toml"));
+    let document = orbit(include_str!("../validation/certificates/scenes/dead-impacts.toml"));
     assert_eq!(document["outcome"]["period"], json!({"cycles": 3, "impacts": 6}));
     assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
 }
@@ -267,25 +266,6 @@ fn releases_depend_on_each_datum_as_their_members() {
         assert_eq!(whole.len(), release - 1 + 3);
         assert_sets(&whole[rest..], ends.each_ref().map(|end| &end[rest..]), datum, true);
     }
-}
-
-#[test]
-fn only_commensurate_harmonics_have_a_common_period() {
-    let common_turns = |frequencies: [&str; 3]| {
-        let document = json!({
-            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "impacts-reached"},
-            "scene": {
-                "excitation": {"amplitude": ["1", "1", "1"], "frequency": frequencies, "phase": ["0", "0", "0"]},
-                "gap": "4", "restitution": "0.5", "start": {"time": "0", "position": "0", "velocity": "0"},
-            },
-        });
-        let certificate = Certificate::parse(&document.to_string()).unwrap();
-        Data::new(certificate.pair(), certificate.start()).unwrap().common_turns().map(|turns| turns.to_string())
-    };
-    assert_eq!(common_turns(["2*pi/3", "pi/2", "pi"]).as_deref(), Some("6"));
-    assert_eq!(common_turns(["sqrt(2)/5", "2*sqrt(2)", "sqrt(2)"]).as_deref(), Some("10"));
-    assert_eq!(common_turns(["1", "sqrt(2)", "2"]), None);
-    assert_eq!(common_turns(["1", "[0.3, 0.4]", "2"]), None);
 }
 
 #[test]

@@ -2,11 +2,11 @@
 //! reference harmonic.
 
 use super::cuts::Cuts;
-use crate::certificate::check::{self, Data, Doubt, Piece, Walk};
-use crate::certificate::{Certificate, Claim, ClaimKind};
-use crate::exact::{Exact, Real};
-use crate::excitation::Excitation;
-use crate::pair::Wall;
+use crate::check::{self, Data, Doubt, Piece, Walk};
+use crate::{Certificate, Claim, ClaimKind};
+use impact_pair_exact::{Exact, Real};
+use impact_pair_model::Excitation;
+use impact_pair_model::Wall;
 
 /// The start of an orbit.
 #[derive(Clone, Debug)]

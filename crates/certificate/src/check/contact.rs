@@ -1,12 +1,12 @@
 //! The first contact of all flights of a set, proved by halving (Lemma V1).
 
 use super::flight::{Flight, Part};
-use crate::exact::{Dyadic, Real};
-use crate::pair::Wall;
+use impact_pair_exact::{Dyadic, Real};
+use impact_pair_model::Wall;
 
 /// What cannot be confirmed, and why.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) enum Doubt {
+pub(crate) enum Doubt {
     /// More bits, or smaller sets of data, may tell.
     Open(String),
     /// It is proved to be false.
@@ -20,7 +20,7 @@ const STEPS: u32 = 64;
 
 /// Where a claim says that a contact comes: phases since the departure.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Claimed {
+pub(crate) struct Claimed {
     /// At the earliest.
     pub from: Real,
     /// Where to look.
@@ -46,7 +46,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
 
 /// How a flight begins.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::certificate) struct Start {
+pub(crate) struct Start {
     /// The wall it leaves, if it does.
     pub wall: Option<Wall>,
     /// From rest at the phase where the acceleration turns inward.

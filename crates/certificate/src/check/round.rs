@@ -3,8 +3,8 @@
 use super::affine::{Affine, COLUMN_BITS};
 use super::contact::{Claimed, Doubt};
 use super::step::{Departure, Landing, Parameters};
-use crate::exact::{Dyadic, Real};
-use crate::pair::Wall;
+use impact_pair_exact::{Dyadic, Real};
+use impact_pair_model::Wall;
 
 /// A 2 x 2 matrix, by rows: of phases and velocities.
 pub(super) type Matrix = [[Real; 2]; 2];

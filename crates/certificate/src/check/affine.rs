@@ -1,6 +1,6 @@
 //! Quantities that depend on the data nearly linearly: sets without the wrapping of boxes.
 
-use crate::exact::{Dyadic, Real};
+use impact_pair_exact::{Dyadic, Real};
 
 /// Bits of errors, and of columns that measure widths.
 pub(super) const COLUMN_BITS: u32 = 96;
@@ -10,7 +10,7 @@ pub(super) const COLUMN_BITS: u32 = 96;
 /// The `q_j` are the deviations of those data of the scene that are intervals, the same ones in every quantity of an orbit;
 /// data that are points have none, and then this is a ball.
 #[derive(Clone, Debug)]
-pub(in crate::certificate) struct Affine {
+pub(crate) struct Affine {
     /// Encloses the value at the middle of the data.
     pub centre: Real,
     columns: Vec<Real>,
