@@ -5,37 +5,43 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 16] = [
+const ROOMS: [(&str, &[&str]); 18] = [
     ("number", &[]),
     ("turns", &[]),
     ("pair", &["number"]),
+    ("clock", &["number", "turns", "pair"]),
     ("excitation", &["number"]),
     ("mapping", &["number", "pair"]),
     ("switch_plane", &["number", "pair"]),
     ("flight", &["number", "pair"]),
     ("rest", &["number", "pair"]),
     ("contact", &["number", "turns", "pair", "flight"]),
-    ("several", &["number", "turns", "pair", "excitation", "rest", "contact"]),
-    ("periodic", &["number", "turns", "pair", "excitation", "mapping", "flight", "rest", "contact", "several"]),
-    ("two_impact", &["number", "pair", "periodic"]),
+    ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
+    ("shaken", &["number", "turns", "pair", "clock", "excitation", "flight", "rest", "contact", "several"]),
+    (
+        "periodic",
+        &["number", "pair", "clock", "excitation", "mapping", "flight", "contact", "several", "shaken"],
+    ),
+    ("two_impact", &["pair", "periodic"]),
     (
         "orbit",
         &[
             "number",
             "turns",
             "pair",
-            "excitation",
+            "clock",
             "mapping",
             "switch_plane",
             "flight",
             "rest",
             "contact",
             "several",
+            "shaken",
             "periodic",
         ],
     ),
     ("lyapunov", &["number", "orbit"]),
-    ("document", &["number", "turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit"]),
+    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
 ];
 
