@@ -251,13 +251,14 @@ impl Orbit {
     ///
     /// ```
     /// use impact_pair::Scene;
+    /// use impact_pair::orbit::Orbit;
     /// use impact_pair::inari::{Interval, const_interval};
     /// let scene = Scene::parse(r#"
     ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
     ///     pair = { gap = 9.42497, restitution = 0.5 }
     ///     start = { time = 0, wall = "left", velocity = -12.56636 }
     /// "#)?;
-    /// let mut orbit = scene.orbit(scene.settings())?;
+    /// let mut orbit = Orbit::of(&scene, scene.settings())?;
     /// let mut before = const_interval!(0.0, 0.0);
     /// while let Some(impact) = orbit.next() {
     ///     let (time, velocity): (Interval, Interval) = orbit.intervals(&impact);

@@ -13,7 +13,7 @@ use super::trace::{Kind, Part, Span, Trace};
 use crate::tolerances::{DRAWN, DRAWN_END, DRAWN_PHASE};
 
 fn scene(name: &str) -> Scene {
-    let path = format!("{}/../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
@@ -169,7 +169,7 @@ fn what_is_not_proved_is_open() {
 
 #[test]
 fn sets_of_states_have_visible_bands() {
-    let text = std::fs::read_to_string(format!("{}/../scenes/figure-13.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let text = std::fs::read_to_string(format!("{}/../../scenes/figure-13.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let wide = Scene::parse(&text.replace("9.42497", "\"[9.42, 9.43]\"")).unwrap();
     let (band, _) = trace(&wide, &impacts(4), 10);
     let exact = Scene::parse(&text.replace("9.42497", "9.421")).unwrap();
@@ -185,7 +185,7 @@ fn sets_of_states_have_visible_bands() {
 
 #[test]
 fn an_impact_at_no_certain_time_is_enclosed_before_and_after() {
-    let text = std::fs::read_to_string(format!("{}/../scenes/figure-13.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let text = std::fs::read_to_string(format!("{}/../../scenes/figure-13.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let wide = Scene::parse(&text.replace("9.42497", "\"[9.40, 9.45]\"")).unwrap();
     let (wide, impacts) = trace(&wide, &impacts(3), 10);
     let either: Vec<_> = wide.strokes.iter().filter(|stroke| stroke.part == Part::Either).collect();
