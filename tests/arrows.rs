@@ -18,10 +18,7 @@ const ROOMS: [(&str, &[&str]); 18] = [
     ("contact", &["number", "turns", "pair", "flight"]),
     ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
     ("shaken", &["number", "turns", "pair", "clock", "excitation", "flight", "rest", "contact", "several"]),
-    (
-        "periodic",
-        &["number", "pair", "clock", "excitation", "mapping", "flight", "contact", "several", "shaken"],
-    ),
+    ("periodic", &["number", "pair", "clock", "excitation", "mapping", "flight", "contact", "several", "shaken"]),
     ("two_impact", &["pair", "periodic"]),
     (
         "orbit",

@@ -3,6 +3,7 @@
 //! The truths come from the closed form named with each, or from mpmath in 400 digits. The issue's number is in the name.
 
 use impact_pair::Scene;
+use impact_pair::contact::Reason;
 use impact_pair::contact::{Margins, Radii, Verdict, first_contact};
 use impact_pair::flight::Flight;
 use impact_pair::mapping::Mapping;
@@ -247,4 +248,18 @@ fn r16_a_graze_of_the_wall_that_was_left_leaves_no_doubt_of_the_mapping() {
     let (found, _) = events(&Scene::parse(text).unwrap(), Arithmetic::Interval, 1);
     let [Progress::Graze(graze), Progress::Impact(next)] = &found[..] else { panic!("{found:?}") };
     assert_eq!((graze.wall, next.wall, next.mapping), (Wall::Left, Wall::Right, Some(Mapping::P2)));
+}
+
+/// A start inside the gap, `10^-52` from the left wall and still: no piece of time is proved free of contacts, and the scan says
+/// so at once.
+#[test]
+fn r14_a_scan_that_cannot_step_ends_as_a_graze() {
+    let text = "excitation = { amplitude = [\"3/2\", \"1/10\"], frequency = [\"2*pi\", \"6*pi\"], phase = 0 }\n\
+                pair = { gap = 1, restitution = \"1-1/10^16\" }\n\
+                start = { time = \"33/37-1/10^60\", position = \"-(1/2-1/10^52)\", velocity = 0 }";
+    for arithmetic in arithmetics() {
+        let (events, orbit) = events(&Scene::parse(text).unwrap(), arithmetic, 2);
+        let is_graze = matches!(orbit.outcome(), Some(Outcome::Undecided { reason: Reason::Graze, .. }));
+        assert!(is_graze || !events.is_empty(), "{arithmetic}: {:?}", orbit.outcome());
+    }
 }
