@@ -3,8 +3,7 @@
 //! The truths come from the closed form named with each, or from mpmath in 400 digits. The number is in the name.
 
 use impact_pair::Scene;
-use impact_pair::contact::Reason;
-use impact_pair::contact::{Margins, Radii, Verdict, first_contact};
+use impact_pair::contact::{Margins, Radii, Reason, Verdict, first_contact};
 use impact_pair::flight::Flight;
 use impact_pair::mapping::Mapping;
 use impact_pair::number::{Ball, Number, kernel};

@@ -255,7 +255,7 @@ impl Question<'_> {
         }
         let trace = orbit.trace();
         let power = i32::try_from(2 * self.walls.len()).ok();
-        let restitution = frame.parameters.restitution.hull();
+        let restitution = Real::of(&self.data.restitution, bits);
         let determinant = power.and_then(|power| restitution.enclosure().powi(power, bits));
         let determinant = Real::new(determinant.ok_or_else(|| Doubt::Open("the word is too long".into()))?, bits);
         let [one, other] = eigenvalues(&trace, &determinant);

@@ -54,7 +54,7 @@ pub(crate) struct Tone {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Piece {
     /// By the number of the datum: part `k` of `2^n`; the whole of those that are not listed.
-    parts: Vec<(u32, u32)>,
+    parts: Vec<(BigInt, u32)>,
 }
 
 /// The numbers of the data that can be intervals.
@@ -197,10 +197,10 @@ impl Data {
 impl Piece {
     /// The two halves along a datum.
     pub fn halves(&self, datum: usize) -> [Self; 2] {
-        let (k, n) = self.parts.get(datum).copied().unwrap_or_default(); // exact: not cut yet, the whole
-        [2 * k, 2 * k + 1].map(|k| {
+        let (k, n) = self.parts.get(datum).cloned().unwrap_or_default(); // exact: not cut yet, the whole
+        [0, 1].map(|half| &k * 2 + half).map(|k| {
             let mut half = self.clone();
-            half.parts.resize(half.parts.len().max(datum + 1), (0, 0)); // exact: a length
+            half.parts.resize(half.parts.len().max(datum + 1), (BigInt::ZERO, 0)); // exact: a length
             half.parts[datum] = (k, n + 1);
             half
         })
@@ -212,11 +212,11 @@ impl Piece {
         if x.is_point() {
             return Affine::fixed(whole);
         }
-        let (k, n) = self.parts.get(j).copied().unwrap_or_default(); // exact: not cut yet, the whole
+        let (k, n) = self.parts.get(j).cloned().unwrap_or_default(); // exact: not cut yet, the whole
         let [lo, hi] = [whole.enclosure().lo(), whole.enclosure().hi()].map(|end| Real::point(end.clone(), bits));
         let size = hi - &lo;
-        let cut = |k: u32| lo.clone() + &(size.clone() * &Real::point(Dyadic::new(k.into(), -i64::from(n)), bits));
-        let part = cut(k).hull(&cut(k + 1));
+        let cut = |k: BigInt| lo.clone() + &(size.clone() * &Real::point(Dyadic::new(k, -i64::from(n)), bits));
+        let part = cut(k.clone()).hull(&cut(k + 1));
         let centre = Real::point(part.mid(), bits);
         let radius = (part - &centre).enclosure().mag();
         Affine::varied(centre, radius, j)
