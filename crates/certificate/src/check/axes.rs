@@ -18,7 +18,7 @@ pub(super) fn axes(derivative: &Matrix, unit: f64) -> Option<[[f64; 2]; 2]> {
     let (half, product) = ((a + d) / 2.0, a * d - b * c);
     let under = half * half - product;
     let radius = if under > 0.0 { half.abs() + under.sqrt() } else { product.abs().sqrt() };
-    if !(radius < 1.0) {
+    if radius.is_nan() || radius >= 1.0 {
         return None;
     }
     let q = (1.0 + radius) / 2.0;
