@@ -5,7 +5,10 @@
 
 use std::cmp::Ordering;
 
-use crate::number::{Ball, Enclosing, Number, kernel, up};
+use num_bigint::BigInt;
+
+use crate::exact::{Dyadic, Enclosure};
+use crate::number::{Ball, Enclosing, Number, TINY, kernel, up};
 use crate::pair::{Reduced, Wall};
 
 /// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
@@ -16,58 +19,107 @@ pub(crate) fn haste(pair: &Reduced<Ball>) -> f64 {
     if beta == 0.0 { 0.0 } else { haste.min(f64::MAX) } // proposes: Z1 is proved where it says so
 }
 
-/// How long, in turns, chatter can last that begins with a bounce at `phase` and `velocity`, both of a whole set, the
-/// velocity that after the impact.
+/// Where a set of phases lies on a stretch of a turn during which a wall is pressed.
+#[derive(Debug)]
+pub(crate) struct Pressed {
+    /// Bounds of the turns since the pressure began, and until it ends; the whole set lies between.
+    since: (f64, f64),
+    left: (f64, f64),
+    /// Whole turns from phase 0 to the turn in which it began.
+    turns: BigInt,
+}
+
+/// A sum of no more bits than this is exact.
+const EXACTLY: u32 = 1 << 30;
+
+impl Pressed {
+    /// `None` unless it is certain that all phases are pressed, and during the same half of a turn.
+    ///
+    /// Nothing is rounded before the half turn is taken off: a phase `10^-300` inside is inside (Lemma Z1).
+    pub fn on(wall: Wall, phase: &Enclosure) -> Option<Self> {
+        let point = |x: Dyadic| Enclosure::point(x);
+        let half = || point(Dyadic::power_of_two(-1));
+        let begin = match wall {
+            Wall::Left => half(),
+            Wall::Right => point(Dyadic::zero()),
+        };
+        let since = phase.sub(&begin, EXACTLY);
+        let turns = since.floor()?;
+        let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACTLY);
+        let left = half().sub(&since, EXACTLY);
+        let is_inside = since.sign().is_some_and(Ordering::is_ge) && left.sign() == Some(Ordering::Greater);
+        is_inside.then(|| Self { since: since.to_f64_bounds(), left: left.to_f64_bounds(), turns })
+    }
+
+    /// Whether the pressure begins exactly there: then it is 0.
+    ///
+    /// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
+    pub fn is_at_its_begin(&self) -> bool {
+        self.since == (0.0, 0.0) // Z2: exactly there
+    }
+
+    /// The whole turns from phase 0 to that of the release, and the rest, exactly: 0 on the left wall, -1/2 on the right one,
+    /// where the mirrored sine turns positive (Lemma Z2).
+    pub fn release(&self, wall: Wall) -> Option<(i64, f64)> {
+        Some((i64::try_from(&self.turns).ok()?.checked_add(1)?, -wall.mirror_phase())) // Z2: refused beyond
+    }
+
+    /// Bounds of `|sin|` on all phases of the set and `window` turns after each; `None` where the pressure ends before.
+    fn sine(&self, window: f64) -> Option<(Ball, Ball)> {
+        let left = (self.left.0 - window).next_down();
+        if left.partial_cmp(&0.0) != Some(Ordering::Greater) {
+            return None;
+        }
+        // |sin| rises for a quarter of a turn and falls after it.
+        let first = sine(if self.since.0 <= 0.25 { self.since.0 } else { self.left.1 });
+        let last = sine(if left <= 0.25 { left } else { (self.since.1 + window).next_up() });
+        let least = if first.mid() < last.mid() { first } else { last };
+        let (one, two) = (first.mag(), last.mag());
+        // Z1: the greater end, or the top between both
+        let most = if self.since.0 <= 0.25 && left <= 0.25 { 1.0 } else { one.max(two) };
+        Some((least, Ball::exact(most)))
+    }
+}
+
+/// The sine at so much of a turn, of at most a quarter (a little more does no harm), to a few units in the last place of itself.
+fn sine(phase: f64) -> Ball {
+    // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`; the square may underflow.
+    if phase < 2f64.powi(-20) {
+        let phase = Ball::exact(phase);
+        return phase.turn() * phase * Ball::new(1.0, up(8.0 * phase.mid() * phase.mid() + TINY));
+    }
+    Ball::new(kernel::sin_cos(phase).0, kernel::SIN_COS_ERROR)
+}
+
+/// How long, in turns, chatter can last that begins with a bounce of a set at `velocity`, that after the impact.
 ///
 /// `Some(t)`: within `t` turns infinitely many impacts follow, all on this wall, each slower than the one before, and
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
 /// `None`: not proved.
-pub fn accumulation(pair: &Reduced<Ball>, wall: Wall, phase: Ball, velocity: Ball) -> Option<f64> {
+pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ball) -> Option<f64> {
     // Lemmas Z1, Z2: what is not certainly shaken is not certainly pressed, nor released.
     if pair.beta.certain_sign() != Some(Ordering::Greater) {
         return None;
     }
     let (speed, rebound) = (velocity.mag(), pair.restitution.mag());
-    let swing = pair.beta.turn() * pair.beta;
-    // Twice what the greatest pressure would take if it were constant: most bounces are too fast for any window.
-    let shortest = 4.0 * speed / (swing.mid() * (1.0 - rebound));
-    if speed > 0.0 && (rebound >= 1.0 || shortest.partial_cmp(&0.5) != Some(Ordering::Less)) {
-        return None;
-    }
-    // Z2: exactly at rest, exactly there
-    if speed == 0.0 && phase.rad() == 0.0 && is_pressed_from(wall, phase.mid()) {
-        return Some(0.0);
-    }
-    // Both roundings, of 2^-54 at most each, are taken in by the edges (Lemma Z1).
-    let at = phase.mid() + wall.mirror_phase();
-    let at = at - at.floor(); // Z1: rounding is in the edges
-    let edge = up(phase.rad() + 2f64.powi(-52));
-    let (first, last) = ((at - edge).next_down(), (at + edge).next_up());
-    let press = -kernel::sin_cos(at).0;
-    if !(first > 0.5 && last < 1.0 && press > 0.0) {
-        return None;
-    }
-    // Z1: exactly at rest
+    // Z1, Z2: exactly at rest, of any set that is pressed, or from there on
     if speed == 0.0 {
         return Some(0.0);
     }
-    // Any window will do that the sum fits into.
-    let window = shortest / press;
-    let end = (last + window).next_up();
-    if end.partial_cmp(&1.0) != Some(Ordering::Less) {
+    let swing = pair.beta.turn() * pair.beta;
+    // Twice what the pressure would take if it were constant. Any window will do that the sum fits into.
+    let now = pressed.sine(0.0)?.0;
+    let window = 4.0 * speed / (swing.mid() * now.mid() * (1.0 - rebound));
+    if rebound >= 1.0 || window.partial_cmp(&0.5) != Some(Ordering::Less) {
         return None;
     }
-    // |sin| rises to phase 3/4 and falls after it.
-    let size = |phase: f64| Ball::new(-kernel::sin_cos(phase).0, kernel::SIN_COS_ERROR);
-    let (one, two) = (size(first), size(end));
-    let least = swing * if one.mid() < two.mid() { one } else { two };
-    // Z1: the greater end
-    let most = swing.mag() * if first <= 0.75 && end >= 0.75 { 1.0 } else { one.mag().max(two.mag()) };
+    let (least, most) = pressed.sine(window)?;
+    let least = swing * least;
     let least = (least.mid() - least.rad()).next_down();
     if least.partial_cmp(&0.0) != Some(Ordering::Greater) {
         return None;
     }
-    duration(speed, rebound, (least, up(most)), window)
+    duration(speed, rebound, (least, (swing * most).mag()), window)
 }
 
 /// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `[least,
@@ -83,60 +135,92 @@ pub(crate) fn duration(speed: f64, rebound: f64, (least, most): (f64, f64), wind
     (room > 0.0 && rate > 0.0 && height < 1.0 && time <= window).then_some(time)
 }
 
-/// Whether the pressure begins exactly at `phase`: whether that is 1/2 in the mirror, decided before it is mirrored.
-///
-/// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
-pub(crate) fn is_pressed_from(wall: Wall, phase: f64) -> bool {
-    // Exact (Sterbenz).
-    let rest = phase - phase.round(); // Z2: exact
-    match wall {
-        Wall::Left => rest.abs() == 0.5, // Z2: exactly there
-        Wall::Right => rest == 0.0,      // Z2: exactly there
-    }
-}
-
-/// The whole turns to come and the phase, exactly, at which a ball that rests on `wall` at `phase` is released.
-///
-/// The phase is 0 on the left wall and -1/2 on the right one, where the mirrored sine turns positive (Lemma Z2).
-pub fn release(wall: Wall, phase: f64) -> (i64, f64) {
-    let mirrored = phase + wall.mirror_phase();
-    (mirrored.floor() as i64 + 1, -wall.mirror_phase()) // Z2: the turn it lies in, inside the edges of Z1
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Exact;
 
     fn pair(alpha: f64, restitution: f64) -> Reduced<Ball> {
         let alpha = Ball::exact(alpha);
         Reduced { alpha, beta: alpha * alpha.turn(), restitution: Ball::exact(restitution) }
     }
 
+    fn enclosure(text: &str) -> Enclosure {
+        Exact::parse(text).unwrap().enclose(2000)
+    }
+
+    fn rests(pair: &Reduced<Ball>, wall: Wall, phase: &str, velocity: f64) -> Option<f64> {
+        accumulation(pair, &Pressed::on(wall, &enclosure(phase))?, Ball::exact(velocity))
+    }
+
     #[test]
     fn a_slow_bounce_on_a_pressed_wall_ends_in_rest() {
         let pair = pair(0.1, 0.5);
-        let bound = accumulation(&pair, Wall::Left, Ball::exact(-0.25), Ball::exact(1e-4)).unwrap();
+        let bound = rests(&pair, Wall::Left, "-1/4", 1e-4).unwrap();
         // Constant acceleration a = 2 pi beta would end after 2u/(a (1 - e)).
         let constant = 2e-4 / (std::f64::consts::TAU.powi(2) * 0.1 * 0.5);
         assert!(constant <= bound && bound < 1.01 * constant);
-        assert!(accumulation(&pair, Wall::Left, Ball::exact(0.25), Ball::exact(1e-4)).is_none());
-        assert!(accumulation(&pair, Wall::Right, Ball::exact(0.25), Ball::exact(1e-4)).is_some());
-        assert!(accumulation(&pair, Wall::Left, Ball::exact(-0.25), Ball::exact(1.0)).is_none());
-        assert!(accumulation(&pair, Wall::Left, Ball::new(-0.25, 0.26), Ball::exact(1e-4)).is_none());
+        assert!(rests(&pair, Wall::Left, "1/4", 1e-4).is_none());
+        assert!(rests(&pair, Wall::Right, "1/4", 1e-4).is_some());
+        assert!(rests(&pair, Wall::Left, "-1/4", 1.0).is_none());
+        assert!(rests(&pair, Wall::Left, "[-0.51, 0.01]", 1e-4).is_none());
+    }
+
+    /// The pressure is `(2 pi)^3 alpha x` where it began or ends `x` turns away: the time is as long as where it is constant.
+    #[test]
+    fn chatter_is_proved_however_near_to_the_begin_or_the_end_of_the_pressure() {
+        let pair = pair(0.1, 0.01);
+        for k in (1..145).step_by(11) {
+            for (wall, phase) in [
+                (Wall::Left, format!("-1/2 + 1e-{k}/7")),
+                (Wall::Left, format!("-1e-{k}/7")),
+                (Wall::Right, format!("1e-{k}/7")),
+                (Wall::Right, format!("1/2 - 1e-{k}/7")),
+            ] {
+                let distance = 10f64.powi(-k) / 7.0;
+                let pressure = std::f64::consts::TAU.powi(2) * 0.1 * (std::f64::consts::TAU * distance).sin();
+                let speed = 1e-3 * pressure * distance;
+                let bound = rests(&pair, wall, &phase, speed).unwrap();
+                let constant = 2.0 * speed / (pressure * 0.99);
+                assert!((0.99..1.02).contains(&(bound / constant)), "{phase}: {bound} {constant}");
+                // As fast as that would lead out of the pressure, at its end.
+                let is_end = !phase.contains("+") && phase.contains("-1e") || phase.contains("1/2 - ");
+                let fast = rests(&pair, wall, &phase, 2.0 * pressure * distance);
+                assert!(!is_end || fast.is_none(), "{phase}");
+            }
+        }
     }
 
     #[test]
     fn nothing_ends_without_loss() {
-        assert!(accumulation(&pair(0.1, 1.0), Wall::Left, Ball::exact(-0.25), Ball::exact(1e-4)).is_none());
-        assert_eq!(accumulation(&pair(0.1, 1.0), Wall::Left, Ball::exact(-0.25), Ball::exact(0.0)), Some(0.0));
+        assert!(rests(&pair(0.1, 1.0), Wall::Left, "-1/4", 1e-4).is_none());
+        assert_eq!(rests(&pair(0.1, 1.0), Wall::Left, "-1/4", 0.0), Some(0.0));
+    }
+
+    /// Lemma Z2: at the begin of the pressure exactly a ball at rest stays, a little before it leaves.
+    #[test]
+    fn the_pressure_begins_at_its_phase_and_not_before() {
+        let at_rest = |wall, phase: &str| rests(&pair(0.1, 0.5), wall, phase, 0.0).is_some();
+        for (wall, begin) in [(Wall::Left, "1/2"), (Wall::Left, "-1/2"), (Wall::Right, "0")] {
+            assert!(at_rest(wall, begin));
+            assert!(at_rest(wall, &format!("{begin} + 1e-300")) && !at_rest(wall, &format!("{begin} - 1e-300")));
+        }
+        for (wall, end) in [(Wall::Left, "0"), (Wall::Right, "1/2")] {
+            assert!(!at_rest(wall, end));
+            assert!(at_rest(wall, &format!("{end} - 1e-300")) && !at_rest(wall, &format!("{end} + 1e-300")));
+        }
     }
 
     #[test]
     fn release_is_where_the_pressure_ends() {
-        assert_eq!(release(Wall::Left, -0.25), (0, 0.0));
-        assert_eq!(release(Wall::Left, 0.5), (1, 0.0));
-        assert_eq!(release(Wall::Right, 0.25), (1, -0.5));
-        assert_eq!(release(Wall::Right, 0.0), (1, -0.5));
-        assert_eq!(release(Wall::Left, -0.5), (0, 0.0));
+        let release = |wall, phase| Pressed::on(wall, &enclosure(phase)).and_then(|pressed| pressed.release(wall));
+        assert_eq!(release(Wall::Left, "-1/4"), Some((0, 0.0)));
+        assert_eq!(release(Wall::Left, "1/2"), Some((1, 0.0)));
+        assert_eq!(release(Wall::Left, "-1/2"), Some((0, 0.0)));
+        assert_eq!(release(Wall::Left, "-1e-300"), Some((0, 0.0)));
+        assert_eq!(release(Wall::Right, "1/4"), Some((1, -0.5)));
+        assert_eq!(release(Wall::Right, "0"), Some((1, -0.5)));
+        assert_eq!(release(Wall::Right, "1/2 - 1e-300"), Some((1, -0.5)));
+        assert_eq!(release(Wall::Right, "1/2"), None);
     }
 }

@@ -94,17 +94,18 @@ impl Orbit {
         let after = wall.inward(self.engine.pair.rebound_of(self.cursor.velocity));
         let is_still = self.engine.pair.beta == Ball::exact(0.0);
         let Cursor { turns, phase, index, .. } = self.cursor;
+        let phase = self.engine.motion.enclosures().map_or_else(|| finite(phase), |(phase, _)| phase);
         let phases: &[Exact] = if index == 0 { &self.engine.given.origin.phases } else { &[] };
         let time = match is_still {
             true => (after == Ball::exact(0.0)).then_some(0.0)?,
-            false => self.engine.given.shaken.accumulation(wall, turns, phase, after, phases)?,
+            false => self.engine.given.shaken.accumulation(wall, turns, &phase, after, phases)?,
         };
-        self.rest(wall, time, is_still)
+        self.rest(wall, &phase, time, is_still)
     }
 
     /// The ball rests from `time` turns after the last contact on, at the latest.
     #[cold]
-    fn rest(&mut self, wall: Wall, time: f64, for_ever: bool) -> Option<Progress> {
+    fn rest(&mut self, wall: Wall, now: &Enclosure, time: f64, for_ever: bool) -> Option<Progress> {
         let width = self.asked.widths[0];
         // Impacts are listed until they shrink below the digits asked for.
         if time.log2() > width.log2 - 1.0 {
@@ -117,16 +118,12 @@ impl Orbit {
             return Some(Progress::Retraced(0));
         }
         let at_start = self.cursor.index == self.start.index;
-        let enclosed = match self.engine.motion.enclosures() {
-            _ if at_start => self.engine.given.origin.phase.enclose(self.asked.shown),
-            Some((phase, _)) => phase.rounded(self.asked.shown),
-            None => finite(phase),
-        };
+        let enclosed = if at_start { &self.engine.given.origin.phase.enclose(self.asked.shown) } else { now };
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
         let release = match for_ever {
             true => None,
-            false => Some(self.engine.given.shaken.release(wall, turns, phase.mid(), self.asked.shown)?),
+            false => Some(self.engine.given.shaken.release(wall, turns, now, self.asked.shown)?),
         };
         (self.aside.resting, self.aside.is_due) = (Some(release), true);
         let rest = Rest { wall, turns, phase: enclosed, is_accumulation: time > 0.0 };

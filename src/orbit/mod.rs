@@ -372,7 +372,7 @@ impl Orbit {
         let shortest = (velocity.mid() * self.engine.haste).abs();
         let most = self.engine.patience.unwrap_or_else(|| {
             let phase = phase.mid() + wall.mirror_phase();
-            phase.ceil() - phase // proposes
+            (phase.ceil() - phase).max(f64::EPSILON) // proposes
         });
         shortest <= most && index == self.listed
     }

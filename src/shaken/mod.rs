@@ -54,10 +54,10 @@ pub(crate) trait Shaken: Debug + Send + Sync {
 
     /// How long, in turns, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
     /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
-    fn accumulation(&self, wall: Wall, turns: i64, phase: Ball, after: Ball, phases: &[Exact]) -> Option<f64>;
+    fn accumulation(&self, wall: Wall, turns: i64, phase: &Enclosure, after: Ball, phases: &[Exact]) -> Option<f64>;
 
     /// When a ball that rests on a wall since a phase is released, shown in so many bits. Lemmas Z2, H8
-    fn release(&self, wall: Wall, turns: i64, phase: f64, bits: u32) -> Option<Released>;
+    fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released>;
 
     /// Whether the pressure on a wall may be 0 at a phase.
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool;

@@ -16,7 +16,7 @@ use crate::number::{Ball, Kernel, Number, UNIT, Wave, kernel};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
 use crate::pair::{Inward, Reduced, Wall};
-use crate::rest;
+use crate::rest::{Pressed, accumulation};
 use crate::several::Phased;
 use crate::turns;
 
@@ -65,19 +65,19 @@ impl Shaken for One {
         None
     }
 
-    fn accumulation(&self, wall: Wall, _: i64, phase: Ball, after: Ball, _: &[Exact]) -> Option<f64> {
-        rest::accumulation(&self.court.pair, wall, phase, after)
+    fn accumulation(&self, wall: Wall, _: i64, phase: &Enclosure, after: Ball, _: &[Exact]) -> Option<f64> {
+        accumulation(&self.court.pair, &Pressed::on(wall, phase)?, after)
     }
 
-    fn release(&self, wall: Wall, turns: i64, phase: f64, _: u32) -> Option<Released> {
-        let (ahead, phase) = rest::release(wall, phase);
+    fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, _: u32) -> Option<Released> {
+        let (ahead, phase) = Pressed::on(wall, phase)?.release(wall)?;
         let phase = Enclosure::from_f64_bounds(phase, phase)?;
         Some(Released { wall, turns: turns::later(turns, ahead)?, phase, zero: None })
     }
 
     fn may_be_loose(&self, wall: Wall, _: i64, phase: &Enclosure) -> bool {
         // Where the pressure begins, exactly, it is 0.
-        phase.is_point() && rest::is_pressed_from(wall, phase.mid_rad().0)
+        Pressed::on(wall, phase).is_some_and(|pressed| pressed.is_at_its_begin())
     }
 
     fn still(&self, origin: &Origin<Exact>) -> Option<Still> {

@@ -126,15 +126,16 @@ impl Shaken for Several {
         Some(least.max(f64::MIN_POSITIVE)) // proposes: Z1 is proved where it says so
     }
 
-    fn accumulation(&self, wall: Wall, turns: i64, phase: Ball, after: Ball, phases: &[Exact]) -> Option<f64> {
+    fn accumulation(&self, wall: Wall, turns: i64, phase: &Enclosure, after: Ball, phases: &[Exact]) -> Option<f64> {
+        let (mid, rad) = phase.mid_rad();
         if !phases.is_empty() && after == Ball::exact(0.0) && self.is_pressed_from(wall, phases) {
             return Some(0.0);
         }
-        accumulation(&self.balls.harmonics, self.pair.restitution, wall, turns, phase, after)
+        accumulation(&self.balls.harmonics, self.pair.restitution, wall, turns, Ball::new(mid, rad), after)
     }
 
-    fn release(&self, wall: Wall, turns: i64, phase: f64, bits: u32) -> Option<Released> {
-        let zero = release(&self.spectrum, &self.balls.harmonics, wall, turns, phase)?;
+    fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released> {
+        let zero = release(&self.spectrum, &self.balls.harmonics, wall, turns, phase.mid_rad().0)?;
         Some(Released { wall, turns: zero.turns, phase: zero.enclosure(bits)?, zero: Some(zero) })
     }
 
