@@ -34,7 +34,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// How narrow the set of states is: `-log2` of its greatest radius.
+    /// How narrow the set of flights is: `-log2` of the greatest radius, relative for velocities after an impact.
     #[cfg(feature = "multiprecision")]
     fn accuracy(&self) -> f64;
 

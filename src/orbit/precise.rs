@@ -195,17 +195,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
     }
 
     fn pass_graze(&mut self) -> Option<Passed> {
-        let launch = match &self.states {
-            States::Wall { wall, set, is_release } => {
-                let (phase, before) = set.balls();
-                let after = -(self.parameters.restitution().clone() * before);
-                Launch::from_wall(*wall, self.turns, phase, after, *is_release)
-            }
-            States::Inside { height, phase, velocity } => {
-                Launch::from_inside(height.clone(), self.turns, phase.clone(), velocity.clone())
-            }
-        };
-        let passed = self.shaken.pass(&self.parameters, launch, self.waves.as_ref())?;
+        let passed = self.shaken.pass(&self.parameters, self.launch(), self.waves.as_ref())?;
         let (height, velocity) = (passed.height.clone(), passed.velocity.clone());
         self.turns = turns::after(self.turns, passed.turns)?;
         self.states = States::Inside { height, phase: MpBall::exact(passed.phase.clone()), velocity };
@@ -218,11 +208,10 @@ impl<S: Flying> Motion for PreciseMotion<S> {
     }
 
     fn accuracy(&self) -> f64 {
-        let (a, b) = match &self.states {
-            States::Wall { set, .. } => set.log2_radii(),
-            States::Inside { phase, height, .. } => (phase.rad().log2(), height.rad().log2()),
-        };
-        -a.max(b) // proposes: bits to raise by
+        let Launch { height, phase, velocity, .. } = self.launch();
+        let relative = velocity.rad().log2() - velocity.mag().log2();
+        let least = if relative.is_nan() { f64::NEG_INFINITY } else { relative }; // proposes: nothing, exactly
+        -least.max(phase.rad().log2()).max(height.rad().log2()) // proposes: bits to raise by
     }
 
     fn radii(&self) -> Option<(f64, f64)> {
@@ -235,6 +224,20 @@ impl<S: Flying> Motion for PreciseMotion<S> {
 }
 
 impl<S: Flying> PreciseMotion<S> {
+    /// How all states fly on.
+    fn launch(&self) -> Launch<MpBall> {
+        match &self.states {
+            States::Wall { wall, set, is_release } => {
+                let (phase, before) = set.balls();
+                let after = -(self.parameters.restitution().clone() * before);
+                Launch::from_wall(*wall, self.turns, phase, after, *is_release)
+            }
+            States::Inside { height, phase, velocity } => {
+                Launch::from_inside(height.clone(), self.turns, phase.clone(), velocity.clone())
+            }
+        }
+    }
+
     /// The states at the last contact.
     fn set(&self) -> Option<&PreciseSet> {
         match &self.states {

@@ -10,13 +10,16 @@ use super::motion::Motion;
 use super::plan::{Growth, Plan};
 use super::shortfall::Shortfall;
 use crate::clock::Phase;
-use crate::exact::log2_of_digits;
+use crate::exact::{Exact, log2_of_digits};
 use crate::number::LEAST_BITS;
+use crate::pair::ImpactPair;
 
 /// Impacts that are planned for at once; of longer orbits first a quarter of a quarter, so that impacts appear soon.
 ///
 /// A quarter of the impacts costs a sixteenth to a sixtieth of all.
 const AT_ONCE: u64 = 1 << 14;
+/// Bits beyond the plan that are spent on decisions: what they do not tell is `Undecided`, or a graze.
+pub(super) const VERDICT_BITS: u32 = 8192;
 /// Impacts that a plan looks ahead at most: it holds a number for each.
 const FARTHEST: u64 = 1 << 22;
 
@@ -30,6 +33,10 @@ pub(super) struct Raise {
     /// Bits of the width asked for.
     asked: f64,
     most: u32,
+    /// How narrow a flight can become in any precision: as narrow as what shakes the box is given.
+    finest: f64,
+    /// Bits that are left for decisions.
+    verdict_bits: f64,
     plan: Option<Plan>,
     /// Where it fell short before, in width or else in a verdict, and how narrow the set was there.
     before: Option<(u64, bool, f64)>,
@@ -40,7 +47,9 @@ impl Raise {
         let turns = until.map_or(f64::INFINITY, |until| (until.turns - turns) as f64 + 1.0);
         let asked = log2_of_digits(f64::from(settings.digits));
         let (impacts, most) = (settings.impacts, settings.max_bits.max(LEAST_BITS));
-        Self { given, impacts, turns, asked, most, plan: None, before: None }
+        let finest = finest(&given.pair);
+        let verdict_bits = f64::from(VERDICT_BITS);
+        Self { given, impacts, turns, asked, most, finest, verdict_bits, plan: None, before: None }
     }
 
     /// The motion from the start in more precision; `None` when that would not help.
@@ -48,6 +57,7 @@ impl Raise {
     /// The motion fell short on the way to the impact after `index`, with a set of `accuracy` bits: the one before
     /// that impact where a verdict is missing, the one after it where it is too wide.
     pub fn again(&mut self, shortfall: Shortfall, index: u64, accuracy: f64) -> Option<Box<dyn Motion>> {
+        let accuracy = accuracy.min(self.finest);
         // More precision that did not make the set narrower is not what is missing.
         let in_width = matches!(shortfall, Shortfall::Width(_));
         let stuck =
@@ -62,9 +72,14 @@ impl Raise {
                     // Where some are missing here, more may be farther on.
                     Shortfall::Width(bits) => 2.0 * bits,
                     // A decision near a graze takes twice the digits; a state that is exact has no end of them.
-                    Shortfall::Verdict => accuracy.min(f64::from(plan.bits(0))),
+                    Shortfall::Verdict => {
+                        let most = f64::from(plan.bits(0)).min(self.verdict_bits);
+                        let bits = accuracy.clamp(f64::from(LEAST_BITS), most.max(f64::from(LEAST_BITS)));
+                        self.verdict_bits -= bits;
+                        bits
+                    }
                 };
-                let raised = !stuck && plan.raise(missing);
+                let raised = !stuck && self.verdict_bits >= 0.0 && plan.raise(missing);
                 if !raised {
                     self.plan = Some(plan);
                     return None;
@@ -77,7 +92,8 @@ impl Raise {
     }
 
     /// Plans beyond impact `index` from a floating run.
-    fn look_ahead(&self, index: u64) -> Option<Plan> {
+    fn look_ahead(&mut self, index: u64) -> Option<Plan> {
+        self.verdict_bits = f64::from(VERDICT_BITS);
         let run = || {
             let (mut growth, mut left) = (Growth::new(&self.given), self.turns);
             std::iter::from_fn(move || {
@@ -96,4 +112,16 @@ impl Raise {
         let horizon = if horizon > index { horizon } else { index.saturating_mul(2) };
         Some(Plan::new(run(), horizon, self.asked, self.most))
     }
+}
+
+/// Bits to which the least exact of what shakes the box is given: infinitely many without intervals.
+fn finest(pair: &ImpactPair) -> f64 {
+    let terms = pair.excitation().terms().iter();
+    let shaking = terms.flat_map(|term| [term.amplitude(), term.frequency(), term.phase()]);
+    let intervals = shaking.chain([pair.gap()]).filter(|x| !x.is_point());
+    let bits = |x: &Exact| {
+        let x = x.enclose(LEAST_BITS);
+        x.mag().to_f64_up().log2() - x.width().to_f64_up().log2()
+    };
+    intervals.map(bits).fold(f64::INFINITY, f64::min)
 }
