@@ -16,7 +16,7 @@ impl Exact {
     /// Encloses the value: the true number, or every number of the set, lies inside.
     ///
     /// **Enclosure** of a point x: at most `2^-bits |x|` wide, if x is proved nonzero with an internal precision of at most
-    /// `16 bits + 4096`; otherwise (a zero in disguise, such as `sin(1)^2 + cos(1)^2 - 1`, or nearly so) that or at most
+    /// `16 bits + 4096`; otherwise (a zero in disguise, such as `cos(pi/5) - cos(2*pi/5) - 1/2`, or nearly so) that or at most
     /// `2^-(8 bits + 2048)` wide, whichever is reached first. A rational that fits is a point. With intervals, the width of the
     /// interval evaluation comes on top; for `[a, b]` itself the ends are enclosed as points are.
     ///
@@ -138,7 +138,7 @@ impl Exact {
 
     /// The proved sign of the number, or of every number of the set; `None` if it cannot be decided at up to 4096 bits.
     ///
-    /// `Equal` is answered only where the normal form shows a zero.
+    /// `Equal` is answered only where a normal form shows a zero (Lemma X2).
     ///
     /// ```
     /// # use impact_pair_exact::Exact;
@@ -201,9 +201,12 @@ impl Exact {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    /// The normal form knows no roots of unity but twelfths.
+    pub(crate) const ZERO_IN_DISGUISE: &str = "cos(pi/5) - cos(2*pi/5) - 1/2";
 
     fn exact(text: &str) -> Exact {
         Exact::parse(text).unwrap()
@@ -235,7 +238,7 @@ mod tests {
 
     #[test]
     fn a_zero_in_disguise_is_enclosed_absolutely() {
-        let zero = exact("sin(1)^2 + cos(1)^2 - 1");
+        let zero = exact(ZERO_IN_DISGUISE);
         for bits in [1, 64, 200] {
             let enclosure = zero.enclose(bits);
             assert!(enclosure.contains(&num_rational::BigRational::from_integer(0.into())));
@@ -249,7 +252,7 @@ mod tests {
     #[test]
     fn extreme_expressions_stay_within_reason() {
         // Each of these would need or produce astronomically many bits if evaluated naively.
-        let large_zero = "(1e300*sin(1)^2 + 1e300*cos(1)^2 - 1e300)";
+        let large_zero = "(1e300*cos(pi/5) - 1e300*cos(2*pi/5) - 5e299)";
         let x = exact(&format!("(((({large_zero}^10000)^10000)^10000)^10000)^10000"));
         assert!(x.enclose(64).width() < Dyadic::power_of_two(-2000));
         assert!(Exact::parse("(((2^10000)^10000)^10000)^10000").is_err());
@@ -283,7 +286,8 @@ mod tests {
     fn order_is_decided_where_it_can_be() {
         assert_eq!(exact("1e-400").compare(&Exact::from(0)), Some(Ordering::Greater));
         assert_eq!(exact("22/7").compare(&Exact::pi()), Some(Ordering::Greater));
-        assert_eq!(exact("sqrt(2)").compare(&exact("sqrt(2)")), None);
+        assert_eq!(exact("sqrt(2)").compare(&exact("sqrt(8)/2")), Some(Ordering::Equal));
+        assert_eq!(exact("cos(pi/5)").compare(&exact("cos(2*pi/5) + 1/2")), None);
         assert_eq!(exact("[1, 2]").compare(&exact("[2, 3]")), None);
         assert_eq!(exact("[1, 2]").compare(&exact("[2.0001, 3]")), Some(Ordering::Less));
     }

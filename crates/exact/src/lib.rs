@@ -4,7 +4,7 @@
 //! value in an [`Enclosure`] as narrow as asked. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
-//! In reading order: `monomial` (the normal form), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
+//! In reading order: `monomial` (the normal form), `normal` (that of sums), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
 //! control), `literal`, `parse` and `print` (text), `decimal` (outward decimal printing), `digits` (the same for the eye), `ratio` (fractions between numbers), `fold` (for other languages),
 //! `error`.
 //!
@@ -28,6 +28,7 @@ mod evaluate;
 mod fold;
 mod literal;
 mod monomial;
+mod normal;
 mod operators;
 mod parse;
 mod print;
@@ -48,6 +49,7 @@ pub use enclosure::Enclosure;
 pub use error::{ExactError, ParseError};
 pub use fold::Operation;
 use monomial::Monomial;
+use normal::Normal;
 pub use real::Real;
 
 /// Expressions of more nested operations are refused, so recursion over a tree cannot exhaust the stack.
@@ -83,6 +85,8 @@ struct Node {
     base: OnceLock<Enclosure>,
     /// A few recent enclosures by precision, so shared subexpressions are evaluated once.
     recent: Mutex<Vec<(u32, Enclosure)>>,
+    /// As a sum of terms, if it is a short one.
+    normal: OnceLock<Option<Normal>>,
 }
 
 /// How an expression is put together.
@@ -154,7 +158,7 @@ impl Exact {
         self.node.is_point
     }
 
-    /// The value, if it is known to be a fraction. (Not every rational value is known to be one: `sin(1)^2 + cos(1)^2`.)
+    /// The value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
     pub fn as_rational(&self) -> Option<&BigRational> {
         self.as_monomial().and_then(Monomial::as_rational)
     }
@@ -203,6 +207,9 @@ impl Exact {
         if exact.node.depth > DEEPEST {
             return Err(ExactError::TooDeep);
         }
+        if let Some(monomial) = Normal::of(&exact).and_then(|normal| normal.monomial()) {
+            return Ok(Exact::from_monomial(monomial));
+        }
         let base = exact.settle_at_construction()?;
         if base.mag().top().is_some_and(|top| top > LARGEST_TOP) {
             return Err(ExactError::TooLarge);
@@ -229,7 +236,7 @@ impl Node {
                 (1 + x.node.depth, x.is_point())
             }
         };
-        Node { form, depth, is_point, base: OnceLock::new(), recent: Mutex::new(Vec::new()) }
+        Node { form, depth, is_point, base: OnceLock::new(), recent: Mutex::new(Vec::new()), normal: OnceLock::new() }
     }
 }
 
