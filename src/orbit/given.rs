@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::Arithmetic;
 use super::Start;
+use super::later::decided;
 use super::motion::{FloatMotion, IntervalMotion, Motion};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
@@ -57,6 +58,8 @@ impl<S: Flying> Motions for S {
 impl Given {
     /// What is given of `pair` from `start`, told by the clock.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
+        let later = decided(pair, start);
+        let start = later.as_ref().unwrap_or(start);
         let (shaken, phases): (Arc<dyn Motions>, _) = match Several::new(pair, clock.origin())? {
             None => {
                 let exact = Reduced::exact(pair)?;

@@ -5,6 +5,7 @@ mod attraction;
 mod course;
 mod event;
 mod given;
+mod later;
 mod motion;
 mod passage;
 #[cfg(feature = "multiprecision")]
@@ -25,6 +26,8 @@ pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings,
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
 
+use std::cmp::Ordering;
+
 use inari::Interval;
 
 use crate::Error;
@@ -32,7 +35,7 @@ use crate::Scene;
 pub use crate::clock::Clock;
 use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
-use crate::exact::Enclosure;
+use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::interval::enclosing;
 use crate::number::{Ball, Number};
@@ -152,7 +155,7 @@ impl Orbit {
             Some("start.velocity") => too_large("start.velocity", start.velocity()),
             _ => error,
         })?;
-        let until = settings.until.as_ref().map(|time| clock.phase_of("run.until", time)).transpose()?;
+        let until = settings.until.as_ref().map(|time| until(&clock, start, time)).transpose()?;
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
         let motion = given.motion(settings.arithmetic)?;
@@ -418,6 +421,15 @@ impl Orbit {
             ahead.mid() > ahead.rad()
         })
     }
+}
+
+/// When to stop: not before the start.
+fn until(clock: &Clock, start: &Start, time: &Exact) -> Result<Phase, Error> {
+    if time.compare(start.time()) == Some(Ordering::Less) {
+        let accepted = format!("must be at least start.time, {}", start.time());
+        return Err(Error::range("run.until", time, &accepted));
+    }
+    clock.phase_of("run.until", time)
 }
 
 impl Iterator for Orbit {

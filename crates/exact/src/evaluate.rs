@@ -2,15 +2,20 @@
 
 use std::cmp::Ordering;
 
+use num_rational::BigRational;
+use num_traits::Zero;
+
 use super::dyadic::Dyadic;
 use super::enclosure::Enclosure;
-use super::{Exact, ExactError, Form, SIGN_BITS};
+use super::{Exact, ExactError, Form, Operation, SIGN_BITS};
 
 /// The accuracy that every expression must reach when it is built, and the internal precision allowed for it.
 const CONSTRUCTION_BITS: u32 = 32;
 const CONSTRUCTION_PRECISION: u32 = 1 << 16;
 /// How many recent enclosures a node keeps.
 const RECENT: usize = 4;
+/// Bits of the longest fractions that are told apart.
+const LONGEST_FRACTION: u64 = 1 << 18;
 
 impl Exact {
     /// Encloses the value: the true number, or every number of the set, lies inside.
@@ -166,7 +171,22 @@ impl Exact {
                 decided => return decided,
             }
         }
-        None
+        self.fraction().map(|x| x.cmp(&BigRational::zero()))
+    }
+
+    /// The fraction that an expression of fractions is, whatever its length: `1 - 10^-4000` differs from 1.
+    fn fraction(&self) -> Option<BigRational> {
+        self.fold(&mut |operation: Operation<'_, Option<BigRational>>| {
+            let fraction = match operation {
+                Operation::Rational(x) => x.clone(),
+                Operation::Negative(a) => -a?,
+                Operation::Sum(a, b) => a? + b?,
+                Operation::Difference(a, b) => a? - b?,
+                Operation::Product(a, b) => a? * b?,
+                _ => return None,
+            };
+            (fraction.numer().bits().max(fraction.denom().bits()) <= LONGEST_FRACTION).then_some(fraction) // exact: a length
+        })
     }
 
     /// The proved order of two numbers, or of all numbers of one set and all of the other; `None` as for [`sign`](Exact::sign).
@@ -286,6 +306,7 @@ pub(crate) mod tests {
     fn order_is_decided_where_it_can_be() {
         assert_eq!(exact("1e-400").compare(&Exact::from(0)), Some(Ordering::Greater));
         assert_eq!(exact("22/7").compare(&Exact::pi()), Some(Ordering::Greater));
+        assert_eq!(exact("1 - 1e-9000").compare(&exact("1")), Some(Ordering::Less));
         assert_eq!(exact("sqrt(2)").compare(&exact("sqrt(8)/2")), Some(Ordering::Equal));
         assert_eq!(exact("cos(pi/5)").compare(&exact("cos(2*pi/5) + 1/2")), None);
         assert_eq!(exact("[1, 2]").compare(&exact("[2, 3]")), None);

@@ -247,11 +247,8 @@ impl Normal {
         for (wave, y) in &waves.0 {
             // A special angle leaves a root.
             let is_wave = wave.wave.is_some();
-            let times = if is_wave {
-                Self::from(Term { wave: wave.wave.clone(), ..term.clone() })
-            } else {
-                term.times(wave)?
-            };
+            let times =
+                if is_wave { Self::from(Term { wave: wave.wave.clone(), ..term.clone() }) } else { term.times(wave)? };
             product = product.plus(&times.scaled(&(x * y)));
         }
         Some(product)
