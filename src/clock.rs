@@ -176,7 +176,7 @@ fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError>
 
 /// A whole number nearest to the value, or next to it.
 fn nearest(value: &Exact) -> BigInt {
-    let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0);
+    let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
     let low = value.enclose(BITS.saturating_add(whole)).lo().to_rational(); // X1: any number of bits encloses
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
 }

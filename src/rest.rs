@@ -44,7 +44,7 @@ impl Pressed {
             Wall::Right => point(Dyadic::zero()),
         };
         let since = phase.sub(&begin, EXACTLY);
-        let turns = since.floor()?;
+        let turns = since.floor()?; // Z1: shared by all
         let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACTLY);
         let left = half().sub(&since, EXACTLY);
         let is_inside = since.sign().is_some_and(Ordering::is_ge) && left.sign() == Some(Ordering::Greater);

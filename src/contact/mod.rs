@@ -181,5 +181,5 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
 /// `T` is [`Kernel`] or [`crate::number::Std`]. `None` when no contact is found.
 #[inline]
 pub fn first_contact_f64<T: Trigonometry>(flight: &Flight<f64>) -> Option<Contact<f64>> {
-    propose::<T, _>(flight, &Unproved(flight))
+    propose::<T, _>(flight, &Unproved(flight)).filter(|contact| contact.phase.is_finite())
 }

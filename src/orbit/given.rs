@@ -59,7 +59,7 @@ impl Given {
     /// What is given of `pair` from `start`, told by the clock.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
         let later = decided(pair, start);
-        let start = later.as_ref().unwrap_or(start);
+        let start = later.as_ref().unwrap_or(start); // R3: the same motion
         let (shaken, phases): (Arc<dyn Motions>, _) = match Several::new(pair, clock.origin())? {
             None => {
                 let exact = Reduced::exact(pair)?;

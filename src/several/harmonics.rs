@@ -13,6 +13,8 @@ use crate::pair::{ImpactPair, too_large};
 pub(crate) trait Phased: Wave + std::fmt::Debug + Send {
     /// The phase of a harmonic as a function of whole turns of the fastest.
     type Counter: Clone + std::fmt::Debug + Send + Sync;
+    /// Pieces of one flight that are looked at.
+    const PIECES: u32 = 1 << 20;
 
     /// The counter of phases `ratio n + shift`.
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> Self::Counter;
@@ -176,6 +178,8 @@ const TURN_BITS: u32 = 64;
 #[cfg(feature = "multiprecision")]
 impl Phased for MpBall {
     type Counter = (MpBall, MpBall);
+    /// A second or so.
+    const PIECES: u32 = 1 << 15;
 
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
         let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);

@@ -59,8 +59,6 @@ enum Valley<N> {
     Unclear,
 }
 
-/// Pieces that are taken at most.
-const PIECES: u32 = 1 << 20;
 /// Pieces in a row that are shorter than [`SHORT_PIECE`] times the flight so far.
 const SHORT_PIECES: u32 = 256;
 const SHORT_PIECE: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
@@ -118,7 +116,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             at = at.later(&like.like(departure));
         }
         let mut short_pieces = 0;
-        for _ in 0..PIECES {
+        for _ in 0..N::PIECES {
             let state = self.all.state(&at);
             let sides = WALLS.map(|wall| state.side(wall));
             let touched = WALLS.into_iter().zip(&sides).find(|(_, side)| !is_positive(side.room.0));

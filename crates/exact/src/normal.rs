@@ -115,7 +115,7 @@ impl Normal {
     }
 
     fn add(&mut self, term: Term, x: BigRational) {
-        let sum = self.0.remove(&term).unwrap_or_default() + x;
+        let sum = self.0.remove(&term).unwrap_or_default() + x; // X2: no term is nothing
         if !sum.is_zero() {
             self.0.insert(term, sum);
         }
@@ -175,12 +175,12 @@ impl Normal {
     fn wave(&self, is_sine: bool) -> Option<Self> {
         let half_turn = Term { pi_power: 1, ..Term::one() };
         let mut angle = self.clone();
-        let turned = angle.0.remove(&half_turn).unwrap_or_default();
+        let turned = angle.0.remove(&half_turn).unwrap_or_default(); // X2: no term is nothing
         // sin(-a) = -sin(a), cos(-a) = cos(a): the first coefficient beside pi's is positive.
         let is_mirrored = angle.0.values().next().is_some_and(Signed::is_negative);
         let (angle, turned) = if is_mirrored { (angle.scaled(&whole(-1)), -turned) } else { (angle, turned) };
         let sign = whole(if is_mirrored && is_sine { -1 } else { 1 });
-        let quarters = (&turned * whole(2)).floor();
+        let quarters = (&turned * whole(2)).floor(); // X2: any whole number of quarters
         let rest = turned - &quarters / whole(2);
         let quarters = quarters.to_integer().mod_floor(&4.into()).to_u8()?;
         // sin(a + pi/2) = cos(a), cos(a + pi/2) = -sin(a)

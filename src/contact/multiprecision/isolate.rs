@@ -216,8 +216,17 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     let fraction = beyond.mid().clone() / way.mid();
     let from_end = inverse_smoothstep(fraction.to_f64());
     let guess = end.mid() - span.mid().clone() * from_end;
+    let guess = if target == Target::Near { sooner(flight, guess) } else { guess };
     let begin = end.mid().clone() - span.mid();
     Ok(Piece { target, between: (begin, end.mid().clone()), guess, end: Some(end) })
+}
+
+/// When a short hop is back on its wall, if that is sooner: of a fraction of 1e-300 of its piece doubles say nothing.
+fn sooner(flight: &Flight<MpBall>, guess: Float) -> Float {
+    let press = flight.acceleration_at(-flight.sin.clone());
+    let twice = flight.velocity.clone().plus(&flight.velocity);
+    let hop = Float::with_val(guess.prec(), twice.mid() / press.mid());
+    if hop > 0.0 && hop < guess { hop } else { guess } // proposes
 }
 
 /// Newton steps, kept inside the piece, until the height is as small as the balls can tell; then Lemma C3.
