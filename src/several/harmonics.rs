@@ -13,9 +13,6 @@ use crate::pair::{ImpactPair, too_large};
 pub(crate) trait Phased: Wave + std::fmt::Debug + Send {
     /// The phase of a harmonic as a function of whole turns of the fastest.
     type Counter: Clone + std::fmt::Debug + Send + Sync;
-    /// Pieces of one flight that are looked at.
-    const PIECES: u32 = 1 << 20;
-
     /// The counter of phases `ratio n + shift`.
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> Self::Counter;
     /// `ratio n + shift`, less whole turns.
@@ -38,6 +35,10 @@ pub(crate) trait Phased: Wave + std::fmt::Debug + Send {
     fn root_of(&self) -> Self;
     /// Exactly `x`, as fine as `self`.
     fn like(&self, x: f64) -> Self;
+    /// Pieces of one flight that are looked at, as fine as `self`.
+    fn pieces(&self) -> u32 {
+        1 << 20
+    }
 }
 
 /// A fraction of a turn in units of `2^-128` turns: sums and multiples wrap around as phases do.
@@ -178,8 +179,6 @@ const TURN_BITS: u32 = 64;
 #[cfg(feature = "multiprecision")]
 impl Phased for MpBall {
     type Counter = (MpBall, MpBall);
-    /// A second or so.
-    const PIECES: u32 = 1 << 15;
 
     fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
         let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);
@@ -215,6 +214,9 @@ impl Phased for MpBall {
     }
     fn like(&self, x: f64) -> MpBall {
         MpBall::from_f64_bits(x, self.bits())
+    }
+    fn pieces(&self) -> u32 {
+        ((1 << 22) / self.bits()).max(1 << 9) // proposes: about a second
     }
 }
 

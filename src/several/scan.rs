@@ -116,7 +116,7 @@ impl<'f, 'h, N: Phased> Scan<'f, 'h, N> {
             at = at.later(&like.like(departure));
         }
         let mut short_pieces = 0;
-        for _ in 0..N::PIECES {
+        for _ in 0..like.pieces() {
             let state = self.all.state(&at);
             let sides = WALLS.map(|wall| state.side(wall));
             let touched = WALLS.into_iter().zip(&sides).find(|(_, side)| !is_positive(side.room.0));

@@ -216,17 +216,22 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     let fraction = beyond.mid().clone() / way.mid();
     let from_end = inverse_smoothstep(fraction.to_f64());
     let guess = end.mid() - span.mid().clone() * from_end;
-    let guess = if target == Target::Near { sooner(flight, guess) } else { guess };
     let begin = end.mid().clone() - span.mid();
+    let guess = if target == Target::Near { hop(flight, &begin, guess) } else { guess };
     Ok(Piece { target, between: (begin, end.mid().clone()), guess, end: Some(end) })
 }
 
-/// When a short hop is back on its wall, if that is sooner: of a fraction of 1e-300 of its piece doubles say nothing.
-fn sooner(flight: &Flight<MpBall>, guess: Float) -> Float {
-    let press = flight.acceleration_at(-flight.sin.clone());
-    let twice = flight.velocity.clone().plus(&flight.velocity);
-    let hop = Float::with_val(guess.prec(), twice.mid() / press.mid());
-    if hop > 0.0 && hop < guess { hop } else { guess } // proposes
+/// When a short hop is back on its wall, if it is one: of a fraction of 1e-300 of its piece doubles say nothing.
+fn hop(flight: &Flight<MpBall>, top: &Float, guess: Float) -> Float {
+    // 0 = z' + z'' h/2 + z''' h^2/6: the root that is the departure is divided out.
+    let bits = guess.prec();
+    let velocity = flight.velocity.mid();
+    let bend = Float::with_val(bits, flight.acceleration_at(flight.sin.clone()).mid() / -2i32);
+    let jerk = Float::with_val(bits, flight.acceleration_at(flight.cos.turn() * flight.cos.clone()).mid() / -6i32);
+    let discriminant = Float::with_val(bits, bend.square_ref()) + Float::with_val(bits, &jerk * velocity) * 4i32;
+    let hop = Float::with_val(bits, velocity * 2i32) / (bend + discriminant.sqrt());
+    let is_short = *top < hop && hop < 2f64.powi(-10); // proposes: a NaN is not taken
+    if is_short { hop } else { guess }
 }
 
 /// Newton steps, kept inside the piece, until the height is as small as the balls can tell; then Lemma C3.
