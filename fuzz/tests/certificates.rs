@@ -1,0 +1,41 @@
+//! Orbit documents: read or refused with the path of what is wrong; what is read is checked, and checking ends.
+
+use impact_pair::Scene;
+use impact_pair::certificate::{Certificate, Effort};
+use impact_pair::document;
+use impact_pair_fuzz::{config, edited, share};
+use proptest::prelude::*;
+
+/// A chaotic orbit, a rest, a graze and several harmonics, a few events each.
+fn seeds() -> Vec<String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes");
+    let document = |name: &str| {
+        let scene = Scene::parse(&std::fs::read_to_string(format!("{folder}/{name}.toml")).unwrap()).unwrap();
+        let settings = impact_pair::orbit::Settings { impacts: Some(4), ..scene.settings() };
+        serde_json::to_string_pretty(&document::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
+    };
+    ["figure-14", "chatter", "graze", "two-tones"].map(document).to_vec()
+}
+
+/// Less than by default: there are many documents.
+const EFFORT: Effort = Effort { bits: 1024, parts: 1 << 12, pieces: 4 };
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn documents_are_read_and_checked_or_refused(text in edited(seeds())) {
+        match Certificate::parse(&text) {
+            Ok(certificate) => {
+                let _ = certificate.check_within(&EFFORT, |_| {});
+            }
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+        }
+    }
+}
+
+#[test]
+fn many_are_read_and_many_refused() {
+    let share = share(seeds(), |text| Certificate::parse(text).is_ok());
+    assert!((0.25..0.75).contains(&share), "{share}");
+}
