@@ -1,12 +1,11 @@
 //! How far off is too far: distances to the truth, and what is proved of them.
 
-use impact_pair::Scene;
-use impact_pair::exact::{Dyadic, Enclosure, Exact};
-
-use crate::trade::size::Scales;
+use crate::Scene;
+use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::scales::Scales;
 
 /// The tolerance of a scene.
-pub struct Tolerance {
+pub(super) struct Tolerance {
     /// Relative, as it is asked for.
     pub relative: Exact,
     pub scales: Scales,

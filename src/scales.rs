@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use impact_pair::exact::{Dyadic, Enclosure, Exact};
-use impact_pair::{Harmonic, Scene};
+use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::{Harmonic, Scene};
 
 /// What a logarithm here may be off by, absolutely and in proportion: each is a few roundings of doubles.
 const SLACK: (f64, f64) = (1e-9, 1e-14);
@@ -15,6 +15,7 @@ const BITS: u32 = 64;
 pub struct Size(f64);
 
 impl Size {
+    /// Nothing.
     pub const ZERO: Self = Self(f64::NEG_INFINITY);
 
     /// `10^exponent`
@@ -127,6 +128,10 @@ impl fmt::Display for Speed {
 }
 
 impl Units {
+    /// Those of a scene.
+    ///
+    /// # Panics
+    /// Never: scales are greater than 0.
     pub fn of(scene: &Scene) -> Self {
         let Scales { period, velocity, speed } = Scales::of(scene);
         let unit = |scale: &Enclosure| Unit::new(scale).expect("scales are positive");
@@ -146,6 +151,10 @@ pub struct Scales {
 }
 
 impl Scales {
+    /// Those of a scene.
+    ///
+    /// # Panics
+    /// Never: `W > 0` is checked with the scene.
     pub fn of(scene: &Scene) -> Self {
         let (pair, enclose) = (scene.pair(), |x: &Exact| x.enclose(BITS));
         let frequency = enclose(pair.excitation().reference().frequency());

@@ -6,7 +6,7 @@
 
 /// The row of each contact and the contact of each row.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Alignment {
+pub(super) struct Alignment {
     pub site_of: Vec<Option<usize>>,
     pub row_of: Vec<Option<usize>>,
 }
@@ -15,7 +15,11 @@ pub struct Alignment {
 ///
 /// `candidates[row]` are the contacts that the row may be, in ascending order; `nearer(a, b, site)` says whether row `a` is nearer to the
 /// contact than row `b`.
-pub fn align(candidates: &[Vec<usize>], sites: usize, nearer: impl Fn(usize, usize, usize) -> bool) -> Alignment {
+pub(super) fn align(
+    candidates: &[Vec<usize>],
+    sites: usize,
+    nearer: impl Fn(usize, usize, usize) -> bool,
+) -> Alignment {
     let mut chain = longest(candidates);
     for at in 0..chain.len() {
         let (row, site) = chain[at];
