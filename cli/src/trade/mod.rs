@@ -1,5 +1,6 @@
 //! `impact-pair trade SCENE`: what accuracy costs on a scene.
 
+pub mod arguments;
 mod table;
 
 use std::io::{self, IsTerminal, Write};
@@ -10,10 +11,10 @@ use impact_pair::orbit::Orbit;
 use impact_pair::trade::Trade;
 
 use crate::Answer;
-use crate::arguments::{TradeArguments, TradeFormat};
 use crate::output::Output;
 use crate::progress::{Progress, interruption};
 use crate::scene;
+use arguments::{TradeArguments, TradeFormat};
 
 pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
