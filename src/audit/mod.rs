@@ -94,16 +94,20 @@ impl Asked {
 /// **Cost**: of a list of `n` rows the orbit is followed to its end, but not beyond `2 n + 1000` impacts: then the list lacks more
 /// impacts than it has rows, and the rows that come later are [not reached](Verdict::NotReached).
 pub struct Audit<'s> {
-    scene: &'s Scene,
-    rows: Vec<Listed>,
-    left_out: usize,
+    /// Whose impacts they should be.
+    pub scene: &'s Scene,
+    /// The rows that are judged.
+    pub rows: Vec<Listed>,
+    /// Rows after the time to judge up to.
+    pub left_out: usize,
     /// The time to judge up to: that asked for (an irrational one a little later), or the last one listed.
     end: BigRational,
     settings: Settings,
     tolerance: Tolerance,
     truth: Truth,
     judgement: Judgement,
-    doubles: Doubles,
+    /// Orbits in doubles, judged in the same way.
+    pub doubles: Doubles,
 }
 
 impl<'s> Audit<'s> {
@@ -136,21 +140,6 @@ impl<'s> Audit<'s> {
         let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance, watch)?;
         let left_out = listed - rows.len();
         Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, doubles })
-    }
-
-    /// Whose impacts they should be.
-    pub fn scene(&self) -> &Scene {
-        self.scene
-    }
-
-    /// The rows that are judged.
-    pub fn rows(&self) -> &[Listed] {
-        &self.rows
-    }
-
-    /// Rows after the time to judge up to.
-    pub fn left_out(&self) -> usize {
-        self.left_out
     }
 
     /// What tolerances are relative to.
@@ -201,11 +190,6 @@ impl<'s> Audit<'s> {
     /// The impact that a finding is about: of a false row the one that it is taken for or nearest to.
     pub fn impact(&self, finding: &Finding) -> u64 {
         self.site(finding).map_or(0, |site| site.index)
-    }
-
-    /// Orbits in doubles, judged in the same way.
-    pub fn doubles(&self) -> &Doubles {
-        &self.doubles
     }
 
     /// The first impact whose enclosure is wider than the digits asked for.

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 
 use super::judge::Finding;
 use super::tolerance::Tolerance;
-use crate::document::{Bounds, Conclusion, Event, Kind, arithmetic};
+use crate::document::{Conclusion, Event, Kind, arithmetic};
 use crate::exact::{Enclosure, Exact};
 use crate::orbit::{Orbit, Outcome, Place, Settings, Watch};
 use crate::pair::Wall;
@@ -113,14 +113,15 @@ impl Truth {
             }
             ControlFlow::Continue(())
         });
-        let doubtful_from = match orbit.outcome() {
-            Some(Outcome::Undecided { time: (from, _), .. }) => Some(from.clone()),
-            Some(_) => None,
-            None => Some(
-                last.as_ref()
-                    .map_or_else(|| scene.start().time().enclose(tolerance.bits), |event| enclosure(&event.time)),
-            ),
-        };
+        let doubtful_from =
+            match orbit.outcome() {
+                Some(Outcome::Undecided { time: (from, _), .. }) => Some(from.clone()),
+                Some(_) => None,
+                None => Some(last.as_ref().map_or_else(
+                    || scene.start().time().enclose(tolerance.bits),
+                    |event| event.time.enclosure().clone(),
+                )),
+            };
         Ok(Self {
             sites,
             doubtful_from,
@@ -170,10 +171,10 @@ fn start(scene: &Scene, bits: u32) -> Option<Site> {
 
 /// Adds an event of the orbit.
 fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
-    let (index, wall, time) = (event.index, event.wall, enclosure(&event.time));
+    let (index, wall, time) = (event.index, event.wall, event.time.enclosure().clone());
     match &event.kind {
         Kind::Impact { velocity, .. } => {
-            let velocity = Some(enclosure(velocity));
+            let velocity = Some(velocity.enclosure().clone());
             sites.push(Site { kind: SiteKind::Impact, index, wall, time, velocity, rest: None });
         }
         Kind::Graze => sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None }),
@@ -206,12 +207,6 @@ fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance)
     {
         sites.pop();
     }
-}
-
-/// What is certified of a number.
-fn enclosure(bounds: &Bounds) -> Enclosure {
-    let (Bounds::Certified(x) | Bounds::Float(x)) = bounds;
-    x.clone()
 }
 
 fn middle(one: &BigRational, other: &BigRational) -> BigRational {

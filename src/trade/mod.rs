@@ -9,6 +9,7 @@ pub use judge::{Crossing, Departure, Judgement, Largest};
 pub use ladder::Rung;
 pub use measure::{Extent, Measured, Times, Widths};
 
+use crate::document::counted;
 use crate::orbit::{Settings, Watch};
 use crate::scales::Units;
 use crate::{Error, Scene};
@@ -76,9 +77,4 @@ impl<'s> Trade<'s> {
             (None, None) => unreachable!("there is a default"),
         }
     }
-}
-
-/// So many impacts, in words.
-pub fn counted(impacts: u64) -> String {
-    if impacts == 1 { "1 impact".into() } else { format!("{impacts} impacts") }
 }

@@ -14,7 +14,7 @@ const SHOWN: usize = 10;
 /// The table with every event, or with the first ones that disagree.
 pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
     let mut heading = Vec::new();
-    heading::write(&mut heading, audit.scene()).expect("memory can be written to");
+    heading::write(&mut heading, audit.scene).expect("memory can be written to");
     let mut lines = vec![String::from_utf8(heading).expect("texts of the scene").trim_end().to_owned()];
     lines.push(format!("list: {name}, {}", listed(audit)));
     lines.push(format!(
@@ -38,17 +38,17 @@ pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
 }
 
 fn listed(audit: &Audit<'_>) -> String {
-    let velocities = audit.rows().iter().filter(|row| row.velocity.is_some()).count();
+    let velocities = audit.rows.iter().filter(|row| row.velocity.is_some()).count();
     let with = match velocities {
         0 => "no velocities".to_owned(),
-        all if all == audit.rows().len() => "with velocities".to_owned(),
+        all if all == audit.rows.len() => "with velocities".to_owned(),
         some => format!("{some} with velocities"),
     };
-    let left_out = match audit.left_out() {
+    let left_out = match audit.left_out {
         0 => String::new(),
         n => format!("; {n} later ones left out"),
     };
-    let rows = audit.rows().len();
+    let rows = audit.rows.len();
     format!("{rows} row{}, {with}{left_out}", if rows == 1 { "" } else { "s" })
 }
 
@@ -155,11 +155,11 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         lines.push(format!("first disagreement: {at}{place}, {}", first.verdict.name()));
     }
     if let Some(departure) = audit.departure() {
-        let place = departure.row.map_or(String::new(), |row| format!(" ({})", audit.rows()[row].place));
+        let place = departure.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
         lines.push(format!("another orbit from impact {} on{place}", departure.impact));
     }
     for (name, parting) in
-        [("exact from rounded data", &audit.doubles().data), ("--arithmetic float", &audit.doubles().float)]
+        [("exact from rounded data", &audit.doubles.data), ("--arithmetic float", &audit.doubles.float)]
     {
         if let Some(parting) = parting {
             lines.push(format!("double precision, {name}: {}", parted(parting, audit.is_open())));

@@ -2,7 +2,8 @@
 
 use std::io::Write;
 
-use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade, counted};
+use impact_pair::document::counted;
+use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
 
 use crate::heading;
 
