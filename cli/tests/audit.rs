@@ -344,7 +344,8 @@ fn a_corrupted_time_is_not_followed_to() {
 /// In doubles chaos comes first.
 const LAST: &str = if cfg!(feature = "multiprecision") { "not-reached" } else { "undecided" };
 
-#[cfg(unix)]
+/// In doubles it would be too fast.
+#[cfg(all(unix, feature = "multiprecision"))]
 #[test]
 fn ctrl_c_keeps_what_is_judged() {
     let folder = common::folder("audit-interrupted");

@@ -28,7 +28,7 @@ pub(super) fn align(
         let rows = (after..before).filter(|&row| candidates[row].contains(&site));
         // Of equal ones the first.
         let nearest = rows.reduce(|best, row| if nearer(row, best, site) { row } else { best });
-        chain[at].0 = nearest.unwrap_or(row);
+        chain[at].0 = nearest.unwrap_or(row); // exact: the row itself is one
     }
     let mut alignment = Alignment { site_of: vec![None; candidates.len()], row_of: vec![None; sites] };
     for (row, site) in chain {

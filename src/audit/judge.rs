@@ -64,7 +64,7 @@ impl Judgement {
                 None => judge.unmatched_before(next, &alignment, &listed.time.low),
             };
             findings.extend((next..until).filter_map(|site| judge.missed(site, &alignment, end)));
-            next = next.max(until);
+            next = next.max(until); // exact: one of both
             match alignment.site_of[row] {
                 Some(site) => {
                     findings.push(judge.compared(row, site));
@@ -238,7 +238,7 @@ fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
     let mut greatest = i64::MIN;
     let (mut misses, mut invents) = (false, false);
     for (at, Finding { verdict, .. }) in findings.iter().enumerate().rev() {
-        greatest = score(*verdict) + greatest.max(0);
+        greatest = score(*verdict) + greatest.max(0); // exact: small integers
         misses |= *verdict == Verdict::Missed;
         invents |= matches!(verdict, Verdict::False(_));
         if matches!(verdict, Verdict::Missed | Verdict::False(_)) && greatest < 0 && misses && invents {

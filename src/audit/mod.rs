@@ -82,7 +82,7 @@ impl Asked {
     fn digits(&self) -> u32 {
         self.digits.unwrap_or_else(|| {
             let (_, size) = self.tolerance.enclose(64).to_f64_bounds();
-            let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) };
+            let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) }; // proposes
             // proposes
             (digits as u32 + BEYOND).clamp(*DIGITS.start(), *DIGITS.end())
         })

@@ -95,7 +95,7 @@ impl Truth {
         let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
         let mut last: Option<Event> = None;
         let (mut impacts, mut counted) = (0, 0);
-        let most = rows.saturating_mul(PER_ROW).saturating_add(SPARE);
+        let most = rows.saturating_mul(PER_ROW).saturating_add(SPARE); // exact: of what fits into memory
         let ended = orbit.follow(watch, |orbit, step| {
             let index = last.as_ref().map_or(0, |event| event.index);
             if let Some(event) = Event::of(orbit, &step, index) {

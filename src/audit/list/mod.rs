@@ -119,7 +119,7 @@ impl Number {
 
 /// Whether a text is one decimal, such as `-1.5e+00`, and no expression.
 fn is_decimal(text: &str) -> bool {
-    let unsigned = |text: &str| -> String { text.strip_prefix(['+', '-']).unwrap_or(text).to_owned() };
+    let unsigned = |text: &str| -> String { text.strip_prefix(['+', '-']).unwrap_or(text).to_owned() }; // exact: a text
     let is_natural = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let text = unsigned(text);
     let (mantissa, exponent) = text.split_once(['e', 'E']).map_or((text.as_str(), None), |(m, e)| (m, Some(e)));

@@ -44,7 +44,7 @@ enum Separator {
 impl Separator {
     fn of(line: &str) -> Self {
         let byte = [';', '\t', ','].into_iter().find(|&byte| line.contains(byte));
-        byte.map_or(Self::Blanks, |byte| Self::Byte(byte as u8))
+        byte.map_or(Self::Blanks, |byte| Self::Byte(byte as u8)) // exact: ASCII
     }
 
     fn fields(&self, line: &str) -> Vec<String> {
