@@ -71,6 +71,7 @@
 //! # Ok::<(), impact_pair::Error>(())
 //! ```
 
+pub mod audit;
 pub mod clock;
 pub mod contact;
 pub mod document;
@@ -83,6 +84,7 @@ pub mod orbit;
 pub mod pair;
 pub mod periodic;
 pub mod rest;
+pub mod scales;
 mod several;
 mod shaken;
 pub mod sweep;
@@ -90,6 +92,7 @@ pub mod switch_plane;
 #[cfg(test)]
 #[path = "../tests/tolerances/mod.rs"]
 mod tolerances;
+pub mod trade;
 pub mod turns;
 pub mod two_impact;
 

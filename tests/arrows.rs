@@ -5,8 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 18] = [
+const ROOMS: [(&str, &[&str]); 21] = [
     ("number", &[]),
+    ("scales", &[]),
     ("turns", &[]),
     ("pair", &["number"]),
     ("clock", &["number", "turns", "pair"]),
@@ -40,6 +41,8 @@ const ROOMS: [(&str, &[&str]); 18] = [
     ("lyapunov", &["number", "orbit"]),
     ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
+    ("audit", &["pair", "scales", "contact", "orbit", "document"]),
+    ("trade", &["pair", "scales", "orbit", "document"]),
 ];
 
 /// Our crates, each with those of ours that it may depend on.

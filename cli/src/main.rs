@@ -5,7 +5,6 @@ mod audit;
 mod bifurcations;
 mod check;
 mod ending;
-mod follow;
 mod heading;
 mod listing;
 mod man;

@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
+use impact_pair_plot::picture::encoded;
 use tempfile::NamedTempFile;
 
 /// A writer that has to be [committed](Output::commit).
@@ -59,6 +60,14 @@ impl Output {
             Self::Special(file) => file.get_ref().is_terminal(),
             Self::File { .. } => false,
         }
+    }
+
+    /// Writes the picture of this `path`, all of it.
+    pub fn draw(mut self, path: &Path, svg: impl FnOnce() -> Result<String>) -> Result<()> {
+        let failed = || format!("cannot draw {}", path.display());
+        let bytes = svg().and_then(|svg| encoded(svg, path)).with_context(failed)?;
+        self.write_all(&bytes).with_context(failed)?;
+        self.commit()
     }
 
     /// Ends the output; only now does a file appear.

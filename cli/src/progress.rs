@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use impact_pair::orbit::Watch;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Impacts between two looks at the clock; in doubles so many take less than a blink.
@@ -31,32 +32,11 @@ impl Progress {
         Self(Some(ProgressBar::with_draw_target(impacts, target).with_style(style)))
     }
 
-    /// A line that is never drawn.
-    pub fn hidden() -> Self {
-        Self(None)
-    }
-
-    /// Begins again from the first impact, for `what`.
-    pub fn stage(&self, what: &str) {
-        if let Some(bar) = &self.0 {
-            bar.set_prefix(format!("{what}: "));
-            bar.set_message("");
-            bar.reset();
-        }
-    }
-
     /// Notes that impact `index` is done.
     pub fn reach(&self, index: u64) {
         if let Some(bar) = self.due(index) {
             bar.set_message("");
             bar.set_position(index);
-        }
-    }
-
-    /// Notes that an impact listed before was computed anew, with so many bits for the first one.
-    pub fn retrace(&self, index: u64, bits: u32) {
-        if let Some(bar) = self.due(index) {
-            bar.set_message(format!(", again from the start in {bits} bits: {index}"));
         }
     }
 
@@ -70,6 +50,31 @@ impl Progress {
     pub fn clear(&self) {
         if let Some(bar) = &self.0 {
             bar.finish_and_clear();
+        }
+    }
+}
+
+impl Watch for Progress {
+    /// Until Ctrl-C comes.
+    fn goes_on(&self) -> bool {
+        !interruption().load(Ordering::Relaxed)
+    }
+
+    fn stage(&self, what: &str) {
+        if let Some(bar) = &self.0 {
+            bar.set_prefix(format!("{what}: "));
+            bar.set_message("");
+            bar.reset();
+        }
+    }
+
+    fn reached(&self, index: u64) {
+        self.reach(index);
+    }
+
+    fn retraced(&self, index: u64, bits: u32) {
+        if let Some(bar) = self.due(index) {
+            bar.set_message(format!(", again from the start in {bits} bits: {index}"));
         }
     }
 }

@@ -10,7 +10,6 @@ use impact_pair::orbit::{Orbit, Settings};
 use crate::Answer;
 use crate::arguments::{Format, RunArguments};
 use crate::ending::Ending;
-use crate::follow::follow;
 use crate::listing::Listing;
 use crate::output::Output;
 use crate::progress::{Progress, interruption};
@@ -32,7 +31,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let write = "cannot write the output";
     listing.begin().context(write)?;
     let mut last = None;
-    let written = follow(&mut orbit, &progress, |orbit, step| {
+    let written = orbit.follow(&progress, |orbit, step| {
         let index = last.as_ref().map_or(0, |event: &Event| event.index);
         let Some(event) = Event::of(orbit, &step, index) else { return ControlFlow::Continue(()) };
         if let Err(error) = listing.event(&event) {

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
@@ -34,6 +34,20 @@ pub fn keep(scene: &Path, output: Option<&Path>) -> Result<()> {
         bail!("cannot write {}: it is the input", output.display());
     }
     Ok(())
+}
+
+/// Refuses to write `output` and `plot` onto one file, or onto what is read.
+pub fn keep_apart(inputs: &[&PathBuf], output: Option<&Path>, plot: Option<&Path>) -> Result<()> {
+    for input in inputs {
+        keep(input, output)?;
+        keep(input, plot)?;
+    }
+    match (output, plot) {
+        (Some(output), Some(plot)) if output == plot || is_same_file(output, plot) => {
+            bail!("cannot write {}: --output and --plot name the same file", plot.display())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Whether both paths name one file that exists.

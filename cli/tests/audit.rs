@@ -313,10 +313,7 @@ fn the_first_impact_of_another_orbit_is_named() {
 
 #[test]
 fn a_judgement_may_go_into_a_file() {
-    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("audit");
-    std::fs::create_dir_all(&folder).unwrap();
-    let file = folder.join("audit.json");
-    let _ = std::fs::remove_file(&file);
+    let file = common::folder("audit").join("audit.json");
     let arguments = [&FIGURE_14[..], &["--format", "json", "--output", file.to_str().unwrap()]].concat();
     let answer = answer(&spoiled(|rows| _ = rows.remove(2)), &arguments);
     assert_eq!(answer.status.code(), Some(1));
@@ -327,31 +324,51 @@ fn a_judgement_may_go_into_a_file() {
     assert_eq!(document["message"], "disagreed: 1 impact");
 }
 
-#[cfg(unix)]
+/// Nobody waits for an orbit up to a time that is wrong by many powers of ten; chaos would take more and more bits, too.
+#[test]
+fn a_corrupted_time_is_not_followed_to() {
+    let list = format!("{LIST}1e9,left,1\n");
+    let document = judged(&list, &FIGURE_14, 1);
+    let events = document["events"].as_array().unwrap();
+    assert_eq!((&events[0]["verdict"], &events[events.len() - 1]["verdict"]), (&"inside".into(), &LAST.into()));
+    assert_eq!(document["counts"]["inside"], 8);
+    if cfg!(feature = "multiprecision") {
+        // A thousand beyond two a row; of those eight are there.
+        assert_eq!((&document["counts"]["missed"], &document["counts"]["not_reached"]), (&1011.into(), &1.into()));
+        let said =
+            "disagreed: 1011 impacts; not followed beyond impact 1019: the list lacks more impacts than it has rows";
+        assert_eq!(document["message"], said);
+    }
+}
+
+/// In doubles chaos comes first.
+const LAST: &str = if cfg!(feature = "multiprecision") { "not-reached" } else { "undecided" };
+
+/// In doubles it would be too fast.
+#[cfg(all(unix, feature = "multiprecision"))]
 #[test]
 fn ctrl_c_keeps_what_is_judged() {
-    use nix::sys::signal::{Signal, kill};
-    use nix::unistd::Pid;
-
-    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("audit-interrupted");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = common::folder("audit-interrupted");
     let (list, file) = (folder.join("list.csv"), folder.join("audit.json"));
-    std::fs::write(&list, format!("time,wall\n{},right\n", 1e9)).unwrap();
-    let child = audit(&["scenes/figure-12.toml", list.to_str().unwrap(), "--format", "json", "--output"])
-        .arg(&file)
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // The draft appears after the handler is in place.
-    while std::fs::read_dir(&folder).unwrap().count() < 2 {
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
-    let answer = child.wait_with_output().unwrap();
+    // The exact orbit, long enough that Ctrl-C comes before its end.
+    let impact = |t: u32| format!("{t},{}\n", if t % 2 == 1 { "right" } else { "left" });
+    let impacts: String = (1..=100_000).map(impact).collect();
+    std::fs::write(&list, format!("time,wall\n{impacts}")).unwrap();
+    let arguments = ["scenes/figure-12-exact.toml", list.to_str().unwrap(), "--format", "json", "--output"];
+    // The draft appears after the handler is in place, and then impact after impact is certified.
+    let is_ready = || {
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        common::files(&folder).len() == 2
+    };
+    let answer = common::interrupted(audit(&arguments).arg(&file), is_ready);
     assert_eq!(answer.status.code(), Some(1));
     let text = String::from_utf8(answer.stderr).unwrap();
     assert!(text.contains("interrupted "), "{text}");
     let document: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
-    assert_eq!((&document["counts"]["undecided"], &document["double_precision"]["float"]), (&1.into(), &Value::Null));
+    let (counts, events) = (&document["counts"], document["events"].as_array().unwrap());
+    let (inside, undecided) = (counts["inside"].as_u64().unwrap(), counts["undecided"].as_u64().unwrap());
+    assert!(
+        undecided > 1 && inside > 1 && inside + undecided == 100_000 && document["double_precision"]["float"].is_null()
+    );
+    assert!(events[..inside as usize].iter().all(|event| event["verdict"] == "inside"));
 }

@@ -6,23 +6,11 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::process::Stdio;
 
-use common::run;
-
-/// An empty folder of this test.
-fn folder(name: &str) -> std::path::PathBuf {
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn files(folder: &std::path::Path) -> Vec<String> {
-    fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect()
-}
+use common::{files, folder, run};
 
 #[test]
 fn a_file_holds_what_stdout_would() {
-    let folder = folder("whole");
+    let folder = folder("output-whole");
     let file = folder.join("events.json");
     fs::write(&file, "old").unwrap();
     let arguments = ["scenes/figure-12.toml", "--impacts", "30", "--format", "json"];
@@ -35,7 +23,7 @@ fn a_file_holds_what_stdout_would() {
 
 #[test]
 fn an_undecided_orbit_still_leaves_its_file() {
-    let folder = folder("undecided");
+    let folder = folder("output-undecided");
     let file = folder.join("events.csv");
     let answer =
         run(&["scenes/figure-14.toml", "--impacts", "200", "--arithmetic", "interval", "--format", "csv", "--output"])
@@ -49,7 +37,7 @@ fn an_undecided_orbit_still_leaves_its_file() {
 
 #[test]
 fn bad_input_leaves_the_file_as_it_was() {
-    let folder = folder("kept");
+    let folder = folder("output-kept");
     let (scene, file) = (folder.join("scene.toml"), folder.join("events.csv"));
     fs::write(&scene, common::scene("figure-12.toml").replace("restitution = 0.5", "restitution = 2")).unwrap();
     fs::write(&file, "old").unwrap();
@@ -78,8 +66,6 @@ fn a_closed_pipe_is_success() {
 #[cfg(unix)]
 mod interrupted {
     use super::*;
-    use nix::sys::signal::{Signal, kill};
-    use nix::unistd::Pid;
 
     #[test]
     fn json_lines_keep_all_that_is_certified() {
@@ -93,7 +79,7 @@ mod interrupted {
         for _ in 0..100 {
             out.read_line(&mut text).unwrap();
         }
-        kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+        common::interrupt(&child);
         out.read_to_string(&mut text).unwrap();
         let answer = child.wait_with_output().unwrap();
 
@@ -111,19 +97,11 @@ mod interrupted {
 
     #[test]
     fn a_file_appears_with_all_that_is_certified() {
-        let folder = folder("interrupted");
+        let folder = folder("output-interrupted");
         let file = folder.join("events.json");
-        let child = run(&["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "json", "--output"])
-            .arg(&file)
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let long = ["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "json", "--output"];
         // The draft appears after the handler is in place.
-        while files(&folder).is_empty() {
-            std::thread::sleep(std::time::Duration::from_millis(5));
-        }
-        kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
-        let answer = child.wait_with_output().unwrap();
+        let answer = common::interrupted(run(&long).arg(&file), || !files(&folder).is_empty());
         assert_eq!(answer.status.code(), Some(1));
         let document: serde_json::Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
         let count = document["events"].as_array().unwrap().len();

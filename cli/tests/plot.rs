@@ -3,24 +3,15 @@
 mod common;
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::Command;
 
-use common::program;
+use common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
 
 fn plot(arguments: &[&str]) -> Command {
     let mut command = program(&["plot"]);
     command.args(arguments);
     command
-}
-
-/// An empty folder of this test.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
 }
 
 #[test]

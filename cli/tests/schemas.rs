@@ -6,7 +6,7 @@ use std::process::Command;
 
 use impact_pair_certificate::document::{
     AuditDocument, BifurcationDocument, EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead,
-    PeriodicDocument, SweepHead, SweepRecord, TwoImpactDocument,
+    PeriodicDocument, SweepHead, SweepRecord, TradeDocument, TwoImpactDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -37,6 +37,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<AuditDocument>("audit");
     assert_is_kept::<SweepHead>("sweep-head");
     assert_is_kept::<SweepRecord>("sweep-point");
+    assert_is_kept::<TradeDocument>("trade");
 }
 
 const SCENE: &str = r#"excitation = { amplitude = 1, frequency = "pi", phase = 0 }

@@ -3,10 +3,10 @@
 mod common;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
-use common::program;
+use common::{files, folder, program};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
@@ -14,14 +14,6 @@ fn sweep(arguments: &[&str]) -> Command {
     let mut command = program(&["sweep"]);
     command.args(arguments);
     command
-}
-
-/// An empty folder of this test.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("sweep").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
 }
 
 /// A sweep through order and chaos, short enough for a test.
@@ -42,13 +34,6 @@ fn written_with(code: i32, command: &mut Command, file: &Path) -> Vec<u8> {
     fs::read(file).unwrap()
 }
 
-fn files(folder: &Path) -> Vec<String> {
-    let mut names: Vec<_> =
-        fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
-}
-
 fn error(answer: &Output) -> String {
     assert_eq!(answer.status.code(), Some(2), "{answer:?}");
     String::from_utf8(answer.stderr.clone()).unwrap()
@@ -56,7 +41,7 @@ fn error(answer: &Output) -> String {
 
 #[test]
 fn any_number_of_threads_writes_the_same_bytes() {
-    let folder = folder("threads");
+    let folder = folder("sweep-threads");
     for format in ["csv", "jsonl"] {
         let of = |threads: &str| {
             let file = folder.join(format!("{threads}.{format}"));
@@ -72,7 +57,7 @@ fn any_number_of_threads_writes_the_same_bytes() {
 
 #[test]
 fn shards_put_together_are_the_whole() {
-    let folder = folder("shards");
+    let folder = folder("sweep-shards");
     let shard = |number: u32| {
         let file = folder.join(format!("{number}.jsonl"));
         written(sweep(&DIAGRAM).args(["--shard", &format!("{number}/3")]), &file);
@@ -112,21 +97,39 @@ fn shards_put_together_are_the_whole() {
     assert!(with("nothing".into()).contains("line 1 is no head"));
 }
 
+/// CRC-32 bit by bit, as IEEE 802.3 has it.
+fn crc(bytes: &[u8]) -> u32 {
+    let shift = |crc: u32, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), shift))
+}
+
 #[test]
-fn a_torn_journal_is_gone_on_with() {
-    let folder = folder("torn");
+fn a_torn_journal_is_gone_on_with_and_a_damaged_one_is_refused() {
+    let folder = folder("sweep-torn");
     let whole = written(&mut sweep(&DIAGRAM), &folder.join("whole.csv"));
     let lines = sweep(&DIAGRAM).args(["--format", "jsonl"]).output().unwrap().stdout;
-    // The head, points 0 to 6, and part of the next one: what a crash may leave.
-    let ends: Vec<usize> = (0..lines.len()).filter(|&i| lines[i] == b'\n').collect();
+    let lines = String::from_utf8(lines).unwrap();
     let (file, partial) = (folder.join("resumed.csv"), folder.join("resumed.csv.partial"));
-    fs::write(&partial, &lines[..ends[7] + 100]).unwrap();
+    let resume = || sweep(&DIAGRAM).args(["--resume", "--output"]).arg(&file).output().unwrap();
+    // The head, points 0 to 6, and part of the next one: what a crash may leave.
+    let sealed: Vec<String> = lines.lines().map(|line| format!("{:08x} {line}\n", crc(line.as_bytes()))).collect();
+    let torn = sealed[..8].concat() + &sealed[8][..100];
+    // One sign changed, of all the signs of a number; a line changed for a good one of other bytes; one of an earlier version.
+    let minus = torn.rfind("\"-").unwrap();
+    let line = torn[..minus].lines().count();
+    fs::write(&partial, [&torn[..minus], "\" ", &torn[minus + 2..]].concat()).unwrap();
+    let said = error(&resume());
+    assert!(said.contains(&format!("resumed.csv.partial: line {line}: it is damaged")), "{said}");
+    fs::write(&partial, torn.replace("\"point\":3", "\"point\":9")).unwrap();
+    assert!(error(&resume()).contains("resumed.csv.partial: line 5: it is damaged"));
+    fs::write(&partial, &lines).unwrap();
+    assert!(error(&resume()).contains("line 1: it has no checksum: an earlier version began this sweep"));
+    fs::write(&partial, torn).unwrap();
     let refused = sweep(&DIAGRAM).arg("--output").arg(&file).output().unwrap();
     assert!(error(&refused).contains("holds an unfinished sweep: go on with it by --resume, or remove it"));
     let answer = sweep(&DIAGRAM).args(["--digits", "5", "--resume", "--output"]).arg(&file).output().unwrap();
     assert!(error(&answer).contains("of another sweep, or of another version: digits is 6 in the one and 5"));
-    let answer = sweep(&DIAGRAM).args(["--resume", "--output"]).arg(&file).output().unwrap();
-    assert!(String::from_utf8(answer.stderr).unwrap().contains("(14 in "), "seven points are taken over");
+    assert!(String::from_utf8(resume().stderr).unwrap().contains("(14 in "), "seven points are taken over");
     assert_eq!(fs::read(&file).unwrap(), whole);
     assert_eq!(files(&folder), ["resumed.csv", "whole.csv"]);
     // Where there is nothing to go on with, it begins.
@@ -136,22 +139,13 @@ fn a_torn_journal_is_gone_on_with() {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_what_is_finished() {
-    use nix::sys::signal::{Signal, kill};
-    use nix::unistd::Pid;
-    use std::process::Stdio;
-
-    let folder = folder("interrupted");
+    let folder = folder("sweep-interrupted");
     let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:401", "--transient", "50", "--impacts", "5"];
     // Few enough impacts for doubles.
     let whole = written_with(0, &mut sweep(&long), &folder.join("whole.csv"));
     let (file, partial) = (folder.join("part.csv"), folder.join("part.csv.partial"));
-    let child = sweep(&long).arg("--output").arg(&file).stderr(Stdio::piped()).spawn().unwrap();
     let lines = || fs::read_to_string(&partial).map_or(0, |text| text.lines().count());
-    while lines() < 20 {
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
-    let answer = child.wait_with_output().unwrap();
+    let answer = common::interrupted(sweep(&long).arg("--output").arg(&file), || lines() >= 20);
     assert_eq!(answer.status.code(), Some(1));
     let said = String::from_utf8(answer.stderr).unwrap();
     assert!(said.starts_with(&format!("interrupted: {} points are kept in", lines() - 1)), "{said}");
@@ -174,7 +168,7 @@ fn records(answer: &Output) -> Vec<Value> {
 
 #[test]
 fn scenes_that_rest_graze_or_never_impact_have_their_outcomes() {
-    let folder = folder("outcomes");
+    let folder = folder("sweep-outcomes");
     let of = |arguments: &[&str]| {
         let answer =
             sweep(arguments).args(["--transient", "4", "--impacts", "40", "--format", "jsonl"]).output().unwrap();
@@ -245,7 +239,7 @@ fn a_graze_is_passed_and_has_no_exponent() {
 
 #[test]
 fn pictures_show_all_outcomes() {
-    let folder = folder("pictures");
+    let folder = folder("sweep-pictures");
     let picture = |arguments: &[&str]| {
         let file = folder.join("picture.svg");
         let mut command = sweep(arguments);
@@ -280,7 +274,7 @@ fn pictures_show_all_outcomes() {
 
 #[test]
 fn a_picture_says_which_of_several_frequencies_phases_are_of() {
-    let file = folder("several").join("picture.svg");
+    let file = folder("sweep-several").join("picture.svg");
     let mut command =
         sweep(&["scenes/square-wave.toml", "--over", "gap=9..10:3", "--transient", "0", "--impacts", "9"]);
     let answer = command.arg("--plot").arg(&file).output().unwrap();
@@ -331,7 +325,7 @@ fn parquet_holds_the_bounds_of_the_table() {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::RowAccessor;
 
-    let folder = folder("parquet");
+    let folder = folder("sweep-parquet");
     let csv = String::from_utf8(written(&mut sweep(&DIAGRAM), &folder.join("a.csv"))).unwrap();
     written(sweep(&DIAGRAM).args(["--format", "parquet"]), &folder.join("a.parquet"));
     let reader = SerializedFileReader::new(fs::File::open(folder.join("a.parquet")).unwrap()).unwrap();

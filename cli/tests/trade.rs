@@ -3,10 +3,10 @@
 mod common;
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::Command;
 
-use common::program;
+use common::{files, folder, program};
+use impact_pair_certificate::document::TradeDocument;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
@@ -14,14 +14,6 @@ fn trade(arguments: &[&str]) -> Command {
     let mut command = program(&["trade"]);
     command.args(arguments);
     command
-}
-
-/// An empty folder of this test.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("trade").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
 }
 
 /// Times, widths and errors, with the spaces before them; sizes are tested where they are proved.
@@ -54,7 +46,7 @@ fn the_command_line() {
 
 #[test]
 fn a_scene_that_asks_for_no_impact_is_refused() {
-    let scene = folder("no-impact").join("scene.toml");
+    let scene = folder("trade-no-impact").join("scene.toml");
     fs::write(&scene, common::scene("figure-12.toml").replace("impacts = 200", "impacts = 0")).unwrap();
     let answer = trade(&[scene.to_str().unwrap()]).output().unwrap();
     assert_eq!(answer.status.code(), Some(2));
@@ -64,7 +56,7 @@ fn a_scene_that_asks_for_no_impact_is_refused() {
 
 #[test]
 fn document_and_picture_appear_whole() {
-    let folder = folder("whole");
+    let folder = folder("trade-whole");
     let (document, picture) = (folder.join("trade.json"), folder.join("trade.svg"));
     let answer = trade(&["scenes/figure-14.toml", "--impacts", "120", "--format", "json"])
         .arg("--output")
@@ -75,7 +67,10 @@ fn document_and_picture_appear_whole() {
         .unwrap();
     assert!(answer.status.success() && answer.stdout.is_empty() && answer.stderr.is_empty(), "{answer:?}");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
-    has_the_shape_of_a_trade(&serde_json::from_str(&fs::read_to_string(&document).unwrap()).unwrap());
+    let document: Value = serde_json::from_str(&fs::read_to_string(&document).unwrap()).unwrap();
+    let read: TradeDocument = serde_json::from_value(document.clone()).unwrap();
+    assert_eq!(serde_json::to_value(&read).unwrap(), document);
+    has_the_shape_of_a_trade(&document);
     let picture = fs::read_to_string(&picture).unwrap();
     let judged = if cfg!(feature = "multiprecision") { "wrong word from" } else { "judged to" };
     let wrong = &format!("float ({judged} impact ");
@@ -133,23 +128,11 @@ fn has_the_shape_of_a_trade(document: &Value) {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_what_is_measured() {
-    use nix::sys::signal::{Signal, kill};
-    use nix::unistd::Pid;
-    use std::process::Stdio;
-
-    let folder = folder("interrupted");
+    let folder = folder("trade-interrupted");
     let file = folder.join("trade.json");
-    let child = trade(&["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "json", "--output"])
-        .arg(&file)
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let long = ["scenes/figure-12.toml", "--impacts", "1000000000", "--format", "json", "--output"];
     // The draft appears after the handler is in place.
-    while fs::read_dir(&folder).unwrap().next().is_none() {
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
-    let answer = child.wait_with_output().unwrap();
+    let answer = common::interrupted(trade(&long).arg(&file), || !files(&folder).is_empty());
     assert_eq!(answer.status.code(), Some(1));
     assert_eq!(String::from_utf8(answer.stderr).unwrap(), "interrupted in rung float\n");
     let document: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();

@@ -3,10 +3,9 @@
 mod common;
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::Command;
 
-use common::program;
+use common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
@@ -41,7 +40,7 @@ fn motions_as_json() {
 #[test]
 fn what_is_left_open_is_said() {
     let fold = common::scene("figure-12.toml").replace("9.42497", "\"sqrt(4 + 9*pi^2)\"");
-    let path = folder("fold").join("fold.toml");
+    let path = folder("two-impact-fold").join("fold.toml");
     fs::write(&path, fold).unwrap();
     let answer = two_impact(&[path.to_str().unwrap()]).output().unwrap();
     assert_eq!(answer.status.code(), Some(1));
@@ -60,7 +59,7 @@ fn manifolds() {
 
 #[test]
 fn a_picture_has_all_curves_and_kinds() {
-    let picture = folder("picture").join("figure-10.svg");
+    let picture = folder("two-impact-picture").join("figure-10.svg");
     let arguments = ["scenes/figure-10.toml", "--manifold", "frequency=1..60:200", "--cycles", "1..7"];
     let answer = two_impact(&arguments).arg("--plot").arg(&picture).output().unwrap();
     assert!(answer.status.success(), "{answer:?}");
@@ -86,12 +85,4 @@ fn the_command_line() {
     assert_cmd_snapshot!("motions_as_csv", two_impact(&[scene, "--format", "csv"]));
     assert_cmd_snapshot!("plot_without_manifold", two_impact(&[scene, "--plot", "a.svg"]));
     assert_cmd_snapshot!("speed_of_a_start_inside", two_impact(&["scenes/graze.toml", "--solve-for", "gap"]));
-}
-
-/// An empty folder of this test.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("two-impact").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
 }

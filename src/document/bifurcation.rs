@@ -45,16 +45,9 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
         None => PeriodicOrbitDocument {
             impacts: point.impacts.iter().map(|impact| units.impact(impact, point.bits)).collect(),
             unique: true,
-            physical: None,
             symmetric: point.symmetric,
-            trace: None,
-            determinant: None,
-            eigenvalues: None,
             stability: "undecided".to_owned(),
-            spacing: None,
-            sine: None,
-            amplitude: None,
-            gap: None,
+            ..PeriodicOrbitDocument::default()
         },
     };
     Ok(BifurcationPointDocument {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use impact_pair_certificate::document::{Decimal, OutcomeDocument, PeriodicOrbitDocument, bounds};
 
-use super::event::{Bounds, Event};
+use super::event::Event;
 use super::periodic::{measured, periodic_orbit};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_digits};
@@ -76,10 +76,7 @@ impl Conclusion {
                 Self { doubt: Some(doubt), ..said(message) }
             }
             None => {
-                let time = match last.map(|event| &event.time) {
-                    Some(Bounds::Certified(time) | Bounds::Float(time)) => time.clone(),
-                    None => enclosed(start.time()),
-                };
+                let time = last.map_or_else(|| enclosed(start.time()), |event| event.time.enclosure().clone());
                 let doubt = Doubt { reason: Reason::Budget, wall: None, time: (time, None) };
                 Self { doubt: Some(doubt), ..said(format!("interrupted {after}")) }
             }
@@ -149,7 +146,8 @@ fn enclosed(x: &Exact) -> Enclosure {
     x.enclose(START_BITS)
 }
 
-fn counted(impacts: u64) -> String {
+/// So many impacts, in words.
+pub fn counted(impacts: u64) -> String {
     if impacts == 1 { "1 impact".into() } else { format!("{impacts} impacts") }
 }
 

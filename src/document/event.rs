@@ -116,6 +116,12 @@ impl Bounds {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }
 
+    /// What it is known by.
+    pub fn enclosure(&self) -> &Enclosure {
+        let (Self::Certified(x) | Self::Float(x)) = self;
+        x
+    }
+
     /// The lower and the upper bound, rounded outward; of a float, the shortest decimal of the double twice.
     pub fn decimals(&self) -> [String; 2] {
         match self {

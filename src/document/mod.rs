@@ -8,7 +8,7 @@ mod periodic;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
-pub use conclusion::Conclusion;
+pub use conclusion::{Conclusion, counted};
 pub use event::{Bounds, Event, Kind};
 pub use orbit::{arithmetic, head, is_certified, orbit};
 pub use periodic::Units;

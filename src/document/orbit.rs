@@ -1,11 +1,13 @@
 //! The orbit JSON: whose orbit it is, what computed it, and whether that proves anything.
 
+use std::ops::ControlFlow;
+
 use impact_pair_certificate::document::{
     ArithmeticDocument, EventDocument, ORBIT_SCHEMA, OrbitDocument, OrbitHead, PROGRAM, SceneDocument,
 };
 
 use super::{Conclusion, Event};
-use crate::orbit::{Arithmetic, Orbit, Progress, Settings, Start};
+use crate::orbit::{Arithmetic, Orbit, Settings, Start};
 use crate::{Error, ImpactPair};
 
 /// The orbit of `pair` from `start`, followed to its end, as a document.
@@ -29,14 +31,11 @@ pub fn orbit(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Orb
     let asked = settings.arithmetic;
     let mut orbit = Orbit::new(pair, start, settings)?;
     let mut events: Vec<Event> = Vec::new();
-    loop {
-        let step = orbit.advance();
-        if step == Progress::Ended {
-            break;
-        }
+    let _ = orbit.follow(&|| true, |orbit, step| {
         let index = events.last().map_or(0, |event| event.index);
-        events.extend(Event::of(&orbit, &step, index));
-    }
+        events.extend(Event::of(orbit, &step, index));
+        ControlFlow::<()>::Continue(())
+    });
     Ok(OrbitDocument {
         head: head(pair, start, asked, arithmetic(&orbit)),
         outcome: Conclusion::of(&orbit, start, events.last()).document(),

@@ -122,9 +122,6 @@ pub(super) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
         determinant: Some(bounds(&orbit.determinant)),
         eigenvalues: Some(orbit.eigenvalues.each_ref().map(eigenvalue)),
         stability: orbit.stability.name().to_owned(),
-        spacing: None,
-        sine: None,
-        amplitude: None,
-        gap: None,
+        ..PeriodicOrbitDocument::default()
     }
 }

@@ -18,6 +18,7 @@ mod recurrence;
 mod set;
 mod shortfall;
 mod textbook;
+mod watch;
 mod width;
 
 pub use course::{Course, CoursePoint};
@@ -25,6 +26,7 @@ pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
+pub use watch::Watch;
 
 use std::cmp::Ordering;
 

@@ -1,5 +1,7 @@
 //! One point of a sweep: an orbit, followed past a transient, and what is proved of it.
 
+use std::ops::ControlFlow;
+
 use crate::Error;
 use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
@@ -84,20 +86,12 @@ pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Resul
     let mut orbit = Orbit::of(scene, Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
     let mut window = Window::new(&orbit, asked.transient);
     let mut last = None;
-    loop {
-        if !goes_on() {
-            return Ok(None);
-        }
-        match orbit.advance() {
-            Progress::Ended => break,
-            Progress::Retraced(_) => {}
-            event => {
-                window.follow(&orbit, &event);
-                last = Some(event);
-            }
-        }
-    }
-    let outcome = orbit.outcome().expect("an orbit that has ended has an outcome").clone();
+    let _ = orbit.follow(&goes_on, |orbit, event| {
+        window.follow(orbit, &event);
+        last = Some(event);
+        ControlFlow::<()>::Continue(())
+    });
+    let Some(outcome) = orbit.outcome().cloned() else { return Ok(None) };
     let last = last.and_then(|event| Event::of(&orbit, &event, window.listed));
     let attraction = match &outcome {
         Outcome::Attracted(attractor) => Some(attraction(&orbit, attractor)),

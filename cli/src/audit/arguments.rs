@@ -3,12 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use impact_pair::audit::{Asked, Column, Columns};
 use impact_pair::exact::Exact;
-use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
-use impact_pair::scene::{DIGITS, Run};
-
-/// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
-const BEYOND: u32 = 3;
+use impact_pair::orbit::MAX_BITS;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all agree; 1 something disagrees or is undecided; 2 usage, bad input, I/O";
@@ -33,6 +30,7 @@ What is said of a row, or of a certified impact that is on none:
   in the chatter  on its wall, no faster, and after the last impact of a chatter that can be told from its end to the
                   tolerance: infinitely many impacts lie there, and none of them is asked for
   undecided       after the last impact that could be certified
+  not reached     later than that; the list lacks more impacts than it has rows, and the orbit is followed no further
 The start and grazes may be listed or not; of a graze wall and time are judged.
 
 A row may be an impact if it lies on its wall, and nearest to it of all impacts or within the tolerance. As many rows as \
@@ -55,11 +53,11 @@ pub struct AuditArguments {
     pub events: PathBuf,
     /// How far a time may be off, in periods 2 pi/W, and a velocity, in A W; from 0 to 1
     #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance)]
-    pub tolerance: Exact,
+    tolerance: Exact,
     /// Judge up to this time: what is listed later is left out, what is certified before is asked for [default: the last
     /// time listed]
     #[arg(long, value_name = "T", value_parser = crate::arguments::point, allow_hyphen_values = true)]
-    pub until: Option<Exact>,
+    until: Option<Exact>,
     /// The column of times, by its name or its number from 1 [default: time or t, or the first one]
     #[arg(long, value_name = "NAME|N")]
     time_column: Option<String>,
@@ -102,60 +100,21 @@ pub enum AuditFormat {
     Json,
 }
 
-/// Where the list has what.
-#[derive(Clone, Debug)]
-pub struct Columns {
-    pub time: Column,
-    pub wall: Column,
-    /// `None`: velocities are not judged.
-    pub velocity: Option<Column>,
-}
-
-/// What a column is called.
-#[derive(Clone, Debug)]
-pub struct Column {
-    /// The flag that says so.
-    pub flag: &'static str,
-    /// Its usual names.
-    pub names: &'static [&'static str],
-    /// The name or the number given.
-    pub given: Option<String>,
-}
-
-impl Column {
-    /// The names it may have: the one given, or the usual ones.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        let usual = if self.given.is_some() { &[] } else { self.names };
-        self.given.as_deref().into_iter().chain(usual.iter().copied())
-    }
-}
-
 impl AuditArguments {
     /// Where the list has what.
     pub fn columns(&self) -> Columns {
-        let column = |flag, names, given: &Option<String>| Column { flag, names, given: given.clone() };
-        let velocity = column("--velocity-column", &["velocity", "v"], &self.velocity_column);
         Columns {
-            time: column("--time-column", &["time", "t"], &self.time_column),
-            wall: column("--wall-column", &["wall", "side"], &self.wall_column),
-            velocity: (!self.no_velocity).then_some(velocity),
+            time: Column::time(self.time_column.clone()),
+            wall: Column::wall(self.wall_column.clone()),
+            velocity: (!self.no_velocity).then(|| Column::velocity(self.velocity_column.clone())),
         }
     }
 
-    /// How the orbit that judges is computed, up to `until`.
-    pub fn settings(&self, until: Exact) -> Settings {
-        let arithmetic = if cfg!(feature = "multiprecision") { Arithmetic::Auto } else { Arithmetic::Interval };
-        let digits = self.digits.unwrap_or_else(|| finer(&self.tolerance));
-        let run = Run { impacts: None, until: Some(until), digits: Some(digits) };
-        Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
+    /// How the list is judged.
+    pub fn asked(&self) -> Asked {
+        let (tolerance, until) = (self.tolerance.clone(), self.until.clone());
+        Asked { tolerance, until, digits: self.digits, max_bits: self.max_bits }
     }
-}
-
-/// The digits that do for a tolerance.
-fn finer(tolerance: &Exact) -> u32 {
-    let (_, size) = tolerance.enclose(64).to_f64_bounds();
-    let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) };
-    (digits as u32 + BEYOND).clamp(*DIGITS.start(), *DIGITS.end())
 }
 
 /// Reads a tolerance.
@@ -168,14 +127,6 @@ fn tolerance(text: &str) -> Result<Exact, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_truth_is_finer_than_the_tolerance() {
-        let digits = |text: &str| finer(&tolerance(text).unwrap());
-        assert_eq!([digits("1e-9"), digits("2e-9"), digits("1"), digits("0.5")], [12, 12, 3, 4]);
-        assert_eq!(digits("0"), 12);
-        assert!(digits("1e-5000") > 300);
-    }
 
     #[test]
     fn a_tolerance_is_a_number_from_0_to_1() {

@@ -2,15 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use impact_pair::audit::{Audit, Finding, Parting, Reason, Site, SiteKind, Verdict};
 use impact_pair::exact::{Enclosure, decimal_digits};
+use impact_pair::scales::Unit;
 
-use super::Audit;
-use super::doubles::Parting;
-use super::judge::Finding;
-use super::truth::{Site, SiteKind};
-use super::verdict::{Reason, Verdict};
 use crate::heading;
-use crate::trade::size::Unit;
 
 /// Events that disagree and are shown; of a chaotic list thousands may follow.
 const SHOWN: usize = 10;
@@ -23,14 +19,15 @@ pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
     lines.push(format!("list: {name}, {}", listed(audit)));
     lines.push(format!(
         "tolerance: {} of 2 pi/W in time, of {} in velocity\n",
-        audit.tolerance.relative, audit.tolerance.scales.speed
+        audit.tolerance(),
+        audit.scales().speed
     ));
     let shown = shown(audit, all);
     if !shown.is_empty() {
         let [row, impact, time] = ["row", "impact", "listed time"];
         lines.push(format!("{row:>10}  {impact:>6}  wall   {time:22}  time off  velocity off  verdict"));
         lines.extend(shown.iter().map(|finding| finding.map_or("     ...".into(), |finding| line(finding, audit))));
-        let count = audit.judgement.count(Verdict::disagrees);
+        let count = audit.count(Verdict::disagrees);
         if count > shown.iter().flatten().filter(|finding| finding.verdict.disagrees()).count() {
             lines.push(format!("     ... {count} disagree in all (--all or --format json lists them)"));
         }
@@ -58,13 +55,15 @@ fn listed(audit: &Audit<'_>) -> String {
 /// What the table lists: all, or the first ones that disagree or are undecided and the one where the list leaves the
 /// orbit, each with the event before it. `None` stands for what is left out in between.
 fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<Option<&'a Finding>> {
-    let findings = &audit.judgement.findings;
+    let findings = audit.findings();
     if all {
         return findings.iter().map(Some).collect();
     }
-    let is_of_interest = |finding: &Finding| finding.verdict.disagrees() || finding.verdict == Verdict::Undecided;
+    let is_of_interest = |finding: &Finding| {
+        finding.verdict.disagrees() || matches!(finding.verdict, Verdict::Undecided | Verdict::NotReached)
+    };
     let first = (0..findings.len()).filter(|&at| is_of_interest(&findings[at])).take(SHOWN);
-    let wanted: BTreeSet<usize> = first.chain(audit.judgement.departure.map(|departure| departure.finding)).collect();
+    let wanted: BTreeSet<usize> = first.chain(audit.departure().map(|departure| departure.finding)).collect();
     let with_those_before: BTreeSet<usize> = wanted.iter().flat_map(|&at| [at.saturating_sub(1), at]).collect();
     let mut shown = Vec::new();
     let mut next = with_those_before.first().copied().unwrap_or(0);
@@ -79,8 +78,8 @@ fn shown<'a>(audit: &'a Audit<'_>, all: bool) -> Vec<Option<&'a Finding>> {
 }
 
 fn line(finding: &Finding, audit: &Audit<'_>) -> String {
-    let listed = finding.row.map(|row| &audit.rows[row]);
-    let site = finding.site.map(|site| &audit.truth.sites[site]);
+    let listed = audit.row(finding);
+    let site = audit.site(finding);
     let place = listed.map_or("-", |listed| &listed.place);
     let wall = listed.map(|listed| listed.wall).or(site.map(|site| site.wall)).map_or("", |wall| wall.name());
     let is_contact = finding.errors.is_some() || finding.verdict == Verdict::Missed;
@@ -116,6 +115,7 @@ fn said(verdict: Verdict, site: Option<&Site>) -> String {
     match (verdict, site) {
         (Verdict::Missed, Some(site)) => format!("missed: certified at t = {}", decimal_digits(&site.time)),
         (Verdict::InChatter, _) => "in the chatter".into(),
+        (Verdict::NotReached, _) => "not reached".into(),
         (Verdict::False(Reason::Twice), _) => format!("false: another row is {}", named()),
         (Verdict::False(Reason::Order), _) => format!("false: out of order, nearest is {}", named()),
         (Verdict::False(Reason::Wall), _) => format!("false: nearest is {}, on the {wall} wall", named()),
@@ -126,15 +126,15 @@ fn said(verdict: Verdict, site: Option<&Site>) -> String {
 }
 
 fn summary(audit: &Audit<'_>) -> Vec<String> {
-    let Audit { judgement, truth, doubles, .. } = audit;
-    let count = |verdict: Verdict| judgement.count(|other| other == verdict);
-    let invented = judgement.count(|verdict| matches!(verdict, Verdict::False(_)));
+    let count = |verdict: Verdict| audit.count(|other| other == verdict);
+    let invented = audit.count(|verdict| matches!(verdict, Verdict::False(_)));
     let mut counts: Vec<String> = [
         (count(Verdict::Inside), "inside"),
         (count(Verdict::Outside), "outside"),
         (invented, "false"),
         (count(Verdict::InChatter), "in the chatter"),
         (count(Verdict::Undecided), "undecided"),
+        (count(Verdict::NotReached), "not reached"),
         (count(Verdict::Missed), "missed"),
     ]
     .into_iter()
@@ -145,29 +145,28 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         counts.push("nothing listed, nothing missed".into());
     }
     let mut lines = vec![counts.join(", ")];
-    if let Some(first) = judgement.first_disagreement() {
-        let place = first.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
+    if let Some(first) = audit.first_disagreement() {
+        let place = audit.row(first).map_or(String::new(), |row| format!(" ({})", row.place));
         let near = if let Verdict::False(_) = first.verdict { "near " } else { "" };
-        let at = match judgement.impact(first, truth) {
+        let at = match audit.impact(first) {
             0 => "before impact 1".into(),
             impact => format!("{near}impact {impact}"),
         };
         lines.push(format!("first disagreement: {at}{place}, {}", first.verdict.name()));
     }
-    if let Some(departure) = judgement.departure {
+    if let Some(departure) = audit.departure() {
         let place = departure.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
         lines.push(format!("another orbit from impact {} on{place}", departure.impact));
     }
-    for (name, parting) in [("exact from rounded data", &doubles.data), ("--arithmetic float", &doubles.float)] {
+    for (name, parting) in
+        [("exact from rounded data", &audit.doubles.data), ("--arithmetic float", &audit.doubles.float)]
+    {
         if let Some(parting) = parting {
             lines.push(format!("double precision, {name}: {}", parted(parting, audit.is_open())));
         }
     }
-    if let Some(index) = truth.wide {
-        lines.push(format!(
-            "impact {index} is the first one certified in bounds wider than {} digits",
-            audit.settings.digits
-        ));
+    if let Some(index) = audit.first_wide() {
+        lines.push(format!("impact {index} is the first one certified in bounds wider than {} digits", audit.digits()));
     }
     lines.push(format!("\n{}", audit.conclusion()));
     lines

@@ -9,11 +9,9 @@ use anyhow::{Context, Result};
 use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
 use impact_pair::orbit::Orbit;
 use impact_pair_plot::orbit::{Recorder, Sheet, Style, end_of};
-use impact_pair_plot::picture::encoded;
 
 use crate::Answer;
 use crate::ending::Ending;
-use crate::follow::follow;
 use crate::output::Output;
 use crate::progress::{Progress, interruption};
 use crate::scene;
@@ -27,12 +25,12 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
 
     // From here on Ctrl-C keeps what is certified.
     interruption();
-    let mut out = Output::open(Some(&arguments.output))?;
+    let out = Output::open(Some(&arguments.output))?;
     let visible = !arguments.quiet && io::stderr().is_terminal();
     let progress = Progress::new(settings.impacts, visible);
     let mut recorder = Recorder::new(&orbit, arguments.curve_cycles());
     let mut last: Option<Event> = None;
-    let _ = follow(&mut orbit, &progress, |orbit, step| {
+    let _ = orbit.follow(&progress, |orbit, step| {
         recorder.record(orbit, &step);
         let index = last.as_ref().map_or(0, |event| event.index);
         last = Event::of(orbit, &step, index).or(last.take());
@@ -53,10 +51,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
         style,
         verdict: ending.to_string(),
     };
-    let failed = || format!("cannot draw {}", arguments.output.display());
-    let bytes = sheet.svg().and_then(|svg| encoded(svg, &arguments.output)).with_context(failed)?;
-    out.write_all(&bytes).with_context(failed)?;
-    out.commit()?;
+    out.draw(&arguments.output, || sheet.svg())?;
     if !arguments.quiet {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{ending}");

@@ -116,13 +116,6 @@ pub struct Shard {
     pub of: u64,
 }
 
-impl Shard {
-    /// Whether a point is one of this part's: neighbours, which cost alike, go to different parts.
-    pub fn holds(self, point: u64) -> bool {
-        point % self.of == self.number - 1
-    }
-}
-
 impl FromStr for Shard {
     type Err = String;
 

@@ -1,6 +1,7 @@
 //! The points that are finished, on disk: a head, then a record a line, in the order in which they were finished.
 //!
-//! A journal beside the output outlives the program; a line that a crash has torn is forgotten. A shard is a journal as well.
+//! A journal beside the output outlives the program. Each of its lines begins with a checksum, so that a damaged one is refused;
+//! a last line that a crash has torn is forgotten. A shard is a journal as well, without checksums.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -11,7 +12,22 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use impact_pair::certificate::document::SweepHead;
 
-use super::record::{line, own, read_head, read_record};
+use super::record::{is_own, line, own, read_head, read_record};
+
+/// Bytes before the text of a line: its CRC-32 in hexadecimal digits, and a blank.
+const SEAL: usize = 9;
+
+/// The text of a line, if it is what was written.
+fn unsealed(line: &[u8]) -> Result<&[u8]> {
+    if line.starts_with(b"{") {
+        bail!("it has no checksum: an earlier version began this sweep; remove the file to begin anew");
+    }
+    let text = line.get(SEAL..).unwrap_or_default();
+    if line.get(..SEAL) != Some(format!("{:08x} ", crc32fast::hash(text)).as_bytes()) {
+        bail!("it is damaged: its checksum is not that of what it says");
+    }
+    Ok(text)
+}
 
 /// Where the record of a point is.
 #[derive(Clone, Copy, Debug)]
@@ -90,30 +106,36 @@ impl Journal {
         Self::scan(file, false).context(shown)
     }
 
-    /// Reads all of a file; a line that does not end may be one that a crash has torn.
-    fn scan(file: File, may_be_torn: bool) -> Result<Self> {
+    /// Reads all of a file. Of a journal beside an output each line has a checksum, and one that does not end is what a crash
+    /// has torn.
+    fn scan(file: File, is_partial: bool) -> Result<Self> {
         let mut lines = BufReader::new(file);
-        let mut text = String::new();
-        lines.read_line(&mut text).context("line 1")?;
-        let head = read_head(text.trim_end())?;
-        let (mut places, mut end) = (BTreeMap::new(), text.len() as u64);
-        for number in 2u64.. {
-            text.clear();
-            let bytes = lines.read_line(&mut text).with_context(|| format!("line {number}"))?;
-            if bytes == 0 || (may_be_torn && !text.ends_with('\n')) {
+        let (mut places, mut end, mut bytes, mut head) = (BTreeMap::new(), 0, Vec::new(), None);
+        for number in 1u64.. {
+            bytes.clear();
+            lines.read_until(b'\n', &mut bytes).with_context(|| format!("line {number}"))?;
+            if head.is_some() && (bytes.is_empty() || (is_partial && !bytes.ends_with(b"\n"))) {
                 break;
             }
-            let record = read_record(&text).with_context(|| format!("line {number} is no record of a point"))?;
-            let is_own = record.point < head.points
-                && head.shard.is_none_or(|[number, of]| super::arguments::Shard { number, of }.holds(record.point));
-            if !is_own || record.values.len() != head.over.len() {
+            let all = bytes.len() as u64;
+            let written = bytes.trim_ascii_end();
+            let text = if is_partial { unsealed(written).with_context(|| format!("line {number}"))? } else { written };
+            let place = Place { offset: end + (written.len() - text.len()) as u64, bytes: text.len() };
+            end += all;
+            let text = std::str::from_utf8(text).with_context(|| format!("line {number}"))?;
+            let Some(head) = &head else {
+                head = Some(read_head(text)?);
+                continue;
+            };
+            let record = read_record(text).with_context(|| format!("line {number} is no record of a point"))?;
+            if !is_own(head, record.point) || record.values.len() != head.over.len() {
                 bail!("line {number}: point {} is none of this sweep, or of this shard", record.point);
             }
-            if places.insert(record.point, Place { offset: end, bytes: text.trim_end().len() }).is_some() {
+            if places.insert(record.point, place).is_some() {
                 bail!("line {number}: point {} is there twice", record.point);
             }
-            end += bytes as u64;
         }
+        let head = head.context("line 1 is missing")?;
         Ok(Self { head, file: lines.into_inner(), places, end, path: None })
     }
 
@@ -133,7 +155,7 @@ impl Journal {
 
     /// Adds the record of a point; from now on a crash does not lose it.
     pub fn add(&mut self, point: u64, line: &str) -> io::Result<()> {
-        let place = Place { offset: self.end, bytes: line.len() };
+        let place = Place { offset: self.end + SEAL as u64, bytes: line.len() };
         self.write(line)?;
         self.places.insert(point, place);
         Ok(())
@@ -141,7 +163,7 @@ impl Journal {
 
     fn write(&mut self, line: &str) -> io::Result<()> {
         self.file.seek(SeekFrom::Start(self.end))?;
-        let text = format!("{line}\n");
+        let text = format!("{:08x} {line}\n", crc32fast::hash(line.as_bytes()));
         self.file.write_all(text.as_bytes())?;
         self.end += text.len() as u64;
         Ok(())

@@ -20,7 +20,6 @@ use impact_pair::Scene;
 use impact_pair::certificate::document::SweepHead;
 use impact_pair::orbit::Settings;
 use impact_pair::sweep::{self, Asked, Grid};
-use impact_pair_plot::picture::encoded;
 use impact_pair_plot::sweep::Records;
 
 use crate::Answer;
@@ -46,16 +45,8 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
 
 /// Refuses to write one file over another one.
 fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
-    let outputs = [arguments.output.as_deref(), arguments.plot.as_deref()];
-    for input in arguments.scene.iter().chain(&arguments.merge) {
-        outputs.iter().try_for_each(|output| scene::keep(input, *output))?;
-    }
-    if let [Some(output), Some(plot)] = outputs
-        && (output == plot || scene::is_same_file(output, plot))
-    {
-        bail!("cannot write {}: --output and --plot name the same file", plot.display());
-    }
-    Ok(())
+    let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.merge).collect();
+    scene::keep_apart(&inputs, arguments.output.as_deref(), arguments.plot.as_deref())
 }
 
 /// The format asked for, or the one that suits.
@@ -167,11 +158,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) ->
     sweep.write(&mut out, format).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
-        let failed = || format!("cannot draw {}", path.display());
-        let mut picture = Output::open(Some(path))?;
-        let svg = impact_pair_plot::sweep::svg(sweep, arguments.show).with_context(failed)?;
-        picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
-        picture.commit()?;
+        Output::open(Some(path))?.draw(path, || impact_pair_plot::sweep::svg(sweep, arguments.show))?;
     }
     Ok(tally)
 }

@@ -5,8 +5,6 @@ use impact_pair::certificate::document::{SWEEP_SCHEMA, SweepHead, SweepRecord};
 use impact_pair::sweep;
 use serde::Serialize;
 
-use super::arguments::Shard;
-
 /// Reads the first line of what this program has written.
 pub fn read_head(line: &str) -> Result<SweepHead> {
     let head: SweepHead = match serde_json::from_str(line) {
@@ -29,8 +27,12 @@ pub fn line(document: &impl Serialize) -> String {
     serde_json::to_string(document).expect("plain data")
 }
 
+/// Whether a point belongs to it: of several shards, neighbours, which cost alike, go to different ones.
+pub fn is_own(head: &SweepHead, point: u64) -> bool {
+    point < head.points && head.shard.is_none_or(|[number, of]| point % of == number - 1)
+}
+
 /// The points that belong to it.
-pub fn own(head: &SweepHead) -> impl Iterator<Item = u64> + use<> {
-    let shard = head.shard.map(|[number, of]| Shard { number, of });
-    (0..head.points).filter(move |&point| shard.is_none_or(|shard| shard.holds(point)))
+pub fn own(head: &SweepHead) -> impl Iterator<Item = u64> {
+    (0..head.points).filter(|&point| is_own(head, point))
 }

@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use super::judge::{self, Crossing, Judgement, Largest};
-use super::measure::{Extent, Measured};
-use super::{Trade, counted};
+use impact_pair::document::counted;
+use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
+
 use crate::heading;
 
 const TIMES: &str =
@@ -21,7 +21,7 @@ pub fn table(trade: &Trade<'_>) -> String {
     lines.push(format!("widths: guaranteed, of times in periods 2 pi/W, of velocities in {speed}"));
     if let Some(judgement) = &trade.judgement {
         let impacts = trade.rungs.first().map_or(0, |float| float.impacts);
-        lines.extend(verdict(judgement, &judge::name(&judge::truth(&trade.asked)), impacts));
+        lines.extend(verdict(judgement, &trade.judge(), impacts));
     }
     if let Some(rung) = trade.interrupted {
         lines.push(format!("\ninterrupted in rung {rung}"));

@@ -1,7 +1,10 @@
-//! The program and its scenes.
+//! The program, its scenes, and what it writes.
+
+#![allow(dead_code, reason = "not every test file needs all")]
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::{fs, io};
 
 /// `impact-pair run` with these arguments, in the root of the repository.
 pub fn run(arguments: &[&str]) -> Command {
@@ -19,7 +22,6 @@ pub fn program(arguments: &[&str]) -> Command {
 }
 
 /// What the program answers to a scene on stdin.
-#[allow(dead_code, reason = "not every test file needs it")]
 pub fn answer_to(scene: &str, arguments: &[&str]) -> Output {
     use std::io::Write;
     let mut command = run(&["-"]);
@@ -30,8 +32,40 @@ pub fn answer_to(scene: &str, arguments: &[&str]) -> Output {
 }
 
 /// The text of a scene of the repository.
-#[allow(dead_code, reason = "not every test file needs it")]
 pub fn scene(name: &str) -> String {
     let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), "..", "scenes", name].iter().collect();
     std::fs::read_to_string(path).expect("a scene of the repository")
+}
+
+/// An empty folder of one test.
+pub fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The names of what is in a folder, in order.
+pub fn files(folder: &Path) -> Vec<String> {
+    let file = |file: io::Result<fs::DirEntry>| file.unwrap().file_name().into_string().unwrap();
+    let mut names: Vec<_> = fs::read_dir(folder).unwrap().map(file).collect();
+    names.sort();
+    names
+}
+
+/// What the program answers when Ctrl-C comes as soon as it `is_ready`.
+#[cfg(unix)]
+pub fn interrupted(command: &mut Command, is_ready: impl Fn() -> bool) -> Output {
+    let child = command.stderr(Stdio::piped()).spawn().unwrap();
+    while !is_ready() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    interrupt(&child);
+    child.wait_with_output().unwrap()
+}
+
+/// Ctrl-C.
+#[cfg(unix)]
+pub fn interrupt(child: &Child) {
+    nix::sys::signal::kill(nix::unistd::Pid::from_raw(child.id() as i32), nix::sys::signal::Signal::SIGINT).unwrap();
 }

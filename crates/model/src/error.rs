@@ -48,6 +48,7 @@ enum Kind {
     Scene,
     Word,
     Certificate,
+    List,
 }
 
 impl Error {
@@ -73,6 +74,11 @@ impl Error {
     /// Whether a certificate does not read as one.
     pub fn is_certificate(&self) -> bool {
         self.kind == Kind::Certificate
+    }
+
+    /// Whether a list of impacts does not read as one.
+    pub fn is_list(&self) -> bool {
+        self.kind == Kind::List
     }
 
     /// The key of the scene file that is at fault, such as `pair.gap`, when it is one.
@@ -101,6 +107,11 @@ impl Error {
     /// What is no certificate.
     pub fn certificate(message: String) -> Self {
         Self::new(Kind::Certificate, message)
+    }
+
+    /// What is no list of impacts.
+    pub fn list(message: String) -> Self {
+        Self::new(Kind::List, message)
     }
 
     /// A value of a scene file, as written there, that is not of the accepted kind.

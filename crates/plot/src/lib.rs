@@ -1,4 +1,4 @@
-//! Pictures: orbits as in figures 12-17, sweeps, and the manifolds of figures 10 and 11, as SVG.
+//! Pictures: orbits as in figures 12-17, sweeps, what accuracy costs, and the manifolds of figures 10 and 11, as SVG.
 //!
 //! All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a band or a box.
 
@@ -8,4 +8,5 @@ pub mod sweep;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
+pub mod trade;
 pub mod two_impact;

@@ -1,4 +1,4 @@
-//! Lemmas M1 and M2, against intervals of 320 bits.
+//! Lemmas M1 and M2, against intervals of 320 bits, which share nothing with MPFR.
 
 use super::*;
 use crate::number::tests::{Truth, balls, doubles, member, places, powers};
@@ -22,6 +22,22 @@ fn mp_balls() -> impl Strategy<Value = MpBall> {
     })
 }
 
+/// The same, often of the order of 2^+-40 or 2^+-2000, often a few units in the last place wide.
+fn far_balls() -> impl Strategy<Value = MpBall> {
+    let exponent = prop_oneof![3 => Just(0), 2 => -40..40i32, 1 => -2000..2000i32];
+    (mp_balls(), exponent, prop_oneof![Just(None), (1.0..2.0f64, -2..4i64).prop_map(Some)]).prop_map(
+        |(x, by, units)| {
+            let rad = match (units, x.mid.get_exp()) {
+                (Some((fraction, units)), Some(top)) => {
+                    Magnitude::new(fraction, i64::from(top) - i64::from(x.bits()) + units)
+                }
+                _ => x.rad,
+            };
+            MpBall { mid: x.mid << by, rad: rad * Magnitude::power_of_two(i64::from(by)) }
+        },
+    )
+}
+
 /// The same within a few turns, or near quarter turns.
 fn angles() -> impl Strategy<Value = MpBall> {
     let near = (-9..9i32, prop_oneof![Just(0.0), powers(-60.0, -1.0)]);
@@ -37,7 +53,7 @@ fn angles() -> impl Strategy<Value = MpBall> {
 proptest! {
     #[test]
     fn operations_hold_the_results_of_their_members(
-        [x, y, z] in [mp_balls(), mp_balls(), mp_balls()], [i, j, k] in [places(), places(), places()], n in 1..40u32,
+        [x, y, z] in [far_balls(), far_balls(), far_balls()], [i, j, k] in [places(), places(), places()], n in 1..40u32,
     ) {
         let (a, b, c) = (member(&x, i), member(&y, j), member(&z, k));
         prop_assert!((&a + &b).is_in(&(x.clone() + y.clone())), "{x:?} + {y:?}");
@@ -58,7 +74,7 @@ proptest! {
     }
 
     #[test]
-    fn conversions_hold_all_members([x, y] in [mp_balls(), mp_balls()], d in balls(), i in places(), bits in 53..220u32) {
+    fn conversions_hold_all_members([x, y] in [far_balls(), far_balls()], d in balls(), i in places(), bits in 53..220u32) {
         let a = member(&x, i);
         prop_assert!(a.is_in(&x.to_ball()), "{x:?}: {:?}", x.to_ball());
         prop_assert!(a.is_in(&x.rounded(bits)), "{x:?} at {bits} bits");
@@ -69,6 +85,10 @@ proptest! {
         for end in [&ends, &Enclosure::point(ends.lo().clone()), &Enclosure::point(ends.hi().clone())] {
             prop_assert!(found.enclosure().unwrap().contains_enclosure(end), "{x:?}, {y:?}: {found:?}");
         }
+        // There and back makes it no wider than a quarter more, its own rounding apart.
+        let back = MpBall::enclosing(&x.enclosure().unwrap(), bits);
+        let rounding = back.mid.get_exp().map_or(Magnitude::ZERO, |top| Magnitude::power_of_two(i64::from(top) - i64::from(bits)));
+        prop_assert!(back.bits() == bits && back.rad <= (x.rad + rounding) * Magnitude::new(1.25, 0), "{x:?}: {back:?}");
         // What doubles hold, their balls tell the same of.
         if d.rad() == 0.0 || d.rad() > 1e-300 {
             let [here, there] = [d.enclosure().unwrap(), MpBall::from_ball(d).enclosure().unwrap()];
@@ -148,8 +168,39 @@ proptest! {
 
 #[test]
 fn quarter_turns_are_exact() {
-    for (k, sin, cos) in [(0, 0.0, 1.0), (1, 1.0, 0.0), (-1, -1.0, 0.0), (6, 0.0, -1.0), (-7, 1.0, 0.0)] {
-        let (s, c) = MpBall::from_f64(f64::from(k) / 4.0).sin_cos();
-        assert!(s.rad().is_zero() && c.rad().is_zero() && (s.mid().to_f64(), c.mid().to_f64()) == (sin, cos), "{k}");
+    for (k, bits) in (-8..=8).flat_map(|k| [53, 64, 65, 521].map(|bits| (k, bits))) {
+        let (sin, cos) = MpBall::exact(Float::with_val(bits, k) / 4).sin_cos();
+        let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(k + shift).rem_euclid(4) as usize];
+        assert!(sin.rad.is_zero() && cos.rad.is_zero() && sin.mid == at(0) && cos.mid == at(1), "{k}/4");
+    }
+}
+
+#[test]
+fn a_divisor_that_may_vanish_is_refused() {
+    let one = || Float::with_val(200, 1);
+    for (mid, rad) in [
+        (Float::new(200), Magnitude::ZERO),
+        (one(), Magnitude::new(1.0, 0)),
+        (one() >> 3000, Magnitude::power_of_two(-2999)),
+        (one(), Magnitude::INFINITE),
+    ] {
+        let divisor = MpBall::new(mid, rad);
+        assert!(divisor.mig().is_none() && MpBall::exact(one()).checked_div(divisor).is_none());
+    }
+}
+
+#[test]
+fn a_ball_without_a_bound_decides_nothing() {
+    for x in [
+        MpBall::new(Float::with_val(100, 3), Magnitude::INFINITE),
+        MpBall::from_ball(Ball::new(f64::NAN, 0.0)),
+        MpBall::from_ball(Ball::new(f64::INFINITY, 1.0)),
+        MpBall::from_ball(Ball::new(1.0, f64::NAN)),
+    ] {
+        assert!(x.sign().is_none() && x.mig().is_none() && x.enclosure().is_none(), "{x:?}");
+        assert!(!x.acos().rad.is_finite() && x.short_departure().is_none());
+        assert!(!x.to_ball().rad().is_finite() && !x.sin_cos().0.rad.is_finite());
+        assert!((x.clone() * x.clone()).sign() != Some(Ordering::Greater));
+        assert!(!(x.clone() - x).rad.is_finite());
     }
 }

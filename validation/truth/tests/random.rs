@@ -1,10 +1,13 @@
 //! Random flights against the scan, against eq. (11) itself, and against twice the precision.
 
 mod common;
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
 
 use common::{Random, cases, contact, displacement, figure, random_case};
 use impact_pair_truth::{Number, Problem, Start, Truth, Wall, displacement_f64, first_contact, orbit, scan};
 use rug::Float;
+use tolerances::{TRUTH_AT_RANDOM, TRUTH_LATE, TRUTH_ON_THE_WALL};
 
 /// Nothing before the contact, the wall at it, and beyond the wall soon after it.
 fn assert_scan_agrees(problem: &Problem, start: &Start, points: usize) {
@@ -17,7 +20,7 @@ fn assert_scan_agrees(problem: &Problem, start: &Start, points: usize) {
     let scale = problem.gap.to_f64().max(problem.amplitude.to_f64());
     // The absolute time carries P bits: at 1e300 and P = 256 the ball is anywhere, so judge such times by the doubles.
     let late = Float::with_val(64, &time * &problem.omega).abs() * velocity.clone().abs() / &problem.omega;
-    assert!(miss <= scale * 1e-60 + late * 1e-76, "{problem:?} {start:?} {time} {miss}");
+    assert!(miss <= scale * TRUTH_AT_RANDOM + late * TRUTH_LATE, "{problem:?} {start:?} {time} {miss}");
     let omega = problem.omega.to_f64();
     let reaction = (1e-4 / omega).max(1e-9 * elapsed);
     let beyond = displacement_f64(problem, start, elapsed + reaction) * f64::from(wall.sign());
@@ -120,7 +123,7 @@ fn a_drift_of_one_in_1e12_meets_the_wall_after_1e12_turns() {
             assert_eq!(wall, if wanted > 0.0 { Wall::Right } else { Wall::Left });
             // On the wall at `time`, by eq. (11) with the whole phase.
             let miss = displacement(&problem, &start, &time) - problem.wall_at(wall);
-            assert!(miss.to_f64().abs() < 1e-50, "{miss}");
+            assert!(miss.to_f64().abs() < TRUTH_ON_THE_WALL, "{miss}");
             // In no turn before has the extreme of the same kind been there: it was lower by 2 pi c / W a turn, so it
             // is enough to look at the turn just before, densely.
             let turn = 2.0 * std::f64::consts::PI / problem.omega.to_f64();

@@ -1,10 +1,13 @@
 //! Flights whose answer is a theorem or a published anchor.
 
 mod common;
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
 
 use common::{contact, figure};
 use impact_pair_truth::{Problem, Start, Truth, Wall, first_contact, orbit, pi_times};
 use rug::Float;
+use tolerances::TRUTH;
 
 /// |value - decimal| <= tolerance.
 #[track_caller]
@@ -58,11 +61,11 @@ fn the_exact_orbit_of_figure_12_impacts_at_every_whole_time() {
     let speed = pi_times(256, 4);
     for (index, contact) in contacts.iter().enumerate() {
         let error = Float::with_val(256, &contact.time - (index + 1)).abs();
-        assert!(error < 1e-65, "impact {index} at {}", contact.time);
+        assert!(error < TRUTH, "impact {index} at {}", contact.time);
         let wall = if index % 2 == 0 { Wall::Right } else { Wall::Left };
         assert_eq!(contact.wall, wall);
         let error = Float::with_val(256, &contact.velocity_before - Float::with_val(256, &speed * wall.sign())).abs();
-        assert!(error < 1e-65, "impact {index} with {}", contact.velocity_before);
+        assert!(error < TRUTH, "impact {index} with {}", contact.velocity_before);
     }
     assert_eq!(contacts.len(), 50);
 }

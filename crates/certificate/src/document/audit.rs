@@ -82,6 +82,13 @@ pub struct Counts {
     pub chatter: usize,
     /// After the end of what is certified.
     pub undecided: usize,
+    /// After the impact beyond which the orbit was not followed: the list lacks more impacts than it has rows.
+    #[serde(skip_serializing_if = "is_zero", default)]
+    pub not_reached: usize,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// Where list and truth differ.

@@ -12,6 +12,7 @@ mod periodic;
 mod read;
 mod scene;
 mod sweep;
+mod trade;
 
 pub use audit::*;
 pub use bifurcation::*;
@@ -22,6 +23,7 @@ pub use periodic::*;
 pub use read::Place;
 pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
+pub use trade::*;
 
 /// The program that certifies.
 pub const PROGRAM: &str = concat!("impact-pair ", env!("CARGO_PKG_VERSION"));

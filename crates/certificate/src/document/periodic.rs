@@ -45,7 +45,7 @@ pub struct RegionDocument {
 }
 
 /// A periodic orbit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PeriodicOrbitDocument {
     /// Its impacts, in order of time.

@@ -198,6 +198,3 @@ fn read_run(run: &Section<'_>) -> Result<Run, Error> {
     let until = run.entry("until").map(|until| until.point()).transpose()?;
     Ok(Run { impacts, until, digits: digits.map(|digits| digits as u32) })
 }
-
-#[cfg(test)]
-mod tests;

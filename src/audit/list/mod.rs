@@ -1,23 +1,86 @@
 //! The list that is judged: events of another simulator, read exactly, from text or JSON.
 
+/// Ends a function with the error that a list does not read as one.
+macro_rules! refuse {
+    ($($said:tt)*) => { return Err($crate::Error::list(format!($($said)*))) };
+}
+
 mod json;
 mod text;
 
-use anyhow::{Result, bail};
-use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::pair::Wall;
 use num_rational::BigRational;
 use num_traits::Signed;
 
-use super::arguments::Columns;
+use crate::exact::{Enclosure, Exact};
+use crate::pair::Wall;
+use crate::{Error, ImpactPair};
+
+/// Where the list has what.
+#[derive(Clone, Debug)]
+pub struct Columns {
+    /// The times \[time\].
+    pub time: Column,
+    /// The walls, by name, by sign or by position.
+    pub wall: Column,
+    /// `y'` just before each impact \[length/time\]; `None`: velocities are not judged.
+    pub velocity: Option<Column>,
+}
+
+impl Default for Columns {
+    /// Columns under their usual names, or else the first three.
+    fn default() -> Self {
+        Self { time: Column::time(None), wall: Column::wall(None), velocity: Some(Column::velocity(None)) }
+    }
+}
+
+/// What a column is called.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// The flag that says so.
+    flag: &'static str,
+    /// Its usual names.
+    names: &'static [&'static str],
+    /// The name or the number given.
+    given: Option<String>,
+}
+
+impl Column {
+    /// The column of times: by its name or its number from 1, or under a usual name.
+    pub fn time(given: Option<String>) -> Self {
+        Self { flag: "--time-column", names: &["time", "t"], given }
+    }
+
+    /// The column of walls.
+    pub fn wall(given: Option<String>) -> Self {
+        Self { flag: "--wall-column", names: &["wall", "side"], given }
+    }
+
+    /// The column of velocities.
+    pub fn velocity(given: Option<String>) -> Self {
+        Self { flag: "--velocity-column", names: &["velocity", "v"], given }
+    }
+
+    /// The names it may have: the one given, or the usual ones.
+    fn names(&self) -> impl Iterator<Item = &str> {
+        let usual = if self.given.is_some() { &[] } else { self.names };
+        self.given.as_deref().into_iter().chain(usual.iter().copied())
+    }
+
+    /// The error that there is no such column in `what`.
+    fn missing(&self, what: &str) -> Error {
+        let (names, flag) = (self.names().collect::<Vec<_>>().join(" or "), self.flag);
+        Error::list(format!("{what} has no {names}: say which one it is by {flag} NAME"))
+    }
+}
 
 /// An event as it is listed.
 #[derive(Clone, Debug)]
 pub struct Listed {
     /// Where it stands: `line 7`, `events[6]`.
     pub place: String,
+    /// Its wall.
     pub wall: Wall,
-    /// \[time\]
+    /// When \[time\].
     pub time: Number,
     /// `y'` just before the impact \[length/time\], if it is listed.
     pub velocity: Option<Number>,
@@ -26,34 +89,37 @@ pub struct Listed {
 /// A number as it is listed: a decimal, or two bounds.
 #[derive(Clone, Debug)]
 pub struct Number {
+    /// The decimal, or the lower bound.
     pub low: BigRational,
+    /// The decimal, or the upper bound.
     pub high: BigRational,
+    /// As it is written.
     pub written: String,
 }
 
 impl Number {
     /// Exactly the decimal; `None` for anything else.
-    fn decimal(text: &str) -> Option<Self> {
+    pub fn decimal(text: &str) -> Option<Self> {
         let value = Exact::parse(text).ok().filter(|_| is_decimal(text))?.as_rational()?.clone();
         Some(Self { low: value.clone(), high: value, written: text.to_owned() })
     }
 
     /// What lies between two bounds; `None` if they are out of order.
-    fn between([low, high]: [Self; 2]) -> Option<Self> {
+    pub fn between([low, high]: [Self; 2]) -> Option<Self> {
         let is_point = low.low == high.low;
         let written = if is_point { low.written } else { format!("[{}, {}]", low.written, high.written) };
         (low.low <= high.low).then_some(Self { low: low.low, high: high.low, written })
     }
 
     /// Encloses it in ends of so many bits.
-    pub fn enclose(&self, bits: u32) -> Enclosure {
+    pub(super) fn enclose(&self, bits: u32) -> Enclosure {
         Enclosure::from_rational(&self.low, bits).hull(&Enclosure::from_rational(&self.high, bits))
     }
 }
 
 /// Whether a text is one decimal, such as `-1.5e+00`, and no expression.
 fn is_decimal(text: &str) -> bool {
-    let unsigned = |text: &str| -> String { text.strip_prefix(['+', '-']).unwrap_or(text).to_owned() };
+    let unsigned = |text: &str| -> String { text.strip_prefix(['+', '-']).unwrap_or(text).to_owned() }; // exact: a text
     let is_natural = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let text = unsigned(text);
     let (mantissa, exponent) = text.split_once(['e', 'E']).map_or((text.as_str(), None), |(m, e)| (m, Some(e)));
@@ -64,14 +130,14 @@ fn is_decimal(text: &str) -> bool {
 const WALLS: &str = "left, right, L, R, -1, +1 or a position near -d/2 or +d/2";
 
 /// Reads walls by name, by sign or by position.
-pub struct Walls {
+struct Walls {
     /// `d/2`, about.
     half: BigRational,
 }
 
 impl Walls {
     /// Those of a box with this gap \[length\].
-    pub fn new(gap: &Exact) -> Self {
+    fn new(gap: &Exact) -> Self {
         let gap = gap.enclose(64);
         let two = BigRational::from_integer(2.into());
         Self { half: (gap.lo().to_rational() + gap.hi().to_rational()) / &two / two }
@@ -96,22 +162,26 @@ impl Walls {
 
 /// Reads a list, whatever it is written in.
 ///
+/// Text has commas, semicolons, tabs or blanks between columns, and a header, one in a comment, or none; JSON is an array of
+/// objects, an object of arrays, JSON Lines, or the orbit JSON. Walls may be positions near `-d/2` and `d/2` of the pair.
+///
 /// # Errors
-/// Name the place, the value and what is accepted.
-pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>> {
+/// Name the place, the value and what is accepted: [`Error::is_list`].
+pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<Vec<Listed>, Error> {
+    let walls = &Walls::new(pair.gap());
     let text = text.trim_start_matches('\u{feff}');
     match text.trim_start().chars().next() {
-        None => bail!("the list is empty: accepted is at least one event"),
+        None => Err(Error::list("the list is empty: accepted is at least one event".into())),
         Some('{' | '[') => json::read(text, columns, walls),
         Some(_) => text::read(text, columns, walls),
     }
 }
 
 /// One event from its texts.
-fn listed(place: String, [time, wall]: [&str; 2], velocity: Option<&str>, walls: &Walls) -> Result<Listed> {
+fn listed(place: String, [time, wall]: [&str; 2], velocity: Option<&str>, walls: &Walls) -> Result<Listed, Error> {
     let number = |name: &str, text: &str| match Number::decimal(text) {
         Some(number) => Ok(number),
-        None => bail!("{place}: {name} is `{}`, but accepted is a finite decimal number", shortened(text)),
+        None => Err(refused(&place, name, text, "a finite decimal number")),
     };
     let time = number("time", time)?;
     let velocity = velocity.map(|velocity| number("velocity", velocity)).transpose()?;
@@ -119,11 +189,12 @@ fn listed(place: String, [time, wall]: [&str; 2], velocity: Option<&str>, walls:
     Ok(Listed { place, wall, time, velocity })
 }
 
-fn read_wall(place: &str, wall: &str, walls: &Walls) -> Result<Wall> {
-    match walls.read(wall) {
-        Some(wall) => Ok(wall),
-        None => bail!("{place}: wall is `{}`, but accepted is {WALLS}", shortened(wall)),
-    }
+fn read_wall(place: &str, wall: &str, walls: &Walls) -> Result<Wall, Error> {
+    walls.read(wall).ok_or_else(|| refused(place, "wall", wall, WALLS))
+}
+
+fn refused(place: &str, name: &str, written: &str, accepted: &str) -> Error {
+    Error::list(format!("{place}: {name} is `{}`, but accepted is {accepted}", shortened(written)))
 }
 
 /// A text cut to a length fit for a message.

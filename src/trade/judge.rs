@@ -6,16 +6,12 @@
 
 use std::ops::ControlFlow;
 
-use anyhow::Result;
-use impact_pair::Scene;
-use impact_pair::exact::{Dyadic, Enclosure};
-use impact_pair::orbit::{Arithmetic, Impact, Orbit, Settings};
-use impact_pair::pair::Wall;
-
 use super::ladder::Rung;
-use super::size::{Size, Unit, Units};
-use crate::follow::follow_impacts;
-use crate::progress::Progress;
+use crate::exact::{Dyadic, Enclosure};
+use crate::orbit::{Arithmetic, Impact, Orbit, Settings, Watch};
+use crate::pair::Wall;
+use crate::scales::{Size, Unit, Units};
+use crate::{Error, Scene};
 
 /// Digits of the truth: far beyond what doubles hold.
 const DIGITS: u32 = 30;
@@ -26,10 +22,10 @@ const BITS: u32 = 64;
 
 /// An impact as an orbit has it.
 #[derive(Clone, Debug)]
-pub struct Reading {
-    pub wall: Wall,
-    pub time: Enclosure,
-    pub velocity: Enclosure,
+struct Reading {
+    wall: Wall,
+    time: Enclosure,
+    velocity: Enclosure,
 }
 
 impl Reading {
@@ -42,19 +38,26 @@ impl Reading {
 /// The true errors of an orbit, as far as they were judged.
 #[derive(Clone, Debug)]
 pub struct Judgement {
+    /// What they are measured in.
     pub units: Units,
     /// Impacts on the true word that were compared.
     pub judged: u64,
+    /// The largest error of a time.
     pub time: Largest,
+    /// The largest error of a velocity.
     pub velocity: Largest,
+    /// Where errors of times exceed the thresholds.
     pub crossings: Vec<Crossing>,
+    /// Where the orbit leaves the true word, if it does.
     pub departure: Option<Departure>,
 }
 
 /// Bounds of the largest error so far; both only grow.
 #[derive(Clone, Copy, Debug)]
 pub struct Largest {
+    /// A lower bound.
     pub at_least: Size,
+    /// An upper bound.
     pub at_most: Size,
     /// The impact with the greatest upper bound.
     pub impact: u64,
@@ -85,14 +88,16 @@ pub struct Crossing {
 /// Where the orbit leaves the true word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Departure {
+    /// The first impact that is another one.
     pub impact: u64,
+    /// Its true wall.
     pub truth: Wall,
     /// `None` if there the orbit ends.
     pub judged: Option<Wall>,
 }
 
 impl Judgement {
-    pub fn new(units: Units) -> Self {
+    fn new(units: Units) -> Self {
         let crossing = |exponent| Crossing { exponent, within: 0, exceeded: None };
         Self {
             units,
@@ -105,7 +110,7 @@ impl Judgement {
     }
 
     /// Compares the next impact of both; breaks off where the orbit leaves the true word.
-    pub fn compare(&mut self, truth: &Reading, judged: Option<&Reading>) -> ControlFlow<()> {
+    fn compare(&mut self, truth: &Reading, judged: Option<&Reading>) -> ControlFlow<()> {
         let index = self.judged + 1;
         let Some(reading) = judged.filter(|judged| judged.wall == truth.wall) else {
             self.departure =
@@ -137,12 +142,12 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
 }
 
 /// What the truth is computed with.
-pub fn truth(asked: &Settings) -> Settings {
+pub(super) fn truth(asked: &Settings) -> Settings {
     if cfg!(feature = "multiprecision") { Rung::Auto(DIGITS).settings(asked) } else { Rung::Interval.settings(asked) }
 }
 
 /// The truth in words.
-pub fn name(truth: &Settings) -> String {
+pub(super) fn name(truth: &Settings) -> String {
     match truth.arithmetic {
         Arithmetic::Auto => format!("auto at {} digits", truth.digits),
         arithmetic => arithmetic.to_string(),
@@ -150,11 +155,16 @@ pub fn name(truth: &Settings) -> String {
 }
 
 /// Judges `float` on this scene; when interrupted, as far as it came.
-pub fn judge_float(scene: &Scene, asked: &Settings, units: &Units, progress: &Progress) -> Result<Judgement> {
+pub(super) fn judge_float(
+    scene: &Scene,
+    asked: &Settings,
+    units: &Units,
+    watch: &dyn Watch,
+) -> Result<Judgement, Error> {
     let mut truth = Orbit::of(scene, self::truth(asked))?;
     let mut float = Orbit::of(scene, Rung::Float.settings(asked))?;
     let mut judgement = Judgement::new(*units);
-    let _ = follow_impacts(&mut truth, progress, |truth, impact| {
+    truth.follow_impacts(watch, |truth, impact| {
         let judged = float.next().map(|impact| Reading::new(&float, &impact));
         judgement.compare(&Reading::new(truth, &impact), judged.as_ref())
     });

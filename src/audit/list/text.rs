@@ -1,15 +1,14 @@
 //! Lists in text: CSV, TSV, semicolons or blanks between columns, with a header, a commented one, or none.
 
-use anyhow::{Result, bail};
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::super::arguments::{Column, Columns};
-use super::{Listed, Walls, listed, shortened};
+use super::{Column, Columns, Listed, Walls, listed, shortened};
+use crate::Error;
 
 /// Lines that begin so are no data.
 const COMMENTS: [char; 2] = ['#', '%'];
 
-pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>> {
+pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>, Error> {
     let mut comment = None;
     let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim())).filter(|(_, line)| !line.is_empty());
     let first = lines.by_ref().find(|(_, line)| {
@@ -17,7 +16,7 @@ pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>>
         comment = said.or(comment);
         said.is_none()
     });
-    let Some((number, first)) = first else { bail!("the list has no events: accepted is at least one") };
+    let Some((number, first)) = first else { refuse!("the list has no events: accepted is at least one") };
     let separator = Separator::of(first);
     let fields = separator.fields(first);
     let is_header = fields.iter().all(|field| field.parse::<f64>().is_err());
@@ -29,9 +28,9 @@ pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>>
     let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
     let data = (!is_header).then_some((number, first)).into_iter().chain(data);
     let rows: Vec<Listed> =
-        data.map(|(number, line)| places.row(number, &separator.fields(line), walls)).collect::<Result<_>>()?;
+        data.map(|(number, line)| places.row(number, &separator.fields(line), walls)).collect::<Result<_, _>>()?;
     if rows.is_empty() {
-        bail!("the list has no events below its header: accepted is at least one");
+        refuse!("the list has no events below its header: accepted is at least one");
     }
     Ok(rows)
 }
@@ -45,7 +44,7 @@ enum Separator {
 impl Separator {
     fn of(line: &str) -> Self {
         let byte = [';', '\t', ','].into_iter().find(|&byte| line.contains(byte));
-        byte.map_or(Self::Blanks, |byte| Self::Byte(byte as u8))
+        byte.map_or(Self::Blanks, |byte| Self::Byte(byte as u8)) // exact: ASCII
     }
 
     fn fields(&self, line: &str) -> Vec<String> {
@@ -90,7 +89,7 @@ struct Places {
 }
 
 impl Places {
-    fn find(columns: &Columns, header: &Header, width: usize) -> Result<Self> {
+    fn find(columns: &Columns, header: &Header, width: usize) -> Result<Self, Error> {
         let (time, wall) = (find(&columns.time, header, width, 0)?, find(&columns.wall, header, width, 1)?);
         let velocity = match &columns.velocity {
             None => None,
@@ -104,10 +103,12 @@ impl Places {
         Ok(Self { time, wall, velocity })
     }
 
-    fn row(&self, number: usize, fields: &[String], walls: &Walls) -> Result<Listed> {
+    fn row(&self, number: usize, fields: &[String], walls: &Walls) -> Result<Listed, Error> {
         let field = |name: &str, place: usize| match fields.get(place) {
             Some(field) => Ok(field.as_str()),
-            None => bail!("line {number} is `{}`, but {name} is in column {}", shortened(&fields.join(" ")), place + 1),
+            None => {
+                refuse!("line {number} is `{}`, but {name} is in column {}", shortened(&fields.join(" ")), place + 1)
+            }
         };
         let (time, wall) = (field("time", self.time)?, field("wall", self.wall)?);
         let velocity = self.velocity.map(|place| field("velocity", place)).transpose()?;
@@ -116,12 +117,12 @@ impl Places {
 }
 
 /// The place of a column: by the name or the number given, by its usual names, or where it stands if there is no header.
-fn find(column: &Column, header: &Header, width: usize, usual: usize) -> Result<usize> {
+fn find(column: &Column, header: &Header, width: usize, usual: usize) -> Result<usize, Error> {
     let Column { flag, names, given } = column;
     let Some(given) = given else {
         return match (named(names, header), header) {
             (Some(place), _) => Ok(place),
-            (None, Header::Line(header)) => bail!(
+            (None, Header::Line(header)) => refuse!(
                 "the header `{}` has no column {}: say which one it is by {flag} NAME or {flag} NUMBER",
                 shortened(&header.join(",")),
                 names.join(" or "),
@@ -135,7 +136,7 @@ fn find(column: &Column, header: &Header, width: usize, usual: usize) -> Result<
         None => {
             let names = header.names();
             let names = if names.is_empty() { String::new() } else { format!("one of {} or ", names.join(", ")) };
-            bail!("{flag} is `{}`, but accepted is {names}a number from 1 to {width}", shortened(given))
+            refuse!("{flag} is `{}`, but accepted is {names}a number from 1 to {width}", shortened(given))
         }
     }
 }

@@ -4,18 +4,17 @@
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result, anyhow, bail};
 use serde_json::Deserializer;
 use serde_json::value::RawValue;
 
-use super::super::arguments::{Column, Columns};
-use super::{Listed, Number, Walls, read_wall, shortened};
+use super::{Column, Columns, Listed, Number, Walls, read_wall, shortened};
+use crate::Error;
 
 type Object<'j> = BTreeMap<String, &'j RawValue>;
 
-pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>> {
+pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>, Error> {
     let values: Result<Vec<&RawValue>, _> = Deserializer::from_str(text).into_iter().collect();
-    let values = values.context("no JSON")?;
+    let values = values.map_err(|error| Error::list(format!("no JSON: {error}")).because(error))?;
     let rows = match values.as_slice() {
         [one] if one.get().starts_with('[') => objects("", &list(one)?)?,
         [one] => match object("the document", one)? {
@@ -34,24 +33,24 @@ pub fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>>
         .iter()
         .filter(|(_, row)| is_impact(row))
         .map(|(place, row)| event(place, row, columns, walls))
-        .collect::<Result<_>>()?;
+        .collect::<Result<_, _>>()?;
     if rows.is_empty() {
-        bail!("the list has no events: accepted is at least one");
+        refuse!("the list has no events: accepted is at least one");
     }
     Ok(rows)
 }
 
-fn list(value: &RawValue) -> Result<Vec<&RawValue>> {
+fn list(value: &RawValue) -> Result<Vec<&RawValue>, Error> {
     serde_json::from_str(value.get())
-        .map_err(|_| anyhow!("`{}` is no list, but accepted is an array", shortened(value.get())))
+        .map_err(|_| Error::list(format!("`{}` is no list, but accepted is an array", shortened(value.get()))))
 }
 
-fn object<'j>(place: &str, value: &'j RawValue) -> Result<Object<'j>> {
+fn object<'j>(place: &str, value: &'j RawValue) -> Result<Object<'j>, Error> {
     serde_json::from_str(value.get())
-        .map_err(|_| anyhow!("{place} is `{}`, but accepted is an object", shortened(value.get())))
+        .map_err(|_| Error::list(format!("{place} is `{}`, but accepted is an object", shortened(value.get()))))
 }
 
-fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<'j>)>> {
+fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<'j>)>, Error> {
     let row = |(i, value): (usize, &&'j RawValue)| {
         let place = format!("{name}[{i}]");
         object(&place, value).map(|row| (place, row))
@@ -60,37 +59,31 @@ fn objects<'j>(name: &str, rows: &[&'j RawValue]) -> Result<Vec<(String, Object<
 }
 
 /// The rows of an object of arrays.
-fn by_columns<'j>(document: &Object<'j>, columns: &Columns) -> Result<Vec<(String, Object<'j>)>> {
+fn by_columns<'j>(document: &Object<'j>, columns: &Columns) -> Result<Vec<(String, Object<'j>)>, Error> {
     let wanted = [Some(&columns.time), Some(&columns.wall), columns.velocity.as_ref()];
     let mut rows: Vec<(String, Object<'j>)> = Vec::new();
     for (number, column) in wanted.into_iter().flatten().enumerate() {
         let Some((name, values)) = column.names().find_map(|name| document.get_key_value(name)) else { continue };
-        let values = list(values).with_context(|| name.clone())?;
+        let values = list(values).map_err(|error| Error::list(format!("{name}: {error}")))?;
         if number == 0 {
             rows = (0..values.len()).map(|i| (format!("[{i}]"), Object::new())).collect();
         }
         if values.len() != rows.len() {
-            bail!("{name} has {} values, but the column before has {}", values.len(), rows.len());
+            refuse!("{name} has {} values, but the column before has {}", values.len(), rows.len());
         }
         for ((_, row), value) in rows.iter_mut().zip(values) {
             row.insert(name.clone(), value);
         }
     }
     if rows.is_empty() {
-        let known: Vec<&str> = columns.time.names().collect();
-        bail!("the object has no {}: say which one it is by {} NAME", known.join(" or "), columns.time.flag);
+        return Err(columns.time.missing("the object"));
     }
     Ok(rows)
 }
 
-fn event(place: &str, row: &Object<'_>, columns: &Columns, walls: &Walls) -> Result<Listed> {
+fn event(place: &str, row: &Object<'_>, columns: &Columns, walls: &Walls) -> Result<Listed, Error> {
     let find = |column: &Column| column.names().find_map(|name| row.get_key_value(name));
-    let need = |column: &Column| {
-        let known: Vec<&str> = column.names().collect();
-        find(column).ok_or_else(|| {
-            anyhow!("{place} has no {}: say which one it is by {} NAME", known.join(" or "), column.flag)
-        })
-    };
+    let need = |column: &Column| find(column).ok_or_else(|| column.missing(place));
     let (key, time) = need(&columns.time)?;
     let time = number(&format!("{place}.{key}"), time)?;
     let (_, wall) = need(&columns.wall)?;
@@ -105,7 +98,7 @@ fn event(place: &str, row: &Object<'_>, columns: &Columns, walls: &Walls) -> Res
 }
 
 /// A number, a decimal in a string, or a list of two bounds.
-fn number(place: &str, value: &RawValue) -> Result<Number> {
+fn number(place: &str, value: &RawValue) -> Result<Number, Error> {
     let decimal = |value: &RawValue| Number::decimal(&unquoted(value));
     let bounds = || {
         let bounds: [&RawValue; 2] = serde_json::from_str(value.get()).ok()?;
@@ -113,10 +106,9 @@ fn number(place: &str, value: &RawValue) -> Result<Number> {
         Number::between([low?, high?])
     };
     decimal(value).or_else(bounds).ok_or_else(|| {
-        let written = shortened(value.get());
-        anyhow!(
-            "{place} is `{written}`, but accepted is a finite decimal number, or a list of a lower and an upper bound"
-        )
+        let (written, accepted) =
+            (shortened(value.get()), "a finite decimal number, or a list of a lower and an upper bound");
+        Error::list(format!("{place} is `{written}`, but accepted is {accepted}"))
     })
 }
 

@@ -1,12 +1,11 @@
 //! How far off is too far: distances to the truth, and what is proved of them.
 
-use impact_pair::Scene;
-use impact_pair::exact::{Dyadic, Enclosure, Exact};
-
-use crate::trade::size::Scales;
+use crate::Scene;
+use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::scales::Scales;
 
 /// The tolerance of a scene.
-pub struct Tolerance {
+pub(super) struct Tolerance {
     /// Relative, as it is asked for.
     pub relative: Exact,
     pub scales: Scales,
@@ -24,7 +23,7 @@ impl Tolerance {
     /// The tolerance relative to the scene's period and velocity, for enclosures of so many digits.
     pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Self {
         let scales = Scales::of(scene);
-        let bits = digits.saturating_mul(10) / 3 + Self::GUARD;
+        let bits = digits.saturating_mul(10) / 3 + Self::GUARD; // proposes
         let allowed = |scale: &Enclosure| relative.enclose(bits).mul(scale, bits).hi().clone();
         let (time, velocity) = (allowed(&scales.period), allowed(&scales.velocity));
         Self { relative: relative.clone(), scales, time, velocity, bits }

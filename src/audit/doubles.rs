@@ -6,11 +6,7 @@
 
 use std::ops::ControlFlow;
 
-use anyhow::Result;
-use impact_pair::Scene;
-use impact_pair::certificate::document::{ExcitationDocument, SceneDocument, StartDocument, Written};
-use impact_pair::exact::{Enclosure, Exact, decimal_bounds, decimal_f64};
-use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings};
+use impact_pair_certificate::document::{ExcitationDocument, SceneDocument, StartDocument, Written};
 use num_rational::BigRational;
 
 use super::judge::Judgement;
@@ -18,13 +14,15 @@ use super::list::{Listed, Number};
 use super::tolerance::Tolerance;
 use super::truth::{Site, SiteKind, Truth};
 use super::verdict::Verdict;
-use crate::follow::follow_impacts;
-use crate::progress::Progress;
+use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_f64};
+use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Watch};
+use crate::{Error, Scene};
 
 /// Bits of a number that is rounded to a double.
 const BITS: u32 = 256;
 
 /// What is found of both.
+#[derive(Clone, Copy, Debug)]
 pub struct Doubles {
     /// The exact orbit of the rounded data; `None` for intervals, or if it could not be certified that far.
     pub data: Option<Parting>,
@@ -43,13 +41,14 @@ pub struct Parting {
 
 impl Doubles {
     /// Judges both up to the last certified impact before `end`.
-    pub fn judge(
+    pub(super) fn judge(
         scene: &Scene,
         settings: &Settings,
         truth: &Truth,
         end: &BigRational,
         tolerance: &Tolerance,
-    ) -> Result<Self> {
+        watch: &dyn Watch,
+    ) -> Result<Self, Error> {
         let of_list = |site: &&Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
         let last = truth.sites.iter().rfind(of_list).map_or(0, |site| site.index);
         // One more than the truth has: a chatter in doubles need not end.
@@ -57,7 +56,7 @@ impl Doubles {
         let part = |rows: Vec<Listed>| {
             let judgement = Judgement::new(truth, &rows, end, tolerance);
             let first = judgement.first_disagreement();
-            let disagrees = first.map(|finding| (judgement.impact(finding, truth), finding.verdict));
+            let disagrees = first.map(|finding| (truth.impact(finding), finding.verdict));
             let leaves = judgement.departure.map(|departure| departure.impact);
             Parting {
                 disagrees: disagrees.filter(|&(impact, _)| impact <= last),
@@ -65,22 +64,21 @@ impl Doubles {
             }
         };
         let float = Settings { arithmetic: Arithmetic::Float, ..settings.clone() };
-        let data = rounded(scene).map(|scene| list(&scene, settings)).transpose()?.flatten();
-        Ok(Self { data: data.map(part), float: list(scene, float)?.map(part) })
+        let data = rounded(scene).map(|scene| list(&scene, settings, watch)).transpose()?.flatten();
+        Ok(Self { data: data.map(part), float: list(scene, float, watch)?.map(part) })
     }
 }
 
 /// The impacts of an orbit as a list; `None` when it is interrupted or undecided.
-fn list(scene: &Scene, settings: Settings) -> Result<Option<Vec<Listed>>> {
+fn list(scene: &Scene, settings: Settings, watch: &dyn Watch) -> Result<Option<Vec<Listed>>, Error> {
     let mut orbit = Orbit::of(scene, settings)?;
     let mut rows = Vec::new();
-    let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
+    orbit.follow_impacts(&|| watch.goes_on(), |orbit, impact| {
         let (time, velocity) = orbit.bounds(&impact);
         let place = format!("impact {}", impact.index);
         rows.push(Listed { place, wall: impact.wall, time: number(&time), velocity: Some(number(&velocity)) });
         ControlFlow::Continue(())
     });
-    debug_assert!(ended.is_continue(), "nothing breaks it off");
     Ok(match orbit.outcome() {
         None | Some(Outcome::Undecided { .. }) => None,
         Some(_) => Some(rows),

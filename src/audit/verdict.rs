@@ -15,6 +15,8 @@ pub enum Verdict {
     InChatter,
     /// After the end of what is certified.
     Undecided,
+    /// After the impact from which on the orbit was not followed: the list lacks more impacts than it has rows.
+    NotReached,
 }
 
 impl Verdict {
@@ -27,6 +29,7 @@ impl Verdict {
             Self::False(_) => "false",
             Self::InChatter => "chatter",
             Self::Undecided => "undecided",
+            Self::NotReached => "not-reached",
         }
     }
 

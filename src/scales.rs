@@ -2,10 +2,15 @@
 
 use std::fmt;
 
-use impact_pair::exact::{Dyadic, Enclosure, Exact};
-use impact_pair::{Harmonic, Scene};
+use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::{Harmonic, Scene};
 
-/// What a logarithm here may be off by, absolutely and in proportion: each is a few roundings of doubles.
+/// What a logarithm here may be off by, absolutely and in proportion.
+///
+/// **Lemma U1** (logarithms of sizes). For `x = m 2^e`, `1 <= m < 2^65`, `|e| < 2^53`, the double `(log2 m + e) log10 2` lies within
+/// `1e-9 + 1e-14 |log10 x|` of `log10 x`. *Proof.* `m` is rounded by `2^-52` of itself and `log2` of a double is good to `1e-12`; the
+/// sum, the constant and the product are rounded by `2^-53` each, in proportion. \[\] The powers and quotients that decimals are made
+/// of are good to `1e-12`, which is less.
 const SLACK: (f64, f64) = (1e-9, 1e-14);
 /// Bits that sizes are rounded to.
 const BITS: u32 = 64;
@@ -15,16 +20,17 @@ const BITS: u32 = 64;
 pub struct Size(f64);
 
 impl Size {
+    /// Nothing.
     pub const ZERO: Self = Self(f64::NEG_INFINITY);
 
     /// `10^exponent`
     pub const fn power_of_ten(exponent: i32) -> Self {
-        Self(exponent as f64)
+        Self(exponent as f64) // exact: an i32
     }
 
     /// The greater one.
     pub fn max(self, other: Self) -> Self {
-        Self(self.0.max(other.0))
+        Self(self.0.max(other.0)) // exact: one of both
     }
 
     /// `-log10`: as a width, the digits it leaves. Infinite for zero.
@@ -34,22 +40,22 @@ impl Size {
 
     /// Three significant digits, rounded up.
     pub fn decimal_up(self) -> String {
-        self.decimal(2, f64::ceil)
+        self.decimal(2, f64::ceil) // U1
     }
 
     /// Three significant digits, rounded down.
     pub fn decimal_down(self) -> String {
-        self.decimal(2, f64::floor)
+        self.decimal(2, f64::floor) // U1
     }
 
     /// Two significant digits, rounded up: for tables.
     pub fn short(self) -> String {
-        self.decimal(1, f64::ceil)
+        self.decimal(1, f64::ceil) // U1
     }
 
     /// Two significant digits, to nearest: not a bound.
     pub fn rounded(self) -> String {
-        self.decimal(1, f64::round)
+        self.decimal(1, f64::round) // shown
     }
 
     fn decimal(self, places: i32, round: fn(f64) -> f64) -> String {
@@ -59,13 +65,13 @@ impl Size {
         if self.0 == f64::INFINITY {
             return "inf".into();
         }
-        let mut exponent = self.0.floor();
+        let mut exponent = self.0.floor(); // U1: of the logarithm
         let one = 10f64.powi(places);
         let mut mantissa = round(10f64.powf(self.0 - exponent) * one) / one;
         if mantissa >= 10.0 {
             (mantissa, exponent) = (1.0, exponent + 1.0);
         }
-        format!("{mantissa:.*}e{exponent}", places as usize)
+        format!("{mantissa:.*}e{exponent}", places as usize) // exact: 1 or 2
     }
 }
 
@@ -127,6 +133,10 @@ impl fmt::Display for Speed {
 }
 
 impl Units {
+    /// Those of a scene.
+    ///
+    /// # Panics
+    /// Never: scales are greater than 0.
     pub fn of(scene: &Scene) -> Self {
         let Scales { period, velocity, speed } = Scales::of(scene);
         let unit = |scale: &Enclosure| Unit::new(scale).expect("scales are positive");
@@ -146,6 +156,10 @@ pub struct Scales {
 }
 
 impl Scales {
+    /// Those of a scene.
+    ///
+    /// # Panics
+    /// Never: `W > 0` is checked with the scene.
     pub fn of(scene: &Scene) -> Self {
         let (pair, enclose) = (scene.pair(), |x: &Exact| x.enclose(BITS));
         let frequency = enclose(pair.excitation().reference().frequency());
@@ -170,7 +184,7 @@ fn log10(x: &Dyadic, side: f64) -> f64 {
     let x = Enclosure::point(x.clone()).rounded(BITS);
     let x = if side > 0.0 { x.hi() } else { x.lo() };
     let mantissa = Dyadic::new(x.mantissa().clone(), 0).to_f64_up();
-    (mantissa.log2() + x.exponent() as f64) * 2f64.log10()
+    (mantissa.log2() + x.exponent() as f64) * 2f64.log10() // U1
 }
 
 /// The logarithm with its slack.

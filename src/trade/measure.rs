@@ -4,16 +4,13 @@ use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use anyhow::Result;
-use impact_pair::certificate::document::ArithmeticDocument;
-use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
-use impact_pair::orbit::{Impact, Orbit, Settings};
-use impact_pair::{Error, Scene};
+use impact_pair_certificate::document::ArithmeticDocument;
 
 use super::ladder::Rung;
-use super::size::{Size, Units};
-use crate::follow::follow_impacts;
-use crate::progress::Progress;
+use crate::document::{Conclusion, Event, arithmetic, is_certified};
+use crate::orbit::{Impact, Orbit, Settings, Watch};
+use crate::scales::{Size, Units};
+use crate::{Error, Scene};
 
 /// Runs are repeated until those without and with bounds, and what prepares them, have taken so long together, ...
 const LONG_ENOUGH: Duration = Duration::from_millis(400);
@@ -27,15 +24,21 @@ const SLOW: Duration = Duration::from_micros(20);
 /// A rung that has been measured.
 #[derive(Clone, Debug)]
 pub struct Measured {
+    /// What it is.
     pub rung: Rung,
     /// What computed it, as the orbit JSON says it.
     pub computed: ArithmeticDocument,
+    /// The most bits that an impact took.
     pub bits: u32,
+    /// Impacts reached.
     pub impacts: u64,
+    /// Whether anything is claimed.
     pub is_certified: bool,
+    /// How it ended.
     pub conclusion: Conclusion,
     /// The guaranteed widths; `None` where nothing is guaranteed.
     pub widths: Option<Widths>,
+    /// How long it takes.
     pub times: Times,
 }
 
@@ -59,14 +62,18 @@ impl Measured {
 /// Guaranteed widths, in the units of [`Units`].
 #[derive(Clone, Copy, Debug)]
 pub struct Widths {
+    /// Of times.
     pub time: Extent,
+    /// Of velocities.
     pub velocity: Extent,
 }
 
 /// How wide the enclosures of a quantity are.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
+    /// The widest.
     pub greatest: Size,
+    /// The last impact's.
     pub last: Size,
 }
 
@@ -90,24 +97,24 @@ pub struct Times {
 }
 
 /// Measures a rung; `None` if interrupted.
-pub fn measure(
+pub(super) fn measure(
     scene: &Scene,
     rung: Rung,
     asked: &Settings,
     units: &Units,
-    progress: &Progress,
-) -> Result<Option<Measured>> {
+    watch: &dyn Watch,
+) -> Result<Option<Measured>, Error> {
     let settings = rung.settings(asked);
     let is_certified = is_certified(settings.arithmetic);
     let begin = || Orbit::of(scene, settings.clone());
     let mut orbit = begin()?;
-    let Seen { last, widths, times } = observe(&mut orbit, units, progress);
+    let Seen { last, widths, times } = observe(&mut orbit, units, watch);
     if orbit.outcome().is_none() {
         return Ok(None);
     }
     let impacts = last.as_ref().map_or(0, |event| event.index);
     let is_long = |time: Duration| time > LONG && time.as_secs_f64() > SLOW.as_secs_f64() * impacts as f64;
-    let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified)? };
+    let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified, watch)? };
     Ok(times.map(|times| Measured {
         rung,
         computed: arithmetic(&orbit),
@@ -128,12 +135,12 @@ struct Seen {
 }
 
 /// The first run: looks at each impact, and at the clock.
-fn observe(orbit: &mut Orbit, units: &Units, progress: &Progress) -> Seen {
+fn observe(orbit: &mut Orbit, units: &Units, watch: &dyn Watch) -> Seen {
     let mut widths = Widths { time: Extent::NONE, velocity: Extent::NONE };
     let mut last = None;
     let (mut in_orbit, mut in_bounds) = (Duration::ZERO, Duration::ZERO);
     let mut since = Instant::now();
-    let ended: ControlFlow<()> = follow_impacts(orbit, progress, |orbit, impact| {
+    orbit.follow_impacts(watch, |orbit, impact| {
         let computed = Instant::now();
         let (time, velocity) = orbit.bounds(&impact);
         let bounded = Instant::now();
@@ -145,7 +152,6 @@ fn observe(orbit: &mut Orbit, units: &Units, progress: &Progress) -> Seen {
         since = Instant::now();
         ControlFlow::Continue(())
     });
-    debug_assert!(ended.is_continue(), "nothing breaks it off");
     in_orbit += since.elapsed();
     Seen {
         widths: last.is_some().then_some(widths),
@@ -155,15 +161,19 @@ fn observe(orbit: &mut Orbit, units: &Units, progress: &Progress) -> Seen {
 }
 
 /// Repeats the run for a while, in turns without and, where they are certified, with bounds; `None` if interrupted.
-fn repeat(begin: impl Fn() -> Result<Orbit, Error>, is_certified: bool) -> Result<Option<Times>> {
+fn repeat(
+    begin: impl Fn() -> Result<Orbit, Error>,
+    is_certified: bool,
+    watch: &dyn Watch,
+) -> Result<Option<Times>, Error> {
     let (mut without, mut with) = (Vec::new(), Vec::new());
     let begun = Instant::now();
     while without.is_empty() || (without.len() < OFTEN_ENOUGH && begun.elapsed() < LONG_ENOUGH) {
-        let alone = time(begin()?, |_, impact| _ = black_box(impact));
+        let alone = time(begin()?, watch, |_, impact| _ = black_box(impact));
         let Some(alone) = alone else { return Ok(None) };
         without.push(alone);
         if is_certified {
-            let bounded = time(begin()?, |orbit, impact| _ = black_box(orbit.bounds(&impact)));
+            let bounded = time(begin()?, watch, |orbit, impact| _ = black_box(orbit.bounds(&impact)));
             let Some(bounded) = bounded else { return Ok(None) };
             with.push(bounded);
         }
@@ -174,14 +184,13 @@ fn repeat(begin: impl Fn() -> Result<Orbit, Error>, is_certified: bool) -> Resul
 }
 
 /// How long the orbit takes from here to its end; `None` if interrupted.
-fn time(mut orbit: Orbit, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
+fn time(mut orbit: Orbit, watch: &dyn Watch, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
     let since = Instant::now();
-    let ended: ControlFlow<()> = follow_impacts(&mut orbit, &Progress::hidden(), |orbit, impact| {
+    orbit.follow_impacts(&|| watch.goes_on(), |orbit, impact| {
         each(orbit, impact);
         ControlFlow::Continue(())
     });
     let time = since.elapsed();
-    debug_assert!(ended.is_continue(), "nothing breaks it off");
     orbit.outcome().map(|_| time)
 }
 
@@ -210,7 +219,7 @@ mod tests {
                      start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
         let scene = Scene::parse(scene).unwrap();
         let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Units::of(&scene));
-        let of = |rung| measure(&scene, rung, &asked, &units, &Progress::hidden()).unwrap().unwrap();
+        let of = |rung| measure(&scene, rung, &asked, &units, &|| true).unwrap().unwrap();
         let float = of(Rung::Float);
         assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));
         assert!(float.widths.is_none() && float.times.with_bounds.is_none());

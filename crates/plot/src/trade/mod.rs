@@ -1,17 +1,17 @@
 //! The work-precision plot: what an impact costs over the digits that are certain, as SVG.
 
+mod axis;
+mod labels;
+
 use anyhow::Result;
 use impact_pair::certificate::document::PROGRAM;
+use impact_pair::trade::{Judgement, Measured, Rung, Trade};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::Trade;
-use super::axis::{self, Digits};
-use super::judge::Judgement;
-use super::labels::{self, Area, Label};
-use super::ladder::Rung;
-use super::measure::Measured;
-use impact_pair_plot::picture::{self, BLUE, Canvas, Drawn, GREEN, VERMILION, greek, words};
+use crate::picture::{self, BLUE, Canvas, Drawn, GREEN, VERMILION, greek, words};
+use axis::Digits;
+use labels::{Area, Label};
 
 const SIZE: (u32, u32) = (900, 620);
 const FONT: i32 = 15;
@@ -92,6 +92,10 @@ impl Mark {
     }
 }
 
+/// The plot of what has been measured.
+///
+/// # Errors
+/// When it cannot be drawn.
 pub fn svg(trade: &Trade<'_>) -> Result<String> {
     picture::svg(SIZE, 1, |root| draw(trade, root))
 }

@@ -6,7 +6,7 @@
 
 /// The row of each contact and the contact of each row.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Alignment {
+pub(super) struct Alignment {
     pub site_of: Vec<Option<usize>>,
     pub row_of: Vec<Option<usize>>,
 }
@@ -15,7 +15,11 @@ pub struct Alignment {
 ///
 /// `candidates[row]` are the contacts that the row may be, in ascending order; `nearer(a, b, site)` says whether row `a` is nearer to the
 /// contact than row `b`.
-pub fn align(candidates: &[Vec<usize>], sites: usize, nearer: impl Fn(usize, usize, usize) -> bool) -> Alignment {
+pub(super) fn align(
+    candidates: &[Vec<usize>],
+    sites: usize,
+    nearer: impl Fn(usize, usize, usize) -> bool,
+) -> Alignment {
     let mut chain = longest(candidates);
     for at in 0..chain.len() {
         let (row, site) = chain[at];
@@ -24,7 +28,7 @@ pub fn align(candidates: &[Vec<usize>], sites: usize, nearer: impl Fn(usize, usi
         let rows = (after..before).filter(|&row| candidates[row].contains(&site));
         // Of equal ones the first.
         let nearest = rows.reduce(|best, row| if nearer(row, best, site) { row } else { best });
-        chain[at].0 = nearest.unwrap_or(row);
+        chain[at].0 = nearest.unwrap_or(row); // exact: the row itself is one
     }
     let mut alignment = Alignment { site_of: vec![None; candidates.len()], row_of: vec![None; sites] };
     for (row, site) in chain {

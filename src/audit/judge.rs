@@ -1,6 +1,5 @@
 //! The judgement: what each row and each certified impact is, and where the list leaves the orbit.
 
-use impact_pair::exact::{Dyadic, Enclosure};
 use num_rational::BigRational;
 
 use super::align::{Alignment, align};
@@ -8,14 +7,17 @@ use super::list::Listed;
 use super::tolerance::Tolerance;
 use super::truth::{Rest, Site, SiteKind, Truth};
 use super::verdict::{Reason, Verdict};
+use crate::exact::{Dyadic, Enclosure};
 
 /// A row, a certified impact, or both.
 #[derive(Clone, Debug)]
 pub struct Finding {
+    /// What it is.
     pub verdict: Verdict,
+    /// The place of the row among the rows.
     pub row: Option<usize>,
     /// The contact that it is; of a false row the nearest one.
-    pub site: Option<usize>,
+    pub(super) site: Option<usize>,
     /// How far the row is off, if it is the contact.
     pub errors: Option<Errors>,
 }
@@ -41,7 +43,7 @@ pub struct Departure {
 }
 
 /// What is found of a list.
-pub struct Judgement {
+pub(super) struct Judgement {
     /// In the order of the list, with missed impacts in between.
     pub findings: Vec<Finding>,
     pub departure: Option<Departure>,
@@ -62,7 +64,7 @@ impl Judgement {
                 None => judge.unmatched_before(next, &alignment, &listed.time.low),
             };
             findings.extend((next..until).filter_map(|site| judge.missed(site, &alignment, end)));
-            next = next.max(until);
+            next = next.max(until); // exact: one of both
             match alignment.site_of[row] {
                 Some(site) => {
                     findings.push(judge.compared(row, site));
@@ -74,16 +76,6 @@ impl Judgement {
         findings.extend((next..truth.sites.len()).filter_map(|site| judge.missed(site, &alignment, end)));
         let departure = departure(&findings, &truth.sites);
         Self { findings, departure }
-    }
-
-    /// How many findings have a verdict.
-    pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
-        self.findings.iter().filter(|finding| is(finding.verdict)).count()
-    }
-
-    /// The impact that a finding is about: of a false row the one that it is taken for or nearest to.
-    pub fn impact(&self, finding: &Finding, truth: &Truth) -> u64 {
-        finding.site.map_or(0, |site| truth.sites[site].index)
     }
 
     /// The first one that disagrees.
@@ -192,6 +184,7 @@ impl<'a> Judge<'a> {
         let (verdict, site) = match rest {
             Some((site, rest)) if self.is_in_chatter(row, site, rest) => (Verdict::InChatter, Some(site)),
             Some((site, _)) => (Verdict::False(Reason::Rest), Some(site)),
+            None if is_in_doubt && self.truth.is_cut => (Verdict::NotReached, None),
             None if is_in_doubt => (Verdict::Undecided, None),
             None => {
                 let taken = candidates.iter().copied().find(|&site| alignment.row_of[site].is_some());
@@ -238,14 +231,14 @@ fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
     let score = |verdict: Verdict| match verdict {
         Verdict::Inside => 1,
         Verdict::Outside | Verdict::Missed | Verdict::False(_) => -1,
-        Verdict::InChatter | Verdict::Undecided => 0,
+        Verdict::InChatter | Verdict::NotReached | Verdict::Undecided => 0,
     };
     let mut first = None;
     // The greatest sum of scores from here on, and what is yet to come.
     let mut greatest = i64::MIN;
     let (mut misses, mut invents) = (false, false);
     for (at, Finding { verdict, .. }) in findings.iter().enumerate().rev() {
-        greatest = score(*verdict) + greatest.max(0);
+        greatest = score(*verdict) + greatest.max(0); // exact: small integers
         misses |= *verdict == Verdict::Missed;
         invents |= matches!(verdict, Verdict::False(_));
         if matches!(verdict, Verdict::Missed | Verdict::False(_)) && greatest < 0 && misses && invents {
@@ -263,7 +256,7 @@ fn departure(findings: &[Finding], sites: &[Site]) -> Option<Departure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use impact_pair::pair::Wall;
+    use crate::pair::Wall;
 
     /// `i`: inside, `o`: outside, `m`: missed, `f`: false, `c`: in the chatter; a site for each but the false ones.
     fn departure_of(verdicts: &str) -> Option<(usize, u64)> {

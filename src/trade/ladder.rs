@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use impact_pair::orbit::{Arithmetic, BITS, Settings};
+use crate::orbit::{Arithmetic, BITS, Settings};
 
 /// Digits that `auto` is asked for.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
@@ -12,18 +12,21 @@ const PATIENCE: u32 = 2;
 /// An arithmetic, and what is asked of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rung {
+    /// Plain doubles.
     Float,
+    /// Certified in doubles.
     Interval,
     /// The textbook's method.
     Inari,
+    /// Certified in so many bits.
     Bits(u32),
-    /// To so many digits.
+    /// Certified to so many digits.
     Auto(u32),
 }
 
 impl Rung {
     /// The settings of this rung that reach as far as `asked`.
-    pub fn settings(self, asked: &Settings) -> Settings {
+    pub(super) fn settings(self, asked: &Settings) -> Settings {
         let settings = |arithmetic| Settings { arithmetic, ..asked.clone() };
         match self {
             Self::Float => settings(Arithmetic::Float),
@@ -49,7 +52,7 @@ impl fmt::Display for Rung {
 
 /// The rungs one after another; how many of fixed bits there are shows on the way.
 #[derive(Clone, Debug)]
-pub struct Ladder {
+pub(super) struct Ladder {
     next: Option<Rung>,
     max_bits: u32,
     /// Whether the textbook's method is one: it is known of one harmonic only.

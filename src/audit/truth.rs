@@ -2,24 +2,30 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair::certificate::document::ArithmeticDocument;
-use impact_pair::document::{Bounds, Conclusion, Event, Kind, arithmetic};
-use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::orbit::{Orbit, Outcome, Place, Settings};
-use impact_pair::pair::Wall;
-use impact_pair::{Error, Scene};
+use impact_pair_certificate::document::ArithmeticDocument;
 use num_rational::BigRational;
 
+use super::judge::Finding;
 use super::tolerance::Tolerance;
-use crate::follow::follow;
-use crate::progress::Progress;
+use crate::document::{Conclusion, Event, Kind, arithmetic};
+use crate::exact::{Enclosure, Exact};
+use crate::orbit::{Orbit, Outcome, Place, Settings, Watch};
+use crate::pair::Wall;
+use crate::{Error, Scene};
+
+/// Impacts that are followed for each row of the list, ...
+const PER_ROW: usize = 2;
+/// ... and beyond those.
+const SPARE: usize = 1000;
 
 /// A contact that a list may have, in order of time.
 #[derive(Clone, Debug)]
 pub struct Site {
+    /// What it is.
     pub kind: SiteKind,
     /// The impact's number; for others that of the last impact.
     pub index: u64,
+    /// Its wall.
     pub wall: Wall,
     /// \[time\]
     pub time: Enclosure,
@@ -32,6 +38,7 @@ pub struct Site {
 /// Whether a contact has to be listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SiteKind {
+    /// It has to be.
     Impact,
     /// The impact that the orbit starts with: need not be.
     Start,
@@ -41,7 +48,7 @@ pub enum SiteKind {
 
 impl Site {
     /// The middle of the time's enclosure.
-    pub fn middle(&self) -> BigRational {
+    pub(super) fn middle(&self) -> BigRational {
         middle(&self.time.lo().to_rational(), &self.time.hi().to_rational())
     }
 }
@@ -49,6 +56,7 @@ impl Site {
 /// The ball on its wall.
 #[derive(Clone, Debug)]
 pub struct Rest {
+    /// Since when \[time\].
     pub from: Enclosure,
     /// `None`: for ever, or to the end.
     pub until: Option<Enclosure>,
@@ -57,10 +65,12 @@ pub struct Rest {
 }
 
 /// The certified orbit, as far as it is needed.
-pub struct Truth {
+pub(super) struct Truth {
     pub sites: Vec<Site>,
     /// From when on nothing is certified; `None` if all that was asked for is.
     pub doubtful_from: Option<Enclosure>,
+    /// Whether the orbit was not followed further because the list lacks more impacts than it has rows.
+    pub is_cut: bool,
     pub conclusion: Conclusion,
     /// What computed it, as the orbit JSON says it.
     pub computed: ArithmeticDocument,
@@ -69,40 +79,72 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Follows the orbit of the scene; when interrupted, as far as it came.
+    /// Follows the orbit of the scene for a list of so many rows; when interrupted, as far as it came.
+    ///
+    /// A row is at most one contact. So of more than `2 n + 1000` impacts the list of `n` rows lacks more than `n`: it is wrong, and
+    /// where its later rows go is not worth an orbit to times that may be arbitrarily late. Impacts of a chatter that has not
+    /// ended are not counted, for they need not be listed.
     pub fn follow(
         scene: &Scene,
         settings: Settings,
         tolerance: &Tolerance,
-        progress: &Progress,
+        rows: usize,
+        watch: &dyn Watch,
     ) -> Result<Self, Error> {
         let mut orbit = Orbit::of(scene, settings)?;
         let mut sites: Vec<Site> = start(scene, tolerance.bits).into_iter().collect();
         let mut last: Option<Event> = None;
-        let ended: ControlFlow<()> = follow(&mut orbit, progress, |orbit, step| {
+        let (mut impacts, mut counted) = (0, 0);
+        let most = rows.saturating_mul(PER_ROW).saturating_add(SPARE); // exact: of what fits into memory
+        let ended = orbit.follow(watch, |orbit, step| {
             let index = last.as_ref().map_or(0, |event| event.index);
             if let Some(event) = Event::of(orbit, &step, index) {
+                let is_other = sites.last().is_some_and(|last| last.wall != event.wall || last.rest.is_some());
                 note(&mut sites, &event, tolerance);
                 last = Some(event);
+                if is_other {
+                    // The run that ended keeps what it has.
+                    impacts += sites[counted..].iter().filter(|site| site.kind == SiteKind::Impact).count();
+                    counted = sites.len();
+                    if impacts > most {
+                        return ControlFlow::Break(());
+                    }
+                }
             }
             ControlFlow::Continue(())
         });
-        debug_assert!(ended.is_continue(), "nothing breaks it off");
-        let doubtful_from = match orbit.outcome() {
-            Some(Outcome::Undecided { time: (from, _), .. }) => Some(from.clone()),
-            Some(_) => None,
-            None => Some(
-                last.as_ref()
-                    .map_or_else(|| scene.start().time().enclose(tolerance.bits), |event| enclosure(&event.time)),
-            ),
-        };
+        let doubtful_from =
+            match orbit.outcome() {
+                Some(Outcome::Undecided { time: (from, _), .. }) => Some(from.clone()),
+                Some(_) => None,
+                None => Some(last.as_ref().map_or_else(
+                    || scene.start().time().enclose(tolerance.bits),
+                    |event| event.time.enclosure().clone(),
+                )),
+            };
         Ok(Self {
             sites,
             doubtful_from,
+            is_cut: ended.is_break(),
             conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
             computed: arithmetic(&orbit),
             wide: orbit.first_wide(),
         })
+    }
+
+    /// How the orbit ended, or why it was not followed further.
+    pub fn message(&self) -> String {
+        match self.sites.last() {
+            Some(last) if self.is_cut => {
+                format!("not followed beyond impact {}: the list lacks more impacts than it has rows", last.index)
+            }
+            _ => self.conclusion.message().to_owned(),
+        }
+    }
+
+    /// The impact that a finding is about.
+    pub fn impact(&self, finding: &Finding) -> u64 {
+        finding.site.map_or(0, |site| self.sites[site].index)
     }
 
     /// The times at which one contact stops being the nearest one and the next begins to be; a rest between is halved.
@@ -129,10 +171,10 @@ fn start(scene: &Scene, bits: u32) -> Option<Site> {
 
 /// Adds an event of the orbit.
 fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
-    let (index, wall, time) = (event.index, event.wall, enclosure(&event.time));
+    let (index, wall, time) = (event.index, event.wall, event.time.enclosure().clone());
     match &event.kind {
         Kind::Impact { velocity, .. } => {
-            let velocity = Some(enclosure(velocity));
+            let velocity = Some(velocity.enclosure().clone());
             sites.push(Site { kind: SiteKind::Impact, index, wall, time, velocity, rest: None });
         }
         Kind::Graze => sites.push(Site { kind: SiteKind::Graze, index, wall, time, velocity: None, rest: None }),
@@ -165,12 +207,6 @@ fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance)
     {
         sites.pop();
     }
-}
-
-/// What is certified of a number.
-fn enclosure(bounds: &Bounds) -> Enclosure {
-    let (Bounds::Certified(x) | Bounds::Float(x)) = bounds;
-    x.clone()
 }
 
 fn middle(one: &BigRational, other: &BigRational) -> BigRational {

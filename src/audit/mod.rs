@@ -1,0 +1,296 @@
+//! Another simulator's list of impacts, judged by the certified orbit.
+//!
+//! ```
+//! use impact_pair::Scene;
+//! use impact_pair::audit::{Asked, Audit, Columns, Verdict, read};
+//!
+//! let scene = Scene::parse(r#"
+//!     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
+//!     pair = { gap = "3*pi", restitution = 0.5 }
+//!     start = { time = 0, wall = "left", velocity = "-4*pi" }
+//! "#)?;
+//! // The exact orbit touches the walls at t = 1, 2, 3: the last time is wrong.
+//! let list = read("time,wall\n1,right\n2,left\n3.1,right", &Columns::default(), scene.pair())?;
+//! let audit = Audit::of(&scene, list, &Asked::default(), &|| true)?;
+//! let verdicts: Vec<Verdict> = audit.findings().iter().map(|finding| finding.verdict).collect();
+//! assert_eq!(verdicts, [Verdict::Inside, Verdict::Inside, Verdict::Outside]);
+//! assert!(!audit.is_agreed());
+//! # Ok::<(), impact_pair::Error>(())
+//! ```
+
+mod align;
+mod document;
+mod doubles;
+mod judge;
+mod list;
+mod tolerance;
+mod truth;
+mod verdict;
+
+pub use doubles::{Doubles, Parting};
+pub use judge::{Departure, Errors, Finding};
+pub use list::{Column, Columns, Listed, Number, read};
+pub use truth::{Rest, Site, SiteKind};
+pub use verdict::{Reason, Verdict};
+
+use num_rational::BigRational;
+
+use crate::contact::Reason as Doubt;
+use crate::document::Conclusion;
+use crate::exact::Exact;
+use crate::orbit::{Arithmetic, MAX_BITS, Settings, Watch};
+use crate::scales::Scales;
+use crate::scene::{DIGITS, Run};
+use crate::{Error, Scene};
+use judge::Judgement;
+use tolerance::Tolerance;
+use truth::Truth;
+
+/// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
+const BEYOND: u32 = 3;
+
+/// How a list is judged.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// How far a time may be off, in periods `2 pi/W`, and a velocity, in `A W`.
+    pub tolerance: Exact,
+    /// The time to judge up to \[time\]: later rows are left out; by default the last one listed.
+    pub until: Option<Exact>,
+    /// Digits that the certified orbit is enclosed to; by default three more than the tolerance has.
+    pub digits: Option<u32>,
+    /// Bits that the certified orbit takes at most.
+    pub max_bits: u32,
+}
+
+impl Default for Asked {
+    /// To `10^-9`, up to the last time listed.
+    fn default() -> Self {
+        let tolerance = "1e-9".parse().expect("a number");
+        Self { tolerance, until: None, digits: None, max_bits: MAX_BITS }
+    }
+}
+
+impl Asked {
+    /// How the orbit that judges is computed.
+    fn settings(&self, until: Exact) -> Settings {
+        let arithmetic = if cfg!(feature = "multiprecision") { Arithmetic::Auto } else { Arithmetic::Interval };
+        let run = Run { impacts: None, until: Some(until), digits: Some(self.digits()) };
+        Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
+    }
+
+    /// The digits asked for, or those that do for the tolerance.
+    fn digits(&self) -> u32 {
+        self.digits.unwrap_or_else(|| {
+            let (_, size) = self.tolerance.enclose(64).to_f64_bounds();
+            let digits = if size > 0.0 { -size.log10().floor() } else { f64::from(Settings::default().digits) }; // proposes
+            // proposes
+            (digits as u32 + BEYOND).clamp(*DIGITS.start(), *DIGITS.end())
+        })
+    }
+}
+
+/// A list and what is found of it.
+///
+/// **Cost**: of a list of `n` rows the orbit is followed to its end, but not beyond `2 n + 1000` impacts: then the list lacks more
+/// impacts than it has rows, and the rows that come later are [not reached](Verdict::NotReached).
+pub struct Audit<'s> {
+    /// Whose impacts they should be.
+    pub scene: &'s Scene,
+    /// The rows that are judged.
+    pub rows: Vec<Listed>,
+    /// Rows after the time to judge up to.
+    pub left_out: usize,
+    /// The time to judge up to: that asked for (an irrational one a little later), or the last one listed.
+    end: BigRational,
+    settings: Settings,
+    tolerance: Tolerance,
+    truth: Truth,
+    judgement: Judgement,
+    /// Orbits in doubles, judged in the same way.
+    pub doubles: Doubles,
+}
+
+impl<'s> Audit<'s> {
+    /// Judges `rows` by the orbit of a scene, as far as the watch lets it be followed.
+    ///
+    /// # Errors
+    /// When there is no row, or an orbit cannot be followed to the time to judge up to ([`Error::is_list`], or the key
+    /// `until`); when the scene's values are beyond what an orbit takes.
+    pub fn of(scene: &'s Scene, mut rows: Vec<Listed>, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
+        let listed = rows.len();
+        let end = match &asked.until {
+            Some(until) => {
+                let rounded_up = || until.enclose(Tolerance::GUARD).hi().to_rational();
+                let end = until.as_rational().cloned().unwrap_or_else(rounded_up);
+                rows.retain(|row| row.time.low <= end);
+                end
+            }
+            None => rows.iter().map(|row| row.time.high.clone()).max().ok_or_else(|| Error::list("no row".into()))?,
+        };
+        let tolerance = Tolerance::new(scene, &asked.tolerance, asked.digits());
+        // A listed impact may be early: the truth is followed for a period more.
+        let after = &end + tolerance.scales.period.hi().to_rational();
+        let settings = asked.settings(Exact::from_rational(after));
+        let truth = Truth::follow(scene, settings.clone(), &tolerance, rows.len(), watch);
+        let truth = truth.map_err(|error| match error.key() {
+            Some("run.until") => too_late(asked, &rows),
+            _ => error,
+        })?;
+        let judgement = Judgement::new(&truth, &rows, &end, &tolerance);
+        let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance, watch)?;
+        let left_out = listed - rows.len();
+        Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, doubles })
+    }
+
+    /// What tolerances are relative to.
+    pub fn scales(&self) -> &Scales {
+        &self.tolerance.scales
+    }
+
+    /// The tolerance, relative to them.
+    pub fn tolerance(&self) -> &Exact {
+        &self.tolerance.relative
+    }
+
+    /// Digits that the certified orbit is asked for.
+    pub fn digits(&self) -> u32 {
+        self.settings.digits
+    }
+
+    /// What is found, in the order of the list, with missed impacts in between.
+    pub fn findings(&self) -> &[Finding] {
+        &self.judgement.findings
+    }
+
+    /// Where the list leaves the orbit, if it does.
+    pub fn departure(&self) -> Option<Departure> {
+        self.judgement.departure
+    }
+
+    /// How many findings have a verdict.
+    pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
+        self.findings().iter().filter(|finding| is(finding.verdict)).count()
+    }
+
+    /// The first one that disagrees.
+    pub fn first_disagreement(&self) -> Option<&Finding> {
+        self.judgement.first_disagreement()
+    }
+
+    /// The row that a finding is about.
+    pub fn row(&self, finding: &Finding) -> Option<&Listed> {
+        finding.row.map(|row| &self.rows[row])
+    }
+
+    /// The certified contact that a finding is about.
+    pub fn site(&self, finding: &Finding) -> Option<&Site> {
+        finding.site.map(|site| &self.truth.sites[site])
+    }
+
+    /// The impact that a finding is about: of a false row the one that it is taken for or nearest to.
+    pub fn impact(&self, finding: &Finding) -> u64 {
+        self.site(finding).map_or(0, |site| site.index)
+    }
+
+    /// The first impact whose enclosure is wider than the digits asked for.
+    pub fn first_wide(&self) -> Option<u64> {
+        self.truth.wide
+    }
+
+    /// Whether what is certified ends before the time to judge up to.
+    pub fn is_open(&self) -> bool {
+        self.truth.doubtful_from.as_ref().is_some_and(|from| from.lo().to_rational() <= self.end)
+    }
+
+    /// Whether nothing disagrees and nothing is undecided.
+    pub fn is_agreed(&self) -> bool {
+        !self.is_open() && self.count(|verdict| verdict.disagrees() || verdict == Verdict::Undecided) == 0
+    }
+
+    /// One line in words, with what else there is to try on the command line.
+    pub fn conclusion(&self) -> String {
+        let open = self.is_open().then(|| self.truth.message());
+        let mut said = match (self.count(Verdict::disagrees), open) {
+            (0, None) => format!("agreed: all {} listed", self.rows.len()),
+            (0, Some(open)) => open,
+            (n, open) => {
+                let impacts = if n == 1 { "impact" } else { "impacts" };
+                format!("disagreed: {n} {impacts}{}", open.map_or(String::new(), |open| format!("; {open}")))
+            }
+        };
+        if let Some(hint) = self.hint() {
+            said += &format!("; {hint}");
+        }
+        said
+    }
+
+    fn hint(&self) -> Option<&'static str> {
+        let is_short = |conclusion: &Conclusion| conclusion.reason() == Some(Doubt::Precision);
+        if self.is_open() && is_short(&self.truth.conclusion) {
+            return Some("try more --max-bits or fewer --digits");
+        }
+        // Wrong in velocity alone from the first impact on: it may be another velocity.
+        let first = self.first_disagreement()?;
+        let errors = first.errors.as_ref()?;
+        let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.impact(first) <= 1;
+        is_velocity
+            .then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
+    }
+}
+
+/// The error that the time to judge up to is beyond what an orbit can be followed to.
+fn too_late(asked: &Asked, rows: &[Listed]) -> Error {
+    const LATE: &str = "later than an orbit can be followed to";
+    let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));
+    match (&asked.until, latest) {
+        (None, Some(Listed { place, time, .. })) => Error::list(format!("{place}: time is `{}`, {LATE}", time.written)),
+        (until, _) => {
+            let until = until.as_ref().map_or(String::new(), Exact::text);
+            Error::out_of_range("until", format!("until is `{until}`, {LATE}"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_truth_is_finer_than_the_tolerance() {
+        let digits = |text: &str| Asked { tolerance: text.parse().unwrap(), ..Asked::default() }.digits();
+        assert_eq!([digits("1e-9"), digits("2e-9"), digits("1"), digits("0.5")], [12, 12, 3, 4]);
+        assert_eq!(digits("0"), 12);
+        assert!(digits("1e-5000") > 300);
+    }
+
+    /// The impacts of the exact orbit of figure 12, at t = 1, 2, 3, ...
+    fn listed(times: impl Iterator<Item = u64>) -> String {
+        let row = |t: u64| format!("{t},{}\n", if t % 2 == 1 { "right" } else { "left" });
+        format!("time,wall\n{}", times.map(row).collect::<String>())
+    }
+
+    #[test]
+    fn a_corrupted_time_does_not_lead_to_the_end_of_the_world() {
+        let scene = Scene::parse(
+            "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
+             pair = { gap = \"3*pi\", restitution = 0.5 }\n\
+             start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }",
+        )
+        .unwrap();
+        let audit = |list: &str| {
+            let rows = read(list, &Columns::default(), scene.pair()).unwrap();
+            Audit::of(&scene, rows, &Asked::default(), &|| true).unwrap()
+        };
+        let corrupted = audit(&(listed(1..6) + "1000000000,left\n"));
+        let counts = [Verdict::Inside, Verdict::Missed, Verdict::NotReached, Verdict::Undecided];
+        assert_eq!(counts.map(|verdict| corrupted.count(|other| other == verdict)), [5, 1008, 1, 0]);
+        assert_eq!(corrupted.findings().last().unwrap().verdict, Verdict::NotReached);
+        assert!(
+            !corrupted.is_agreed() && corrupted.first_disagreement().is_some_and(|first| corrupted.impact(first) == 6)
+        );
+        // In the middle of a list it costs itself only, as any other row: what comes before it in time is reached.
+        let sparse = audit(&listed((1..1500).filter(|t| t % 3 == 0)));
+        assert_eq!([sparse.count(|v| v == Verdict::Inside), sparse.count(|v| v == Verdict::Missed)], [499, 998]);
+        assert_eq!(sparse.count(|v| v == Verdict::NotReached), 0);
+    }
+}

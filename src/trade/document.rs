@@ -1,0 +1,102 @@
+//! The trade JSON: what is measured, as a document.
+
+use std::time::Duration;
+
+use impact_pair_certificate::document::{
+    CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RungAsked, RungDocument,
+    SceneDocument, Seconds, TRADE_SCHEMA, TradeAsked, TradeDocument, TradeUnits, TruthDocument, WidthsDocument,
+    WordLeft,
+};
+
+use super::{Crossing, Departure, Extent, Judgement, Largest, Measured, Rung, Trade};
+
+impl Trade<'_> {
+    /// The trade JSON.
+    pub fn document(&self) -> TradeDocument {
+        let Self { scene, asked, units, interrupted, .. } = self;
+        TradeDocument {
+            schema: TRADE_SCHEMA.to_owned(),
+            program: PROGRAM.to_owned(),
+            scene: SceneDocument::new(scene.pair(), scene.start()),
+            asked: TradeAsked {
+                impacts: asked.impacts,
+                until: asked.until.as_ref().map(|until| until.text()),
+                max_bits: asked.max_bits,
+            },
+            units: TradeUnits { time: "2 pi/W".to_owned(), velocity: units.speed.to_string() },
+            interrupted: interrupted.map(|rung| rung.to_string()),
+            rungs: self.rungs.iter().map(|measured| rung(measured, self)).collect(),
+        }
+    }
+}
+
+fn rung(measured: &Measured, trade: &Trade<'_>) -> RungDocument {
+    let Measured { rung, times, .. } = measured;
+    let time = |whole: Duration| measured.microseconds(whole);
+    let widths =
+        measured.widths.map(|widths| WidthsDocument { time: extent(&widths.time), velocity: extent(&widths.velocity) });
+    let judgement = trade.judgement.as_ref().filter(|_| *rung == Rung::Float);
+    RungDocument {
+        name: rung.to_string(),
+        asked: asked(*rung),
+        arithmetic: measured.computed.clone(),
+        certified: measured.is_certified,
+        complete: measured.is_complete(),
+        impacts: measured.impacts,
+        outcome: measured.conclusion.document(),
+        seconds: Seconds {
+            orbit: times.orbit.as_secs_f64(),
+            with_bounds: times.with_bounds.map(|time| time.as_secs_f64()),
+            repetitions: times.repetitions,
+        },
+        microseconds_per_impact: Microseconds {
+            orbit: time(times.orbit),
+            with_bounds: times.with_bounds.and_then(time),
+        },
+        impacts_per_second: time(times.orbit).map(|time| 1e6 / time),
+        digits: measured.digits().map(|digits| (digits * 100.0).floor() / 100.0),
+        widths,
+        truth: judgement.map(|judgement| truth(judgement, trade)),
+    }
+}
+
+/// The rung as the command line says it.
+fn asked(rung: Rung) -> RungAsked {
+    let (arithmetic, digits) = match rung {
+        Rung::Float => ("float".to_owned(), None),
+        Rung::Interval => ("interval".to_owned(), None),
+        Rung::Inari => ("inari".to_owned(), None),
+        Rung::Bits(bits) => (bits.to_string(), None),
+        Rung::Auto(digits) => ("auto".to_owned(), Some(digits)),
+    };
+    RungAsked { arithmetic, digits }
+}
+
+fn extent(extent: &Extent) -> ExtentDocument {
+    ExtentDocument { greatest: extent.greatest.decimal_up(), last: extent.last.decimal_up() }
+}
+
+fn truth(judgement: &Judgement, trade: &Trade<'_>) -> TruthDocument {
+    let largest = |largest: &Largest| {
+        (largest.impact > 0).then(|| LargestError {
+            bounds: [largest.at_least.decimal_down(), largest.at_most.decimal_up()],
+            impact: largest.impact,
+        })
+    };
+    let crossing = |&Crossing { exponent, within, exceeded }: &Crossing| CrossingDocument {
+        threshold: format!("1e{exponent}"),
+        within,
+        exceeded,
+    };
+    TruthDocument {
+        judge: trade.judge(),
+        judged: judgement.judged,
+        largest_error: LargestErrors { time: largest(&judgement.time), velocity: largest(&judgement.velocity) },
+        time_errors: judgement.crossings.iter().map(crossing).collect(),
+        leaves_word: judgement.departure.map(|Departure { impact, truth, judged }| WordLeft {
+            impact,
+            truth,
+            float: judged,
+        }),
+    }
+}
