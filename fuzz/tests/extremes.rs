@@ -5,13 +5,14 @@ use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair_fuzz::config;
 use proptest::prelude::*;
 
+const MANTISSAS: [&str; 5] = ["1", "2", "7", "3.3", "1.0000001"];
+
 /// One of these, or a power of ten in a range.
 fn value(usual: &'static [&'static str], exponents: std::ops::Range<i32>) -> impl Strategy<Value = String> {
-    let mantissas = ["1", "2", "7", "3.3", "1.0000001"];
     prop_oneof![
         3 => prop::sample::select(usual).prop_map(str::to_owned),
-        1 => (prop::sample::select(&mantissas[..]), exponents).prop_map(|(mantissa, exponent)| format!("{mantissa}e{exponent}")),
-        1 => (prop::sample::select(&mantissas[..]), -12..12).prop_map(|(mantissa, exponent)| format!("{mantissa}e{exponent}")),
+        1 => (prop::sample::select(&MANTISSAS[..]), exponents).prop_map(|(mantissa, exponent)| format!("{mantissa}e{exponent}")),
+        1 => (prop::sample::select(&MANTISSAS[..]), -12..12).prop_map(|(mantissa, exponent)| format!("{mantissa}e{exponent}")),
     ]
 }
 
