@@ -47,7 +47,7 @@ TEST = f"cargo test {' '.join(PROFILE)} --workspace"
 LINT = f"cargo clippy {' '.join(PROFILE)} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
-MANY = "IMPACT_PAIR_MULTIPLIER=5"
+MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 
 PARTS = [
@@ -69,6 +69,7 @@ PARTS = [
     Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
          ("program",)),
     Part("gallery", *2 * ("docs/gallery/make --check",), ("program",)),
+    Part("stability", *2 * ("docs/stability/make --check",), ("program",)),
     *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "coq"]),
     cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),

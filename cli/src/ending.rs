@@ -5,7 +5,7 @@ use std::fmt;
 use impact_pair::certificate::document::ArithmeticDocument;
 use impact_pair::contact::Reason;
 use impact_pair::document::{Conclusion, is_certified};
-use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Arithmetic, Settings, VERDICT_BITS};
 
 /// The conclusion of an orbit, seen against what was asked.
 pub struct Ending<'s> {
@@ -15,6 +15,8 @@ pub struct Ending<'s> {
     /// The first impact whose enclosure is wider than the digits asked for.
     pub wide: Option<u64>,
     pub settings: &'s Settings,
+    /// The most bits that it was computed with.
+    pub bits: u32,
 }
 
 impl Ending<'_> {
@@ -41,6 +43,10 @@ impl Ending<'_> {
             // Of point data more bits make every enclosure narrower.
             (Arithmetic::Auto, Some(Reason::Width)) if cfg!(feature = "multiprecision") => {
                 Some("narrower intervals in the scene lead further")
+            }
+            // Of intervals more bits were not tried.
+            (Arithmetic::Auto, Some(Reason::Graze)) if self.bits >= VERDICT_BITS => {
+                Some("8192 bits do not tell; try --arithmetic with more, such as 65536")
             }
             (Arithmetic::Auto, None) if self.wide.is_some() => {
                 Some("try fewer --digits, or narrower intervals in the scene")

@@ -45,7 +45,13 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     }
     progress.clear();
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
-    let ending = Ending { conclusion, computed: arithmetic(&orbit), wide: orbit.first_wide(), settings: &settings };
+    let ending = Ending {
+        conclusion,
+        computed: arithmetic(&orbit),
+        wide: orbit.first_wide(),
+        settings: &settings,
+        bits: orbit.bits(),
+    };
     listing.end(&ending).context(write)?.commit()?;
 
     if !ending.is_complete() && !arguments.quiet && !said_already {

@@ -4,6 +4,7 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair_fuzz::config;
 use proptest::prelude::*;
+use proptest::test_runner::Config;
 
 const MANTISSAS: [&str; 5] = ["1", "2", "7", "3.3", "1.0000001"];
 
@@ -63,7 +64,8 @@ fn start() -> impl Strategy<Value = String> {
 const MOST_BITS: u32 = 16_384;
 
 proptest! {
-    #![proptest_config(config())]
+    // Some take a second.
+    #![proptest_config(Config { cases: config().cases / 5, ..config() })]
 
     #[test]
     fn extreme_scenes_come_to_an_end(excitation in excitation(), (gap, pair) in pair(), start in start(), which in 0_usize..6) {

@@ -110,7 +110,8 @@ const SHORT: std::ops::RangeInclusive<f64> = 4.909093465297727e-91..=0.1249;
 impl Wave for f64 {
     #[inline(always)]
     fn wave(&self) -> (Self, Self) {
-        kernel::sin_cos(*self)
+        // K1: outside the domain of the kernel floats know nothing
+        if self.abs() <= kernel::LARGEST_PHASE { kernel::sin_cos(*self) } else { (f64::NAN, f64::NAN) }
     }
     #[inline(always)]
     fn short(&self) -> Option<Departure> {

@@ -54,6 +54,9 @@ use motion::Motion;
 use raise::Raise;
 use width::Width;
 
+/// Bits beyond those of the digits asked for that `auto` spends on a decision: what they do not tell is a graze, or `Undecided`.
+pub const VERDICT_BITS: u32 = 8192;
+
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
 /// **Enclosure**: for every start and all parameters of the scene, impact `i` of the true orbit lies in the `i`-th

@@ -4,11 +4,11 @@
 
 // Labels: proposes throughout.
 
-use super::Settings;
 use super::given::Given;
 use super::motion::Motion;
 use super::plan::{Growth, Plan};
 use super::shortfall::Shortfall;
+use super::{Settings, VERDICT_BITS};
 use crate::clock::Phase;
 use crate::exact::{Exact, log2_of_digits};
 use crate::number::LEAST_BITS;
@@ -18,8 +18,6 @@ use crate::pair::ImpactPair;
 ///
 /// A quarter of the impacts costs a sixteenth to a sixtieth of all.
 const AT_ONCE: u64 = 1 << 14;
-/// Bits beyond the plan that are spent on decisions: what they do not tell is `Undecided`, or a graze.
-pub(super) const VERDICT_BITS: u32 = 8192;
 /// Impacts that a plan looks ahead at most: it holds a number for each.
 const FARTHEST: u64 = 1 << 22;
 

@@ -39,7 +39,13 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     progress.clear();
     let impacts = last.as_ref().map_or(0, |event| event.index);
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
-    let ending = Ending { conclusion, computed: arithmetic(&orbit), wide: orbit.first_wide(), settings: &settings };
+    let ending = Ending {
+        conclusion,
+        computed: arithmetic(&orbit),
+        wide: orbit.first_wide(),
+        settings: &settings,
+        bits: orbit.bits(),
+    };
     let trace = recorder.finish(&orbit, &settings, impacts);
     let style = Style { is_certified: is_certified(settings.arithmetic) };
     let sheet = Sheet {
