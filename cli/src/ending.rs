@@ -35,6 +35,7 @@ impl Ending<'_> {
             (Arithmetic::Auto, Some(Reason::Precision)) => {
                 Some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
             }
+            (Arithmetic::Bits(VERDICT_BITS..), _) => None,
             (Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_), _)
                 if reason.is_some() || self.wide.is_some() =>
             {
