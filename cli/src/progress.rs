@@ -52,7 +52,8 @@ impl Progress {
 
     /// Notes how far a search has come.
     pub fn searched(&self, searched: Searched) {
-        if let Some(bar) = self.due(0).filter(|bar| bar.position() != searched.cells as u64 || bar.length() == Some(0)) {
+        if let Some(bar) = self.due(0).filter(|bar| bar.position() != searched.cells as u64 || bar.length() == Some(0))
+        {
             bar.set_length(searched.of as u64);
             bar.set_position(searched.cells as u64);
         }

@@ -56,7 +56,10 @@ impl Units {
                 cycle: cycle(impact),
                 ..self.impact(impact, f64::MANTISSA_DIGITS)
             };
-            RegionDocument { impacts: region.impacts.iter().map(impact).collect(), reason: region.reason.name().to_owned() }
+            RegionDocument {
+                impacts: region.impacts.iter().map(impact).collect(),
+                reason: region.reason.name().to_owned(),
+            }
         };
         let orbit = |orbit: &PeriodicOrbit| {
             let mut document = periodic_orbit(&self.measured(orbit));

@@ -85,7 +85,8 @@ impl<'c> Terms<'c> {
     pub fn all(&self, first: Interval) -> Part {
         let count = self.chain.impacts();
         let reach = 1.0 + f64::from(self.chain.cycles());
-        let rest = Interval::new(first.lo, reach);
+        // T10: no orbit has a phase that is an end of these bounds.
+        let rest = Interval::new(first.lo.next_down(), reach.next_up());
         Part {
             phases: (0..count).map(|i| if i == 0 { first } else { rest }).collect(),
             times: vec![Interval::new(0.0, reach); count],

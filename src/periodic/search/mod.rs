@@ -151,6 +151,7 @@ impl Problem {
 
 #[cfg(test)]
 mod tests {
+    use super::super::identity::is_one_orbit;
     use super::*;
     use crate::pair::Wall;
     use crate::{Harmonic, ImpactPair};
@@ -179,21 +180,101 @@ mod tests {
             let precision = Precision::default();
             let guessed = problem.find(&start, precision).orbits;
             let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
-            let court = &one.court;
-            let terms = Terms::new(&problem.chain, &court.pair);
-            let mut search =
-                Search { problem: &problem, court, terms, precision, known: Vec::new(), undecided: Vec::new() };
-            search.run(Budget::default());
-            assert!(search.undecided.is_empty(), "{word}");
+            let census = problem.search(&one.court, Vec::new(), precision, Budget::default(), &|_| true);
+            assert!(census.exhaustive, "{word}");
             let is_found = |orbit: &PeriodicOrbit| {
                 let is_it = |other: &PeriodicOrbit| is_one_orbit(&problem.chain, &orbit.proved, &other.proved);
-                search.known.iter().any(|other| is_it(other) == Some(true))
+                census.orbits.iter().any(|other| is_it(other) == Some(true))
             };
             assert!(guessed.iter().filter(|orbit| is_physical(orbit)).all(is_found), "{word}");
-            let found = search.known.iter().filter(|orbit| is_physical(orbit)).count();
+            let found = census.orbits.iter().filter(|orbit| is_physical(orbit)).count();
             // Guesses may miss some.
             assert_eq!(found, count, "{word}, of which {} were guessed", guessed.len());
         }
+    }
+
+    fn problem(ratio: &str, restitution: &str, word: &str, cycles: u32) -> Problem {
+        let harmonic = Harmonic::new(ratio.parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
+        let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
+        Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
+    }
+
+    fn court(problem: &Problem) -> &Court {
+        let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
+        &one.court
+    }
+
+    /// Lemma T10: whatever else is cut away, the chains that grow hold each orbit that is proved elsewhere.
+    #[test]
+    fn chains_hold_the_orbits_that_guesses_lead_to() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let mut seen = 0;
+        for (word, cycles, ratio, restitution) in [
+            ("LR", 3, "1/9.42497", "0.5"),
+            ("LLR", 1, "8/9.42497", "0.5"),
+            ("RRLLL", 1, "2", "0.8"),
+            ("RRLLLRRLLL", 2, "2", "0.8"),
+            ("RRRRRLLLLL", 1, "7.5", "0.8"),
+            ("LRLRLR", 3, "0.498", "0.8"),
+            ("LRLRLRLRLR", 5, "0.36", "0.8"),
+            ("RLRLRL", 3, "0.36", "1"),
+        ] {
+            let problem = problem(ratio, restitution, word, cycles);
+            let court = court(&problem);
+            let found = problem.find(&start, Precision::default()).orbits;
+            for orbit in found.iter().filter(|orbit| is_physical(orbit)) {
+                // Told from the turn of the first impact.
+                let at = |i: usize| {
+                    let first = orbit.phases()[0].mid().floor();
+                    orbit.phases()[i].mid() - first
+                };
+                let cell = (at(0) * f64::from(CELLS)).floor() / f64::from(CELLS);
+                let task = Task {
+                    problem: &problem,
+                    court,
+                    terms: Terms::new(&problem.chain, &court.pair),
+                    precision: Precision::default(),
+                    narrowest: 0.0,
+                    known: &[],
+                    goes_on: &|| true,
+                };
+                let mut cell = Cell::new(&task, Interval::new(cell, cell + 1.0 / f64::from(CELLS)));
+                cell.left = u64::MAX;
+                let chains = cell.chains().unwrap();
+                let is_in = |part: &&cut::Part| {
+                    part.phases.iter().enumerate().all(|(i, x)| x.lo - 1e-9 <= at(i) && at(i) <= x.hi + 1e-9)
+                };
+                let holding: Vec<_> = chains.iter().filter(is_in).collect();
+                assert!(!holding.is_empty(), "{word} at {:?}", orbit.phases());
+                // They are not just everything.
+                let before = cell.all().size();
+                assert!(holding.iter().all(|part| part.size() < 0.5 * before), "{word}: {holding:?}");
+                seen += 1;
+            }
+        }
+        assert!(seen >= 30, "{seen}");
+    }
+
+    /// What a search finds does not depend on who searches which cell when, and a search that is ended says so and keeps what is
+    /// proved.
+    #[test]
+    fn searches_repeat_and_may_be_ended() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let problem = problem("1/9.42497", "0.5", "LR", 3);
+        let all = |budget, ends_at: usize| {
+            let calls = AtomicUsize::new(0);
+            let goes_on = |_| calls.fetch_add(1, Ordering::Relaxed) < ends_at;
+            problem.find_all_while(&start, Precision::default(), budget, &goes_on).unwrap()
+        };
+        let (one, other) = (all(Budget::default(), usize::MAX), all(Budget::default(), usize::MAX));
+        assert!(one.exhaustive && !one.interrupted && one.is_certified());
+        assert_eq!(one.orbits, other.orbits);
+        let guesses = problem.find(&start, Precision::default()).orbits;
+        let ended = all(Budget::default(), 0);
+        assert!(ended.interrupted && ended.orbits.is_empty() && !ended.is_certified() && ended.undecided.len() == 16);
+        // A budget that ends is no interruption.
+        let few = all(Budget { boxes: 100, ..Budget::default() }, usize::MAX);
+        assert!(!few.exhaustive && !few.interrupted && few.orbits == guesses && !few.undecided.is_empty());
     }
 
     /// A continuum of orbits is no finite list: `A = 0`, `e = 1`.

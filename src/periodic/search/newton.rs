@@ -91,7 +91,9 @@ impl Terms<'_> {
         let size = |i: usize| inverse.row(i).iter().map(|x| x.abs()).sum::<f64>();
         let weakest = (0..rows.slopes.len()).max_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(0); // proposes
         match self.misses(pair, &part, rows.impacts.clone()) {
-            Some(misses) => self.solve(part, &inverse, &misses, rows).map(|(part, is_regular)| Step { part, weakest, is_regular }),
+            Some(misses) => {
+                self.solve(part, &inverse, &misses, rows).map(|(part, is_regular)| Step { part, weakest, is_regular })
+            }
             None => Some(Step { part, weakest, is_regular: false }),
         }
     }
@@ -117,7 +119,13 @@ impl Terms<'_> {
     }
 
     /// `(Y J)(x - m) = -Y F(m)`, solved for each unknown in turn.
-    fn solve(&self, mut part: Part, inverse: &Preconditioner, misses: &[Interval], rows: &Rows) -> Option<(Part, bool)> {
+    fn solve(
+        &self,
+        mut part: Part,
+        inverse: &Preconditioner,
+        misses: &[Interval],
+        rows: &Rows,
+    ) -> Option<(Part, bool)> {
         let (zero, count) = (Interval::point(0.0), self.chain.impacts());
         let centre = part.centre();
         let offset = |i: usize, part: &Part| part.phases[i] - Interval::point(centre[i]);
