@@ -106,7 +106,7 @@ impl<'t, 'p> Cell<'t, 'p> {
     /// What the search leaves undecided.
     pub fn undecided(&self) -> Vec<Region> {
         let all = [self.all()];
-        let open = self.open.as_deref().unwrap_or(&all);
+        let open = self.open.as_deref().unwrap_or(&all); // T10: nothing of it is searched
         let open = open.iter().map(|part| self.region(part, Reason::Budget));
         self.undecided.iter().cloned().chain(open).collect()
     }
