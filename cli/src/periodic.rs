@@ -1,17 +1,19 @@
 //! `impact-pair periodic SCENE --word WORD --cycles N`: the periodic orbits of a word, proved.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
+use std::sync::atomic::Ordering;
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
 use impact_pair::document::Units;
 use impact_pair::exact::{Enclosure, decimal_digits};
-use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, Searched};
 
 use crate::Answer;
 use crate::arguments::{PeriodicArguments, PeriodicFormat};
 use crate::heading;
 use crate::output::Output;
+use crate::progress::{Progress, interruption};
 use crate::scene;
 
 pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
@@ -22,10 +24,19 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
-    let census = match arguments.all {
-        true => problem.find_all(start, precision, Budget::default()).with_context(named)?,
-        false => problem.find(start, precision),
+    // From here on Ctrl-C keeps what is proved.
+    let interrupted = interruption();
+    let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
+    let progress = Progress::search(visible && arguments.all);
+    let goes_on = |searched: Searched| {
+        progress.searched(searched);
+        !interrupted.load(Ordering::Relaxed)
     };
+    let census = match arguments.all {
+        true => problem.find_all_while(start, precision, Budget::default(), &goes_on).with_context(named)?,
+        false => problem.find_while(start, precision, || !interrupted.load(Ordering::Relaxed)),
+    };
+    progress.clear();
     let write = "cannot write the output";
     match arguments.format {
         PeriodicFormat::Table => table(&mut out, &scene, &problem, &units, &census).context(write)?,
@@ -53,13 +64,14 @@ fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, 
         let [large, small] = found.eigenvalues.each_ref().map(shown);
         writeln!(out, "  eigenvalues {large} and {small}")?;
         writeln!(out, "  trace {}, determinant {}", decimal_digits(&found.trace), decimal_digits(&found.determinant))?;
-        // Which turn of the common period, where that is longer than one.
+        // Which turn since the first impact's, and which of the common period, where these are longer than one.
+        let cycle = |said: &str| if cycles > found.period { format!("{said:>5}  ") } else { String::new() };
         let turn = |said: &str| if found.period > 1 { format!("{said:>4}  ") } else { String::new() };
-        writeln!(out, "  {:5}  {}{:31}  velocity before", "wall", turn("turn"), "phase W t + tau")?;
-        for impact in &units.measured(found).impacts {
-            let turn = turn(&impact.turn.to_string());
+        writeln!(out, "  {:5}  {}{}{:31}  velocity before", "wall", cycle("cycle"), turn("turn"), "phase W t + tau")?;
+        for (impact, turns) in units.measured(found).impacts.iter().zip(&found.impacts) {
+            let (cycle, turn) = (cycle(&turns.cycle().to_string()), turn(&impact.turn.to_string()));
             let [phase, velocity] = [&impact.phase, &impact.velocity].map(decimal_digits);
-            writeln!(out, "  {:5}  {turn}{phase:31}  {velocity}", impact.wall.name())?;
+            writeln!(out, "  {:5}  {cycle}{turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }
     writeln!(out, "\n{}", conclusion(census, scene.pair().excitation().harmonics().len()))
@@ -113,7 +125,7 @@ fn conclusion(census: &Census, harmonics: usize) -> String {
     };
     let open = census.orbits.iter().filter(|orbit| !orbit.is_decided()).count();
     let wide = census.orbits.iter().filter(|orbit| !orbit.is_narrow).count();
-    let mut said = format!("{orbits} proved; {rest}");
+    let mut said = format!("{orbits} proved; {}{rest}", if census.interrupted { "interrupted, " } else { "" });
     if open > 0 {
         said += &format!("; {open} with something undecided");
     }

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use impact_pair::orbit::Watch;
+use impact_pair::periodic::Searched;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Impacts between two looks at the clock; in doubles so many take less than a blink.
@@ -27,9 +28,18 @@ impl Progress {
         } else {
             "{prefix}{pos} impacts{msg}"
         };
+        Self::drawn(impacts, template)
+    }
+
+    /// Counts the cells of a search.
+    pub fn search(wanted: bool) -> Self {
+        if wanted { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
+    }
+
+    fn drawn(length: Option<u64>, template: &str) -> Self {
         let style = ProgressStyle::with_template(template).expect("a valid template");
         let target = ProgressDrawTarget::stderr_with_hz(5);
-        Self(Some(ProgressBar::with_draw_target(impacts, target).with_style(style)))
+        Self(Some(ProgressBar::with_draw_target(length, target).with_style(style)))
     }
 
     /// Notes that impact `index` is done.
@@ -37,6 +47,15 @@ impl Progress {
         if let Some(bar) = self.due(index) {
             bar.set_message("");
             bar.set_position(index);
+        }
+    }
+
+    /// Notes how far a search has come.
+    pub fn searched(&self, searched: Searched) {
+        if let Some(bar) = self.due(0).filter(|bar| bar.position() != searched.cells as u64 || bar.length() == Some(0))
+        {
+            bar.set_length(searched.of as u64);
+            bar.set_position(searched.cells as u64);
         }
     }
 

@@ -84,3 +84,28 @@ fn the_document_goes_where_it_is_asked_to() {
     let eigenvalue = document["orbits"][0]["eigenvalues"][0]["re"][0].as_str().unwrap();
     assert!(eigenvalue.starts_with("-1.0021045"), "{eigenvalue}");
 }
+
+/// Ctrl-C keeps the orbits that are proved and says that the search is not complete.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_search_keeps_what_is_proved() {
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::Pid;
+    use std::process::Stdio;
+    use std::time::Duration;
+
+    // Twelve rounds of the cascade's orbits are proved at once; that there are no other orbits is not.
+    let word = "LR".repeat(12);
+    let mut command =
+        periodic(&["scenes/cascade.toml", "--word", &word, "--cycles", "12", "--all", "--format", "json"]);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(Duration::from_secs(4));
+    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+    let answer = child.wait_with_output().unwrap();
+    let said = String::from_utf8(answer.stderr).unwrap();
+    assert_eq!(answer.status.code(), Some(1), "{said}");
+    assert!(said.contains("proved; interrupted, ") && said.contains("may hold others"), "{said}");
+    let document: serde_json::Value = serde_json::from_slice(&answer.stdout).unwrap();
+    assert_eq!((document["certified"].as_bool(), document["exhaustive"].as_bool()), (Some(false), Some(false)));
+    assert!(!document["orbits"].as_array().unwrap().is_empty() && document["undecided"].is_array());
+}

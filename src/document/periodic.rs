@@ -48,9 +48,23 @@ impl Units {
 
     /// The document of what is found of a problem; `start` only names the scene.
     pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
-        let region = |region: &Region| RegionDocument {
-            impacts: region.impacts.iter().map(|impact| self.impact(impact, f64::MANTISSA_DIGITS)).collect(),
-            reason: region.reason.name().to_owned(),
+        // Flights that differ by whole common periods differ in nothing else.
+        let is_told = problem.chain().cycles() > problem.period();
+        let cycle = |impact: &PeriodicImpact| is_told.then(|| impact.cycle());
+        let region = |region: &Region| {
+            let impact = |impact: &PeriodicImpact| PeriodicImpactDocument {
+                cycle: cycle(impact),
+                ..self.impact(impact, f64::MANTISSA_DIGITS)
+            };
+            RegionDocument {
+                impacts: region.impacts.iter().map(impact).collect(),
+                reason: region.reason.name().to_owned(),
+            }
+        };
+        let orbit = |orbit: &PeriodicOrbit| {
+            let mut document = periodic_orbit(&self.measured(orbit));
+            document.impacts.iter_mut().zip(&orbit.impacts).for_each(|(told, impact)| told.cycle = cycle(impact));
+            document
         };
         let undecided = census.undecided.iter().map(region).collect();
         PeriodicDocument {
@@ -60,7 +74,7 @@ impl Units {
             cycles: problem.chain().cycles(),
             exhaustive: census.exhaustive,
             certified: census.is_certified(),
-            orbits: census.orbits.iter().map(|orbit| periodic_orbit(&self.measured(orbit))).collect(),
+            orbits: census.orbits.iter().map(orbit).collect(),
             undecided: (!census.undecided.is_empty()).then_some(undecided),
         }
     }
@@ -107,6 +121,7 @@ fn periodic_impact(impact: &MeasuredImpact, period: u32) -> PeriodicImpactDocume
         phase: bounds(&impact.phase),
         velocity: bounds(&impact.velocity),
         turn: (period > 1).then_some(impact.turn),
+        cycle: None,
     }
 }
 

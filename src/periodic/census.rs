@@ -23,12 +23,14 @@ pub struct Census {
     pub undecided: Vec<Region>,
     /// Whether all of them were asked for.
     pub is_search: bool,
+    /// Whether it ended before all was tried, as its caller wished.
+    pub interrupted: bool,
 }
 
 impl Census {
     /// Whether all that was asked is proved: something, or that there is nothing, and each orbit in all it is asked.
     pub fn is_certified(&self) -> bool {
         let answers = if self.is_search { self.exhaustive } else { !self.orbits.is_empty() };
-        answers && self.orbits.iter().all(|orbit| orbit.is_decided() && orbit.is_narrow)
+        answers && !self.interrupted && self.orbits.iter().all(|orbit| orbit.is_decided() && orbit.is_narrow)
     }
 }

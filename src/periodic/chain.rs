@@ -132,17 +132,28 @@ impl Chain {
         let waves: Vec<S::Moment> = phases.iter().map(|phase| shaking.moment(0.0, phase)).collect();
         let leg = |i: usize| {
             let j = self.next(i);
-            let since = phases[j].clone() - phases[i].clone();
-            let time = if j == 0 { since + N::from_f64(f64::from(self.cycles)) } else { since };
-            let displacement = self.displacement(i);
-            // T1: -1, 0 or 1, exact
-            match if displacement == 0.0 { shaking.hop(&time, &waves[i]) } else { None } {
-                Some(Hop { drift, after, before }) => Some(Leg { time, drift, after, before }),
-                None => flight(shaking, time, [&waves[i], &waves[j]], displacement),
-            }
+            self.leg(shaking, i, [&phases[i], &phases[j]], [&waves[i], &waves[j]])
         };
         let legs = (0..phases.len()).map(leg).collect::<Option<_>>()?;
         Some(Legs { legs, waves })
+    }
+
+    /// Flight `i` between two phases; `None` where it may take no time.
+    pub fn leg<N: Number, S: Shaking<N>>(
+        &self,
+        shaking: &S,
+        i: usize,
+        [from, to]: [&N; 2],
+        waves: [&S::Moment; 2],
+    ) -> Option<Leg<N>> {
+        let since = to.clone() - from.clone();
+        let time = if self.next(i) == 0 { since + N::from_f64(f64::from(self.cycles)) } else { since };
+        let displacement = self.displacement(i);
+        // T1: -1, 0 or 1, exact
+        match if displacement == 0.0 { shaking.hop(&time, waves[0]) } else { None } {
+            Some(Hop { drift, after, before }) => Some(Leg { time, drift, after, before }),
+            None => flight(shaking, time, waves, displacement),
+        }
     }
 
     /// `y'` just before impact `i`.

@@ -5,7 +5,7 @@
 //! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Under several harmonics
-//! with a common period ([`Problem::period`]) all but that search is the same. Lemmas T1-T9 and H10-H12 are in
+//! with a common period ([`Problem::period`]) all but that search is the same. Lemmas T1-T10 and H10-H12 are in
 //! `docs/proofs.md`.
 
 mod attractor;
@@ -47,7 +47,7 @@ use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
 pub use measured::{MeasuredImpact, MeasuredOrbit};
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
-pub use search::Budget;
+pub use search::{Budget, Searched};
 use several::repetition;
 use shaken::Shaken;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
@@ -175,43 +175,59 @@ impl Problem {
     ///
     /// Each once, in the order of their first phases. It proves that these exist, not that there are no others.
     pub fn find(&self, start: &Start, precision: Precision) -> Census {
+        self.find_while(start, precision, || true)
+    }
+
+    /// The same while `goes_on`, which is asked between guesses; those that it ends before are not tried.
+    pub fn find_while(&self, start: &Start, precision: Precision, goes_on: impl Fn() -> bool) -> Census {
         if !self.chain.crosses() {
             // Lemma T7: on one wall there is none.
             return Census { exhaustive: true, is_search: true, ..Census::default() };
         }
         match &self.pair {
-            Pair::One(one) => self.find_under(&**one, start, precision),
-            Pair::Several(several) => self.find_under(&**several, start, precision),
+            Pair::One(one) => self.find_under(&**one, start, precision, goes_on),
+            Pair::Several(several) => self.find_under(&**several, start, precision, goes_on),
         }
     }
 
-    fn find_under<S: Shaken>(&self, shaken: &S, start: &Start, precision: Precision) -> Census {
+    fn find_under<S: Shaken>(
+        &self,
+        shaken: &S,
+        start: &Start,
+        precision: Precision,
+        goes_on: impl Fn() -> bool,
+    ) -> Census {
         let mut found: Vec<PeriodicOrbit> = Vec::new();
+        let mut interrupted = false;
         for guess in guess::guesses(&self.chain, shaken, &self.impact_pair, start) {
+            if !goes_on() {
+                interrupted = true;
+                break;
+            }
             if self.is_known(&guess, &found) || self.settles_on_known(shaken, &guess, &found) {
                 continue;
             }
-            if let Some((orbit, Identity::New)) = self.prove_beside(&guess, precision, &found) {
+            if let Some((orbit, Identity::New)) = self.prove_beside(&guess, precision, found.iter()) {
                 found.push(orbit);
             }
         }
         found.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
-        Census { orbits: found, ..Census::default() }
+        Census { orbits: found, interrupted, ..Census::default() }
     }
 
     /// The orbit near a guess, and whether it is one of those known: what the digits asked for do not tell apart is proved to
     /// more. Lemma T6
-    fn prove_beside(
+    fn prove_beside<'o>(
         &self,
         guess: &[f64],
         precision: Precision,
-        known: &[PeriodicOrbit],
+        known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
     ) -> Option<(PeriodicOrbit, Identity)> {
         let mut found = None;
         for digits in [precision.digits, FINE_DIGITS, 2 * FINE_DIGITS] {
             let digits = digits.max(precision.digits); // proposes: digits to prove it to
             let orbit = self.prove(guess, Precision { digits, ..precision })?;
-            let verdicts = known.iter().map(|other| is_one_orbit(&self.chain, &orbit.proved, &other.proved));
+            let verdicts = known.clone().map(|other| is_one_orbit(&self.chain, &orbit.proved, &other.proved));
             let identity = Identity::of(verdicts);
             found = Some((orbit, identity));
             if identity != Identity::Open {

@@ -1,6 +1,7 @@
 //! A proved periodic orbit as it is handed on: intervals, and what is proved of them.
 
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use super::chain::{Chain, Leg, Legs};
 use super::identity::{is_symmetric, repeats};
@@ -21,6 +22,14 @@ pub struct PeriodicImpact {
     pub phase: Enclosure,
     /// The relative velocity `y'` just before the impact, in gaps a turn.
     pub velocity: Enclosure,
+}
+
+impl PeriodicImpact {
+    /// The turn that its phase `W t + tau` is told from, counted from that of the first impact.
+    pub fn cycle(&self) -> i64 {
+        let turn = self.phase.lo().to_rational().floor().to_integer(); // exact: a whole number
+        turn.to_i64().expect("turns of a chain")
+    }
 }
 
 /// A periodic orbit of a word, proved; in the units of the scene it is a [`MeasuredOrbit`](super::MeasuredOrbit).

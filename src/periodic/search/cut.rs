@@ -1,5 +1,8 @@
 //! Cutting a box of phases down to what an orbit needs: Lemma T9.
 
+use std::ops::Range;
+
+use super::grow::Stretch;
 use super::interval::Interval;
 use crate::number::Ball;
 use crate::pair::Reduced;
@@ -72,13 +75,20 @@ impl<'c> Terms<'c> {
         self.beta * phase.cos()
     }
 
-    /// The whole state space.
-    pub fn all(&self) -> Part {
+    /// All flights and impacts.
+    pub fn whole(&self) -> Stretch {
+        let count = self.chain.impacts();
+        Stretch { flights: 0..count, impacts: 0..count }
+    }
+
+    /// The part of the state space with the first impact in `first`. T8
+    pub fn all(&self, first: Interval) -> Part {
         let count = self.chain.impacts();
         let reach = 1.0 + f64::from(self.chain.cycles());
-        let phase = |i: usize| Interval::new(0.0, if i == 0 { 1.0 } else { reach });
+        // T10: no orbit has a phase that is an end of these bounds.
+        let rest = Interval::new(first.lo.next_down(), reach.next_up());
         Part {
-            phases: (0..count).map(phase).collect(),
+            phases: (0..count).map(|i| if i == 0 { first } else { rest }).collect(),
             times: vec![Interval::new(0.0, reach); count],
             drifts: vec![Interval::new(-self.drift, self.drift); count],
             speeds: vec![ALL; count],
@@ -86,10 +96,10 @@ impl<'c> Terms<'c> {
     }
 
     /// Cuts the part while that is worth it; `None` when nothing is left.
-    pub fn cut(&self, mut part: Part) -> Option<Part> {
+    pub fn cut(&self, mut part: Part, stretch: &Stretch) -> Option<Part> {
         loop {
             let before = part.size();
-            self.cut_once(&mut part)?;
+            self.cut_once(&mut part, stretch)?;
             let after = part.size();
             if after > (1.0 - WORTH) * before {
                 return Some(part);
@@ -97,16 +107,15 @@ impl<'c> Terms<'c> {
         }
     }
 
-    fn cut_once(&self, part: &mut Part) -> Option<()> {
-        let count = part.phases.len();
-        for i in 0..count {
+    fn cut_once(&self, part: &mut Part, stretch: &Stretch) -> Option<()> {
+        for i in stretch.flights.clone() {
             self.cut_time(part, i)?;
             self.cut_drift(part, i)?;
         }
-        for i in 0..count {
+        for i in stretch.impacts.clone() {
             self.cut_impact(part, i)?;
         }
-        for i in 0..count {
+        for i in stretch.flights.clone() {
             self.cut_ratios(part, i)?;
             self.look(part, i)?;
         }
@@ -245,6 +254,32 @@ impl Part {
     /// How much there is: the sum of the widths of the phases and times.
     pub fn size(&self) -> f64 {
         self.phases.iter().chain(&self.times).map(|x| x.width()).sum()
+    }
+
+    /// Whether it overlaps another part at these impacts.
+    pub fn touches(&self, other: &Self, impacts: &Range<usize>) -> bool {
+        impacts.clone().all(|i| self.phases[i].cut(other.phases[i]).is_some())
+    }
+
+    /// All that is known of a flight or an impact, of two parts.
+    fn pairs<'p>(&'p mut self, other: &'p Self) -> impl Iterator<Item = (&'p mut Interval, Interval)> {
+        let mine = [&mut self.phases, &mut self.times, &mut self.drifts, &mut self.speeds];
+        let its = [&other.phases, &other.times, &other.drifts, &other.speeds];
+        mine.into_iter().flatten().zip(its.into_iter().flatten().copied())
+    }
+
+    /// Becomes one part that holds another one, too.
+    pub fn add(&mut self, other: &Self) {
+        self.pairs(other).for_each(|(x, y)| *x = x.hull(y));
+    }
+
+    /// What lies in both.
+    pub fn both(&self, other: &Self) -> Option<Self> {
+        let mut both = self.clone();
+        for (x, y) in both.pairs(other) {
+            *x = x.cut(y)?;
+        }
+        Some(both)
     }
 
     /// A point inside, about the middle.

@@ -1,21 +1,24 @@
-//! All the orbits of a word: the compact state space (Lemma T8) cut and halved until nothing is left open (Lemma T9).
+//! All the orbits of a word: the compact state space (Lemma T8), cell by cell of the first phase; in each the chains that grow
+//! from it letter by letter (Lemma T10), cut and halved until nothing is left open (Lemma T9).
 
+mod cell;
 mod cut;
+mod grow;
 mod interval;
 mod newton;
 
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
 use super::census::{Census, Region};
-use super::chain::Slopes;
-use super::identity::{Identity, is_one_orbit};
-use super::krawczyk::Proved;
-use super::newton::is_plausible;
-use super::orbit::{PeriodicImpact, PeriodicOrbit};
-use super::{Pair, Precision, Problem, newton::polish};
+use super::identity::Identity;
+use super::orbit::PeriodicOrbit;
+use super::{Pair, Precision, Problem};
 use crate::Error;
 use crate::contact::{Court, Reason};
-use crate::exact::Enclosure;
-use crate::number::Ball;
-use cut::{Part, Terms};
+use cell::{Cell, Task};
+use cut::Terms;
 use impact_pair_model::Start;
 use interval::Interval;
 
@@ -30,156 +33,125 @@ pub struct Budget {
 
 impl Default for Budget {
     fn default() -> Self {
-        Self { boxes: 5_000_000, halvings: 36 }
+        Self { boxes: 2_000_000, halvings: 36 }
     }
 }
 
-/// Parts left undecided at which a search is given up: there is a continuum of orbits, or nearly one.
-const MOST_UNDECIDED: usize = 1000;
-
-/// A search under way.
-struct Search<'p> {
-    problem: &'p Problem,
-    court: &'p Court,
-    terms: Terms<'p>,
-    precision: Precision,
-    /// All orbits found, those that belong to no motion included: their domains are done with.
-    known: Vec<PeriodicOrbit>,
-    undecided: Vec<Region>,
+/// How far a search has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Searched {
+    /// Cells that are done.
+    pub cells: usize,
+    /// All of them.
+    pub of: usize,
 }
 
-/// Boxes as narrow as that, in turns, are asked whether an orbit is near.
-const NEAR: f64 = 1.0 / 16.0;
+/// Cells of the first phase, in which searches go on side by side.
+const CELLS: u32 = 16;
 
 impl Problem {
-    /// Proves all the orbits of the word, and that there are no other physical ones. Lemmas T3, T8, T9
+    /// Proves all the orbits of the word, and that there are no other physical ones. Lemmas T3, T8-T10
     ///
     /// Starts from what [`Problem::find`] finds. Where the budget ends, what is left is listed as undecided.
     ///
     /// # Errors
     /// When there are several harmonics, except for words on one wall.
     pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Result<Census, Error> {
+        self.find_all_while(start, precision, budget, &|_| true)
+    }
+
+    /// The same while `goes_on`, which is told how far the search has come and is asked between parts, by any thread.
+    ///
+    /// What it ends before is listed as undecided.
+    ///
+    /// # Errors
+    /// As [`Problem::find_all`].
+    pub fn find_all_while(
+        &self,
+        start: &Start,
+        precision: Precision,
+        budget: Budget,
+        goes_on: &(dyn Fn(Searched) -> bool + Sync),
+    ) -> Result<Census, Error> {
         if self.chain.crosses() {
             self.impact_pair.harmonic("the search for all periodic orbits")?;
         }
-        let found = self.find(start, precision);
+        let of = CELLS as usize; // exact: small
+        let found = self.find_while(start, precision, || goes_on(Searched { cells: 0, of }));
         let Pair::One(one) = &self.pair else { return Ok(found) };
         if found.exhaustive {
             return Ok(found);
         }
-        let terms = Terms::new(&self.chain, &one.court.pair);
-        let known = found.orbits;
-        let mut search = Search { problem: self, court: &one.court, terms, precision, known, undecided: Vec::new() };
-        search.run(budget);
-        let mut orbits = search.known;
-        // Only motions are looked for; a chain that is proved to be none is listed where a guess led to it.
-        orbits.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
-        Ok(Census { orbits, exhaustive: search.undecided.is_empty(), undecided: search.undecided, is_search: true })
-    }
-}
-
-impl Search<'_> {
-    /// Depth first, so that little is kept.
-    fn run(&mut self, budget: Budget) {
-        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(self.terms.spread() / 16.0); // proposes: when to stop
-        let mut open = vec![self.terms.all()];
-        let mut looked = 0;
-        while let Some(part) = open.pop() {
-            looked += 1;
-            if looked > budget.boxes || self.undecided.len() >= MOST_UNDECIDED {
-                open.push(part);
-                break;
-            }
-            let Some((part, slopes)) = self.narrow(part) else { continue };
-            if part.width() <= NEAR && self.is_done(&part) {
-                continue;
-            }
-            if part.width() <= narrowest {
-                self.undecided.push(self.region(&part, Reason::Precision));
-                continue;
-            }
-            open.extend(halves(part, &slopes));
-        }
-        for part in open {
-            self.undecided.push(self.region(&part, Reason::Budget));
-        }
+        Ok(self.search(&one.court, found.orbits, precision, budget, goes_on))
     }
 
-    /// Cuts a part by all that is known; `None` when nothing is left.
-    fn narrow(&self, part: Part) -> Option<(Part, Slopes<Interval>)> {
-        let mut part = self.terms.cut(part)?;
+    /// Searches for orbits beside those known.
+    fn search(
+        &self,
+        court: &Court,
+        known: Vec<PeriodicOrbit>,
+        precision: Precision,
+        budget: Budget,
+        goes_on: &(dyn Fn(Searched) -> bool + Sync),
+    ) -> Census {
+        let terms = Terms::new(&self.chain, &court.pair);
+        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(terms.spread() / 16.0); // proposes: when to stop
+        let done = AtomicUsize::new(0);
+        let of = CELLS as usize; // exact: small
+        let goes_on = || goes_on(Searched { cells: done.load(Ordering::Relaxed), of });
+        let task = Task { problem: self, court, terms, precision, narrowest, known: &known, goes_on: &goes_on };
+        let line = |n: u32| f64::from(n) / f64::from(CELLS); // exact: a power of two
+        let mut cells: Vec<_> = (0..CELLS).map(|n| Cell::new(&task, Interval::new(line(n), line(n + 1)))).collect();
+        // What cells leave of the budget is shared among those that have not done.
+        let mut left = budget.boxes;
         loop {
-            let slopes = self.terms.slopes(&part);
-            let before = part.size();
-            part = self.terms.newton(&self.court.pair, part, &slopes)?;
-            if part.size() > 0.7 * before {
-                return Some((part, slopes));
+            let mut busy: Vec<_> = cells.iter_mut().filter(|cell| !cell.is_done()).collect();
+            let share = left.checked_div(busy.len() as u64); // exact: a length
+            let Some(share) = share.filter(|share| *share > 0 && goes_on()) else { break };
+            left -= share * busy.len() as u64; // exact: small
+            busy.iter_mut().for_each(|cell| cell.left = share);
+            let count = busy.len();
+            let queue = Mutex::new(busy.into_iter());
+            let next = || queue.lock().expect("no thread has panicked").next();
+            let work = || {
+                while let Some(cell) = next() {
+                    cell.search();
+                    done.fetch_add(usize::from(cell.is_done()), Ordering::Relaxed);
+                }
+            };
+            let threads = thread::available_parallelism().map_or(1, usize::from).min(count); // exact: threads decide nothing
+            thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+            left += cells.iter().map(|cell| cell.left).sum::<u64>();
+        }
+        let mut census = self.gathered(&cells, &known, precision);
+        census.interrupted = !census.exhaustive && !goes_on();
+        census
+    }
+
+    /// What all cells found, each orbit once, whatever the order that they were searched in.
+    fn gathered(&self, cells: &[Cell], known: &[PeriodicOrbit], precision: Precision) -> Census {
+        let mut undecided: Vec<Region> = cells.iter().flat_map(Cell::undecided).collect();
+        let mut orbits = known.to_vec();
+        for orbit in cells.iter().flat_map(|cell| &cell.found) {
+            // A chain that is proved to be no motion is listed where a guess led to it only.
+            if orbit.physical == Some(false) {
+                continue;
             }
-            part = self.terms.cut(part)?;
+            let guess: Vec<f64> = orbit.phases().iter().map(|phase| phase.mid()).collect();
+            match self.prove_beside(&guess, precision, orbits.iter()) {
+                Some((orbit, Identity::New)) => orbits.push(orbit),
+                Some((_, Identity::Known)) => {}
+                _ => undecided.push(Region { impacts: orbit.impacts.clone(), reason: Reason::Precision }),
+            }
         }
+        orbits.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
+        Census { orbits, exhaustive: undecided.is_empty(), undecided, is_search: true, interrupted: false }
     }
-
-    /// Whether the part lies where a known orbit is the only one; looks for the orbit if it is not known yet.
-    fn is_done(&mut self, part: &Part) -> bool {
-        let balls: Vec<Ball> = part.phases.iter().map(|x| x.ball()).collect();
-        let whole = Proved { domain: balls.clone(), at: balls };
-        let chain = &self.problem.chain;
-        let is_inside = |known: &PeriodicOrbit| is_one_orbit(chain, &whole, &known.proved) == Some(true);
-        if self.known.iter().any(is_inside) {
-            return true;
-        }
-        let Some((orbit, identity)) = self.orbit_near(part) else { return false };
-        // An orbit that may be a known one stays a question.
-        let is_done = identity != Identity::Open && is_inside(&orbit);
-        if identity == Identity::New {
-            self.known.push(orbit);
-        }
-        is_done
-    }
-
-    /// An orbit in or beside the part that Newton's iteration leads to, proved, and whether it is known.
-    fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
-        let (chain, pair) = (&self.problem.chain, &self.court.centre);
-        let phases = polish(chain, pair, part.centre())?;
-        let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
-        if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
-            return None;
-        }
-        self.problem.prove_beside(&phases, self.precision, &self.known)
-    }
-
-    /// What is said of a part that stays open.
-    fn region(&self, part: &Part, reason: Reason) -> Region {
-        let chain = &self.problem.chain;
-        let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.lo, x.hi).expect("finite intervals");
-        let impact = |i: usize| PeriodicImpact {
-            wall: chain.walls()[i],
-            phase: enclosure(part.phases[i]),
-            velocity: enclosure(part.drifts[chain.previous(i)] - self.terms.speed(part.phases[i])),
-        };
-        Region { impacts: (0..part.phases.len()).map(impact).collect(), reason }
-    }
-}
-
-/// Both halves across the phase that the equations depend on most.
-fn halves(part: Part, slopes: &Slopes<Interval>) -> [Part; 2] {
-    let mut weights = vec![0.0; part.phases.len()];
-    for (_, j, slope) in slopes.entries() {
-        weights[j] += slope.lo.abs().max(slope.hi.abs()).min(1e6); // proposes: where to halve
-    }
-    let weight = |j: &usize| weights[*j] * part.phases[*j].width();
-    let widest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
-    let Interval { lo, hi } = part.phases[widest];
-    let middle = part.phases[widest].middle();
-    let mut other = part.clone();
-    other.phases[widest] = Interval::new(middle, hi);
-    let mut part = part;
-    part.phases[widest] = Interval::new(lo, middle);
-    [part, other]
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::identity::is_one_orbit;
     use super::*;
     use crate::pair::Wall;
     use crate::{Harmonic, ImpactPair};
@@ -208,21 +180,101 @@ mod tests {
             let precision = Precision::default();
             let guessed = problem.find(&start, precision).orbits;
             let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
-            let court = &one.court;
-            let terms = Terms::new(&problem.chain, &court.pair);
-            let mut search =
-                Search { problem: &problem, court, terms, precision, known: Vec::new(), undecided: Vec::new() };
-            search.run(Budget::default());
-            assert!(search.undecided.is_empty(), "{word}");
+            let census = problem.search(&one.court, Vec::new(), precision, Budget::default(), &|_| true);
+            assert!(census.exhaustive, "{word}");
             let is_found = |orbit: &PeriodicOrbit| {
                 let is_it = |other: &PeriodicOrbit| is_one_orbit(&problem.chain, &orbit.proved, &other.proved);
-                search.known.iter().any(|other| is_it(other) == Some(true))
+                census.orbits.iter().any(|other| is_it(other) == Some(true))
             };
             assert!(guessed.iter().filter(|orbit| is_physical(orbit)).all(is_found), "{word}");
-            let found = search.known.iter().filter(|orbit| is_physical(orbit)).count();
+            let found = census.orbits.iter().filter(|orbit| is_physical(orbit)).count();
             // Guesses may miss some.
             assert_eq!(found, count, "{word}, of which {} were guessed", guessed.len());
         }
+    }
+
+    fn problem(ratio: &str, restitution: &str, word: &str, cycles: u32) -> Problem {
+        let harmonic = Harmonic::new(ratio.parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
+        let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
+        Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
+    }
+
+    fn court(problem: &Problem) -> &Court {
+        let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
+        &one.court
+    }
+
+    /// Lemma T10: whatever else is cut away, the chains that grow hold each orbit that is proved elsewhere.
+    #[test]
+    fn chains_hold_the_orbits_that_guesses_lead_to() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let mut seen = 0;
+        for (word, cycles, ratio, restitution) in [
+            ("LR", 3, "1/9.42497", "0.5"),
+            ("LLR", 1, "8/9.42497", "0.5"),
+            ("RRLLL", 1, "2", "0.8"),
+            ("RRLLLRRLLL", 2, "2", "0.8"),
+            ("RRRRRLLLLL", 1, "7.5", "0.8"),
+            ("LRLRLR", 3, "0.498", "0.8"),
+            ("LRLRLRLRLR", 5, "0.36", "0.8"),
+            ("RLRLRL", 3, "0.36", "1"),
+        ] {
+            let problem = problem(ratio, restitution, word, cycles);
+            let court = court(&problem);
+            let found = problem.find(&start, Precision::default()).orbits;
+            for orbit in found.iter().filter(|orbit| is_physical(orbit)) {
+                // Told from the turn of the first impact.
+                let at = |i: usize| {
+                    let first = orbit.phases()[0].mid().floor();
+                    orbit.phases()[i].mid() - first
+                };
+                let cell = (at(0) * f64::from(CELLS)).floor() / f64::from(CELLS);
+                let task = Task {
+                    problem: &problem,
+                    court,
+                    terms: Terms::new(&problem.chain, &court.pair),
+                    precision: Precision::default(),
+                    narrowest: 0.0,
+                    known: &[],
+                    goes_on: &|| true,
+                };
+                let mut cell = Cell::new(&task, Interval::new(cell, cell + 1.0 / f64::from(CELLS)));
+                cell.left = u64::MAX;
+                let chains = cell.chains().unwrap();
+                let is_in = |part: &&cut::Part| {
+                    part.phases.iter().enumerate().all(|(i, x)| x.lo - 1e-9 <= at(i) && at(i) <= x.hi + 1e-9)
+                };
+                let holding: Vec<_> = chains.iter().filter(is_in).collect();
+                assert!(!holding.is_empty(), "{word} at {:?}", orbit.phases());
+                // They are not just everything.
+                let before = cell.all().size();
+                assert!(holding.iter().all(|part| part.size() < 0.5 * before), "{word}: {holding:?}");
+                seen += 1;
+            }
+        }
+        assert!(seen >= 30, "{seen}");
+    }
+
+    /// What a search finds does not depend on who searches which cell when, and a search that is ended says so and keeps what is
+    /// proved.
+    #[test]
+    fn searches_repeat_and_may_be_ended() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let problem = problem("1/9.42497", "0.5", "LR", 3);
+        let all = |budget, ends_at: usize| {
+            let calls = AtomicUsize::new(0);
+            let goes_on = |_| calls.fetch_add(1, Ordering::Relaxed) < ends_at;
+            problem.find_all_while(&start, Precision::default(), budget, &goes_on).unwrap()
+        };
+        let (one, other) = (all(Budget::default(), usize::MAX), all(Budget::default(), usize::MAX));
+        assert!(one.exhaustive && !one.interrupted && one.is_certified());
+        assert_eq!(one.orbits, other.orbits);
+        let guesses = problem.find(&start, Precision::default()).orbits;
+        let ended = all(Budget::default(), 0);
+        assert!(ended.interrupted && ended.orbits.is_empty() && !ended.is_certified() && ended.undecided.len() == 16);
+        // A budget that ends is no interruption.
+        let few = all(Budget { boxes: 100, ..Budget::default() }, usize::MAX);
+        assert!(!few.exhaustive && !few.interrupted && few.orbits == guesses && !few.undecided.is_empty());
     }
 
     /// A continuum of orbits is no finite list: `A = 0`, `e = 1`.

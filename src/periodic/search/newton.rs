@@ -1,75 +1,161 @@
 //! Newton's equation over a box: Lemma T9, the mean value theorem with a preconditioner.
 
+use std::ops::Range;
+
 use super::cut::{Part, Terms};
 use super::interval::Interval;
-use crate::number::Ball;
+use crate::number::{Ball, Number, Wave};
 use crate::pair::Reduced;
-use crate::periodic::chain::Slopes;
+use crate::periodic::krawczyk::Jacobian;
 use crate::periodic::precondition::Preconditioner;
+
+/// The equations of consecutive impacts over a part, for the phases of these impacts; others are given.
+///
+/// Impacts go around: `k` is impact 0 again.
+pub(super) struct Rows {
+    impacts: Range<usize>,
+    /// The derivatives of each by the phases before, at and after it.
+    slopes: Vec<[Interval; 3]>,
+    /// The places of these phases among the unknowns; those that are given have none.
+    columns: Vec<[Option<usize>; 3]>,
+}
+
+/// A part after Newton's equation.
+pub(super) struct Step {
+    pub part: Part,
+    /// The phase that the equations determine least, where all of them are unknowns.
+    pub weakest: usize,
+    /// Whether the equations determine all their unknowns.
+    pub is_regular: bool,
+}
+
+/// The derivatives by the unknowns, in doubles.
+struct Square<'r>(&'r Rows, Vec<[f64; 3]>);
+
+impl Jacobian<f64> for Square<'_> {
+    fn size(&self) -> usize {
+        self.0.columns.len()
+    }
+
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, &f64)> {
+        let rows = self.0.columns.iter().zip(&self.1).enumerate();
+        rows.flat_map(|(i, (columns, slopes))| columns.iter().zip(slopes).filter_map(move |(j, x)| Some((i, (*j)?, x))))
+    }
+}
+
+impl Rows {
+    /// How much the equations depend on each phase.
+    pub fn weights(&self, count: usize) -> Vec<f64> {
+        let mut weights = vec![0.0; count];
+        for (i, slopes) in self.impacts.clone().zip(&self.slopes) {
+            for (j, slope) in slopes.iter().enumerate() {
+                weights[(i + count + j - 1) % count] += slope.lo.abs().max(slope.hi.abs()).min(1e6); // proposes: where to halve
+            }
+        }
+        weights
+    }
+}
 
 impl Terms<'_> {
     /// The derivatives of Lemma T2 over a convex set that holds the middle of the part and all its orbits.
     ///
     /// The mean value theorem looks at what lies between both, where nothing holds that only orbits obey: of all that was
     /// cut, only phases and times are used, and times together with those at the middle.
-    pub fn slopes(&self, part: &Part) -> Slopes<Interval> {
-        let centre = part.centre();
+    pub fn rows(&self, part: &Part, impacts: Range<usize>) -> Rows {
+        let (e, count) = (self.restitution, self.chain.impacts());
+        let centre = |i: usize| Interval::point(part.phases[i].middle());
         let ratios = |i: usize| {
-            let [from, to] = [i, self.chain.next(i)].map(|impact| Interval::point(centre[impact]));
-            let time = part.times[i].hull(to + self.shift(i) - from);
+            let time = part.times[i].hull(centre(self.chain.next(i)) + self.shift(i) - centre(i));
             self.ratios(&part.phases, i, time)
         };
-        let ratios: Vec<_> = (0..centre.len()).map(ratios).collect();
+        let mut last = ratios((impacts.start + count - 1) % count);
         let row = |i: usize| {
-            let ([after, before], [after_before, before_own]) = (ratios[i], ratios[self.chain.previous(i)]);
-            let e = self.restitution;
+            let i = i % count;
+            let [after_before, before_own] = std::mem::replace(&mut last, ratios(i));
+            let [after, before] = last;
             [e * after_before, after - e * before_own + self.swing * part.phases[i].sin(), -before]
         };
-        Slopes((0..centre.len()).map(row).collect())
+        let slopes = impacts.clone().map(row).collect();
+        let unknowns = impacts.len();
+        let place = |i: usize| Some((i + count - impacts.start) % count).filter(|place| *place < unknowns);
+        let columns = impacts.clone().map(|i| [i + count - 1, i, i + 1].map(place)).collect();
+        Rows { impacts, slopes, columns }
     }
 
     /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
-    pub fn newton(&self, pair: &Reduced<Ball>, part: Part, slopes: &Slopes<Interval>) -> Option<Part> {
-        let middles = slopes.0.iter().map(|row| row.map(Interval::middle)).collect();
-        let Some(inverse) = Preconditioner::new(&Slopes(middles)) else { return Some(part) };
-        let centre = part.centre();
-        let balls: Vec<Ball> = centre.iter().map(|&x| Ball::exact(x)).collect();
-        let Some(legs) = self.chain.legs(pair, &balls) else { return Some(part) };
-        let misses: Vec<Interval> = self.chain.residual(pair, &legs).into_iter().map(Interval::of).collect();
-        self.solve(part, &inverse, &centre, &misses, slopes)
+    pub fn newton(&self, pair: &Reduced<Ball>, part: Part, rows: &Rows) -> Option<Step> {
+        let middles = rows.slopes.iter().map(|row| row.map(Interval::middle)).collect();
+        let Some(inverse) = Preconditioner::new(&Square(rows, middles)) else {
+            return Some(Step { part, weakest: 0, is_regular: false });
+        };
+        let size = |i: usize| inverse.row(i).iter().map(|x| x.abs()).sum::<f64>();
+        let weakest = (0..rows.slopes.len()).max_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(0); // proposes
+        match self.misses(pair, &part, rows.impacts.clone()) {
+            Some(misses) => {
+                self.solve(part, &inverse, &misses, rows).map(|(part, is_regular)| Step { part, weakest, is_regular })
+            }
+            None => Some(Step { part, weakest, is_regular: false }),
+        }
     }
 
-    /// `(Y J)(x - m) = -Y F(m)`, solved for each phase in turn.
+    /// `F` of these impacts at the middle of the part.
+    fn misses(&self, pair: &Reduced<Ball>, part: &Part, impacts: Range<usize>) -> Option<Vec<Interval>> {
+        let count = self.chain.impacts();
+        let moment = |i: usize| {
+            let phase = Ball::exact(part.phases[i].middle());
+            (phase, phase.wave())
+        };
+        let leg = |i: usize| {
+            let (from, to) = (moment(i), moment(self.chain.next(i)));
+            self.chain.leg(pair, i, [&from.0, &to.0], [&from.1, &to.1])
+        };
+        let mut to = leg((impacts.start + count - 1) % count)?;
+        let miss = |i: usize| {
+            let from = leg(i % count)?;
+            let before = std::mem::replace(&mut to, from).before;
+            Some(Interval::of(pair.restitution.mul_add(before, from.after)))
+        };
+        impacts.map(miss).collect()
+    }
+
+    /// `(Y J)(x - m) = -Y F(m)`, solved for each unknown in turn.
     fn solve(
         &self,
         mut part: Part,
         inverse: &Preconditioner,
-        centre: &[f64],
         misses: &[Interval],
-        slopes: &Slopes<Interval>,
-    ) -> Option<Part> {
-        let zero = Interval::point(0.0);
-        for i in 0..centre.len() {
-            let row = inverse.row(i);
-            let mut along = vec![zero; row.len()];
-            for (l, j, slope) in slopes.entries() {
-                along[j] = along[j] + slope.times(row[l]);
+        rows: &Rows,
+    ) -> Option<(Part, bool)> {
+        let (zero, count) = (Interval::point(0.0), self.chain.impacts());
+        let centre = part.centre();
+        let offset = |i: usize, part: &Part| part.phases[i] - Interval::point(centre[i]);
+        let mut is_regular = true;
+        for (place, i) in rows.impacts.clone().map(|i| i % count).enumerate() {
+            let row = inverse.row(place);
+            let mut along = vec![zero; count];
+            for (l, (&y, slopes)) in row.iter().zip(&rows.slopes).enumerate() {
+                for (j, slope) in slopes.iter().enumerate() {
+                    let column = (rows.impacts.start + l + count + j - 1) % count;
+                    along[column] = along[column] + slope.times(y);
+                }
             }
-            let offset = |j: usize, part: &Part| part.phases[j] - Interval::point(centre[j]);
-            let mut rest = row.iter().zip(misses).fold(zero, |sum, (&y, miss)| sum - miss.times(y));
-            for j in (0..row.len()).filter(|&j| j != i) {
-                rest = rest - along[j] * offset(j, &part);
-            }
+            let misses = row.iter().zip(misses).fold(zero, |sum, (&y, miss)| sum - miss.times(y));
+            let others = (0..count).filter(|&j| j != i && along[j] != zero);
+            let rest = others.fold(misses, |rest, j| rest - along[j] * offset(j, &part));
             // Derivatives without a bound, or sums that overflow, say nothing.
             if !(rest.is_finite() && along[i].is_finite()) {
+                is_regular = false;
                 continue;
             }
             match rest.over(along[i]) {
                 Some(step) => part.phases[i] = part.phases[i].cut(Interval::point(centre[i]) + step)?,
                 // Not even the equation may hold.
-                None => _ = (along[i] * offset(i, &part)).cut(rest)?,
+                None => {
+                    is_regular = false;
+                    (along[i] * offset(i, &part)).cut(rest)?;
+                }
             }
         }
-        Some(part)
+        Some((part, is_regular))
     }
 }

@@ -91,6 +91,9 @@ pub struct PeriodicImpactDocument {
     /// The turn of the common period that the phase is in, where that is longer than one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub turn: Option<u32>,
+    /// The turn that the phase is in, from that of the first impact on, where a period takes several common ones.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cycle: Option<i64>,
 }
 
 /// A real or complex number.

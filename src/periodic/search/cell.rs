@@ -1,0 +1,191 @@
+//! The orbits whose first impact lies in a cell of phases: Lemmas T9, T10.
+
+use super::cut::{Part, Terms};
+use super::grow::Stretch;
+use super::interval::Interval;
+use super::newton::{Rows, Step};
+use crate::contact::{Court, Reason};
+use crate::exact::Enclosure;
+use crate::number::Ball;
+use crate::periodic::census::Region;
+use crate::periodic::identity::{Identity, is_one_orbit};
+use crate::periodic::krawczyk::Proved;
+use crate::periodic::newton::{is_plausible, polish};
+use crate::periodic::orbit::{PeriodicImpact, PeriodicOrbit};
+use crate::periodic::{Precision, Problem};
+
+/// Boxes as narrow as that, in turns, are asked whether an orbit is near.
+const NEAR: f64 = 1.0 / 16.0;
+/// The least part of a box that Newton's equation takes off for the box to be cut again.
+const WORTH: f64 = 0.3;
+/// Parts left undecided at which a cell is given up: there is a continuum of orbits, or nearly one.
+const MOST_UNDECIDED: usize = 64;
+/// A box is halved at the phase that the equations determine least if that is as wide as that, relative to the widest.
+const WIDE: f64 = 0.5;
+
+/// What is searched for, and how.
+pub(super) struct Task<'p> {
+    pub problem: &'p Problem,
+    pub court: &'p Court,
+    pub terms: Terms<'p>,
+    pub precision: Precision,
+    /// The width below which a box is not halved, in turns.
+    pub narrowest: f64,
+    /// Orbits known before.
+    pub known: &'p [PeriodicOrbit],
+    /// Whether the search goes on.
+    pub goes_on: &'p (dyn Fn() -> bool + Sync),
+}
+
+/// A cell, as far as it is searched.
+pub(super) struct Cell<'t, 'p> {
+    task: &'t Task<'p>,
+    pub terms: &'t Terms<'p>,
+    first: Interval,
+    /// Boxes that may still be looked at.
+    pub left: u64,
+    /// Parts that are not searched yet, the next one last; none before the cell is begun.
+    open: Option<Vec<Part>>,
+    /// The orbits found that were not known before, those that belong to no motion included.
+    pub found: Vec<PeriodicOrbit>,
+    undecided: Vec<Region>,
+}
+
+/// A box cut by all that is known.
+pub(super) struct Narrow {
+    pub part: Part,
+    rows: Rows,
+    weakest: usize,
+    is_regular: bool,
+}
+
+impl<'t, 'p> Cell<'t, 'p> {
+    pub fn new(task: &'t Task<'p>, first: Interval) -> Self {
+        let (found, undecided) = (Vec::new(), Vec::new());
+        Self { task, terms: &task.terms, first, left: 0, open: None, found, undecided }
+    }
+
+    /// The part of the state space that the cell is.
+    pub fn all(&self) -> Part {
+        self.terms.all(self.first)
+    }
+
+    /// Takes a box from the budget; false where there is none.
+    pub fn look(&mut self) -> bool {
+        let looks = self.left > 0 && (self.task.goes_on)();
+        self.left -= u64::from(looks);
+        looks
+    }
+
+    /// Whether nothing is left to search, or the rest is given up.
+    pub fn is_done(&self) -> bool {
+        self.undecided.len() >= MOST_UNDECIDED || self.open.as_ref().is_some_and(Vec::is_empty)
+    }
+
+    /// Searches on, depth first, so that little is kept, until the budget ends.
+    pub fn search(&mut self) {
+        if self.open.is_none() {
+            self.open = self.chains();
+        }
+        let Some(mut open) = self.open.take() else { return };
+        while self.undecided.len() < MOST_UNDECIDED && !open.is_empty() && self.look() {
+            let Some(narrow) = open.pop().and_then(|part| self.narrow(part, &self.terms.whole())) else { continue };
+            let is_last = narrow.part.width() <= self.task.narrowest;
+            if narrow.part.width() <= NEAR && self.is_known(&narrow.part, narrow.is_regular || is_last) {
+                continue;
+            }
+            if is_last {
+                self.undecided.push(self.region(&narrow.part, Reason::Precision));
+                continue;
+            }
+            open.extend(halves(narrow));
+        }
+        self.open = Some(open);
+    }
+
+    /// What the search leaves undecided.
+    pub fn undecided(&self) -> Vec<Region> {
+        let all = [self.all()];
+        let open = self.open.as_deref().unwrap_or(&all); // T10: nothing of it is searched
+        let open = open.iter().map(|part| self.region(part, Reason::Budget));
+        self.undecided.iter().cloned().chain(open).collect()
+    }
+
+    /// Cuts a part by all that is known of a stretch; `None` when nothing is left.
+    pub fn narrow(&self, part: Part, stretch: &Stretch) -> Option<Narrow> {
+        let (terms, pair) = (self.terms, &self.task.court.pair);
+        let all = terms.chain.impacts();
+        let mut part = terms.cut(part, stretch)?;
+        loop {
+            let rows = terms.rows(&part, stretch.impacts.clone());
+            let before = part.size();
+            let Step { part: cut, weakest, is_regular } = terms.newton(pair, part, &rows)?;
+            part = cut;
+            // Near a bifurcation the others follow from the phase that is determined least, though it follows from none.
+            if stretch.impacts.len() == all {
+                part = terms.newton(pair, part.clone(), &terms.rows(&part, weakest + 1..weakest + all))?.part;
+            }
+            if part.size() > (1.0 - WORTH) * before {
+                return Some(Narrow { part, rows, weakest, is_regular });
+            }
+            part = terms.cut(part, stretch)?;
+        }
+    }
+
+    /// Whether the part lies where a known orbit is the only one; if not, and if asked, looks for an orbit.
+    fn is_known(&mut self, part: &Part, looks: bool) -> bool {
+        let balls: Vec<Ball> = part.phases.iter().map(|x| x.ball()).collect();
+        let whole = Proved { domain: balls.clone(), at: balls };
+        let chain = &self.task.problem.chain;
+        let is_inside = |known: &PeriodicOrbit| is_one_orbit(chain, &whole, &known.proved) == Some(true);
+        if self.task.known.iter().chain(&self.found).any(is_inside) {
+            return true;
+        }
+        let Some((orbit, identity)) = looks.then(|| self.orbit_near(part)).flatten() else { return false };
+        // An orbit that may be a known one stays a question.
+        let is_known = identity != Identity::Open && is_inside(&orbit);
+        if identity == Identity::New {
+            self.found.push(orbit);
+        }
+        is_known
+    }
+
+    /// An orbit in or beside the part that Newton's iteration leads to, proved, and whether it is known.
+    fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
+        let (chain, pair) = (&self.task.problem.chain, &self.task.court.centre);
+        let phases = polish(chain, pair, part.centre())?;
+        let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
+        if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
+            return None;
+        }
+        let known = self.task.known.iter().chain(&self.found);
+        self.task.problem.prove_beside(&phases, self.task.precision, known)
+    }
+
+    /// What is said of a part that stays open.
+    fn region(&self, part: &Part, reason: Reason) -> Region {
+        let chain = self.terms.chain;
+        let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.lo, x.hi).expect("finite intervals");
+        let impact = |i: usize| PeriodicImpact {
+            wall: chain.walls()[i],
+            phase: enclosure(part.phases[i]),
+            velocity: enclosure(part.drifts[chain.previous(i)] - self.terms.speed(part.phases[i])),
+        };
+        Region { impacts: (0..part.phases.len()).map(impact).collect(), reason }
+    }
+}
+
+/// Both halves of a part: across the phase that the equations determine least or, if that is narrow, depend on most.
+fn halves(Narrow { part, rows, weakest, .. }: Narrow) -> [Part; 2] {
+    let weights = rows.weights(part.phases.len());
+    let weight = |j: &usize| weights[*j] * part.phases[*j].width();
+    let heaviest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
+    let across = if part.phases[weakest].width() >= WIDE * part.width() { weakest } else { heaviest };
+    let Interval { lo, hi } = part.phases[across];
+    let middle = part.phases[across].middle();
+    let mut other = part.clone();
+    other.phases[across] = Interval::new(middle, hi);
+    let mut part = part;
+    part.phases[across] = Interval::new(lo, middle);
+    [part, other]
+}

@@ -1,0 +1,116 @@
+//! The chains whose first impact lies in a cell of phases, letter by letter: Lemma T10.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use super::cell::Cell;
+use super::cut::Part;
+use super::interval::Interval;
+
+/// Flights on from a new end at which it is felt.
+const FELT: usize = 3;
+/// How wide the end of a segment is at most, in turns.
+const END: f64 = 1.0 / 16.0;
+
+/// Consecutive flights of a chain and impacts between them: each impact lies between two flights that are known.
+#[derive(Clone, Debug)]
+pub(super) struct Stretch {
+    pub flights: Range<usize>,
+    pub impacts: Range<usize>,
+}
+
+/// Segments, each of a cell of the first impact and one of the other end, by the number of the latter.
+type Segments = BTreeMap<i64, Vec<Part>>;
+
+/// A letter that a segment grows by.
+struct Letter {
+    /// Its impact, the new end.
+    end: usize,
+    /// What is cut anew.
+    stretch: Stretch,
+    /// All impacts of the segment but the first one.
+    held: Range<usize>,
+}
+
+impl Cell<'_, '_> {
+    /// All the orbits of the cell, in parts that are narrow but for the first impact and the one half way.
+    ///
+    /// `None` where the budget ends.
+    pub fn chains(&mut self) -> Option<Vec<Part>> {
+        let count = self.terms.chain.impacts();
+        let middle = count / 2;
+        let forth = (1..=middle).map(|end| {
+            let first = end.saturating_sub(FELT); // T10: any stretch
+            let stretch = Stretch { flights: first..end, impacts: first.max(1)..end }; // T10: any stretch
+            Letter { end, stretch, held: 1..end + 1 }
+        });
+        let back = (middle..count).rev().map(|end| {
+            let last = count.min(end + FELT); // T10: any stretch
+            Letter { end, stretch: Stretch { flights: end..last, impacts: end + 1..last }, held: end..count }
+        });
+        let forth = self.grow(forth)?;
+        if forth.is_empty() {
+            return Some(Vec::new());
+        }
+        let back = self.grow(back)?;
+        let joined = |(cell, beginnings): (&i64, &Vec<Part>)| -> Vec<Part> {
+            let endings = back.get(cell).into_iter().flatten();
+            endings.flat_map(|ending| beginnings.iter().filter_map(|beginning| beginning.both(ending))).collect()
+        };
+        Some(forth.iter().flat_map(joined).collect())
+    }
+
+    /// The segments that grow from the first impact by these letters.
+    fn grow(&mut self, letters: impl Iterator<Item = Letter>) -> Option<Segments> {
+        let mut segments = Segments::from([(0, vec![self.all()])]);
+        for letter in letters {
+            let mut longer = Segments::new();
+            for part in segments.into_values().flatten() {
+                self.extend(part, &letter, &mut longer)?;
+            }
+            segments = longer;
+            for parts in segments.values_mut() {
+                let united = united(std::mem::take(parts), &letter.held);
+                *parts = united.into_iter().filter_map(|part| Some(self.narrow(part, &letter.stretch)?.part)).collect();
+            }
+        }
+        Some(segments)
+    }
+
+    /// A segment with one letter more, in parts with ends that lie in one cell of the grid each; `None` where the budget ends.
+    fn extend(&mut self, part: Part, letter: &Letter, longer: &mut Segments) -> Option<()> {
+        let mut open = vec![part];
+        while let Some(part) = open.pop() {
+            if !self.look() {
+                return None;
+            }
+            let Some(mut part) = self.terms.cut(part, &letter.stretch) else { continue };
+            let end = part.phases[letter.end];
+            let line = (end.middle() / END).round() * END; // T10: any line
+            if end.lo < line && line < end.hi {
+                let mut later = part.clone();
+                later.phases[letter.end] = Interval::new(line, end.hi);
+                part.phases[letter.end] = Interval::new(end.lo, line);
+                open.extend([later, part]);
+                continue;
+            }
+            let cell = (end.middle() / END).floor() as i64; // T10: parts of a cell lie side by side
+            if let Some(narrow) = self.narrow(part, &letter.stretch) {
+                longer.entry(cell).or_default().push(narrow.part);
+            }
+        }
+        Some(())
+    }
+}
+
+/// Parts that touch, as one: halves of a box hold the same orbits once what they were halved at is no end any more.
+fn united(parts: Vec<Part>, held: &Range<usize>) -> Vec<Part> {
+    let mut all: Vec<Part> = Vec::new();
+    for mut part in parts {
+        while let Some(other) = all.iter().position(|other| part.touches(other, held)) {
+            part.add(&all.swap_remove(other));
+        }
+        all.push(part);
+    }
+    all
+}
