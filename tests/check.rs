@@ -120,7 +120,7 @@ fn proved(word: impl Fn(usize, &str) -> String) -> Value {
         })
     };
     let mut document = json!({
-        "schema": "impact-pair/orbit/1", "certified": true, "outcome": {"kind": "impacts-reached"},
+        "schema": "impact-pair/orbit/1", "certified": true, "outcome": {"kind": "impacts-reached", "impacts": PROVED.len()},
         "scene": {
             "excitation": {"amplitude": [0, 0, 0], "frequency": [0, 0, 0], "phase": [0, 0, 0]},
             "gap": 0, "restitution": 0, "start": {"time": 0, "wall": "left", "velocity": 0},
@@ -272,7 +272,7 @@ fn releases_depend_on_each_datum_as_their_members() {
 fn what_never_touches_a_wall_is_confirmed_and_nothing_else() {
     let document = |amplitudes: [&str; 2], frequencies: [&str; 2], position: &str, velocity: &str| {
         json!({
-            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts"},
+            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts", "impacts": 0},
             "scene": {
                 "excitation": {"amplitude": amplitudes, "frequency": frequencies, "phase": ["pi/2", "-pi/2"]},
                 "gap": "4", "restitution": "0.5",

@@ -205,7 +205,7 @@ proptest! {
         let document = document(&scene(&excitation, &format!("gap = 9.42497, restitution = {e}"), &velocity.to_string(), 120));
         prop_assume!(document["outcome"]["kind"] == "attracted");
         let mut events = document.clone();
-        events["outcome"] = json!({"kind": "impacts-reached", "message": ""});
+        events["outcome"] = json!({"kind": "impacts-reached", "impacts": document["outcome"]["impacts"]});
         prop_assume!(is_confirmed(&events));
         prop_assert!(is_confirmed(&document), "{:?}", verdict(&document));
         let bounds = bounds(&document);

@@ -114,7 +114,10 @@ fn an_orbit_that_did_not_end_was_interrupted() {
     let before = json!(Conclusion::of(&orbit, scene.start(), None).document());
     assert_eq!(
         before,
-        json!({"kind": "undecided", "reason": "budget", "message": "interrupted before the first impact", "time": ["0", null]})
+        json!({
+            "kind": "undecided", "reason": "budget", "message": "interrupted before the first impact", "impacts": 0,
+            "time": ["0", null],
+        })
     );
     let event = orbit.next().map(|impact| Event::new(&orbit, &impact));
     let after = json!(Conclusion::of(&orbit, scene.start(), event.as_ref()).document());

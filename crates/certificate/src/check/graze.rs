@@ -1,7 +1,7 @@
 //! Grazes: past a wall that is touched, or nearly touched, with no velocity or nearly none (Lemma V4).
 
 use super::affine::Affine;
-use super::contact::{Doubt, Start, clear};
+use super::contact::{Doubt, Start, clear_throughout};
 use super::flight::{Flight, Part};
 use super::step::Departure;
 use super::walk::{Walk, compare};
@@ -31,7 +31,7 @@ impl Walk<'_> {
         let flight = self.departure.flights(&self.parameters);
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
-        clear(&flight, self.departure.start, &summit.before, &claimed.from)?;
+        clear_throughout(&flight, self.departure.start, &summit.before, &claimed.from)?;
         let time = |h: &Real| self.clock.time(&(self.departure.phase.hull() + h));
         compare("time", &time(&summit.touch), &claim.time)?;
         // No further away than a parabola gets in the time claimed.
@@ -76,6 +76,9 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
     let slope = |h: &Real| outward(flight.slope(h));
     let mut reach = guess.half();
     for _ in 0..bits {
+        if flight.budget.is_spent() {
+            return None;
+        }
         let (before, after) = (guess.clone() - &reach, guess.clone() + &reach);
         let whole = before.hull(&after);
         // |y''| where it bends away from the wall.

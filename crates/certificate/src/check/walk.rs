@@ -167,7 +167,7 @@ impl<'c> Walk<'c> {
         let later = if from.is_positive() { from.hull(&to) } else { zero.hull(&to) };
         let guess = Real::point(later.mid(), self.bits);
         if guess.is_positive() {
-            Ok(Claimed { from, guess, to: Some(to) })
+            Ok(Claimed { from, guess, to: Some(to), is_first: true })
         } else {
             Err(Doubt::Open("the time is too near".into()))
         }
@@ -175,29 +175,6 @@ impl<'c> Walk<'c> {
 
     pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
         self.departure.land(&self.parameters, wall, claimed)
-    }
-
-    /// What is claimed of the future.
-    fn outcome(&self) -> Result<(), Doubt> {
-        let never = self.still.as_ref().is_some_and(|still| !still.grazes());
-        let period = self.still.as_ref().map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
-        let (is_true, message) = match self.certificate.outcome() {
-            "periodic" => match period {
-                Some(Period { cycles, impacts }) if period != self.certificate.period() => {
-                    return Err(Doubt::False(format!("the period is {impacts} impacts in {cycles} cycles")));
-                }
-                found => (found.is_some(), "the period is not proved"),
-            },
-            "rests-forever" => {
-                let stays = self.rest.is_some() && self.parameters.is_still();
-                (stays, "the ball is not proved to rest for ever")
-            }
-            "never-impacts" => (never || self.swings_freely()?, "the ball is not proved never to touch a wall"),
-            // `attracted` is checked once for all pieces of the data: `Certificate::attraction`.
-            "impacts-reached" | "time-reached" | "undecided" | "attracted" => (true, ""),
-            _ => (false, "this version does not check the outcome"),
-        };
-        if is_true { Ok(()) } else { Err(Doubt::Open(message.into())) }
     }
 }
 

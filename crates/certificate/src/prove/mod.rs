@@ -12,7 +12,6 @@ mod text;
 use super::check::{Data, Doubt, Finding};
 use super::{Certificate, ClaimKind};
 use flights::{Flight, Origin, flights};
-use impact_pair_exact::Exact;
 use impact_pair_model::Error;
 use legs::{Box, Leg, excess, leg, start};
 
@@ -46,8 +45,7 @@ impl Certificate {
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
         let data = Data::new(self.pair(), self.start())?;
         Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
-        let is_point = self.pair().is_point() && self.start().velocity().is_point() && data.tones[0].phase.is_point();
-        let is_point = is_point && data.height.as_ref().is_none_or(Exact::is_point);
+        let is_point = data.is_point();
         let claims = self.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
         let claims: Vec<_> = claims.take(most).cloned().collect();
         let (mut bits, mut scale) = (FIRST_BITS, FIRST_SCALE);
