@@ -1,6 +1,8 @@
 //! Certificates of several harmonics: those of one harmonic `A sin(th)` are true of `A sin(th + pi/3) + A sin(th - pi/3)`, and
 //! one is another program's.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use serde_json::{Value, json};
 
 use impact_pair::Scene;
@@ -58,6 +60,68 @@ fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
 
 fn event(document: &Value, name: &str) -> usize {
     document["events"].as_array().unwrap().iter().position(|event| event["event"] == name).expect(name)
+}
+
+#[test]
+fn r17_an_outcome_is_what_its_fields_say() {
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 3);
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    let refuted = |outcome: Value| {
+        let mut copy = document.clone();
+        copy["outcome"] = outcome;
+        matches!(verdict(&copy), Verdict::Refuted(_))
+    };
+    assert!(refuted(json!({"kind": "impacts-reached", "impacts": 3, "message": "9999 impacts"})));
+    assert!(refuted(json!({"kind": "impacts-reached", "impacts": 4, "message": "4 impacts"})));
+    assert!(refuted(json!({"kind": "impacts-reached", "impacts": 3, "until": "1"})));
+    let until = |time: &str| json!({"kind": "time-reached", "impacts": 3, "until": time});
+    assert!(
+        refuted(until("9999"))
+            && refuted(until("1e-3"))
+            && refuted(json!({"kind": "time-reached", "impacts": 3, "until": null}))
+    );
+    // Up to just before the next impact, and just beyond it.
+    let next = found_again(&certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 4)).pop().unwrap().0;
+    let [lower, upper] = impact_pair::exact::decimal_bounds(&next.rounded(64));
+    let mut copy = document.clone();
+    copy["outcome"] = until(&lower);
+    assert!(matches!(verdict(&copy), Verdict::Confirmed { .. }), "{:?}", verdict(&copy));
+    assert!(refuted(until(&upper)));
+    let older = document.to_string().replace("\"impacts\":3,", "").replace(",\"impacts\":3", "");
+    let refused = Certificate::parse(&older).unwrap_err().to_string();
+    assert!(refused.contains("outcome.impacts is missing"), "{refused}");
+}
+
+#[test]
+fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
+    let mut document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 3);
+    let (last, next) = (found_again(&document).pop().unwrap().0, "50");
+    let [_, upper] = impact_pair::exact::decimal_bounds(&last);
+    document["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "left", "time": [upper, next]}));
+    let certificate = Certificate::parse(&document.to_string()).unwrap();
+    let told = |work: u64| match certificate.check_within(&Effort { work, ..Effort::default() }, |_| {}).unwrap() {
+        Verdict::Undecided(finding) => finding.message,
+        other => panic!("{other:?}"),
+    };
+    for work in [0, 1 << 10] {
+        assert!(told(work).ends_with("the work allowed is spent"), "{}", told(work));
+    }
+}
+
+#[test]
+fn r17_who_stops_a_check_keeps_what_is_proved() {
+    static STOP: AtomicBool = AtomicBool::new(false);
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 9);
+    let certificate = Certificate::parse(&document.to_string()).unwrap();
+    let stop_at = |event: usize| {
+        STOP.store(false, Ordering::Relaxed);
+        let stop = |confirmed| STOP.store(confirmed == event, Ordering::Relaxed);
+        certificate.check_until(&Effort::default(), Some(&STOP), stop).unwrap()
+    };
+    for events in [1, 4, 8] {
+        assert_eq!(stop_at(events), Verdict::Interrupted { events });
+    }
+    assert!(matches!(stop_at(99), Verdict::Confirmed { .. }));
 }
 
 #[test]

@@ -32,7 +32,7 @@ impl Judgement {
 }
 
 /// What a straddling start needs; the long flights among them need more than anybody waits for.
-const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 20 };
+const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 16 };
 
 /// The arithmetics in turn, and the most bits of `auto`.
 fn settings(case: &Case, number: u64) -> Settings {

@@ -19,6 +19,8 @@ use impact_pair_model::Wall;
 
 /// Pieces that intervals among the data are cut into.
 const MOST_PIECES: usize = 256;
+/// Places of flights that a piece allows for the next one.
+const OF_A_PIECE: u64 = 1 << 14;
 /// Periods that a motion is followed beyond the claimed impacts.
 const FOLLOWED: u32 = 1 << 10;
 
@@ -60,7 +62,10 @@ pub(super) fn for_all_pieces(
     let most = most.min(MOST_PIECES); // proposes: when to give up
     let (mut pieces, mut cut) = (vec![Piece::default()], 1);
     while let Some(piece) = pieces.pop() {
-        let Err(doubt) = answer(&piece) else { continue };
+        let Err(doubt) = answer(&piece) else {
+            data.budget.add(OF_A_PIECE);
+            continue;
+        };
         match (&doubt, widest(&piece)) {
             (Doubt::Open(_), Some(datum)) if cut < most && !data.budget.is_spent() => {
                 pieces.extend(piece.halves(datum));

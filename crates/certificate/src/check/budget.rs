@@ -13,8 +13,10 @@ pub(crate) struct Budget {
     stop: Option<&'static AtomicBool>,
 }
 
-/// Bits that are added about as fast as two numbers are taken hold of.
+/// Beyond these a sine takes about as long as the square of its bits.
 const PLAIN_BITS: u32 = 512;
+/// Places that a claim may need.
+const PLACES: u64 = 256;
 
 impl Budget {
     /// So much work; none is left once `stop` is set.
@@ -29,8 +31,12 @@ impl Budget {
 
     /// Takes what one place of a flight costs, at so many bits and under so many harmonics.
     pub fn spend(&self, bits: u32, harmonics: usize) {
-        let size = u64::from(bits / PLAIN_BITS) + 1;
-        self.left.set(self.left.get().saturating_sub(size * size * harmonics as u64)); // proposes: when to give up
+        self.left.set(self.left.get().saturating_sub(cost(bits, harmonics))); // proposes: when to give up
+    }
+
+    /// Allows what a claim may cost at so many bits, as one has been confirmed.
+    pub fn allow(&self, bits: u32, harmonics: usize) {
+        self.add(PLACES * cost(bits, harmonics));
     }
 
     /// Whether no more is to be done.
@@ -42,4 +48,10 @@ impl Budget {
     pub fn is_stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
+}
+
+/// What a place costs, in places of one harmonic in few bits.
+fn cost(bits: u32, harmonics: usize) -> u64 {
+    let size = u64::from(bits / PLAIN_BITS) + 1;
+    size * size * harmonics as u64 // exact: a length
 }

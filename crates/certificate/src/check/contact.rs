@@ -16,6 +16,8 @@ pub(crate) enum Doubt {
 
 /// Bits that most parts of most flights are judged with.
 const FIRST_BITS: u32 = 128;
+/// Halvings that find a contact for Newton's iteration.
+const FOUND_BITS: u32 = 20;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
@@ -142,6 +144,26 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
         }
     }
     Err(spent(&flight.budget, &at, end))
+}
+
+/// About where the first part of a flight ends by whose end a wall is hit; `None` if none is found.
+pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
+    let bits = flight.bits();
+    let (mut end, no_claim) = (Real::int(1, bits), Real::zero(bits));
+    // Ever twice as long a flight, until it is not clear; then the last length that is clear by halving.
+    let is_clear = |end: &Real| clear_throughout(flight, from, end, &no_claim).is_ok();
+    while is_clear(&end) {
+        end = end.clone() + &end;
+        if flight.budget.is_spent() || is_short(&Real::int(1, bits), &end) {
+            return None;
+        }
+    }
+    let (mut clear, mut hit) = (Real::zero(bits), end);
+    for _ in 0..FOUND_BITS {
+        let middle = Real::point(clear.hull(&hit).mid(), bits);
+        if is_clear(&middle) { clear = middle } else { hit = middle }
+    }
+    Some(hit)
 }
 
 /// The same, in as few bits as will do.

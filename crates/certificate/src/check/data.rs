@@ -258,6 +258,20 @@ mod tests {
     use serde_json::json;
 
     #[test]
+    fn halves_of_halves_keep_their_place_however_small() {
+        let (whole, mut piece) = (Exact::parse("[0, 1]").unwrap(), Piece::default());
+        for n in 1..=70 {
+            // The upper half each time: from 1 - 2^-n to 1.
+            piece = piece.halves(HALF_GAP)[1].clone();
+            let [lower, upper] = piece.part(&whole, HALF_GAP, 192).hull().ends();
+            let least = Real::int(1, 192) - &Real::point(Dyadic::power_of_two(-n), 192);
+            assert!(!least.is_below(&lower) && !upper.is_below(&Real::int(1, 192)), "{n} halvings");
+            let half = Real::point(Dyadic::power_of_two(-n - 1), 192);
+            assert!((least - &half).is_below(&lower), "{n} halvings");
+        }
+    }
+
+    #[test]
     fn only_commensurate_harmonics_have_a_common_period() {
         let common_turns = |frequencies: [&str; 3]| {
             let document = json!({

@@ -82,14 +82,15 @@ pub struct Effort {
     pub parts: u32,
     /// Pieces that intervals among the data are cut into.
     pub pieces: usize,
-    /// For each claim so many places of flights in up to 512 bits; a place in `n` times as many costs about `n^2` of them.
+    /// Places of flights that are looked at before a claim is left undecided, each under one harmonic and in up to 512 bits; one in
+    /// `n` times as many bits counts `n^2` times. A claim that is confirmed allows 256 more, in the bits it took.
     pub work: u64,
 }
 
 impl Default for Effort {
-    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data, 1,048,576 places for each claim.
+    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data, 262,144 places: some 5 to 10 s.
     fn default() -> Self {
-        Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12, work: 1 << 20 }
+        Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12, work: 1 << 18 }
     }
 }
 
@@ -134,8 +135,6 @@ impl Certificate {
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
         let mut reached = 0;
         let mut progress = |event: usize| {
-            // What a claim leaves over is for the next ones.
-            budget.add(if event > reached { effort.work } else { 0 });
             reached = reached.max(event); // exact: a count
             progress(event);
         };
@@ -162,7 +161,11 @@ impl Certificate {
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
-            let Err(doubt) = walk.all(progress) else { continue };
+            let mut confirmed = |event| {
+                data.budget.allow(bits, data.tones.len());
+                progress(event);
+            };
+            let Err(doubt) = walk.all(&mut confirmed) else { continue };
             let event = walk.event;
             match walk.widest_datum() {
                 _ if matches!(doubt, Doubt::False(_)) || data.budget.is_spent() => return self.doubted(doubt, event),
@@ -184,6 +187,7 @@ impl Certificate {
                 }
             }
         }
+        data.budget.add(effort.work);
         match self.attracts(data, effort.pieces) {
             Ok(()) => Verdict::Confirmed { bits, pieces: cut },
             Err(doubt) => self.doubted(doubt, self.events().len()),

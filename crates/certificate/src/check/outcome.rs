@@ -51,7 +51,9 @@ impl Walk<'_> {
     pub(super) fn outcome(&self) -> Result<(), Doubt> {
         let (ended, bits) = (self.certificate.ended(), self.clock.bits());
         if let Some(until) = &ended.until {
-            self.lists_all_until(&Real::of(&until.0, bits))?;
+            let until = Real::of(&until.0, bits);
+            self.lists_none_after(&until)?;
+            self.lists_all_until(&until)?;
         }
         if let Some([Some(from), _]) = &ended.time {
             self.lists_all_until(&Real::rational(&from.value(), bits))?;
@@ -76,6 +78,15 @@ impl Walk<'_> {
             _ => (true, ""),
         };
         if is_true { Ok(()) } else { Err(Doubt::Open(message.into())) }
+    }
+
+    /// No event listed comes after this time but a rest, which stands for what may come before (Lemma V7).
+    fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
+        let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, ClaimKind::Rest { .. }));
+        match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {
+            true => Err(Doubt::False("an event that is listed comes after the time told".into())),
+            false => Ok(()),
+        }
     }
 
     /// Nothing happens after the last event up to this time (Lemma V7).

@@ -19,9 +19,6 @@ use impact_pair_exact::Real;
 use impact_pair_model::Error;
 use std::sync::atomic::AtomicBool;
 
-/// So many times the work for a claim is allowed for an orbit.
-pub(super) const OF_AN_ORBIT: u64 = 16;
-
 impl PeriodicCertificate {
     /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress` is
     /// told the orbits confirmed so far.
@@ -37,7 +34,7 @@ impl PeriodicCertificate {
         let budget = Budget::new(0, effort.parts, stop);
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
         for (event, claim) in self.orbits().iter().enumerate() {
-            budget.add(effort.work.saturating_mul(OF_AN_ORBIT)); // proposes: when to give up
+            budget.add(effort.work);
             let target = Target::new(&data, self.word(), self.cycles(), claim);
             match target.and_then(|target| target.is_an_orbit(effort.pieces)) {
                 Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: event }),

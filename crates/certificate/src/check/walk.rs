@@ -7,7 +7,7 @@ use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::clock::{Beside, Clock, beside};
-use super::contact::{Claimed, Doubt, Start};
+use super::contact::{Claimed, Doubt, Start, first_hit};
 use super::data::{Data, Piece};
 use super::release::Release;
 use super::rest::Rest;
@@ -33,7 +33,7 @@ pub(crate) struct Walk<'c> {
     pub(super) rest: Option<Rest>,
     pub(super) still: Option<Still>,
     /// The wall that the last flight between walls left; `None` where a graze since may have been a touch of the other.
-    pub(super) last: Option<Wall>,
+    pub last: Option<Wall>,
     /// The first release from each wall under one harmonic: half turns, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
     /// All releases under several harmonics.
@@ -171,6 +171,16 @@ impl<'c> Walk<'c> {
         } else {
             Err(Doubt::Open("the time is too near".into()))
         }
+    }
+
+    /// The next impact, which no claim tells of: of the middle's own flight the first part with a contact tells where to look.
+    pub fn next_landing(&self) -> Option<Landing> {
+        let flight = self.departure.flights(&self.parameters);
+        let guess = first_hit(&flight, self.departure.start)?;
+        let y = flight.height(&guess);
+        let wall = if y.is_positive() { Wall::Right } else { Wall::Left };
+        let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
+        self.land(wall, &claimed).ok()
     }
 
     pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
