@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use impact_pair::Scene;
 use impact_pair::certificate::{Certificate, Effort, Verdict};
 use impact_pair::document;
-use impact_pair::exact::Enclosure;
+use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Settings};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
@@ -55,6 +55,8 @@ fn verdict(document: &Value) -> Verdict {
 fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
     let mut copy = document.clone();
     *copy.pointer_mut(path).expect(path) = value;
+    // Words that say something else would be refused whatever the fields are.
+    copy["outcome"]["message"] = json!("");
     verdict(&copy)
 }
 
@@ -86,7 +88,14 @@ fn r17_an_outcome_is_what_its_fields_say() {
     let mut copy = document.clone();
     copy["outcome"] = until(&lower);
     assert!(matches!(verdict(&copy), Verdict::Confirmed { .. }), "{:?}", verdict(&copy));
-    assert!(refuted(until(&upper)));
+    assert!(!matches!(
+        verdict(&{
+            copy["outcome"] = until(&upper);
+            copy
+        }),
+        Verdict::Confirmed { .. }
+    ));
+    assert!(refuted(until(&format!("{upper} + 1e-12"))));
     let older = document.to_string().replace("\"impacts\":3,", "").replace(",\"impacts\":3", "");
     let refused = Certificate::parse(&older).unwrap_err().to_string();
     assert!(refused.contains("outcome.impacts is missing"), "{refused}");
@@ -94,18 +103,24 @@ fn r17_an_outcome_is_what_its_fields_say() {
 
 #[test]
 fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
-    let mut document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 3);
-    let (last, next) = (found_again(&document).pop().unwrap().0, "50");
-    let [_, upper] = impact_pair::exact::decimal_bounds(&last);
-    document["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "left", "time": [upper, next]}));
-    let certificate = Certificate::parse(&document.to_string()).unwrap();
-    let told = |work: u64| match certificate.check_within(&Effort { work, ..Effort::default() }, |_| {}).unwrap() {
-        Verdict::Undecided(finding) => finding.message,
-        other => panic!("{other:?}"),
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 3);
+    let [_, upper] = impact_pair::exact::decimal_bounds(&found_again(&document).pop().unwrap().0);
+    let invented = |time: [&str; 2], work: u64| {
+        let mut copy = document.clone();
+        copy["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "left", "time": time}));
+        let certificate = Certificate::parse(&copy.to_string()).unwrap();
+        certificate.check_within(&Effort { work, ..Effort::default() }, |_| {}).unwrap()
     };
-    for work in [0, 1 << 10] {
-        assert!(told(work).ends_with("the work allowed is spent"), "{}", told(work));
+    match invented([&upper, "50"], 0) {
+        Verdict::Undecided(finding) => assert!(finding.message.ends_with("the work allowed is spent"), "{finding:?}"),
+        other => panic!("{other:?}"),
     }
+    // In mid-gap nothing need be sought.
+    let whole = Effort::default().work;
+    let middle = |by: &str| {
+        impact_pair::exact::decimal_bounds(&format!("{upper} + {by}").parse::<Exact>().unwrap().enclose(96))[0].clone()
+    };
+    assert!(matches!(invented([&middle("0.3"), &middle("0.3001")], whole), Verdict::Refuted(_)));
 }
 
 #[test]

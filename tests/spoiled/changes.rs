@@ -209,3 +209,8 @@ fn told(document: &Value) -> Value {
     told["outcome"] = json!(OutcomeDocument { message, ..outcome });
     told
 }
+
+/// A key without the positions in lists.
+pub fn unnumbered(key: &str) -> String {
+    key.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+}

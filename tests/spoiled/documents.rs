@@ -204,6 +204,8 @@ pub fn all() -> Vec<(String, Value)> {
     let one = of(&scene("2", "\"pi\"", "9.42497", "0.5"));
     let unstable = of(&scene("2", "\"10*pi\"", "1", "0.8"));
     let several = of(&scene("[1, \"1/5\"]", "[\"2*pi\", \"3*pi\"]", "9.42497", "0.5"));
+    // Its motions of two impacts all touch a wall earlier.
+    let steep = of(&scene("4", "1", "2", "0.5"));
     let even = of(&scene("1", "1", "10.82", "0.5"));
     orbits
         .chain([
@@ -212,6 +214,7 @@ pub fn all() -> Vec<(String, Value)> {
             ("three turns".to_owned(), periodic((&several.0, &several.1), &"P1 P2".parse().unwrap(), 3, 9)),
             ("two impacts".to_owned(), two_impact((&even.0, &even.1), 2, 9, Wall::Left)),
             ("two from the right".to_owned(), two_impact((&one.0, &one.1), 1, 9, Wall::Right)),
+            ("not physical".to_owned(), two_impact((&steep.0, &steep.1), 1, 9, Wall::Left)),
         ])
         .collect()
 }

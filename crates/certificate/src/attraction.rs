@@ -71,10 +71,14 @@ impl Attraction {
         }))
     }
 
-    /// Whether its orbit is claimed to be the only one in its box, physical and stable.
+    /// Whether its orbit is claimed to be the only one in its box, physical and stable, and nothing of it is left open.
     pub fn is_attractor(&self) -> bool {
-        let ClaimedOrbit { unique, physical, stability, numbers, .. } = &self.orbit;
-        *unique && *physical == Some(true) && *stability == Stability::Stable && numbers.is_some()
+        let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
+        *unique
+            && symmetric.is_some()
+            && *physical == Some(true)
+            && *stability == Stability::Stable
+            && numbers.is_some()
     }
 }
 

@@ -28,6 +28,13 @@ impl Claims {
         let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
         let schema = head.as_ref().and_then(|head| head["schema"].as_str());
         Ok(match schema {
+            Some(PERIODIC_SCHEMA)
+                if head
+                    .as_ref()
+                    .is_some_and(|head| !matches!(head["solved_for"].as_str(), None | Some("velocity"))) =>
+            {
+                Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
+            }
             Some(PERIODIC_SCHEMA) => Self::Periodic(PeriodicCertificate::parse(text)?),
             Some(BIFURCATION_SCHEMA) => {
                 Self::Unchecked("bifurcations: that the eigenvalue passes 1 or -1 there, or a wall is grazed")

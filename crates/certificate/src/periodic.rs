@@ -74,9 +74,10 @@ impl PeriodicCertificate {
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
-        let of_motions = |orbit: &ClaimedOrbit| orbit.symmetric.is_some() && orbit.physical != Some(true);
-        let open = orbits.iter().enumerate().filter(|(_, orbit)| of_motions(orbit));
-        unjudged.extend(open.map(|(i, _)| format!("orbits[{i}].symmetric")));
+        // Of what is no motion it is not judged whether there are others, one of them its mirror image.
+        for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.physical != Some(true)) {
+            unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
+        }
         unjudged.sort();
         unjudged.dedup();
         let (pair, _) = document.scene.model()?;

@@ -182,12 +182,9 @@ pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed
 
 /// Why a flight is not followed to its end.
 fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
-    let covered = at.to_f64() / end.to_f64(); // shown
-    let needed = if covered > 0.0 && budget.is_spent() {
-        format!(": about {:.0} times as much would do", (1.0 / covered).ceil())
-    } else {
-        String::new()
-    };
+    let times = (end.to_f64() / at.to_f64()).ceil(); // shown
+    let is_told = budget.is_spent() && times.is_finite();
+    let needed = if is_told { format!(": about {times:.0} times as much would do") } else { String::new() };
     Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 

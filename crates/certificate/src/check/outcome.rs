@@ -2,6 +2,7 @@
 
 use super::clock::Clock;
 use super::contact::{Doubt, clear_throughout};
+use super::flight::Part;
 use super::rest::Rest;
 use super::walk::Walk;
 use crate::{Certificate, ClaimKind};
@@ -121,8 +122,14 @@ impl Walk<'_> {
         }
         let flight = self.departure.flights(&self.parameters);
         match clear_throughout(&flight, self.departure.start, &end, &least) {
-            Err(Doubt::False(_)) => Err(missing("a contact with a wall")),
-            answer => answer,
+            Ok(()) => Ok(()),
+            // Where the flight would be beyond a wall it has hit one.
+            Err(Doubt::Open(doubt))
+                if !(least.is_positive() && matches!(flight.place(&flight.height(&least)), Part::Contact)) =>
+            {
+                Err(Doubt::Open(doubt))
+            }
+            Err(_) => Err(missing("a contact with a wall")),
         }
     }
 

@@ -84,6 +84,9 @@ impl<'c> Walk<'c> {
     /// Confirms all claims, or stops at the first that is not.
     pub fn all(&mut self, progress: &mut impl FnMut(usize)) -> Result<(), Doubt> {
         for claim in self.certificate.events() {
+            if self.data.budget.is_stopped() {
+                return Err(Doubt::Open("it is stopped".into()));
+            }
             self.confirm(claim)?;
             self.event += 1;
             progress(self.event);
