@@ -107,7 +107,7 @@ fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
     let [_, upper] = impact_pair::exact::decimal_bounds(&found_again(&document).pop().unwrap().0);
     let invented = |time: [&str; 2], work: u64| {
         let mut copy = document.clone();
-        copy["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "left", "time": time}));
+        copy["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "right", "time": time}));
         let certificate = Certificate::parse(&copy.to_string()).unwrap();
         certificate.check_within(&Effort { work, ..Effort::default() }, |_| {}).unwrap()
     };
@@ -115,7 +115,7 @@ fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
         Verdict::Undecided(finding) => assert!(finding.message.ends_with("the work allowed is spent"), "{finding:?}"),
         other => panic!("{other:?}"),
     }
-    // In mid-gap nothing need be sought.
+    // Far from the wall nothing need be sought.
     let whole = Effort::default().work;
     let middle = |by: &str| {
         impact_pair::exact::decimal_bounds(&format!("{upper} + {by}").parse::<Exact>().unwrap().enclose(96))[0].clone()

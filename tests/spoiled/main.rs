@@ -3,7 +3,9 @@
 //! The tree of each document is walked, and each leaf changed by each kind of change that fits it ([`changes`]), once as it stands
 //! and once with the message, the count and the numbers told anew, so that what is wrong stands alone. What is confirmed all the same
 //! must be true: the motion computed anew from the changed document, by the library and in 320 bits, says so ([`truth`]).
-//! `PROPTEST_CASES` scales how many changes of a document are tried, and from 100,000 on all are: thousands of each, half an hour.
+//! `PROPTEST_CASES` scales how many changes of a document are tried; from 100,000 on, as in `validation/run --full`, all are, for half an hour.
+
+#![cfg(feature = "multiprecision")]
 
 mod changes;
 mod documents;

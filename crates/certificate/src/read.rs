@@ -91,6 +91,7 @@ impl Certificate {
                 (events.iter().enumerate().map(event).collect(), Place::whole(last), &[][..])
             }
         };
+        let claims = events.iter().map(claim).collect::<Result<_, _>>()?;
         let outcome = end.get("outcome")?;
         let mut unjudged = head.keys_but(&[&["schema", "certified", "scene", "claim"], lists].concat());
         if !rest.is_empty() {
@@ -103,7 +104,6 @@ impl Certificate {
         unjudged.extend(outcome.unread::<OutcomeDocument>()?);
         unjudged.sort();
         unjudged.dedup();
-        let events = events.iter().map(claim).collect::<Result<_, _>>()?;
         let ended: OutcomeDocument = outcome.read()?;
         // What every kind says, older documents do not.
         let required: &[&str] = match ended.kind.as_str() {
@@ -115,7 +115,7 @@ impl Certificate {
             _ => &["impacts"],
         };
         required.iter().try_for_each(|key| outcome.get(key).map(|_| ()))?;
-        Ok(Self { pair, start, events, attraction: Attraction::of(&ended, &outcome)?, ended, unjudged })
+        Ok(Self { pair, start, events: claims, attraction: Attraction::of(&ended, &outcome)?, ended, unjudged })
     }
 
     /// The impact pair.
