@@ -189,11 +189,9 @@ fn decimal(expression: &str) -> String {
 fn told(document: &Value) -> Value {
     let mut told = document.clone();
     let Some(events) = told.get_mut("events").and_then(Value::as_array_mut) else { return told };
-    let mut index = 0;
-    for event in events.iter_mut().filter(|event| event["event"] == "impact") {
-        index += 1;
+    for (i, event) in events.iter_mut().filter(|event| event["event"] == "impact").enumerate() {
         if let Some(entries) = event.as_object_mut() {
-            entries.entry("index").and_modify(|number| *number = json!(index));
+            entries.entry("index").and_modify(|number| *number = json!(i + 1));
         }
     }
     let Some(outcome) = told.get("outcome") else { return told };

@@ -12,9 +12,9 @@ use impact_pair_model::Error;
 #[derive(Clone, Debug)]
 pub enum Claims {
     /// An orbit JSON: all its events and its outcome are checked.
-    Orbit(Certificate),
+    Orbit(Box<Certificate>),
     /// A periodic JSON, or that of two-impact motions: all its orbits are checked, not that there are no others.
-    Periodic(PeriodicCertificate),
+    Periodic(Box<PeriodicCertificate>),
     /// Nothing of it is checked, for the reason told.
     Unchecked(&'static str),
 }
@@ -35,13 +35,13 @@ impl Claims {
             {
                 Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
             }
-            Some(PERIODIC_SCHEMA) => Self::Periodic(PeriodicCertificate::parse(text)?),
+            Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => {
                 Self::Unchecked("bifurcations: that the eigenvalue passes 1 or -1 there, or a wall is grazed")
             }
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
             Some(SWEEP_SCHEMA) => Self::Unchecked("sweep points: run their scenes, and check what run writes"),
-            _ => Self::Orbit(Certificate::parse(text)?),
+            _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
         })
     }
 

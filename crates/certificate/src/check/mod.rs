@@ -138,12 +138,8 @@ impl Certificate {
             reached = reached.max(event); // exact: a count
             progress(event);
         };
-        let verdict = match self.says_one_thing() {
-            Ok(()) => self.judged(effort, &data, &mut progress),
-            Err(doubt) => self.doubted(doubt, self.events().len()),
-        };
         let is_whole = data.is_point();
-        Ok(match verdict {
+        Ok(match self.judged(effort, &data, &mut progress) {
             Verdict::Undecided(_) if budget.is_stopped() => {
                 Verdict::Interrupted { events: if is_whole { reached } else { 0 } }
             }

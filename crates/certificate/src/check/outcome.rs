@@ -50,6 +50,7 @@ impl Certificate {
 impl Walk<'_> {
     /// What is claimed of the future, and of the time up to which nothing else happens.
     pub(super) fn outcome(&self) -> Result<(), Doubt> {
+        self.certificate.says_one_thing()?;
         let (ended, bits) = (self.certificate.ended(), self.clock.bits());
         if let Some(until) = &ended.until {
             let until = Real::of(&until.0, bits);
