@@ -1,12 +1,14 @@
 //! Certificates of several harmonics: those of one harmonic `A sin(th)` are true of `A sin(th + pi/3) + A sin(th - pi/3)`, and
 //! one is another program's.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use serde_json::{Value, json};
 
 use impact_pair::Scene;
 use impact_pair::certificate::{Certificate, Effort, Verdict};
 use impact_pair::document;
-use impact_pair::exact::Enclosure;
+use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Settings};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
@@ -53,11 +55,88 @@ fn verdict(document: &Value) -> Verdict {
 fn spoiled(document: &Value, path: &str, value: Value) -> Verdict {
     let mut copy = document.clone();
     *copy.pointer_mut(path).expect(path) = value;
+    // Words that say something else would be refused whatever the fields are.
+    copy["outcome"]["message"] = json!("");
     verdict(&copy)
 }
 
 fn event(document: &Value, name: &str) -> usize {
     document["events"].as_array().unwrap().iter().position(|event| event["event"] == name).expect(name)
+}
+
+#[test]
+fn r17_an_outcome_is_what_its_fields_say() {
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 3);
+    assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "{:?}", verdict(&document));
+    let refuted = |outcome: Value| {
+        let mut copy = document.clone();
+        copy["outcome"] = outcome;
+        matches!(verdict(&copy), Verdict::Refuted(_))
+    };
+    assert!(refuted(json!({"kind": "impacts-reached", "impacts": 3, "message": "9999 impacts"})));
+    assert!(refuted(json!({"kind": "impacts-reached", "impacts": 4, "message": "4 impacts"})));
+    assert!(refuted(json!({"kind": "impacts-reached", "impacts": 3, "until": "1"})));
+    let until = |time: &str| json!({"kind": "time-reached", "impacts": 3, "until": time});
+    assert!(
+        refuted(until("9999"))
+            && refuted(until("1e-3"))
+            && refuted(json!({"kind": "time-reached", "impacts": 3, "until": null}))
+    );
+    // Up to just before the next impact, and just beyond it.
+    let next = found_again(&certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 4)).pop().unwrap().0;
+    let [lower, upper] = impact_pair::exact::decimal_bounds(&next.rounded(64));
+    let mut copy = document.clone();
+    copy["outcome"] = until(&lower);
+    assert!(matches!(verdict(&copy), Verdict::Confirmed { .. }), "{:?}", verdict(&copy));
+    assert!(!matches!(
+        verdict(&{
+            copy["outcome"] = until(&upper);
+            copy
+        }),
+        Verdict::Confirmed { .. }
+    ));
+    assert!(refuted(until(&format!("{upper} + 1e-12"))));
+    let older = document.to_string().replace("\"impacts\":3,", "").replace(",\"impacts\":3", "");
+    let refused = Certificate::parse(&older).unwrap_err().to_string();
+    assert!(refused.contains("outcome.impacts is missing"), "{refused}");
+}
+
+#[test]
+fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 3);
+    let [_, upper] = impact_pair::exact::decimal_bounds(&found_again(&document).pop().unwrap().0);
+    let invented = |time: [&str; 2], work: u64| {
+        let mut copy = document.clone();
+        copy["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "right", "time": time}));
+        let certificate = Certificate::parse(&copy.to_string()).unwrap();
+        certificate.check_within(&Effort { work, ..Effort::default() }, |_| {}).unwrap()
+    };
+    match invented([&upper, "50"], 0) {
+        Verdict::Undecided(finding) => assert!(finding.message.ends_with("the work allowed is spent"), "{finding:?}"),
+        other => panic!("{other:?}"),
+    }
+    // Far from the wall nothing need be sought.
+    let whole = Effort::default().work;
+    let middle = |by: &str| {
+        impact_pair::exact::decimal_bounds(&format!("{upper} + {by}").parse::<Exact>().unwrap().enclose(96))[0].clone()
+    };
+    assert!(matches!(invented([&middle("0.3"), &middle("0.3001")], whole), Verdict::Refuted(_)));
+}
+
+#[test]
+fn r17_who_stops_a_check_keeps_what_is_proved() {
+    static STOP: AtomicBool = AtomicBool::new(false);
+    let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 9);
+    let certificate = Certificate::parse(&document.to_string()).unwrap();
+    let stop_at = |event: usize| {
+        STOP.store(false, Ordering::Relaxed);
+        let stop = |confirmed| STOP.store(confirmed == event, Ordering::Relaxed);
+        certificate.check_until(&Effort::default(), Some(&STOP), stop).unwrap()
+    };
+    for events in [1, 4, 8] {
+        assert_eq!(stop_at(events), Verdict::Interrupted { events });
+    }
+    assert!(matches!(stop_at(99), Verdict::Confirmed { .. }));
 }
 
 #[test]
@@ -120,7 +199,7 @@ fn proved(word: impl Fn(usize, &str) -> String) -> Value {
         })
     };
     let mut document = json!({
-        "schema": "impact-pair/orbit/1", "certified": true, "outcome": {"kind": "impacts-reached"},
+        "schema": "impact-pair/orbit/1", "certified": true, "outcome": {"kind": "impacts-reached", "impacts": PROVED.len()},
         "scene": {
             "excitation": {"amplitude": [0, 0, 0], "frequency": [0, 0, 0], "phase": [0, 0, 0]},
             "gap": 0, "restitution": 0, "start": {"time": 0, "wall": "left", "velocity": 0},
@@ -272,7 +351,7 @@ fn releases_depend_on_each_datum_as_their_members() {
 fn what_never_touches_a_wall_is_confirmed_and_nothing_else() {
     let document = |amplitudes: [&str; 2], frequencies: [&str; 2], position: &str, velocity: &str| {
         json!({
-            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts"},
+            "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "never-impacts", "impacts": 0},
             "scene": {
                 "excitation": {"amplitude": amplitudes, "frequency": frequencies, "phase": ["pi/2", "-pi/2"]},
                 "gap": "4", "restitution": "0.5",

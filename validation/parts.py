@@ -59,7 +59,7 @@ PARTS = [
     cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
     cargo("tests", TEST,
           f"{MANY} {TEST} --features png,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
-          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture", ("program",)),
+          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,parquet -- -D warnings"
           f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),

@@ -3,18 +3,17 @@
 use std::io::{self, IsTerminal, Write};
 
 use anyhow::{Context, Result, bail};
-use impact_pair::certificate::ClaimKind;
+use impact_pair::certificate::{Certificate, ClaimKind};
 
 use crate::Answer;
 use crate::arguments::ProveArguments;
-use crate::check::{described, read};
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::scene;
 
 pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let path = &arguments.certificate;
-    let certificate = read(path)?;
+    let certificate = Certificate::parse(&scene::text(path)?).with_context(|| scene::name(path))?;
     scene::keep(path, arguments.output.as_deref())?;
     let listed = certificate.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count();
     if listed == 0 {
@@ -35,7 +34,8 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     if !arguments.quiet {
         let said =
             if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
-        let why = stop.map_or(String::new(), |finding| format!("; {}", described(&certificate, finding)));
+        let why = stop
+            .map_or(String::new(), |finding| format!("; {}", certificate.described(finding.event, &finding.message)));
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{said}{why}");
     }

@@ -27,6 +27,8 @@ pub(super) struct Aside {
     pub still: Option<Still>,
     pub grazes: u64,
     pub recurrence: Recurrence,
+    /// The time asked for has ended the list.
+    pub is_late: bool,
     /// The last impacts handed out.
     pub recent: Recent,
 }
@@ -55,12 +57,12 @@ impl Orbit {
             self.outcome = Some(Outcome::NeverImpacts);
             return Progress::Ended;
         };
-        let period = Outcome::Periodic(Period { cycles: 1, impacts: 0 });
         self.aside.grazes += 1;
-        if self.is_past(turns, Ball::exact(at))
-            || self.asked.settings.impacts.is_some_and(|impacts| self.aside.grazes > impacts)
-        {
-            return self.finish(period);
+        let is_late = self.is_past(turns, Ball::exact(at));
+        if is_late || self.asked.settings.impacts.is_some_and(|impacts| self.aside.grazes > impacts) {
+            self.outcome = Some(Outcome::Periodic(Period { cycles: 1, impacts: 0 }));
+            self.aside.is_late = is_late;
+            return Progress::Ended;
         }
         (self.cursor.turns, self.cursor.phase) = (turns, Ball::exact(at));
         Progress::Graze(Graze { wall, turns, phase: finite(Ball::exact(at)) })
@@ -70,13 +72,12 @@ impl Orbit {
     fn repeat(&mut self, event: Progress) -> Progress {
         let (turns, phase) = match &event {
             Progress::Impact(impact) => (impact.turns, impact.phase),
-            Progress::Rest(Rest { turns, phase, .. })
-            | Progress::Graze(Graze { turns, phase, .. })
-            | Progress::Release(Release { turns, phase, .. }) => {
+            Progress::Graze(Graze { turns, phase, .. }) | Progress::Release(Release { turns, phase, .. }) => {
                 let (mid, rad) = phase.mid_rad();
                 (*turns, Ball::new(mid, rad))
             }
-            Progress::Retraced(_) | Progress::Ended => return event,
+            // Infinitely many impacts come before a rest, some of them perhaps in time.
+            Progress::Rest(_) | Progress::Retraced(_) | Progress::Ended => return event,
         };
         if self.is_past(turns, phase) {
             return self.finish(Outcome::TimeReached);

@@ -388,11 +388,17 @@ impl Orbit {
     /// All that was asked for is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
+        self.aside.is_late = reached == Outcome::TimeReached;
         self.outcome = Some(match self.aside.recurrence.period() {
             Some(period) => Outcome::Periodic(period),
             None => self.attractor().map_or(reached, |attractor| Outcome::Attracted(Box::new(attractor))),
         });
         Progress::Ended
+    }
+
+    /// The time asked for \[time\], if all events up to it are listed because it ended the list.
+    pub fn listed_until(&self) -> Option<&Exact> {
+        self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
     }
 
     /// When a rest begins \[time\].

@@ -32,7 +32,7 @@ impl Judgement {
 }
 
 /// What a straddling start needs; the long flights among them need more than anybody waits for.
-const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4 };
+const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 16 };
 
 /// The arithmetics in turn, and the most bits of `auto`.
 fn settings(case: &Case, number: u64) -> Settings {
@@ -79,6 +79,7 @@ pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
     let certificate = Certificate::parse(&text).expect("what is written can be read");
     match certificate.check_within(&EFFORT, |_| ()).expect("a scene that was run") {
         Verdict::Confirmed { .. } => (Judgement::Confirmed, String::new()),
+        Verdict::Interrupted { .. } => unreachable!("nobody stops it"),
         Verdict::Undecided(finding) => (Judgement::Open, finding.message),
         Verdict::Refuted(finding) => {
             let told = format!("{} {:?}, event {}", finding.message, settings.arithmetic, finding.event);

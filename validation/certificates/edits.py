@@ -17,9 +17,11 @@ def units_to(bound, truth):
 
 
 def edited(document, change):
-    """A copy with a change."""
+    """A copy with a change; its outcome counts the impacts that are listed, so that only the motion is wrong."""
     spoiled = copy.deepcopy(document)
     change(spoiled["events"])
+    spoiled["outcome"]["impacts"] = sum(event["event"] == "impact" for event in spoiled["events"])
+    spoiled["outcome"]["message"] = ""
     return spoiled
 
 

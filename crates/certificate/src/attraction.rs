@@ -1,6 +1,6 @@
-//! What an orbit JSON claims of the periodic orbit that its motion converges to.
+//! What documents claim of periodic orbits, as exact fractions.
 
-use crate::document::{Decimal, OutcomeDocument, PeriodicImpactDocument, Place};
+use crate::document::{Decimal, OutcomeDocument, PeriodicImpactDocument, PeriodicOrbitDocument, Place};
 use num_rational::BigRational;
 
 use impact_pair_model::Error;
@@ -14,21 +14,41 @@ pub(super) struct Attraction {
     pub cycles: u64,
     /// From this impact on it is in a neighbourhood that the period contracts.
     pub from: u64,
+    pub orbit: ClaimedOrbit,
+}
+
+/// A periodic orbit.
+#[derive(Clone, Debug)]
+pub(super) struct ClaimedOrbit {
     /// The impacts, in time order.
     pub impacts: Vec<Passage>,
     /// Trace, determinant, and both eigenvalues, real and imaginary parts.
-    pub numbers: [Bounds; 6],
+    pub numbers: Option<[Bounds; 6]>,
     pub symmetric: Option<bool>,
-    /// Whether it is claimed to be the only one in its box, physical and stable.
-    pub is_attractor: bool,
+    /// The only one in these bounds.
+    pub unique: bool,
+    pub physical: Option<bool>,
+    pub stability: Stability,
+    /// From the left wall to the right one, of a two-impact motion \[rad\].
+    pub spacing: Option<Bounds>,
+    /// The sign of the sine on the left wall, of a two-impact motion.
+    pub sine: Option<String>,
+}
+
+/// What is claimed of its stability.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stability {
+    Stable,
+    Unstable,
+    Undecided,
 }
 
 /// An impact of it.
 #[derive(Clone, Debug)]
 pub(super) struct Passage {
     pub wall: Wall,
-    /// Whole turns of the common period of all harmonics before the phase; 0 where it says nothing.
-    pub turn: u64,
+    /// Whole turns of the common period of all harmonics before the phase; told where that is longer than a turn.
+    pub turn: Option<u64>,
     pub phase: Bounds,
     pub velocity: Bounds,
 }
@@ -40,30 +60,68 @@ impl Attraction {
     /// What an outcome claims, if it has an `orbit`; it stands at `place`.
     pub fn of(outcome: &OutcomeDocument, place: &Place<'_>) -> Result<Option<Self>, Error> {
         let Some(orbit) = &outcome.orbit else { return Ok(None) };
-        let values = |bounds: &[Decimal; 2]| bounds.each_ref().map(Decimal::value);
-        let impact = |impact: &PeriodicImpactDocument| Passage {
-            wall: impact.wall,
-            turn: impact.turn.map_or(0, u64::from),
-            phase: values(&impact.phase),
-            velocity: values(&impact.velocity),
-        };
-        let there = |key: &str| place.missing(&format!("orbit.{key}"));
-        let [one, other] = orbit.eigenvalues.as_ref().ok_or_else(|| there("eigenvalues"))?;
+        if orbit.spacing.is_some() || orbit.sine.is_some() || orbit.amplitude.is_some() || orbit.gap.is_some() {
+            return Err(place.refused("only two-impact motions have a spacing, a sine, an amplitude and a gap"));
+        }
         Ok(Some(Self {
             word: outcome.word.as_ref().ok_or_else(|| place.missing("word"))?.parse()?,
             cycles: outcome.cycles.ok_or_else(|| place.missing("cycles"))?.into(),
             from: outcome.from.ok_or_else(|| place.missing("from"))?,
-            impacts: orbit.impacts.iter().map(impact).collect(),
-            numbers: [
-                values(orbit.trace.as_ref().ok_or_else(|| there("trace"))?),
-                values(orbit.determinant.as_ref().ok_or_else(|| there("determinant"))?),
-                values(&one.re),
-                values(&one.im),
-                values(&other.re),
-                values(&other.im),
-            ],
-            symmetric: orbit.symmetric,
-            is_attractor: orbit.unique && orbit.physical == Some(true) && orbit.stability == "stable",
+            orbit: ClaimedOrbit::of(orbit, &place.get("orbit")?)?,
         }))
     }
+
+    /// Whether its orbit is claimed to be the only one in its box, physical and stable, and nothing of it is left open.
+    pub fn is_attractor(&self) -> bool {
+        let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
+        *unique
+            && symmetric.is_some()
+            && *physical == Some(true)
+            && *stability == Stability::Stable
+            && numbers.is_some()
+    }
+}
+
+impl ClaimedOrbit {
+    /// What a document claims; it stands at `place`.
+    pub fn of(orbit: &PeriodicOrbitDocument, place: &Place<'_>) -> Result<Self, Error> {
+        let impact = |impact: &PeriodicImpactDocument| Passage {
+            wall: impact.wall,
+            turn: impact.turn.map(u64::from),
+            phase: values(&impact.phase),
+            velocity: values(&impact.velocity),
+        };
+        let numbers = match (&orbit.trace, &orbit.determinant, &orbit.eigenvalues) {
+            (Some(trace), Some(determinant), Some([one, other])) => {
+                Some([trace, determinant, &one.re, &one.im, &other.re, &other.im].map(values))
+            }
+            (None, None, None) => None,
+            _ => return Err(place.refused("it has a trace, a determinant and eigenvalues, or none of them")),
+        };
+        let stability = match orbit.stability.as_str() {
+            "stable" => Stability::Stable,
+            "unstable" => Stability::Unstable,
+            "undecided" => Stability::Undecided,
+            _ => return Err(place.get("stability")?.refused("accepted are stable, unstable and undecided")),
+        };
+        Ok(Self {
+            impacts: orbit.impacts.iter().map(impact).collect(),
+            numbers,
+            symmetric: orbit.symmetric,
+            unique: orbit.unique,
+            physical: orbit.physical,
+            stability,
+            spacing: orbit.spacing.as_ref().map(values),
+            sine: orbit.sine.clone().flatten(),
+        })
+    }
+
+    /// Whether nothing that is asked of it is left open.
+    pub fn is_decided(&self) -> bool {
+        self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
+    }
+}
+
+fn values(bounds: &[Decimal; 2]) -> Bounds {
+    bounds.each_ref().map(Decimal::value)
 }

@@ -5,7 +5,9 @@
 
 mod attraction;
 mod check;
+mod claims;
 pub mod document;
+mod periodic;
 mod prove;
 mod read;
 #[cfg(test)]
@@ -13,5 +15,7 @@ mod read;
 mod tolerances;
 
 pub use check::{Effort, Finding, Verdict};
+pub use claims::Claims;
+pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};

@@ -18,9 +18,9 @@ pub struct Certificate {
     pair: ImpactPair,
     start: Start,
     events: Vec<Claim>,
-    outcome: String,
-    period: Option<Period>,
+    ended: OutcomeDocument,
     attraction: Option<Attraction>,
+    unjudged: Vec<String>,
 }
 
 /// An event that an orbit JSON claims.
@@ -79,23 +79,43 @@ impl Certificate {
             return Err(certified.refused("only a certified orbit claims anything: accepted is true"));
         }
         let (pair, start) = head.get("scene")?.read::<SceneDocument>()?.model()?;
-        let (events, outcome) = match rest {
-            [] => (head.get("events")?.list()?, head.get("outcome")?),
+        if let Ok(claim) = head.get("claim")
+            && claim.read::<String>()? != "exact start"
+        {
+            return Err(claim.refused("only an orbit from its exact start is checked"));
+        }
+        let (events, end, lists) = match rest {
+            [] => (head.get("events")?.list()?, head.clone(), &["outcome", "events"][..]),
             [events @ .., last] => {
                 let event = |(i, value)| Place::at(format!("events[{i}]"), value);
-                (events.iter().enumerate().map(event).collect(), Place::whole(last).get("outcome")?)
+                (events.iter().enumerate().map(event).collect(), Place::whole(last), &[][..])
             }
         };
-        let events = events.iter().map(claim).collect::<Result<_, _>>()?;
+        let claims = events.iter().map(claim).collect::<Result<_, _>>()?;
+        let outcome = end.get("outcome")?;
+        let mut unjudged = head.keys_but(&[&["schema", "certified", "scene", "claim"], lists].concat());
+        if !rest.is_empty() {
+            unjudged.extend(end.keys_but(&["outcome"]));
+        }
+        unjudged.extend(head.get("scene")?.unread::<SceneDocument>()?);
+        for event in &events {
+            unjudged.extend(event.unread::<EventDocument>()?);
+        }
+        unjudged.extend(outcome.unread::<OutcomeDocument>()?);
+        unjudged.sort();
+        unjudged.dedup();
         let ended: OutcomeDocument = outcome.read()?;
-        Ok(Self {
-            pair,
-            start,
-            events,
-            period: ended.period,
-            attraction: Attraction::of(&ended, &outcome)?,
-            outcome: ended.kind,
-        })
+        // What every kind says, older documents do not.
+        let required: &[&str] = match ended.kind.as_str() {
+            "time-reached" => &["impacts", "until"],
+            "periodic" => &["impacts", "period"],
+            "rests-forever" => &["impacts", "wall"],
+            "undecided" => &["impacts", "reason", "time"],
+            "attracted" => &["impacts", "word", "cycles", "from", "orbit"],
+            _ => &["impacts"],
+        };
+        required.iter().try_for_each(|key| outcome.get(key).map(|_| ()))?;
+        Ok(Self { pair, start, events: claims, attraction: Attraction::of(&ended, &outcome)?, ended, unjudged })
     }
 
     /// The impact pair.
@@ -115,7 +135,18 @@ impl Certificate {
 
     /// The word for how the orbit ended, such as `impacts-reached`.
     pub fn outcome(&self) -> &str {
-        &self.outcome
+        &self.ended.kind
+    }
+
+    /// All that is claimed of how it ended.
+    pub(super) fn ended(&self) -> &OutcomeDocument {
+        &self.ended
+    }
+
+    /// The keys of the document that claim nothing which [`check`](Self::check) judges: what computed it, and all that this
+    /// version does not know.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
     }
 
     /// The orbit that the motion is claimed to converge to.
@@ -125,21 +156,35 @@ impl Certificate {
 
     /// The period of a motion that is claimed to be `periodic`.
     pub fn period(&self) -> Option<Period> {
-        self.period
+        self.ended.period
     }
 }
 
 fn claim(place: &Place<'_>) -> Result<Claim, Error> {
-    let event: EventDocument = place.read()?;
-    let kind = match event.event {
-        EventName::Impact => ClaimKind::Impact {
-            index: event.index.ok_or_else(|| place.missing("index"))?,
-            mapping: event.mapping.ok_or_else(|| place.missing("mapping"))?,
-            velocity: event.velocity.ok_or_else(|| place.missing("velocity"))?.map(|bound| bound.value()),
-        },
-        EventName::Graze => ClaimKind::Graze,
-        EventName::Rest => ClaimKind::Rest { is_accumulation: event.skipped.is_some() },
-        EventName::Release => ClaimKind::Release,
+    let EventDocument { event, index, mapping, wall, time, velocity, skipped } = place.read()?;
+    let has_none = |keys: &[&str]| {
+        keys.iter().try_for_each(|key| match place.get(key) {
+            Ok(value) => Err(value.refused(&format!("a {} has none", event.text()))),
+            Err(_) => Ok(()),
+        })
     };
-    Ok(Claim { wall: event.wall, time: event.time.map(|bound| bound.value()), kind })
+    let kind = match event {
+        EventName::Impact => {
+            has_none(&["skipped"])?;
+            ClaimKind::Impact {
+                index: index.ok_or_else(|| place.missing("index"))?,
+                mapping: mapping.ok_or_else(|| place.missing("mapping"))?,
+                velocity: velocity.ok_or_else(|| place.missing("velocity"))?.map(|bound| bound.value()),
+            }
+        }
+        EventName::Rest => {
+            has_none(&["index", "mapping", "velocity"])?;
+            ClaimKind::Rest { is_accumulation: skipped.is_some() }
+        }
+        EventName::Graze | EventName::Release => {
+            has_none(&["index", "mapping", "velocity", "skipped"])?;
+            if event == EventName::Graze { ClaimKind::Graze } else { ClaimKind::Release }
+        }
+    };
+    Ok(Claim { wall, time: time.map(|bound| bound.value()), kind })
 }

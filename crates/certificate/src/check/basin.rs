@@ -1,4 +1,4 @@
-//! Ellipses of states that a period maps into themselves and contracts (Lemma V6).
+//! Ellipses of states that a period, or Newton's step for its fixed point, maps into themselves and contracts (Lemmas V6, V8).
 
 use super::affine::Affine;
 use super::axes::axes;
@@ -15,6 +15,8 @@ pub(super) struct Ellipse {
     axes: Matrix,
     /// `T^-1`
     inverse: Matrix,
+    /// `K` of Newton's step, in the coordinates `s`; `None` is -1, the period itself.
+    newton: Option<Matrix>,
     size: i64,
 }
 
@@ -37,15 +39,16 @@ const UNITS: [f64; 3] = [1.0, 0.125, 8.0];
 const SMALLER: usize = 2;
 impl Ellipse {
     /// `None` where `T` may have no inverse.
-    pub fn new(centre: [Real; 2], axes: Matrix, size: i64) -> Option<Self> {
+    pub fn new(centre: [Real; 2], axes: Matrix, newton: Option<Matrix>, size: i64) -> Option<Self> {
         let inverse = inverse(&axes)?;
-        Some(Self { centre, axes, inverse, size })
+        Some(Self { centre, axes, inverse, newton, size })
     }
 
     /// An ellipse of the same axes around another centre.
     pub fn around(&self, centre: [Real; 2], size: i64) -> Option<Self> {
         let bits = centre[0].bits();
-        Self::new(centre, self.axes.each_ref().map(|row| row.each_ref().map(|x| x.at(bits))), size)
+        let at = |matrix: &Matrix| matrix.each_ref().map(|row| row.each_ref().map(|x| x.at(bits)));
+        Self::new(centre, at(&self.axes), self.newton.as_ref().map(at), size)
     }
 
     /// Another size of it.
@@ -55,7 +58,12 @@ impl Ellipse {
 
     /// `|s|` of all states of a set.
     fn place(&self, set: [&Affine; 2]) -> Option<Real> {
-        let [square, other] = self.inverse.each_ref().map(|row| {
+        self.length(&self.inverse, set)
+    }
+
+    /// The length of `matrix (x - centre) / 2^size` of all states of a set.
+    fn length(&self, matrix: &Matrix, set: [&Affine; 2]) -> Option<Real> {
+        let [square, other] = matrix.each_ref().map(|row| {
             let off = [0, 1].map(|i| set[i].centre.clone() - &self.centre[i]);
             let centre = super::round::along(row, &off);
             Affine::of(centre, &[(&row[0], set[0]), (&row[1], set[1])]).hull().square()
@@ -89,14 +97,19 @@ impl Ellipse {
         let first = round.first();
         let centre = [&end.phase, &end.velocity].map(|x| x.without(first));
         let open = || Doubt::Open("no neighbourhood of the orbit is enclosed".into());
-        let moved = self.place([&centre[0], &centre[1]]).ok_or_else(open)?;
-        let factor = norm(&derivative).ok_or_else(open)?;
+        let (step, change) = match &self.newton {
+            None => (self.inverse.clone(), derivative.clone()),
+            // N(s) = s - K (p(s) - s); the sign does not matter for lengths.
+            Some(newton) => (times(newton, &self.inverse), less_one(&times(newton, &less_one(&derivative)))),
+        };
+        let moved = self.length(&step, [&centre[0], &centre[1]]).ok_or_else(open)?;
+        let factor = norm(&change).ok_or_else(open)?;
         Ok(Contraction { ellipse: self, landings, derivative, factor, moved })
     }
 }
 
 impl Contraction {
-    /// Whether it is proved to be mapped into itself and contracted.
+    /// Whether it is proved to be mapped into itself and contracted, by the period or by Newton's step.
     pub fn is_proved(&self) -> bool {
         let (one, reach) = (Real::int(1, self.factor.bits()), self.factor.clone() + &self.moved);
         self.factor.is_below(&one) && reach.enclosure().hi() <= one.enclosure().lo()
@@ -110,28 +123,45 @@ impl Contraction {
     }
 }
 
-/// The largest ellipse around `centre` found that is proved to be contracted: at first of the size that holds all `wanted`.
-///
-/// `derivative` is that of the round near the centre.
-pub(super) fn basin(
-    round: &Round<'_>,
-    centre: &[Real; 2],
-    derivative: &Matrix,
-    wanted: [&Landing; 2],
-) -> Result<Ellipse, Doubt> {
+/// Shapes of ellipses around `centre` that the period may contract; `derivative` is that of the round near the centre.
+pub(super) fn contracted(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
     let bits = centre[0].bits();
-    let shapes = UNITS.iter().filter_map(|unit| {
+    let shape = |unit: &f64| {
         let [[a, b], [c, d]] = axes(derivative, unit * centre[1].to_f64().abs())?
             .map(|row| row.map(|x| Dyadic::from_f64(x).map(|x| Real::point(x, bits))));
-        Ellipse::new(centre.clone(), [[a?, b?], [c?, d?]], 0)
-    });
-    let shapes: Vec<_> = shapes.collect();
-    let sizes = shapes.iter().flat_map(|shape| wanted.map(|set| shape.size_for(set)));
+        Ellipse::new(centre.clone(), [[a?, b?], [c?, d?]], None, 0)
+    };
+    UNITS.iter().filter_map(shape).collect()
+}
+
+/// The same that Newton's step may contract.
+pub(super) fn stepped(centre: &[Real; 2], derivative: &Matrix) -> Vec<Ellipse> {
+    let bits = centre[0].bits();
+    let point = |x: &Real| Real::point(x.mid(), bits);
+    let shape = |unit: &f64| {
+        let unit = Real::point(Dyadic::from_f64(unit * centre[1].to_f64().abs()).filter(|unit| !unit.is_zero())?, bits);
+        let [[a, b], [c, d]] = derivative.each_ref().map(|row| row.each_ref().map(point));
+        let newton = inverse(&less_one(&[[a, b * &unit], [c.over(&unit)?, d]]))?;
+        let newton = newton.map(|row| row.map(|x| point(&x)));
+        Ellipse::new(
+            centre.clone(),
+            [[Real::int(1, bits), Real::zero(bits)], [Real::zero(bits), unit]],
+            Some(newton),
+            0,
+        )
+    };
+    UNITS.iter().filter_map(shape).collect()
+}
+
+/// The largest ellipse of these shapes found that is proved to be contracted: at first of the size that holds all `wanted`.
+pub(super) fn basin(round: &Round<'_>, shapes: &[Ellipse], wanted: &[&Landing]) -> Result<Ellipse, Doubt> {
+    let bits = round.parameters.bits();
+    let sizes = shapes.iter().flat_map(|shape| wanted.iter().map(|set| shape.size_for(set)));
     let least = -i64::from(bits / 2);
     let most = sizes.flatten().max().unwrap_or(0).min(0).max(least); // proposes: sizes to try
     let mut doubt = Doubt::Open("the orbit is not proved to be stable".into());
     for size in (least..=most).rev().step_by(SMALLER) {
-        for shape in &shapes {
+        for shape in shapes {
             match shape.sized(size).contracted(round) {
                 Ok(contraction) if contraction.is_proved() => return Ok(contraction.ellipse),
                 Ok(_) => doubt = Doubt::Open("no neighbourhood of the orbit is proved to be contracted".into()),
@@ -140,6 +170,12 @@ pub(super) fn basin(
         }
     }
     Err(doubt)
+}
+
+/// `M - 1`
+fn less_one([[a, b], [c, d]]: &Matrix) -> Matrix {
+    let one = Real::int(1, a.bits());
+    [[a.clone() - &one, b.clone()], [c.clone(), d.clone() - &one]]
 }
 
 /// An upper bound of the norm of all matrices of a set (Lemma Q2).

@@ -75,9 +75,19 @@ impl Clock {
         lasting.clone() * &self.frequency
     }
 
+    /// The bits that hold the whole turns of its times as well.
+    pub fn bits(&self) -> u32 {
+        self.base.bits()
+    }
+
+    /// The phase of a time.
+    pub fn phase_at(&self, time: &Real) -> Real {
+        (time.clone() - &self.base) * &self.frequency
+    }
+
     /// The phase of a claimed time.
     pub fn phase(&self, time: &BigRational) -> Real {
-        (Real::rational(time, self.base.bits()) - &self.base) * &self.frequency
+        self.phase_at(&Real::rational(time, self.bits()))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The first contact of all flights of a set, proved by halving (Lemma V1).
 
+use super::budget::Budget;
 use super::flight::{Flight, Part};
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
@@ -15,6 +16,8 @@ pub(crate) enum Doubt {
 
 /// Bits that most parts of most flights are judged with.
 const FIRST_BITS: u32 = 128;
+/// Halvings that find a contact for Newton's iteration.
+const FOUND_BITS: u32 = 20;
 /// Steps of Newton's iteration from a guess.
 const STEPS: u32 = 64;
 
@@ -27,6 +30,8 @@ pub(crate) struct Claimed {
     pub guess: Real,
     /// At the latest, where a claim says so.
     pub to: Option<Real>,
+    /// Whether it is the first contact; otherwise any that solves the equations, reached from between the walls.
+    pub is_first: bool,
 }
 
 /// The contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` not 0 on it, and the
@@ -37,7 +42,7 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
     loop {
         let coarse = flight.rounded(bits.min(most)); // X1: any number of bits encloses
         match isolate(&coarse, from, wall, claimed) {
-            Err(Doubt::Open(_)) if bits < most => bits *= 4,
+            Err(Doubt::Open(_)) if bits < most && !coarse.budget.is_spent() => bits *= 4,
             Err(doubt) => return Err(doubt),
             Ok(bracket) => return Ok(contract(&coarse, wall, bracket)),
         }
@@ -60,11 +65,15 @@ fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Resul
     let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
     let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
         // Where no contact is found near the guess, one before it, or none at all, may be.
-        refute(flight, from, wall, claimed)?;
-        clear(flight, from, &guessed, &claimed.from)?;
+        if claimed.is_first {
+            refute(flight, from, wall, claimed)?;
+            clear(flight, from, &guessed, &claimed.from)?;
+        }
         return Err(Doubt::Open(format!("no contact with the {} wall is found there", wall.name())));
     };
-    clear(flight, from, &before, &claimed.from)?;
+    if claimed.is_first {
+        clear(flight, from, &before, &claimed.from)?;
+    }
     Ok(before.hull(&after))
 }
 
@@ -109,15 +118,18 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
     if let Some(wall) = from.wall {
         while !flight.departs(wall, &width, from.is_release) {
             width = width.half();
-            if is_short(&width, end) {
+            if is_short(&width, end) || flight.budget.is_spent() {
                 return Err(Doubt::Open(format!("the ball is not proved to leave the {} wall", wall.name())));
             }
         }
         at = width.clone();
     }
-    for _ in 0..flight.parts {
+    for _ in 0..flight.budget.parts {
         if !at.is_below(end) {
             return Ok(());
+        }
+        if flight.budget.is_spent() {
+            break;
         }
         let next = Real::point((at.clone() + &width).mid(), bits);
         let next = if next.is_below(end) { next } else { end.clone() };
@@ -131,7 +143,49 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
             return Err(Doubt::Open("an earlier contact is not excluded".into()));
         }
     }
-    Err(Doubt::Open("the flight is too long".into()))
+    Err(spent(&flight.budget, &at, end))
+}
+
+/// About where the first part of a flight ends by whose end a wall is hit; `None` if none is found.
+pub(super) fn first_hit(flight: &Flight, from: Start) -> Option<Real> {
+    let bits = flight.bits();
+    let (mut end, no_claim) = (Real::int(1, bits), Real::zero(bits));
+    // Ever twice as long a flight, until it is not clear; then the last length that is clear by halving.
+    let is_clear = |end: &Real| clear_throughout(flight, from, end, &no_claim).is_ok();
+    while is_clear(&end) {
+        end = end.clone() + &end;
+        if flight.budget.is_spent() || is_short(&Real::int(1, bits), &end) {
+            return None;
+        }
+    }
+    let (mut clear, mut hit) = (Real::zero(bits), end);
+    for _ in 0..FOUND_BITS {
+        let middle = Real::point(clear.hull(&hit).mid(), bits);
+        if is_clear(&middle) { clear = middle } else { hit = middle }
+    }
+    Some(hit)
+}
+
+/// The same, in as few bits as will do.
+pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed: &Real) -> Result<(), Doubt> {
+    let most = flight.bits();
+    let mut bits = FIRST_BITS;
+    loop {
+        let coarse = flight.rounded(bits.min(most)); // X1: any number of bits encloses
+        let [_, last] = end.rounded(coarse.bits()).ends();
+        match clear(&coarse, from, &last, claimed) {
+            Err(Doubt::Open(_)) if bits < most && !coarse.budget.is_spent() => bits *= 4,
+            answer => return answer,
+        }
+    }
+}
+
+/// Why a flight is not followed to its end.
+fn spent(budget: &Budget, at: &Real, end: &Real) -> Doubt {
+    let times = (end.to_f64() / at.to_f64()).ceil(); // shown
+    let is_told = budget.is_spent() && times.is_finite();
+    let needed = if is_told { format!(": about {times:.0} times as much would do") } else { String::new() };
+    Doubt::Open(format!("the flight is too long for the work allowed{needed}"))
 }
 
 /// Whether a part is too short for the arithmetic.

@@ -7,6 +7,7 @@ use num_integer::Integer;
 
 use super::Effort;
 use super::affine::Affine;
+use super::budget::Budget;
 use super::shaking::Term;
 use super::step::Parameters;
 use impact_pair_exact::{Dyadic, Enclosure, Exact, ExactError, Real};
@@ -30,8 +31,8 @@ pub(crate) struct Data {
     pub time: Exact,
     /// The whole turns of the reference before the start.
     pub turns: BigInt,
-    /// Parts that a flight may be cut into.
-    pub parts: u32,
+    /// The work that is left.
+    pub budget: Budget,
     /// `y' / W`, before the impact for a start on a wall.
     pub velocity: Exact,
     pub wall: Option<Wall>,
@@ -101,7 +102,7 @@ impl Data {
             velocity: within("start.velocity", start.velocity(), start.velocity().checked_div(frequency))?,
             wall,
             height,
-            parts: Effort::default().parts,
+            budget: Budget::new(u64::MAX, Effort::default().parts, None),
         })
     }
 
@@ -124,7 +125,7 @@ impl Data {
             half_gap: piece.part(&self.half_gap, HALF_GAP, bits),
             restitution: piece.part(&self.restitution, RESTITUTION, bits),
             terms: self.tones.iter().enumerate().map(term).collect(),
-            parts: self.parts,
+            budget: self.budget.clone(),
         }
     }
 
@@ -132,6 +133,14 @@ impl Data {
     pub fn state(&self, piece: &Piece, bits: u32) -> (Affine, Affine, Option<Affine>) {
         let height = self.height.as_ref().map(|height| piece.part(height, HEIGHT, bits));
         (piece.part(&self.tones[0].phase, PHASE, bits), piece.part(&self.velocity, VELOCITY, bits), height)
+    }
+
+    /// Whether none of the data is an interval.
+    pub fn is_point(&self) -> bool {
+        let Self { tones, half_gap, restitution, frequency, delay, time, velocity, height, .. } = self;
+        let of_tones = tones.iter().flat_map(|tone| [&tone.amplitude, &tone.phase].into_iter().chain(&tone.rate));
+        let others = [half_gap, restitution, frequency, delay, time, velocity];
+        others.into_iter().chain(height).chain(of_tones).all(Exact::is_point)
     }
 
     /// The only harmonic, if there is one only.
@@ -249,10 +258,24 @@ mod tests {
     use serde_json::json;
 
     #[test]
+    fn halves_of_halves_keep_their_place_however_small() {
+        let (whole, mut piece) = (Exact::parse("[0, 1]").unwrap(), Piece::default());
+        for n in 1..=70 {
+            // The upper half each time: from 1 - 2^-n to 1.
+            piece = piece.halves(HALF_GAP)[1].clone();
+            let [lower, upper] = piece.part(&whole, HALF_GAP, 192).hull().ends();
+            let least = Real::int(1, 192) - &Real::point(Dyadic::power_of_two(-n), 192);
+            assert!(!least.is_below(&lower) && !upper.is_below(&Real::int(1, 192)), "{n} halvings");
+            let half = Real::point(Dyadic::power_of_two(-n - 1), 192);
+            assert!((least - &half).is_below(&lower), "{n} halvings");
+        }
+    }
+
+    #[test]
     fn only_commensurate_harmonics_have_a_common_period() {
         let common_turns = |frequencies: [&str; 3]| {
             let document = json!({
-                "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "impacts-reached"},
+                "schema": "impact-pair/orbit/1", "certified": true, "events": [], "outcome": {"kind": "impacts-reached", "impacts": 0},
                 "scene": {
                     "excitation": {"amplitude": ["1", "1", "1"], "frequency": frequencies, "phase": ["0", "0", "0"]},
                     "gap": "4", "restitution": "0.5", "start": {"time": "0", "position": "0", "velocity": "0"},

@@ -4,9 +4,9 @@ use std::cmp::Ordering;
 
 use super::affine::Affine;
 use super::basin::{Contraction, Ellipse};
-use super::contact::Doubt;
+use super::contact::{Doubt, clear_throughout};
 use super::round::Round;
-use super::step::Landing;
+use super::step::{Departure, Landing};
 use impact_pair_exact::Real;
 
 /// An eigenvalue: real and imaginary part.
@@ -45,6 +45,27 @@ impl<'r> FixedPoint<'r> {
     /// Its impacts.
     pub fn impacts(&self) -> &[Landing] {
         &self.contraction.landings[..self.round.walls.len()]
+    }
+
+    /// Whether its flights are as physical as claimed: where first contacts were proved they are; where it is claimed that they are
+    /// not, a wall is proved to be touched before one of its impacts.
+    pub fn is_physical_as(&self, claimed: Option<bool>) -> Result<(), Doubt> {
+        if claimed != Some(false) {
+            return Ok(());
+        }
+        let (round, landings) = (self.round, &self.contraction.landings);
+        let is_cut_short = |i: usize| {
+            let departure = Departure::rebound(round.parameters, &landings[i]);
+            let end = landings[i + 1].phase.hull() - &landings[i].phase.hull();
+            let end = if i + 2 == landings.len() { end + &round.lasting } else { end };
+            let [end, _] = end.ends();
+            let flight = departure.flights(round.parameters);
+            matches!(clear_throughout(&flight, departure.start, &end, &end), Err(Doubt::False(_)))
+        };
+        if (0..landings.len() - 1).any(is_cut_short) {
+            return Ok(());
+        }
+        Err(Doubt::Open("no earlier contact is proved".into()))
     }
 
     /// Phases whole common periods off, nearest to another one.

@@ -5,6 +5,7 @@
 //! impact; velocities are lengths a radian. Nothing is known here of where `y'` vanishes: parts of the flight are judged by
 //! their mean value and Taylor forms, and halved.
 
+use super::budget::Budget;
 use super::shaking::Shaking;
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
@@ -18,8 +19,8 @@ pub(crate) struct Flight {
     pub height: Real,
     /// `p`
     pub velocity: Real,
-    /// Parts that it may be cut into.
-    pub parts: u32,
+    /// The work that is left.
+    pub budget: Budget,
 }
 
 /// What is known of a part of a flight.
@@ -38,26 +39,34 @@ impl Flight {
         self.velocity.bits()
     }
 
+    /// Notes that a place of it is looked at.
+    fn spend(&self) {
+        self.budget.spend(self.bits(), self.shaking.waves.len());
+    }
+
     /// Rounded outward to fewer bits.
     pub fn rounded(&self, bits: u32) -> Self {
-        let Self { shaking, half_gap, height, velocity, parts } = self;
+        let Self { shaking, half_gap, height, velocity, budget } = self;
         let [half_gap, height, velocity] = [half_gap, height, velocity].map(|x| x.rounded(bits));
-        Self { shaking: shaking.rounded(bits), half_gap, height, velocity, parts: *parts }
+        Self { shaking: shaking.rounded(bits), half_gap, height, velocity, budget: budget.clone() }
     }
 
     /// `y` at `h`. **Equation** (12)
     pub fn height(&self, h: &Real) -> Real {
+        self.spend();
         let drift = self.velocity.clone() + &self.shaking.first_velocity();
         self.height.clone() + &(drift * h) - &self.shaking.shift(h)
     }
 
     /// `y'` at `h`. **Equation** (11)
     pub fn slope(&self, h: &Real) -> Real {
+        self.spend();
         self.velocity.clone() - &self.shaking.hurry(h)
     }
 
     /// `y''` at `h`. **Equation** (10)
     pub fn curvature(&self, h: &Real) -> Real {
+        self.spend();
         self.shaking.acceleration(h)
     }
 

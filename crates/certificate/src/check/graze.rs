@@ -1,7 +1,7 @@
 //! Grazes: past a wall that is touched, or nearly touched, with no velocity or nearly none (Lemma V4).
 
 use super::affine::Affine;
-use super::contact::{Doubt, Start, clear};
+use super::contact::{Claimed, Doubt, Start, clear_throughout};
 use super::flight::{Flight, Part};
 use super::step::Departure;
 use super::walk::{Walk, compare};
@@ -29,19 +29,36 @@ impl Walk<'_> {
     pub(super) fn graze(&mut self, claim: &Claim) -> Result<(), Doubt> {
         let claimed = self.ahead(claim)?;
         let flight = self.departure.flights(&self.parameters);
+        self.is_near(&flight, claim, &claimed)?;
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
-        clear(&flight, self.departure.start, &summit.before, &claimed.from)?;
+        clear_throughout(&flight, self.departure.start, &summit.before, &claimed.from)?;
         let time = |h: &Real| self.clock.time(&(self.departure.phase.hull() + h));
         compare("time", &time(&summit.touch), &claim.time)?;
-        // No further away than a parabola gets in the time claimed.
-        let span = Real::rational(&(&claim.time[1] - &claim.time[0]), self.bits);
-        let span = self.clock.radians(&span);
-        if (summit.curvature.clone() * &(span.clone() * &span)).is_below(&-summit.excess.clone()) {
-            return Err(Doubt::False("the wall is missed by more than the bounds of the time allow".into()));
-        }
+        let missed = -summit.excess.clone();
+        self.is_within_reach(claim, &summit.curvature, &missed)?;
         self.departure = self.pass(&flight, claim.wall, &summit)?;
         self.last = self.last.filter(|wall| *wall == claim.wall);
+        Ok(())
+    }
+
+    /// The ball is near the wall at some time claimed: where it is not, no extremum need be sought.
+    fn is_near(&self, flight: &Flight, claim: &Claim, claimed: &Claimed) -> Result<(), Doubt> {
+        let Some(to) = &claimed.to else { return Ok(()) };
+        let [_, to] = to.rounded(flight.bits()).ends();
+        let part = claimed.from.hull(&to);
+        let inward = flight.level(claim.wall) - &flight.height(&part);
+        let missed = if claim.wall == Wall::Right { inward } else { -inward };
+        self.is_within_reach(claim, &Real::point(flight.curvature(&part).enclosure().mag(), self.bits), &missed)
+    }
+
+    /// The wall is missed by no more than a parabola gets in the time claimed.
+    fn is_within_reach(&self, claim: &Claim, curvature: &Real, missed: &Real) -> Result<(), Doubt> {
+        let span = Real::rational(&(&claim.time[1] - &claim.time[0]), self.bits);
+        let span = self.clock.radians(&span);
+        if (curvature.clone() * &span.square()).is_below(missed) {
+            return Err(Doubt::False("the wall is missed by more than the bounds of the time allow".into()));
+        }
         Ok(())
     }
 
@@ -76,6 +93,9 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
     let slope = |h: &Real| outward(flight.slope(h));
     let mut reach = guess.half();
     for _ in 0..bits {
+        if flight.budget.is_spent() {
+            return None;
+        }
         let (before, after) = (guess.clone() - &reach, guess.clone() + &reach);
         let whole = before.hull(&after);
         // |y''| where it bends away from the wall.

@@ -12,6 +12,7 @@ mod affine;
 mod attraction;
 mod axes;
 mod basin;
+mod budget;
 mod chatter;
 mod clock;
 mod contact;
@@ -20,15 +21,21 @@ mod fixed_point;
 mod flight;
 mod frame;
 mod graze;
+mod outcome;
+mod periodic;
 mod release;
 mod rest;
 mod round;
 mod shaking;
 mod step;
 mod still;
+mod target;
 mod walk;
 
+use std::sync::atomic::AtomicBool;
+
 use super::{Certificate, ClaimKind};
+use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
 pub(super) use flight::Flight;
@@ -50,6 +57,11 @@ pub enum Verdict {
     Refuted(Finding),
     /// A claim is neither proved again nor refuted.
     Undecided(Finding),
+    /// The user has stopped it; the claims before were proved again, of all data if these are points.
+    Interrupted {
+        /// Events that were confirmed, all of them in one go.
+        events: usize,
+    },
 }
 
 /// The first claim that is not confirmed.
@@ -70,12 +82,15 @@ pub struct Effort {
     pub parts: u32,
     /// Pieces that intervals among the data are cut into.
     pub pieces: usize,
+    /// Places of flights that are looked at before a claim is left undecided, each under one harmonic and in up to 512 bits; one in
+    /// `n` times as many bits counts `n^2` times. A claim that is confirmed allows 256 more, in the bits it took.
+    pub work: u64,
 }
 
 impl Default for Effort {
-    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data.
+    /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data, 262,144 places: some 5 to 10 s.
     fn default() -> Self {
-        Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12 }
+        Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12, work: 1 << 18 }
     }
 }
 
@@ -88,7 +103,7 @@ const ENOUGH_BITS: u32 = 4096;
 impl Certificate {
     /// Proves every claim again, or says which one is not true or not proved. `progress` is told the events confirmed so far.
     ///
-    /// Of the outcomes `impacts-reached`, `time-reached` and `undecided` say nothing of what comes after the events.
+    /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
     /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact.
     ///
@@ -102,43 +117,84 @@ impl Certificate {
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions hold.
-    pub fn check_within(&self, effort: &Effort, mut progress: impl FnMut(usize)) -> Result<Verdict, Error> {
-        let data = Data { parts: effort.parts, ..Data::new(self.pair(), self.start())? };
+    pub fn check_within(&self, effort: &Effort, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
+        self.check_until(effort, None, progress)
+    }
+
+    /// The same until `stop` is set, if there is one.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let budget = Budget::new(effort.work, effort.parts, stop);
+        let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
+        let mut reached = 0;
+        let mut progress = |event: usize| {
+            reached = reached.max(event); // exact: a count
+            progress(event);
+        };
+        let is_whole = data.is_point();
+        Ok(match self.judged(effort, &data, &mut progress) {
+            Verdict::Undecided(_) if budget.is_stopped() => {
+                Verdict::Interrupted { events: if is_whole { reached } else { 0 } }
+            }
+            Verdict::Undecided(Finding { event, message }) if budget.is_spent() => {
+                Verdict::Undecided(Finding { event, message: format!("{message}; the work allowed is spent") })
+            }
+            verdict => verdict,
+        })
+    }
+
+    /// The verdict on all events and the outcome.
+    fn judged(&self, effort: &Effort, data: &Data, progress: &mut impl FnMut(usize)) -> Verdict {
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
         // Where more bits did not help, and how many there were at first.
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
-            let mut walk = Walk::new(self, &data, &piece, bits);
-            let Err(doubt) = walk.all(&mut progress) else { continue };
+            let mut walk = Walk::new(self, data, &piece, bits);
+            let mut confirmed = |event| {
+                data.budget.allow(bits, data.tones.len());
+                progress(event);
+            };
+            let Err(doubt) = walk.all(&mut confirmed) else { continue };
             let event = walk.event;
-            match doubt {
-                Doubt::False(message) => return Ok(Verdict::Refuted(Finding { event, message })),
-                Doubt::Open(message) => match walk.widest_datum() {
-                    Some(datum) if cut < effort.pieces => {
-                        pieces.extend(piece.halves(datum));
-                        cut += 1;
+            match walk.widest_datum() {
+                _ if matches!(doubt, Doubt::False(_)) || data.budget.is_spent() => return self.doubted(doubt, event),
+                Some(datum) if cut < effort.pieces => {
+                    pieces.extend(piece.halves(datum));
+                    cut += 1;
+                }
+                widest => {
+                    let is_stuck = stuck.0 == event;
+                    stuck = if is_stuck { stuck } else { (event, bits) };
+                    // proposes: the bits to try
+                    let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
+                    if widest.is_some() || is_enough {
+                        return self.doubted(doubt, event);
                     }
-                    widest => {
-                        let is_stuck = stuck.0 == event;
-                        stuck = if is_stuck { stuck } else { (event, bits) };
-                        // proposes: the bits to try
-                        let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
-                        if widest.is_some() || is_enough {
-                            return Ok(Verdict::Undecided(Finding { event, message }));
-                        }
-                        // proposes
-                        bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(effort.bits);
-                        pieces.push(piece);
-                    }
-                },
+                    // proposes
+                    bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(effort.bits);
+                    pieces.push(piece);
+                }
             }
         }
-        let event = self.events().len();
-        Ok(match self.attracts(&data, effort.pieces) {
+        data.budget.add(effort.work);
+        match self.attracts(data, effort.pieces) {
             Ok(()) => Verdict::Confirmed { bits, pieces: cut },
-            Err(Doubt::False(message)) => Verdict::Refuted(Finding { event, message }),
-            Err(Doubt::Open(message)) => Verdict::Undecided(Finding { event, message }),
-        })
+            Err(doubt) => self.doubted(doubt, self.events().len()),
+        }
+    }
+
+    fn doubted(&self, doubt: Doubt, event: usize) -> Verdict {
+        match doubt {
+            Doubt::False(message) => Verdict::Refuted(Finding { event, message }),
+            Doubt::Open(message) => Verdict::Undecided(Finding { event, message }),
+        }
     }
 
     /// Encloses times \[time\] and velocities \[length/time\] of the impacts that it lists, found again in so many bits: as many as

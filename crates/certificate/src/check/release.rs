@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
 use super::affine::Affine;
+use super::budget::Budget;
 use super::contact::{Doubt, zero};
 use super::rest::Rest;
 use super::shaking::Shaking;
@@ -45,13 +46,13 @@ impl Walk<'_> {
     }
 
     /// The phases at which the wall is no longer pressed.
-    fn turning(&self, rest: &Rest) -> Option<Real> {
+    pub(super) fn turning(&self, rest: &Rest) -> Option<Real> {
         let origin = Real::zero(self.bits);
         let set = self.parameters.shaking(&origin, Affine::hull);
         let mut bits = FIRST_BITS.min(self.bits); // X1: any number of bits encloses
         let bracket = loop {
-            match turning(&set.rounded(bits), rest, bits, self.parameters.parts) {
-                None if bits < self.bits => bits = (4 * bits).min(self.bits), // X1
+            match turning(&set.rounded(bits), rest, bits, &self.parameters.budget) {
+                None if bits < self.bits && !self.parameters.budget.is_spent() => bits = (4 * bits).min(self.bits), // X1
                 found => break found?,
             }
         };
@@ -78,7 +79,7 @@ impl Walk<'_> {
 
 /// A part of the motion of the box, the wall pressed all the time from the rest to its beginning and not at its end, in which
 /// `E'''` is not 0; phases since the origin.
-fn turning(shaking: &Shaking, rest: &Rest, bits: u32, parts: u32) -> Option<Real> {
+fn turning(shaking: &Shaking, rest: &Rest, bits: u32, budget: &Budget) -> Option<Real> {
     let inward = |x: Real| if rest.wall == Wall::Left { x } else { -x };
     let point = |x: &Real| Real::point(x.mid(), bits);
     let acceleration = |at: &Real| inward(shaking.acceleration(at));
@@ -96,7 +97,11 @@ fn turning(shaking: &Shaking, rest: &Rest, bits: u32, parts: u32) -> Option<Real
         }
         at = first(&width);
     }
-    for _ in 0..parts {
+    for _ in 0..budget.parts {
+        budget.spend(bits, shaking.waves.len());
+        if budget.is_spent() {
+            return None;
+        }
         let next = point(&(at.clone() + &width));
         let part = at.hull(&next);
         let (slope, end) = (jerk(&part), acceleration(&next));

@@ -60,7 +60,8 @@ impl Walk<'_> {
                 Beside::Across => {
                     // No claim says where.
                     let guess = bounce(&self.departure, &self.parameters)?;
-                    let landing = self.land(claim.wall, &Claimed { from: Real::zero(self.bits), guess, to: None })?;
+                    let landing = self
+                        .land(claim.wall, &Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true })?;
                     self.departure = Departure::rebound(&self.parameters, &landing);
                 }
             }
@@ -94,20 +95,13 @@ impl Walk<'_> {
     }
 
     /// With one harmonic that is at an even number of half turns on the left wall, an odd one on the right wall.
-    fn release_of_one(&mut self, &Rest { wall, ref since, .. }: &Rest, claim: &Claim) -> Result<(), Doubt> {
-        let odd = i64::from(wall == Wall::Right);
-        let turn = Real::pi(self.bits) + &Real::pi(self.bits);
-        let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
-        // exact: shared by all members
-        let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
-        let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
-        // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
-        let halves = &self.halves + (turns + 1) * 2 + odd;
-        let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
-        self.clock = clock.ok_or_else(|| Doubt::Open("the time of the release is too large".into()))?;
+    fn release_of_one(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
+        let (halves, clock) = self.released_of_one(rest)?;
+        let (wall, odd) = (rest.wall, i64::from(rest.wall == Wall::Right));
+        self.clock = clock;
         let zero = || Real::zero(self.bits);
         compare("time", &self.clock.time(&zero()), &claim.time)?;
-        self.parameters.count_from(half);
+        self.parameters.count_from(Real::int(odd, self.bits) * &Real::pi(self.bits));
         let still = || Affine::fixed(zero());
         self.departure = Departure::on_wall(&self.parameters, wall, still(), still());
         self.departure.start.is_release = true;
@@ -123,5 +117,19 @@ impl Walk<'_> {
             Some(_) => {}
         }
         Ok(())
+    }
+
+    /// The half turns of that release, and the clock of phases counted from it.
+    pub(super) fn released_of_one(&self, &Rest { wall, ref since, .. }: &Rest) -> Result<(BigInt, Clock), Doubt> {
+        let odd = i64::from(wall == Wall::Right);
+        let turn = Real::pi(self.bits) + &Real::pi(self.bits);
+        let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
+        // exact: shared by all members
+        let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
+        let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
+        // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
+        let halves = &self.halves + (turns + 1) * 2 + odd;
+        let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);
+        Ok((halves, clock.ok_or_else(|| Doubt::Open("the time of the release is too large".into()))?))
     }
 }

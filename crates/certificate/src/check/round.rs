@@ -23,6 +23,8 @@ pub(super) struct Round<'p> {
     pub common: Real,
     /// The cycles of the word \[rad\].
     pub lasting: Real,
+    /// Whether all its contacts have to be the first ones.
+    pub is_physical: bool,
     /// About how long the flights last.
     pub times: Vec<Real>,
 }
@@ -43,7 +45,7 @@ impl Round<'_> {
         Landing { wall: self.walls[0], phase, velocity }
     }
 
-    /// The set and its impacts up to the next first one, this a round earlier; all first contacts are proved.
+    /// The set and its impacts up to the next first one, this a round earlier; all contacts are proved.
     pub fn run(&self, set: Landing) -> Result<Vec<Landing>, Doubt> {
         self.run_under(self.parameters, set)
     }
@@ -53,7 +55,8 @@ impl Round<'_> {
         let next = self.walls.iter().cycle().skip(1);
         for (i, (&wall, time)) in next.zip(&self.times).enumerate() {
             let departure = Departure::rebound(parameters, &landings[i]);
-            let claimed = Claimed { from: Real::zero(self.bits()), guess: time.clone(), to: None };
+            let claimed =
+                Claimed { from: Real::zero(self.bits()), guess: time.clone(), to: None, is_first: self.is_physical };
             landings.push(departure.land(parameters, wall, &claimed)?);
         }
         let Landing { wall, phase, velocity } = landings.pop().expect("the set");

@@ -1,6 +1,7 @@
 //! One impact for all states of a set: from a departure to the next landing (Lemma V2).
 
 use super::affine::{Affine, COLUMN_BITS};
+use super::budget::Budget;
 use super::contact::{Claimed, Doubt, Start, contract, first_contact, newton};
 use super::flight::Flight;
 use super::shaking::{Shaking, Term, Wave};
@@ -16,8 +17,8 @@ pub(crate) struct Parameters {
     pub restitution: Affine,
     /// The harmonics, the reference first.
     pub terms: Vec<Term>,
-    /// Parts that a flight may be cut into.
-    pub parts: u32,
+    /// The work that is left.
+    pub budget: Budget,
 }
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
@@ -83,7 +84,7 @@ impl Parameters {
             half_gap: middle(&self.half_gap),
             restitution: middle(&self.restitution),
             terms: self.terms.iter().map(of_term).collect(),
-            parts: self.parts,
+            budget: self.budget.clone(),
         }
     }
 
@@ -132,7 +133,7 @@ impl Departure {
             half_gap: of(&parameters.half_gap),
             height: of(&self.height),
             velocity: of(&self.velocity),
-            parts: parameters.parts,
+            budget: parameters.budget.clone(),
         }
     }
 

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 
 use super::clock::Clock;
-use super::contact::{Doubt, clear};
+use super::contact::{Doubt, clear_throughout};
 use super::data::Data;
 use super::walk::{Walk, compare};
 use crate::Claim;
@@ -61,7 +61,7 @@ impl Still {
     }
 
     /// The next graze: its wall and its phase in quarter turns.
-    fn next(&self) -> Option<(Wall, BigInt)> {
+    pub(super) fn next(&self) -> Option<(Wall, BigInt)> {
         let walls = [(Wall::Left, 1), (Wall::Right, 3)].into_iter().zip(self.touches);
         let next = walls.filter(|(_, touches)| *touches).map(|((wall, at), _)| {
             let ahead: BigInt = (((at - &self.quarters - 1) % 4 + 4) % 4) + 1;
@@ -87,7 +87,7 @@ impl Walk<'_> {
         let turn = Real::pi(flight.bits()) + &Real::pi(flight.bits());
         let period = Real::rational(&common.into(), flight.bits()) * &turn;
         let [_, end] = period.ends();
-        clear(&flight, self.departure.start, &end, &(end.clone() + &end)).map(|()| true)
+        clear_throughout(&flight, self.departure.start, &end, &(end.clone() + &end)).map(|()| true)
     }
 
     /// A graze of a motion that grazes in every turn.

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::clock::{Beside, Clock, beside};
-use super::contact::{Claimed, Doubt, Start};
+use super::contact::{Claimed, Doubt, Start, first_hit};
 use super::data::{Data, Piece};
 use super::release::Release;
 use super::rest::Rest;
@@ -33,7 +33,7 @@ pub(crate) struct Walk<'c> {
     pub(super) rest: Option<Rest>,
     pub(super) still: Option<Still>,
     /// The wall that the last flight between walls left; `None` where a graze since may have been a touch of the other.
-    pub(super) last: Option<Wall>,
+    pub last: Option<Wall>,
     /// The first release from each wall under one harmonic: half turns, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
     /// All releases under several harmonics.
@@ -84,6 +84,9 @@ impl<'c> Walk<'c> {
     /// Confirms all claims, or stops at the first that is not.
     pub fn all(&mut self, progress: &mut impl FnMut(usize)) -> Result<(), Doubt> {
         for claim in self.certificate.events() {
+            if self.data.budget.is_stopped() {
+                return Err(Doubt::Open("it is stopped".into()));
+            }
             self.confirm(claim)?;
             self.event += 1;
             progress(self.event);
@@ -167,37 +170,24 @@ impl<'c> Walk<'c> {
         let later = if from.is_positive() { from.hull(&to) } else { zero.hull(&to) };
         let guess = Real::point(later.mid(), self.bits);
         if guess.is_positive() {
-            Ok(Claimed { from, guess, to: Some(to) })
+            Ok(Claimed { from, guess, to: Some(to), is_first: true })
         } else {
             Err(Doubt::Open("the time is too near".into()))
         }
     }
 
-    pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
-        self.departure.land(&self.parameters, wall, claimed)
+    /// The next impact, which no claim tells of: of the middle's own flight the first part with a contact tells where to look.
+    pub fn next_landing(&self) -> Option<Landing> {
+        let flight = self.departure.flights(&self.parameters);
+        let guess = first_hit(&flight, self.departure.start)?;
+        let y = flight.height(&guess);
+        let wall = if y.is_positive() { Wall::Right } else { Wall::Left };
+        let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
+        self.land(wall, &claimed).ok()
     }
 
-    /// What is claimed of the future.
-    fn outcome(&self) -> Result<(), Doubt> {
-        let never = self.still.as_ref().is_some_and(|still| !still.grazes());
-        let period = self.still.as_ref().map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
-        let (is_true, message) = match self.certificate.outcome() {
-            "periodic" => match period {
-                Some(Period { cycles, impacts }) if period != self.certificate.period() => {
-                    return Err(Doubt::False(format!("the period is {impacts} impacts in {cycles} cycles")));
-                }
-                found => (found.is_some(), "the period is not proved"),
-            },
-            "rests-forever" => {
-                let stays = self.rest.is_some() && self.parameters.is_still();
-                (stays, "the ball is not proved to rest for ever")
-            }
-            "never-impacts" => (never || self.swings_freely()?, "the ball is not proved never to touch a wall"),
-            // `attracted` is checked once for all pieces of the data: `Certificate::attraction`.
-            "impacts-reached" | "time-reached" | "undecided" | "attracted" => (true, ""),
-            _ => (false, "this version does not check the outcome"),
-        };
-        if is_true { Ok(()) } else { Err(Doubt::Open(message.into())) }
+    pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
+        self.departure.land(&self.parameters, wall, claimed)
     }
 }
 

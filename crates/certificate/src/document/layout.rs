@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::orbit::{EventDocument, OrbitHead, OutcomeDocument};
+use super::orbit::{EventDocument, OrbitHead};
+use super::outcome::OutcomeDocument;
 
 /// A document as text, an entry a line; of the lists of these names, an item a line.
 ///

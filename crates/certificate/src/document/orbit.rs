@@ -1,10 +1,10 @@
 //! The orbit JSON, schema `impact-pair/orbit/1`: one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
-use impact_pair_model::{Arithmetic, Mapping, Period, Settings, Wall};
+use impact_pair_model::{Arithmetic, Mapping, Settings, Wall};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::number::{Bounds, Decimal};
-use super::periodic::PeriodicOrbitDocument;
+use super::number::Bounds;
+use super::outcome::OutcomeDocument;
 use super::scene::SceneDocument;
 
 /// The schema of the orbit JSON.
@@ -79,59 +79,6 @@ impl ArithmeticDocument {
     /// What has computed an orbit.
     pub fn computed(kind: &str, bits: u32) -> Self {
         Self { kind: kind.to_owned(), bits: Some(bits), max_bits: None }
-    }
-}
-
-/// How an orbit ended.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-pub struct OutcomeDocument {
-    /// A word, such as `impacts-reached`.
-    pub kind: String,
-    /// Why it is undecided.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reason: Option<String>,
-    /// One line in words.
-    #[serde(default)]
-    pub message: String,
-    /// The wall of what is undecided.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub wall: Option<Wall>,
-    /// From when to when it may happen \[time\]; open when there is no latest time.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub time: Option<[Option<Decimal>; 2]>,
-    /// The motion repeats itself exactly.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub period: Option<Period>,
-    /// The word of the orbit that it converges to.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub word: Option<String>,
-    /// The cycles of that orbit.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub cycles: Option<u32>,
-    /// From this impact on the motion is in a neighbourhood that the period contracts.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub from: Option<u64>,
-    /// The orbit itself.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub orbit: Option<PeriodicOrbitDocument>,
-}
-
-impl OutcomeDocument {
-    /// An outcome of which no more is to be said.
-    pub fn new(kind: &str, message: String) -> Self {
-        Self {
-            kind: kind.to_owned(),
-            reason: None,
-            message,
-            wall: None,
-            time: None,
-            period: None,
-            word: None,
-            cycles: None,
-            from: None,
-            orbit: None,
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Documents read back, with the place of what is wrong: `events[3].time`.
 
 use impact_pair_model::Error;
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 use serde_path_to_error::{Path, Segment};
@@ -39,6 +40,20 @@ impl<'j> Place<'j> {
     /// What it says.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
         serde_path_to_error::deserialize(self.value).map_err(|error| self.inner(error.path()).wrong(error.into_inner()))
+    }
+
+    /// Its keys, less those of these names, in full.
+    pub fn keys_but(&self, known: &[&str]) -> Vec<String> {
+        let keys = self.value.as_object().into_iter().flat_map(Map::keys);
+        keys.filter(|key| !known.contains(&key.as_str())).map(|key| self.full(key)).collect()
+    }
+
+    /// The keys in it that a `T` does not have, in full, positions in lists left out.
+    pub fn unread<T: DeserializeOwned + Serialize>(&self) -> Result<Vec<String>, Error> {
+        let read = serde_json::to_value(self.read::<T>()?).expect("a document has no other keys than strings");
+        let mut keys = Vec::new();
+        unread(self.value, &read, &unnumbered(&self.key), &mut keys);
+        Ok(keys)
     }
 
     /// The value at a path in it.
@@ -85,4 +100,33 @@ impl<'j> Place<'j> {
     fn full(&self, key: &str) -> String {
         if self.key.is_empty() { key.to_owned() } else { format!("{}.{key}", self.key) }
     }
+}
+
+/// Notes the keys of `value` that `read`, which was made of it, does not have.
+fn unread(value: &Value, read: &Value, key: &str, keys: &mut Vec<String>) {
+    match (value, read) {
+        (Value::Object(entries), Value::Object(read)) => {
+            for (name, value) in entries {
+                let full = if key.is_empty() { name.clone() } else { format!("{key}.{name}") };
+                match read.get(name) {
+                    Some(read) => unread(value, read, &full, keys),
+                    // No value says nothing.
+                    None if value.is_null() => {}
+                    None => keys.push(full),
+                }
+            }
+        }
+        (Value::Array(items), Value::Array(read)) => {
+            items.iter().zip(read).for_each(|(item, read)| unread(item, read, key, keys));
+        }
+        _ => {}
+    }
+}
+
+/// A key without the positions in lists.
+fn unnumbered(key: &str) -> String {
+    key.split('[')
+        .enumerate()
+        .map(|(i, part)| if i == 0 { part } else { part.split_once(']').map_or("", |(_, rest)| rest) })
+        .collect()
 }

@@ -81,7 +81,11 @@ impl SceneDocument {
         let pair = ImpactPair::new(excitation, self.gap.0, self.restitution.0)?;
         let StartDocument { time, wall, position, velocity } = self.start;
         let start = match (position, wall) {
-            (Some(position), _) => Start::inside(&pair, time.0, position.0, velocity.0)?,
+            (Some(_), Some(_)) => {
+                let message = "scene.start has a wall and a position, but one of them is accepted";
+                return Err(Error::certificate(message.to_owned()));
+            }
+            (Some(position), None) => Start::inside(&pair, time.0, position.0, velocity.0)?,
             (None, Some(wall)) => Start::on_wall(time.0, wall, velocity.0)?,
             (None, None) => return Err(Error::certificate("scene.start.wall is missing".to_owned())),
         };

@@ -6,7 +6,8 @@
 use impact_pair_model::Wall;
 use serde::{Deserialize, Serialize};
 
-use super::orbit::{ArithmeticDocument, OutcomeDocument};
+use super::orbit::ArithmeticDocument;
+use super::outcome::OutcomeDocument;
 use super::scene::SceneDocument;
 
 /// The schema of the trade JSON.

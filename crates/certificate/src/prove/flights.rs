@@ -117,7 +117,7 @@ pub(super) fn flights(
             half_gap: parameters.half_gap.centre.clone(),
             height: departure.height.centre.clone(),
             velocity: departure.velocity.centre.clone(),
-            parts: parameters.parts,
+            budget: parameters.budget.clone(),
         };
         let bend = [centre.shaking.first_acceleration(), centre.shaking.acceleration(&length)].map(|x| unit(&x));
         let cuts = Cuts::new(&centre, float(&length));

@@ -7,12 +7,12 @@
 mod cuts;
 mod flights;
 mod legs;
+mod next;
 mod text;
 
 use super::check::{Data, Doubt, Finding};
 use super::{Certificate, ClaimKind};
 use flights::{Flight, Origin, flights};
-use impact_pair_exact::Exact;
 use impact_pair_model::Error;
 use legs::{Box, Leg, excess, leg, start};
 
@@ -46,10 +46,15 @@ impl Certificate {
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
         let data = Data::new(self.pair(), self.start())?;
         Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
-        let is_point = self.pair().is_point() && self.start().velocity().is_point() && data.tones[0].phase.is_point();
-        let is_point = is_point && data.height.as_ref().is_none_or(Exact::is_point);
+        let is_point = data.is_point();
         let claims = self.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
-        let claims: Vec<_> = claims.take(most).cloned().collect();
+        let mut claims: Vec<_> = claims.take(most).cloned().collect();
+        // Where the time asked for ended the list, the next impact proves that no other comes before it.
+        let listed = claims.len();
+        let until = self.ended().until.as_ref().filter(|_| listed == self.events().len());
+        claims.extend(until.and_then(|until| self.next_after(&data, &until.0)));
+        let is_last_missing = until.is_some() && claims.len() == listed;
+        let until = until.filter(|_| claims.len() > listed);
         let (mut bits, mut scale) = (FIRST_BITS, FIRST_SCALE);
         loop {
             let (origin, flights, doubt) = flights(self, &data, &claims, bits, &mut progress);
@@ -76,12 +81,17 @@ impl Certificate {
             let proved = legs.iter().zip(&flights).take_while(fits).count();
             let stop = match missing {
                 Some(Doubt::Open(message) | Doubt::False(message)) if proved == flights.len() => Some(message),
+                None if is_last_missing && proved == flights.len() => Some(
+                    "the next impact, which would come after the time up to which all is listed, is not found"
+                        .to_owned(),
+                ),
                 _ if proved < flights.len() => Some("boxes do not fit into the printed bounds".to_owned()),
                 _ => None,
             };
             let stop = stop.map(|message| Finding { event: proved, message });
-            let text = text::file(self, &claims[..proved], &begin, &legs[..proved])?;
-            return Ok(Theorem { text, impacts: proved, stop });
+            let until = until.filter(|_| proved == claims.len());
+            let text = text::file(self, &claims[..proved], &begin, &legs[..proved], until.map(|until| &until.0))?;
+            return Ok(Theorem { text, impacts: proved.min(listed), stop });
         }
     }
 }

@@ -8,7 +8,7 @@ use num_traits::{One, Signed};
 
 use super::legs::{Box, Leg};
 use crate::{Certificate, Claim, ClaimKind};
-use impact_pair_exact::{Exact, Operation};
+use impact_pair_exact::{Exact, Operation, decimal_bounds};
 use impact_pair_model::Error;
 use impact_pair_model::Harmonic;
 use impact_pair_model::Place;
@@ -16,11 +16,21 @@ use impact_pair_model::Place;
 /// Beyond so many impacts, or so fine a grid, Coq's faster integers are used.
 const PLAIN_IMPACTS: usize = 20;
 const PLAIN_SCALE: u32 = 100;
+/// Bits of a decimal in the place of a time that is none.
+const UNTIL_BITS: u32 = 128;
 /// Larger powers are not written out.
 const LARGEST_POWER: u32 = 64;
 
 /// The file that proves these impacts.
-pub(super) fn file(certificate: &Certificate, claims: &[Claim], begin: &Box, legs: &[Leg]) -> Result<String, Error> {
+///
+/// The last of them comes after `until`, if there is one: it is not listed.
+pub(super) fn file(
+    certificate: &Certificate,
+    claims: &[Claim],
+    begin: &Box,
+    legs: &[Leg],
+    until: Option<&Exact>,
+) -> Result<String, Error> {
     let (pair, start) = (certificate.pair(), certificate.start());
     let [gap, restitution, time, velocity] =
         [pair.gap(), pair.restitution(), start.time(), start.velocity()].map(range);
@@ -78,7 +88,38 @@ Print Assumptions orbit_certified.
         printed.join(";\n  "),
         legs.join(";\n  "),
     );
+    let listed = claims.len() - usize::from(until.is_some());
+    if listed == certificate.events().len() {
+        let _ = write!(text, "\n{}", outcome(listed, until));
+    }
     Ok(text)
+}
+
+/// What the outcome says: how many impacts are listed, and up to when there is no other.
+fn outcome(listed: usize, until: Option<&Exact>) -> String {
+    let Some(until) = until else {
+        return format!(
+            "\
+(* The outcome: so many impacts are listed. *)
+Theorem all_listed : length printed = {listed}%nat.
+Proof. reflexivity. Qed.
+"
+        );
+    };
+    // A decimal is itself; another number is below the decimal.
+    let decimal = until.as_rational().cloned().unwrap_or_else(|| {
+        let [_, upper] = decimal_bounds(&until.enclose(UNTIL_BITS));
+        Exact::parse(&upper).ok().and_then(|upper| upper.as_rational().cloned()).expect("a decimal")
+    });
+    format!(
+        "\
+(* The outcome: so many impacts are listed, and up to this time, {until}, there is no other; the last of `printed` is the next one. *)
+Definition until : Q := {}%Q.
+Theorem all_listed : length printed = S {listed} /\\ (until < time_lower (last printed (Impact left 0 0 0 0)))%Q.
+Proof. split; reflexivity. Qed.
+",
+        fraction(&decimal),
+    )
 }
 
 fn tone(harmonic: &Harmonic) -> Result<String, Error> {

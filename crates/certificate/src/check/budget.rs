@@ -1,0 +1,57 @@
+//! How much work a check may take, counted and not timed, so that its answer is the same on every machine.
+
+use std::cell::Cell;
+use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The work that is left to a check, shared by all that work for it.
+#[derive(Clone, Debug)]
+pub(crate) struct Budget {
+    left: Rc<Cell<u64>>,
+    /// Parts that a flight may be cut into.
+    pub parts: u32,
+    stop: Option<&'static AtomicBool>,
+}
+
+/// Beyond these a sine takes about as long as the square of its bits.
+const PLAIN_BITS: u32 = 512;
+/// Places that a claim may need.
+const PLACES: u64 = 256;
+
+impl Budget {
+    /// So much work; none is left once `stop` is set.
+    pub fn new(work: u64, parts: u32, stop: Option<&'static AtomicBool>) -> Self {
+        Self { left: Rc::new(Cell::new(work)), parts, stop }
+    }
+
+    /// Allows so much more.
+    pub fn add(&self, work: u64) {
+        self.left.set(self.left.get().saturating_add(work)); // proposes: when to give up
+    }
+
+    /// Takes what one place of a flight costs, at so many bits and under so many harmonics.
+    pub fn spend(&self, bits: u32, harmonics: usize) {
+        self.left.set(self.left.get().saturating_sub(cost(bits, harmonics))); // proposes: when to give up
+    }
+
+    /// Allows what a claim may cost at so many bits, as one has been confirmed.
+    pub fn allow(&self, bits: u32, harmonics: usize) {
+        self.add(PLACES * cost(bits, harmonics));
+    }
+
+    /// Whether no more is to be done.
+    pub fn is_spent(&self) -> bool {
+        self.left.get() == 0 || self.is_stopped()
+    }
+
+    /// Whether its user has had enough.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
+}
+
+/// What a place costs, in places of one harmonic in few bits.
+fn cost(bits: u32, harmonics: usize) -> u64 {
+    let size = u64::from(bits / PLAIN_BITS) + 1;
+    size * size * harmonics as u64 // exact: a length
+}

@@ -1,0 +1,147 @@
+//! What is claimed of the end of an orbit: in fields that are proved, and in words that must be those of the fields.
+
+use super::clock::Clock;
+use super::contact::{Doubt, clear_throughout};
+use super::flight::Part;
+use super::rest::Rest;
+use super::walk::Walk;
+use crate::{Certificate, ClaimKind};
+use impact_pair_exact::Real;
+use impact_pair_model::Period;
+
+impl Certificate {
+    /// The outcome says as much in words as in fields, has no field that another kind has, and counts the impacts that are listed.
+    pub(super) fn says_one_thing(&self) -> Result<(), Doubt> {
+        let ended = self.ended();
+        let others = [
+            ("reason", ended.reason.is_some(), &["undecided"][..]),
+            ("until", ended.until.is_some(), &["time-reached", "periodic", "attracted"]),
+            ("wall", ended.wall.is_some(), &["undecided", "rests-forever"]),
+            ("time", ended.time.is_some(), &["undecided"]),
+            ("period", ended.period.is_some(), &["periodic"]),
+            ("word", ended.word.is_some(), &["attracted"]),
+            ("cycles", ended.cycles.is_some(), &["attracted"]),
+            ("from", ended.from.is_some(), &["attracted"]),
+            ("orbit", ended.orbit.is_some(), &["attracted"]),
+        ];
+        if let Some((key, ..)) =
+            others.iter().find(|(_, is_there, kinds)| *is_there && !kinds.contains(&self.outcome()))
+        {
+            return Err(Doubt::False(format!("{} has no {key}", self.outcome())));
+        }
+        let listed = self.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count() as u64; // exact: a length
+        if ended.impacts != Some(listed) {
+            return Err(Doubt::False(format!("{listed} impacts are listed")));
+        }
+        let words = ended.words().ok_or_else(|| Doubt::False("this version does not check the outcome".into()))?;
+        if !ended.message.is_empty() && ended.message != words && Some(&ended.message) != ended.interruption().as_ref()
+        {
+            return Err(Doubt::False(format!("the message is not what the fields say: {words}")));
+        }
+        match &ended.time {
+            Some([Some(from), Some(to)]) if from.value() > to.value() => {
+                Err(Doubt::False("the earliest time is after the latest one".into()))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Walk<'_> {
+    /// What is claimed of the future, and of the time up to which nothing else happens.
+    pub(super) fn outcome(&self) -> Result<(), Doubt> {
+        self.certificate.says_one_thing()?;
+        let (ended, bits) = (self.certificate.ended(), self.clock.bits());
+        if let Some(until) = &ended.until {
+            let until = Real::of(&until.0, bits);
+            self.lists_none_after(&until)?;
+            self.lists_all_until(&until)?;
+        }
+        if let Some([Some(from), _]) = &ended.time {
+            self.lists_all_until(&Real::rational(&from.value(), bits))?;
+        }
+        let never = self.still.as_ref().is_some_and(|still| !still.grazes());
+        let period = self.still.as_ref().map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
+        let (is_true, message) = match self.certificate.outcome() {
+            "periodic" => match period {
+                Some(Period { cycles, impacts }) if period != ended.period => {
+                    return Err(Doubt::False(format!("the period is {impacts} impacts in {cycles} cycles")));
+                }
+                found => (found.is_some(), "the period is not proved"),
+            },
+            "rests-forever" => match &self.rest {
+                Some(rest) if Some(rest.wall) != ended.wall => {
+                    return Err(Doubt::False(format!("the ball rests on the {} wall", rest.wall.name())));
+                }
+                rest => (rest.is_some() && self.parameters.is_still(), "the ball is not proved to rest for ever"),
+            },
+            "never-impacts" => (never || self.swings_freely()?, "the ball is not proved never to touch a wall"),
+            // `attracted` is checked once for all pieces of the data: `Certificate::attracts`.
+            _ => (true, ""),
+        };
+        if is_true { Ok(()) } else { Err(Doubt::Open(message.into())) }
+    }
+
+    /// No event listed comes after this time but a rest, which stands for what may come before (Lemma V7).
+    fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
+        let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, ClaimKind::Rest { .. }));
+        match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {
+            true => Err(Doubt::False("an event that is listed comes after the time told".into())),
+            false => Ok(()),
+        }
+    }
+
+    /// Nothing happens after the last event up to this time (Lemma V7).
+    fn lists_all_until(&self, until: &Real) -> Result<(), Doubt> {
+        let missing = |what: &str| Doubt::False(format!("{what} comes before the time up to which all is listed"));
+        let open = || Doubt::Open("it is not proved that nothing else happens up to the time told".into());
+        // Before, after or across the time.
+        let judged = |event: &Real, what: &str| match (until.is_below(event), event.is_below(until)) {
+            (true, _) => Ok(()),
+            (_, true) => Err(missing(what)),
+            _ => Err(open()),
+        };
+        if let Some(rest) = &self.rest {
+            // Up to its accumulation a rest stands for all that happens.
+            let [_, since] = self.clock.time(&rest.since).ends();
+            let has_not_ended = self.parameters.is_still() || !since.is_below(until);
+            return if has_not_ended { Ok(()) } else { judged(&self.release_time(rest)?, "a release") };
+        }
+        if let Some(still) = &self.still {
+            return match still.next() {
+                None => Ok(()),
+                Some((_, quarters)) => {
+                    let clock = Clock::at_quarter_turns(self.data, &quarters, self.bits).ok_or_else(open)?;
+                    judged(&clock.time(&Real::zero(self.bits)), "a graze")
+                }
+            };
+        }
+        let ahead = self.clock.phase_at(until) - &self.departure.phase.hull();
+        let [least, end] = ahead.ends();
+        if !end.is_positive() {
+            return Ok(());
+        }
+        let flight = self.departure.flights(&self.parameters);
+        match clear_throughout(&flight, self.departure.start, &end, &least) {
+            Ok(()) => Ok(()),
+            // Where the flight would be beyond a wall it has hit one.
+            Err(Doubt::Open(doubt))
+                if !(least.is_positive() && matches!(flight.place(&flight.height(&least)), Part::Contact)) =>
+            {
+                Err(Doubt::Open(doubt))
+            }
+            Err(_) => Err(missing("a contact with a wall")),
+        }
+    }
+
+    /// When the ball that rests is released \[time\].
+    fn release_time(&self, rest: &Rest) -> Result<Real, Doubt> {
+        match self.data.only() {
+            Some(_) => self.released_of_one(rest).map(|(_, clock)| clock.time(&Real::zero(self.bits))),
+            None => self
+                .turning(rest)
+                .map(|root| self.clock.time(&root))
+                .ok_or_else(|| Doubt::Open("no release is proved".into())),
+        }
+    }
+}

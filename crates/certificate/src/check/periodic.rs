@@ -1,0 +1,135 @@
+//! Whether a periodic JSON is right: each orbit found again, alone in its bounds, with all that is said of it.
+//!
+//! The route (Lemma V8): Newton's iteration for a state that comes again after a period of the word begins at the claimed one. Newton's
+//! step is proved to contract an ellipse of states that holds the claimed bounds of the first impact, so there is one orbit and no more,
+//! whether it attracts or not. A narrow ellipse of the same kind then encloses it, as it does an attractor
+//! ([`target`](super::target)).
+
+use super::attraction::{for_all_pieces, widest_datum};
+use super::basin::{basin, stepped};
+use super::budget::Budget;
+use super::contact::Doubt;
+use super::data::{Data, Piece};
+use super::frame::Frame;
+use super::round::Round;
+use super::target::{BITS, Target};
+use super::{Effort, Finding, Verdict};
+use crate::periodic::PeriodicCertificate;
+use impact_pair_exact::Real;
+use impact_pair_model::Error;
+use std::sync::atomic::AtomicBool;
+
+impl PeriodicCertificate {
+    /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress` is
+    /// told the orbits confirmed so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let budget = Budget::new(0, effort.parts, stop);
+        let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
+        for (event, claim) in self.orbits().iter().enumerate() {
+            budget.add(effort.work);
+            let target = Target::new(&data, self.word(), self.cycles(), claim);
+            match target.and_then(|target| target.is_an_orbit(effort.pieces)) {
+                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: event }),
+                Err(Doubt::Open(message)) => return Ok(Verdict::Undecided(Finding { event, message })),
+                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
+                Ok(()) => progress(event + 1),
+            }
+        }
+        Ok(match self.whole() {
+            Ok(()) => Verdict::Confirmed { bits: BITS, pieces: 1 },
+            Err(Doubt::False(message)) => Verdict::Refuted(Finding { event: self.orbits().len(), message }),
+            Err(Doubt::Open(message)) => Verdict::Undecided(Finding { event: self.orbits().len(), message }),
+        })
+    }
+
+    /// What is said of all orbits together.
+    fn whole(&self) -> Result<(), Doubt> {
+        if self.says_all_is_proved() && !(self.orbits().iter().all(|orbit| orbit.is_decided()) && self.has_no_rest()) {
+            return Err(Doubt::False("not all is proved that is asked of the orbits".into()));
+        }
+        if self.orbits().is_empty() {
+            return Err(Doubt::Open("there is no orbit to check".into()));
+        }
+        Ok(())
+    }
+}
+
+impl Target<'_> {
+    /// It is one, for all data.
+    fn is_an_orbit(&self, most: usize) -> Result<(), Doubt> {
+        if !self.claim.unique {
+            return Err(Doubt::Open("only orbits that are alone in their bounds are checked".into()));
+        }
+        let widest = |piece: &Piece| {
+            let frame = Frame::new(self.data, piece, BITS);
+            if frame.parameters.columns() == 0 {
+                return None;
+            }
+            widest_datum(self.period(&frame).ok()?, self.guess(&frame))
+        };
+        for_all_pieces(self.data, most, |piece| self.is_an_orbit_on(piece), widest)
+    }
+
+    fn is_an_orbit_on(&self, piece: &Piece) -> Result<(), Doubt> {
+        let frame = Frame::new(self.data, piece, BITS);
+        let mut round = self.period(&frame)?;
+        let (centre, derivative) = round.polish(self.guess(&frame))?;
+        let claimed = self.first(&frame);
+        let phase =
+            round.near(&claimed.phase, &centre[0]).ok_or_else(|| Doubt::Open("the phase is too large".into()))?;
+        let claimed = super::step::Landing { phase, ..claimed };
+        let basin = basin(&round, &stepped(&centre, &derivative), &[&claimed])?;
+        self.encloses(piece, &basin, &claimed, &centre, &round)
+    }
+
+    /// Whether its impacts are claimed to be first contacts.
+    fn is_physical(&self) -> bool {
+        self.claim.physical == Some(true)
+    }
+
+    fn guess(&self, frame: &Frame) -> [Real; 2] {
+        let first = self.first(frame);
+        [first.phase.centre, first.velocity.centre]
+    }
+
+    /// A period near the claimed impacts.
+    fn period<'p>(&'p self, frame: &'p Frame) -> Result<Round<'p>, Doubt> {
+        Ok(self.round(frame, self.times(frame)?, self.is_physical()))
+    }
+
+    /// About how long the flights between the claimed impacts last: as phases are told less whole turns, these follow from the drift.
+    fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
+        let none = || Doubt::Open("the claimed impacts do not follow one another in so many cycles".into());
+        let bits = frame.turn.bits();
+        let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes
+        let float = |x: Real| Real::point(x.mid(), bits).to_f64();
+        let count = self.claim.impacts.len();
+        let (mut times, mut whole) = (Vec::new(), 0.0);
+        for (from, to) in (0..count).map(|i| (i, (i + 1) % count)) {
+            let [from, to] = [from, to].map(|i| self.state(frame, i));
+            let departure = super::step::Departure::rebound(&frame.parameters, &from);
+            let shaking = frame.parameters.shaking(&departure.phase.centre, |x| x.centre.clone());
+            let level = |wall| if wall == impact_pair_model::Wall::Right { 1.0 } else { -1.0 } * float(frame.parameters.half_gap.centre.clone());
+            let turned = to.phase.centre.clone() - &from.phase.centre;
+            let least = float(turned.clone()).rem_euclid(common); // proposes
+            let drift = float(departure.velocity.centre.clone() + &shaking.first_velocity());
+            let shift = float(shaking.shift(&Real::point(turned.mid(), bits)));
+            let more = ((level(to.wall) - level(from.wall) + shift) / drift - least) / common;
+            // proposes: a time near a whole number of periods may be told a period off
+            let time = least + common * if more.is_finite() { more.round().max(-1.0) } else { 0.0 };
+            whole += time;
+            times.push(impact_pair_exact::Dyadic::from_f64(time).map(|time| Real::point(time, bits)).ok_or_else(none)?);
+        }
+        let periods = whole / frame.turn.to_f64();
+        // proposes: what does not fit is not found again either
+        if (periods - self.cycles as f64).abs() < 0.5 { Ok(times) } else { Err(none()) }
+    }
+}

@@ -1,0 +1,258 @@
+//! A periodic orbit that is claimed: what its bounds say in radians, and whether what is found lies in them.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::One;
+
+use super::basin::Ellipse;
+use super::contact::Doubt;
+use super::data::{Data, Piece};
+use super::fixed_point::{Eigenvalue, FixedPoint, eigenvalues};
+use super::frame::{Frame, hull};
+use super::round::Round;
+use super::step::Landing;
+use super::walk::compare;
+use crate::attraction::{Bounds, ClaimedOrbit, Stability};
+use impact_pair_exact::Real;
+use impact_pair_model::{Wall, Word};
+
+/// Bits that neighbourhoods are proved with.
+pub(super) const BITS: u32 = 192;
+/// Bits beyond those that the claimed bounds are worth.
+const SPARE_BITS: u32 = 96;
+const MOST_BITS: u32 = 1 << 12;
+/// How often these are doubled.
+const DOUBLED: u32 = 3;
+
+/// A claimed orbit of a word.
+pub(super) struct Target<'c> {
+    pub data: &'c Data,
+    pub claim: &'c ClaimedOrbit,
+    /// Of the impacts of the word.
+    pub walls: Vec<Wall>,
+    pub cycles: u64,
+    /// Of the reference, after which the shaking repeats.
+    pub turns: BigInt,
+    /// Whether it must not run through a shorter orbit several times.
+    pub is_whole: bool,
+}
+
+impl<'c> Target<'c> {
+    /// What is claimed, if it may be an orbit of that word in so many cycles.
+    pub fn new(data: &'c Data, word: &Word, cycles: u64, claim: &'c ClaimedOrbit) -> Result<Self, Doubt> {
+        let walls: Vec<Wall> = word.mappings().iter().map(|mapping| mapping.walls().0).collect();
+        if !word.is_closed() {
+            return Err(Doubt::False("the word does not end on the wall that it starts from".into()));
+        }
+        if claim.impacts.len() != walls.len() {
+            return Err(Doubt::False(format!("the orbit has {} impacts", walls.len())));
+        }
+        if claim.impacts.iter().zip(&walls).any(|(impact, wall)| impact.wall != *wall) {
+            return Err(Doubt::False("an impact of the orbit is on the other wall".into()));
+        }
+        let open = |message: &str| Doubt::Open(message.into());
+        let turns = data.common_turns().ok_or_else(|| open("the harmonics are not proved to have a common period"))?;
+        if cycles == 0 || !BigInt::from(cycles).is_multiple_of(&turns) {
+            return Err(open("the cycles are no common periods of all harmonics"));
+        }
+        let is_told = |turn: Option<u64>| match turn {
+            None => turns.is_one(),
+            Some(turn) => !turns.is_one() && BigInt::from(turn) < turns,
+        };
+        if !claim.impacts.iter().all(|impact| is_told(impact.turn)) {
+            return Err(Doubt::False("an impact of the orbit is in no turn of the common period".into()));
+        }
+        if claim
+            .impacts
+            .iter()
+            .any(|impact| impact.phase[0] > impact.phase[1] || impact.velocity[0] > impact.velocity[1])
+        {
+            return Err(Doubt::False("a lower bound of the orbit is above the upper one".into()));
+        }
+        Ok(Self { data, claim, walls, cycles, turns, is_whole: false })
+    }
+
+    /// Periods of the word whose flights last about so long.
+    pub fn round<'p>(&'p self, frame: &'p Frame, times: Vec<Real>, is_physical: bool) -> Round<'p> {
+        let turns = |turns: &BigInt| frame.turn.clone() * &Real::rational(&turns.clone().into(), frame.turn.bits());
+        Round {
+            parameters: &frame.parameters,
+            walls: &self.walls,
+            common: turns(&self.turns),
+            lasting: turns(&self.cycles.into()),
+            is_physical,
+            times,
+        }
+    }
+
+    /// What is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
+    pub fn origin(&self, frame: &Frame, turn: Option<u64>) -> Real {
+        // exact: without a turn, the common period is one
+        let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
+        frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
+    }
+
+    /// The claimed states of an impact, in phases since the origin.
+    pub fn state(&self, frame: &Frame, impact: usize) -> Landing {
+        let (claim, bits) = (&self.claim.impacts[impact], frame.turn.bits());
+        let origin = self.origin(frame, claim.turn);
+        let phase = hull(&claim.phase.each_ref().map(|phase| Real::rational(phase, bits) - &origin));
+        let velocity = hull(&claim.velocity.each_ref().map(|x| frame.clock.slowed(&Real::rational(x, bits))));
+        frame.spanned(claim.wall, phase, velocity)
+    }
+
+    /// The claimed states of the first impact.
+    pub fn first(&self, frame: &Frame) -> Landing {
+        self.state(frame, 0)
+    }
+
+    /// Proves that the only orbit of a basin is as claimed, and, if it is physical, the only one in the claimed bounds.
+    ///
+    /// `near` is a period near it.
+    pub fn encloses(
+        &self,
+        piece: &Piece,
+        basin: &Ellipse,
+        claimed: &Landing,
+        centre: &[Real; 2],
+        near: &Round<'_>,
+    ) -> Result<(), Doubt> {
+        let mut bits = self.bits();
+        for n in 0..=DOUBLED {
+            let frame = Frame::new(self.data, piece, bits);
+            let times = near.times.iter().map(|time| time.at(bits)).collect();
+            let mut round = self.round(&frame, times, near.is_physical);
+            let (centre, _) = round.polish(centre.clone())?;
+            match FixedPoint::enclosed(&round, basin, &centre).and_then(|orbit| self.compare(&frame, &orbit)) {
+                Err(Doubt::Open(_)) if n < DOUBLED && round.first() == 0 && !self.data.budget.is_spent() => bits *= 2,
+                // Of solutions with earlier contacts there may be others in longer flights.
+                Ok(()) if near.is_physical && !basin.holds(claimed) => {
+                    return Err(Doubt::Open("the orbit is not proved to be the only one in its bounds".into()));
+                }
+                answer => return answer,
+            }
+        }
+        unreachable!("the last answer is one")
+    }
+
+    /// All that is found of the orbit lies inside the claimed bounds.
+    fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
+        let ClaimedOrbit { symmetric, impacts, numbers, physical, .. } = self.claim;
+        // Where flights are not proved to be motions, their mirror images are not either.
+        if let Some(claimed) = symmetric.filter(|_| *physical == Some(true)) {
+            match orbit.is_symmetric(self.data.has_mirror()) {
+                None => return Err(Doubt::Open("it is not decided whether the orbit is symmetric".into())),
+                Some(found) if found != claimed => {
+                    return Err(Doubt::False("whether the orbit is symmetric is claimed wrongly".into()));
+                }
+                Some(_) => {}
+            }
+        }
+        if self.is_whole && !orbit.is_whole() {
+            return Err(Doubt::Open("the orbit is not proved to be no shorter one".into()));
+        }
+        let bits = frame.turn.bits();
+        let turn = |phase: &Bounds| {
+            let turns = Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor()); // V6: shared by all members
+            turns.ok_or_else(|| Doubt::Open("the turn of a phase is not decided".into()))
+        };
+        for (claimed, found) in impacts.iter().zip(orbit.impacts()) {
+            if turn(&claimed.phase)? != 0 {
+                return Err(Doubt::False("a phase of the orbit is not in [0, 2 pi)".into()));
+            }
+            let phase = found.phase.clone().shifted(&self.origin(frame, claimed.turn));
+            let middle = hull(&claimed.phase.each_ref().map(|phase| Real::rational(phase, bits))).middle();
+            let phase = orbit.near(&phase, &middle).ok_or_else(|| Doubt::Open("a phase is too large".into()))?;
+            compare("phase of the orbit", &phase.hull(), &claimed.phase)?;
+            compare("velocity of the orbit", &frame.clock.velocity(&found.velocity.hull()), &claimed.velocity)?;
+        }
+        self.compare_spacing(frame, orbit)?;
+        orbit.is_physical_as(*physical)?;
+        let trace = orbit.trace();
+        let power = i32::try_from(2 * self.walls.len()).ok();
+        let restitution = Real::of(&self.data.restitution, bits);
+        let determinant = power.and_then(|power| restitution.enclosure().powi(power, bits));
+        let determinant = Real::new(determinant.ok_or_else(|| Doubt::Open("the word is too long".into()))?, bits);
+        self.compare_stability(&trace, &determinant)?;
+        let Some(numbers) = numbers else { return Ok(()) };
+        let [one, other] = eigenvalues(&trace, &determinant);
+        let inside = |found: [&Real; 2], claimed: &[Bounds]| {
+            found
+                .into_iter()
+                .zip(claimed)
+                .try_for_each(|(found, claimed)| compare("number of the orbit", found, claimed))
+        };
+        let (product, rest) = numbers.split_at(2);
+        let (first, second) = rest.split_at(2);
+        inside([&trace, &determinant], product)?;
+        let both = |one: &Eigenvalue, other: &Eigenvalue| {
+            inside(one.each_ref(), first).and_then(|()| inside(other.each_ref(), second))
+        };
+        // They are a pair without an order.
+        both(&one, &other).or_else(|doubt| both(&other, &one).map_err(|_| doubt))
+    }
+
+    /// Spacing and sine of a two-impact motion.
+    fn compare_spacing(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
+        let ClaimedOrbit { spacing, sine, .. } = self.claim;
+        let on = |wall: Wall| orbit.impacts().iter().find(|impact| impact.wall == wall);
+        let (Some(left), Some(right)) = (on(Wall::Left), on(Wall::Right)) else { return Ok(()) };
+        if spacing.is_none() && sine.is_none() {
+            return Ok(());
+        }
+        if self.walls.len() != 2 {
+            return Err(Doubt::False("only motions of two impacts have a spacing and a sine".into()));
+        }
+        if let Some(claimed) = spacing {
+            let bits = frame.turn.bits();
+            let middle = hull(&claimed.each_ref().map(|x| Real::rational(x, bits))).middle();
+            let lasting = frame.turn.clone() * &Real::rational(&BigInt::from(self.cycles).into(), bits);
+            let found = right.phase.hull() - &left.phase.hull();
+            let found = if found.is_negative() { found + &lasting } else { found };
+            if middle.is_negative() || lasting.is_below(&middle) {
+                return Err(Doubt::False("the spacing is not one of the cycles".into()));
+            }
+            compare("spacing", &found, claimed)?;
+        }
+        if let Some(claimed) = sine {
+            let found = (left.phase.hull() + &frame.parameters.origin()).sin();
+            let is_it = match claimed.as_str() {
+                "positive" => found.is_positive(),
+                "negative" => found.is_negative(),
+                _ => return Err(Doubt::Open("no sine is proved to be zero".into())),
+            };
+            if !is_it {
+                let message = "the sine on the left wall has another sign".to_owned();
+                return Err(if found.is_positive() || found.is_negative() {
+                    Doubt::False(message)
+                } else {
+                    Doubt::Open(message)
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// **Equations** (39), (40): what trace and determinant say of the stability (Lemma T4).
+    fn compare_stability(&self, trace: &Real, determinant: &Real) -> Result<(), Doubt> {
+        let one = Real::int(1, trace.bits());
+        let at = [one.clone() + determinant - trace, one.clone() + determinant + trace];
+        let is_unstable = at.iter().any(Real::is_negative);
+        let is_stable = at.iter().all(Real::is_positive) && determinant.is_below(&one);
+        match (self.claim.stability, is_stable, is_unstable) {
+            (Stability::Undecided, ..) | (Stability::Stable, true, _) | (Stability::Unstable, _, true) => Ok(()),
+            (_, false, false) => Err(Doubt::Open("the stability is not decided".into())),
+            _ => Err(Doubt::False("the stability is claimed wrongly".into())),
+        }
+    }
+
+    /// Bits that are worth more than the claimed bounds.
+    fn bits(&self) -> u32 {
+        let bounds = self.claim.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
+        let widths = bounds.map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top());
+        // proposes: bits to enclose the orbit with
+        let narrowest = widths.flatten().min().unwrap_or(0);
+        // proposes
+        SPARE_BITS.saturating_add(u32::try_from(-narrowest).unwrap_or(0)).clamp(BITS, MOST_BITS)
+    }
+}

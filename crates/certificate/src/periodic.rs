@@ -1,0 +1,146 @@
+//! The periodic JSON, read back: what it claims of its orbits, as exact fractions.
+
+use serde_json::Value;
+
+use super::attraction::ClaimedOrbit;
+use crate::document::{PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument};
+use impact_pair_exact::Exact;
+use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
+
+/// What a periodic JSON claims of periodic orbits, or that of two-impact motions.
+#[derive(Clone, Debug)]
+pub struct PeriodicCertificate {
+    pair: ImpactPair,
+    start: Start,
+    word: Word,
+    cycles: u64,
+    orbits: Vec<ClaimedOrbit>,
+    says_all_is_proved: bool,
+    has_no_rest: bool,
+    unjudged: Vec<String>,
+}
+
+impl PeriodicCertificate {
+    /// Reads a periodic JSON.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value: Value = serde_json::from_str(text)
+            .map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
+        let whole = Place::whole(&value);
+        let schema = whole.get("schema")?;
+        if schema.read::<String>()? != PERIODIC_SCHEMA {
+            return Err(schema.refused(&format!("accepted is \"{PERIODIC_SCHEMA}\"")));
+        }
+        let is_two_impact = whole.get("solved_for").is_ok();
+        let (document, mut unjudged) = if is_two_impact {
+            let document: TwoImpactDocument = whole.read()?;
+            let solved_for = whole.get("solved_for")?;
+            if document.solved_for != "velocity" {
+                return Err(solved_for.refused("only what is solved for the velocity is checked"));
+            }
+            let has_rest = !document.undecided.is_empty();
+            let TwoImpactDocument { schema, scene, word, cycles, exhaustive, certified, orbits, .. } = document;
+            let document =
+                PeriodicDocument { schema, scene, word, cycles, exhaustive, certified, orbits, undecided: None };
+            ((document, has_rest), whole.unread::<TwoImpactDocument>()?)
+        } else {
+            let document: PeriodicDocument = whole.read()?;
+            let has_rest = document.undecided.as_ref().is_some_and(|rest| !rest.is_empty());
+            ((document, has_rest), whole.unread::<PeriodicDocument>()?)
+        };
+        let (document, has_rest) = document;
+        let places = whole.get("orbits")?.list()?;
+        let orbits = document.orbits.iter().zip(&places).map(|(orbit, place)| {
+            if orbit.amplitude.is_some() || orbit.gap.is_some() {
+                return Err(place.refused("what is solved for the amplitude or the gap is not checked"));
+            }
+            ClaimedOrbit::of(orbit, place)
+        });
+        let orbits: Vec<ClaimedOrbit> = orbits.collect::<Result<_, _>>()?;
+        unjudged.extend(whole.keys_but(&[
+            "schema",
+            "scene",
+            "word",
+            "cycles",
+            "exhaustive",
+            "certified",
+            "orbits",
+            "undecided",
+            "solved_for",
+        ]));
+        // Where it claims nothing, nothing is left out.
+        unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
+        unjudged.extend(has_rest.then(|| "undecided".to_owned()));
+        unjudged.push("scene.start".to_owned());
+        // Of what is no motion it is not judged whether there are others, one of them its mirror image.
+        for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.physical != Some(true)) {
+            unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
+        }
+        unjudged.sort();
+        unjudged.dedup();
+        let (pair, _) = document.scene.model()?;
+        // Phases are counted from the time 0; no orbit depends on the scene's start.
+        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
+        let mut word: Word = document.word.parse()?;
+        // Both words of two impacts are the same motion, told from the one wall or the other.
+        let begins = |orbit: &ClaimedOrbit| orbit.impacts.first().map(|first| first.wall);
+        if is_two_impact && orbits.first().and_then(begins).is_some_and(|wall| word.mappings()[0].walls().0 != wall) {
+            word = Word::new(word.mappings().iter().rev().copied().collect())?;
+        }
+        Ok(Self {
+            pair,
+            start,
+            word,
+            cycles: document.cycles.into(),
+            orbits,
+            says_all_is_proved: document.certified && !is_two_impact,
+            has_no_rest: !has_rest,
+            unjudged,
+        })
+    }
+
+    /// The impact pair.
+    pub fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    pub(super) fn start(&self) -> &Start {
+        &self.start
+    }
+
+    /// The word of the orbits.
+    pub fn word(&self) -> &Word {
+        &self.word
+    }
+
+    /// The cycles of the word.
+    pub fn cycles(&self) -> u64 {
+        self.cycles
+    }
+
+    pub(super) fn orbits(&self) -> &[ClaimedOrbit] {
+        &self.orbits
+    }
+
+    /// How many orbits it claims.
+    pub fn count(&self) -> usize {
+        self.orbits.len()
+    }
+
+    /// Whether it claims that all that was asked is proved.
+    pub(super) fn says_all_is_proved(&self) -> bool {
+        self.says_all_is_proved
+    }
+
+    /// Whether no part of the state space is left undecided.
+    pub(super) fn has_no_rest(&self) -> bool {
+        self.has_no_rest
+    }
+
+    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}

@@ -1,0 +1,39 @@
+//! The impact after the last one listed, which proves that no other comes before a time.
+
+use crate::check::{Data, Piece, Walk};
+use crate::{Certificate, Claim, ClaimKind};
+use impact_pair_exact::{Exact, Real, decimal_bounds};
+use impact_pair_model::Mapping;
+use num_rational::BigRational;
+
+/// Bits that it is first sought with, and how often these are doubled.
+const BITS: u32 = 256;
+const DOUBLED: u32 = 6;
+/// Bits that its bounds are printed with.
+const PRINTED_BITS: u32 = 96;
+
+impl Certificate {
+    /// The first impact after all that are listed, if it is proved to come after `until`.
+    pub(super) fn next_after(&self, data: &Data, until: &Exact) -> Option<Claim> {
+        (0..DOUBLED).find_map(|n| self.next_in(BITS << n, data, until))
+    }
+
+    fn next_in(&self, bits: u32, data: &Data, until: &Exact) -> Option<Claim> {
+        let mut walk = Walk::new(self, data, &Piece::default(), bits);
+        for claim in self.events() {
+            walk.confirm(claim).ok()?;
+        }
+        let landing = walk.next_landing()?;
+        let number = |text: &String| Exact::parse(text).ok()?.as_rational().cloned();
+        let printed = |x: &Real| -> Option<[BigRational; 2]> {
+            let [lower, upper] = decimal_bounds(&x.enclosure().rounded(PRINTED_BITS));
+            Some([number(&lower)?, number(&upper)?])
+        };
+        let time = printed(&walk.clock.time(&landing.phase.hull()))?;
+        let is_later = Exact::from_rational(time[0].clone()).compare(until)?.is_gt();
+        let mapping = walk.last.map(|from| Mapping::between(from, landing.wall));
+        let velocity = printed(&walk.clock.velocity(&landing.velocity.hull()))?;
+        let index = self.events().len() as u64 + 1;
+        is_later.then_some(Claim { wall: landing.wall, time, kind: ClaimKind::Impact { index, mapping, velocity } })
+    }
+}
