@@ -18,7 +18,7 @@ fn seeds() -> Vec<String> {
 }
 
 /// Less than by default: there are many documents.
-const EFFORT: Effort = Effort { bits: 1024, parts: 1 << 12, pieces: 4 };
+const EFFORT: Effort = Effort { bits: 1024, parts: 1 << 12, pieces: 4, work: 1 << 12 };
 
 proptest! {
     #![proptest_config(config())]
