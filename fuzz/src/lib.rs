@@ -121,7 +121,7 @@ impl Edit {
             Self::Repeat(place, length) => {
                 let (before, after) = letters.split_at(at(place, letters.len()));
                 let again = &after[..length.min(after.len())];
-                text(&[before, again, again, after])
+                text(&[before, again, after])
             }
             Self::Splice(place, seed) => {
                 let other: Vec<char> = seeds[seed % seeds.len()].chars().collect();
