@@ -142,7 +142,7 @@ def extremes():
     yield Corner("A = 0, at rest inside", scene(*still, "0.5", position="0", velocity="0"), "never-impacts", [], NEVER)
     tables = scene("1", "pi", "0", "3", "0.5", position="0", velocity="-pi")
     yield Corner("A < d/2, no drift", tables, "never-impacts", [], NEVER)
-    tables = scene("1", "pi", "sqrt(2)*sqrt(3) - sqrt(6)", "1", "0.5", wall=LEFT, velocity="0")
+    tables = scene("1", "pi", "cos(pi/5) - cos(2*pi/5) - 1/2", "1", "0.5", wall=LEFT, velocity="0")
     name = "a release that no precision tells: undecided, and nothing is listed"
     yield Corner(name, tables, "undecided", [], STILL, max_bits=1024)
 
