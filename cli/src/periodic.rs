@@ -95,6 +95,9 @@ fn described(orbit: &PeriodicOrbit) -> String {
         None => ", or a shorter one run through more than once".into(),
     };
     let stability = match orbit.stability.name() {
+        "undecided" if orbit.is_neutral() => {
+            "undecided whether stable (neutral: e = 1, both eigenvalues on the unit circle)"
+        }
         "undecided" => "undecided whether stable",
         name => name,
     };
@@ -118,6 +121,9 @@ fn conclusion(census: &Census, harmonics: usize) -> String {
     let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
         (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit".to_owned(),
         (true, ..) => "there is no other physical one".to_owned(),
+        (false, true, _) if census.is_family => {
+            return "not certified: with A = 0 and e = 1 the orbits are a family, one at each phase, and none is isolated".to_owned();
+        }
         (false, true, 1) => "1 part of the state space may hold others".to_owned(),
         (false, true, open) => format!("{open} parts of the state space may hold others"),
         (false, false, _) if harmonics > 1 => "others are not excluded".to_owned(),

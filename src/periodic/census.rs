@@ -23,6 +23,8 @@ pub struct Census {
     pub undecided: Vec<Region>,
     /// Whether all of them were asked for.
     pub is_search: bool,
+    /// Proved: orbits come in a family, none of them isolated (Lemma T11), which is listed as undecided.
+    pub is_family: bool,
     /// Whether it ended before all was tried, as its caller wished.
     pub interrupted: bool,
 }

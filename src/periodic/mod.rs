@@ -5,7 +5,7 @@
 //! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Under several harmonics
-//! with a common period ([`Problem::period`]) all but that search is the same. Lemmas T1-T10 and H10-H12 are in
+//! with a common period ([`Problem::period`]) all but that search is the same. Lemmas T1-T11 and H10-H12 are in
 //! `docs/proofs.md`.
 
 mod attractor;
@@ -27,6 +27,7 @@ mod search;
 mod several;
 mod shaken;
 mod stability;
+mod unshaken;
 
 use num_bigint::BigInt;
 
@@ -180,9 +181,8 @@ impl Problem {
 
     /// The same while `goes_on`, which is asked between guesses; those that it ends before are not tried.
     pub fn find_while(&self, start: &Start, precision: Precision, goes_on: impl Fn() -> bool) -> Census {
-        if !self.chain.crosses() {
-            // Lemma T7: on one wall there is none.
-            return Census { exhaustive: true, is_search: true, ..Census::default() };
+        if let Some(census) = self.settled() {
+            return census;
         }
         match &self.pair {
             Pair::One(one) => self.find_under(&**one, start, precision, goes_on),

@@ -7,7 +7,7 @@ use super::chain::{Chain, Leg, Legs};
 use super::identity::{is_symmetric, repeats};
 use super::krawczyk::{Proved, widest};
 use super::shaking::Shaking;
-use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
+use super::stability::{Eigenvalue, Stability, determinant, eigenvalues, is_neutral, trace};
 use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
@@ -77,7 +77,22 @@ impl PeriodicOrbit {
 
     /// Whether all that is said of it is proved one way or the other.
     pub fn is_decided(&self) -> bool {
-        self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
+        self.is_placed() && self.stability != Stability::Undecided
+    }
+
+    /// Whether it is proved that linear theory does not tell its stability: `e = 1`, and both eigenvalues lie on the unit circle,
+    /// apart (Lemma T4).
+    pub fn is_neutral(&self) -> bool {
+        is_neutral(&self.trace, &self.determinant)
+    }
+
+    /// Whether more precision decides nothing that is open.
+    pub(super) fn is_settled(&self) -> bool {
+        self.is_decided() || self.is_placed() && self.is_neutral()
+    }
+
+    fn is_placed(&self) -> bool {
+        self.physical.is_some() && self.symmetric.is_some()
     }
 }
 

@@ -90,7 +90,7 @@ impl Problem {
             finding.finish(&self.chain, self.impact_pair.restitution(), f64::MANTISSA_DIGITS, is_narrow)
         });
         match best {
-            Some(orbit) if is_narrow && orbit.is_decided() => Some(orbit),
+            Some(orbit) if is_narrow && orbit.is_settled() => Some(orbit),
             best => self.prove_precisely(shaken, &guess, precision, is_narrow, best),
         }
     }
@@ -124,7 +124,7 @@ impl Problem {
                 }
                 last = phase;
                 best = finding.finish(&self.chain, self.impact_pair.restitution(), bits, narrow).or(best);
-                if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_decided) {
+                if narrow && best.as_ref().is_some_and(PeriodicOrbit::is_settled) {
                     break;
                 }
             }

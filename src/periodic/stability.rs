@@ -54,6 +54,12 @@ pub fn determinant<N: Number>(restitution: &N, impacts: usize) -> N {
     (1..impacts).fold(square.clone(), |power, _| power * square.clone())
 }
 
+/// Whether the determinant is 1 and the trace is proved to lie between -2 and 2: both eigenvalues lie on the unit circle, apart.
+/// Lemma T4
+pub fn is_neutral(trace: &Enclosure, determinant: &Enclosure) -> bool {
+    trace.mag() < Dyadic::power_of_two(1) && *determinant == Enclosure::point(Dyadic::power_of_two(0))
+}
+
 /// An eigenvalue: real and imaginary part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Eigenvalue {
