@@ -51,6 +51,16 @@ fn complete(pair: &ImpactPair, word: &str, cycles: u32) -> Census {
     census
 }
 
+/// Lemma T4: at `e = 1` doubles prove an elliptic orbit neutral, and no more bits are asked.
+#[test]
+fn neutral_orbits_take_no_more_bits() {
+    let orbits = complete(&pair("0.1", "1"), "RLRLRL", 3).orbits;
+    let (neutral, rest): (Vec<_>, Vec<_>) = orbits.iter().partition(|orbit| orbit.is_neutral());
+    assert_eq!((neutral.len(), rest.len()), (1, 5));
+    assert!(neutral[0].stability == Stability::Undecided && neutral[0].bits == f64::MANTISSA_DIGITS);
+    assert!(rest.iter().all(|orbit| orbit.stability == Stability::Unstable));
+}
+
 /// The orbits that are motions.
 fn physical(census: Census) -> Vec<PeriodicOrbit> {
     census.orbits.into_iter().filter(|orbit| orbit.physical == Some(true)).collect()
