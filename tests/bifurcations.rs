@@ -93,6 +93,17 @@ fn over_the_gap_the_same_points_come_in_the_other_order() {
     assert_abs_diff_eq!(gap.mid_rad().0, 1.040_795_48, epsilon = QUOTIENT);
 }
 
+#[test]
+fn branches_under_several_harmonics_are_refused_in_one_line() {
+    let scene = Scene::parse(include_str!("../scenes/square-wave.toml")).unwrap();
+    for over in ["amplitude=1..2", "gap=1..2", "restitution=0.1..0.2", "frequency=1..2"] {
+        let wanted = Wanted { over: over.parse().unwrap(), doublings: 0, precision: Precision::default() };
+        let error = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 5), &wanted, || true).unwrap_err();
+        let said = error.to_string();
+        assert!(said.contains("has 3 harmonics") && said.contains("sweep --over amplitude.K"), "{said}");
+    }
+}
+
 /// What is kept when a survey is ended early is among what the whole one proves, and it is not called all.
 #[test]
 fn a_survey_that_is_ended_keeps_what_is_proved() {

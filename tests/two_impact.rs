@@ -382,7 +382,7 @@ fn what_is_known_of_one_harmonic_says_so() {
         [Question::new(scene.pair(), 1, Unknown::Velocity).unwrap_err(), range.manifold(1, 9, || true).unwrap_err()];
     for error in errors {
         let said = error.to_string();
-        assert!(said.contains("has 3 harmonics") && said.contains("periodic --word RL --cycles N"), "{said}");
+        assert!(said.contains("has 3 harmonics") && said.contains("periodic --word RL --cycles N --all"), "{said}");
     }
 }
 

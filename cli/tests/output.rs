@@ -125,7 +125,7 @@ mod interrupted {
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bifurcations_keep_those_that_are_proved() {
-        let over = ["--over", "amplitude=0.03..0.499", "--doublings", "8", "--digits", "1000"];
+        let over = ["--over", "amplitude=0.03..0.499", "--doublings", "8", "--digits", "400"];
         let word = ["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1"];
         let (document, said) = interrupted("bifurcations-interrupted", &[&word[..], &over].concat());
         let points = document["points"].as_array().unwrap();

@@ -44,7 +44,7 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
         Some(orbit) => periodic_orbit(&units.measured(orbit)),
         // Where an impact is the graze the Jacobian has no bound.
         None => PeriodicOrbitDocument {
-            impacts: point.impacts.iter().map(|impact| units.impact(impact, point.bits)).collect(),
+            impacts: point.impacts.iter().map(|impact| units.impact(impact, (point.bits, 1))).collect(),
             unique: true,
             symmetric: point.symmetric,
             stability: "undecided".to_owned(),

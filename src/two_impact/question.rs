@@ -23,7 +23,7 @@ pub const CYCLES: RangeInclusive<u32> = 1..=999;
 pub(super) const SHOWN: u32 = 11;
 /// What is not known of several harmonics, and what is.
 pub(super) const ONE_HARMONIC: &str =
-    "the closed form of two impacts (periodic --word RL --cycles N proves them under several)";
+    "the closed form of two impacts (periodic --word RL --cycles N --all finds them under several)";
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 

@@ -24,7 +24,7 @@ cycles are found, equispaced by (66), (67) or (70), (71), and the others, N odd 
 with proof. amplitude: d and the start's v are the scene's, and A_N is that of (68); gap: A and the start's v are, and d is that of (67); \
 these two are equispaced, so for N odd.
 
-Under several harmonics there is no closed form: periodic --word RL --cycles N proves such motions.
+Under several harmonics there is no closed form: periodic --word RL --cycles N --all finds such motions.
 
 Of each motion: whether no wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable or \
 called undecided: neutral ones are beyond linear theory.

@@ -3,9 +3,9 @@
 // Labels: proposes throughout.
 
 use super::super::chain::Chain;
+use super::super::chained::One;
 use super::super::guess::guesses;
 use super::super::identity::View;
-use super::super::shaken::One;
 use super::diagram::Wanted;
 use super::over::{Key, Over};
 use super::ring::Ring;
