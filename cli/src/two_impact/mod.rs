@@ -111,7 +111,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     let mut curves: Vec<Manifold> = cycles
         .filter(|n| is_one || n % 2 == 1)
         .take_while(|_| goes_on())
-        .map(|n| range.manifold(n, digits, &goes_on))
+        .map(|n| range.manifold(n, digits, goes_on))
         .collect::<Result<_, _>>()?;
     curves.retain(|curve| !curve.points.is_empty());
     let interrupted = interrupted.get();

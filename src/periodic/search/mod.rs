@@ -203,17 +203,20 @@ mod tests {
         Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
     }
 
+    /// Amplitude, frequency and phase.
+    type Told = (&'static str, &'static str, &'static str);
+
     /// Two odd harmonics, two that are not, three, a hop of every length; lengths in gaps, the fastest harmonic has `W = 2 pi`.
     fn under_several() -> Vec<Problem> {
-        let questions: [(&[(&str, &str, &str)], &str, &str, u32); 4] = [
+        let questions: [(&[Told], &str, &str, u32); 4] = [
             (&[("1/9.42497", "2*pi/3", "0"), ("0.5/9.42497", "2*pi", "0")], "0.5", "LR", 3),
             (&[("0.1", "pi", "0.3"), ("1/10", "2*pi", "0")], "0.5", "LR", 2),
             (&[("1/5", "4*pi/3", "0"), ("1/15", "2*pi/3", "1"), ("1/25", "2*pi", "0")], "0.6", "LR", 3),
             (&[("1/100", "pi", "0"), ("2", "2*pi", "0.7")], "0.8", "RRLLLRRLLL", 2),
         ];
         let value = |text: &str| text.parse::<crate::exact::Exact>().unwrap();
-        let problem = |(terms, restitution, word, cycles): (&[(&str, &str, &str)], &str, &str, u32)| {
-            let term = |&(a, w, tau): &(&str, &str, &str)| Harmonic::new(value(a), value(w), value(tau)).unwrap();
+        let problem = |(terms, restitution, word, cycles): (&[Told], &str, &str, u32)| {
+            let term = |&(a, w, tau): &Told| Harmonic::new(value(a), value(w), value(tau)).unwrap();
             let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
             let pair = ImpactPair::new(excitation, value("1"), value(restitution)).unwrap();
             Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
