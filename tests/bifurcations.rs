@@ -20,7 +20,7 @@ fn diagram(over: &str, doublings: u32) -> Diagram {
     let scene = Scene::parse(SCENE).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
     let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted).unwrap()
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, || true).unwrap()
 }
 
 fn kinds(diagram: &Diagram) -> Vec<(Kind, u32)> {
@@ -86,11 +86,52 @@ fn the_unstable_symmetric_orbit_ends_in_a_graze_at_half_the_gap() {
 fn over_the_gap_the_same_points_come_in_the_other_order() {
     let scene = Scene::parse(SCENE).unwrap();
     let wanted = Wanted { over: "gap=0.77..1.1".parse().unwrap(), doublings: 1, precision: Precision::default() };
-    let diagram = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted).unwrap();
+    let diagram = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, || true).unwrap();
     assert_eq!(kinds(&diagram), [(Kind::PeriodDoubling, 1), (Kind::Pitchfork, 0)]);
     let (gap, _) = diagram.in_units(&diagram.points[1]).unwrap();
     // 0.36/0.3458892783
     assert_abs_diff_eq!(gap.mid_rad().0, 1.040_795_48, epsilon = QUOTIENT);
+}
+
+#[test]
+fn branches_under_several_harmonics_are_refused_in_one_line() {
+    let scene = Scene::parse(include_str!("../scenes/square-wave.toml")).unwrap();
+    for over in ["amplitude=1..2", "gap=1..2", "restitution=0.1..0.2", "frequency=1..2"] {
+        let wanted = Wanted { over: over.parse().unwrap(), doublings: 0, precision: Precision::default() };
+        let error = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 5), &wanted, || true).unwrap_err();
+        let said = error.to_string();
+        assert!(said.contains("has 3 harmonics") && said.contains("sweep --over amplitude.K"), "{said}");
+    }
+}
+
+/// What is kept when a survey is ended early is among what the whole one proves, and it is not called all.
+#[test]
+fn a_survey_that_is_ended_keeps_what_is_proved() {
+    let scene = Scene::parse(SCENE).unwrap();
+    let wanted = Wanted { over: "amplitude=0.3..0.48".parse().unwrap(), doublings: 2, precision: Precision::default() };
+    let asked = std::cell::Cell::new(0);
+    let up_to = |most: u32| {
+        asked.set(0);
+        let goes_on = || asked.replace(asked.get() + 1) < most;
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, goes_on).unwrap()
+    };
+    let whole = up_to(u32::MAX);
+    let all = asked.get();
+    assert!(whole.is_certified() && !whole.interrupted && whole.points.len() == 2 && all > 100);
+    let mut counts = Vec::new();
+    for most in (0..10).map(|part| part * all / 10).chain([all - 1]) {
+        let cut = up_to(most);
+        assert!(cut.interrupted && !cut.is_certified(), "{most}");
+        for point in &cut.points {
+            let is_it = |other: &&Point| other.kind == point.kind && other.doublings == point.doublings;
+            let same = whole.points.iter().find(is_it).expect("one of the whole survey's");
+            assert_eq!(same.parameter, point.parameter);
+        }
+        counts.push(cut.points.len());
+    }
+    assert!(counts.is_sorted() && counts.contains(&0) && counts.contains(&2), "{counts:?}");
+    let again = up_to(all);
+    assert!(!again.interrupted && again.is_certified());
 }
 
 #[test]

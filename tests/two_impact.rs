@@ -7,7 +7,7 @@ use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
 use impact_pair::pair::{Reduced, Wall};
 use impact_pair::periodic::{Eigenvalue, MeasuredImpact};
 use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Question, Range, Stability, Unknown};
-use impact_pair::{Harmonic, ImpactPair};
+use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
 
 const BITS: u32 = 160;
@@ -317,7 +317,7 @@ fn is_expected(run: &Run, impact: &Impact, orbit: &Orbit, (cycles, period, wall)
 
 fn curve(pair: &ImpactPair, axis: Axis, from: &str, to: &str, cycles: u32) -> Manifold {
     let range = Range { pair, speed: exact("20"), axis, from: exact(from), to: exact(to), count: 60 };
-    range.manifold(cycles, 20).unwrap()
+    range.manifold(cycles, 20, || true).unwrap()
 }
 
 /// Each part of a manifold is what the motion at a point inside is found to be.
@@ -345,6 +345,47 @@ fn parts_of_the_manifolds_agree_with_the_motions_in_them() {
     }
 }
 
+/// What is there when a manifold is ended early is its beginning; nothing is said of what comes after the last point.
+#[test]
+fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
+    let pair = pair("1", "20", "0.8");
+    for axis in [Axis::Frequency, Axis::Velocity(Wall::Right)] {
+        let range = Range { pair: &pair, speed: exact("20"), axis, from: exact("1"), to: exact("30"), count: 40 };
+        let told = |manifold: &Manifold| -> Vec<_> {
+            let points = manifold.points.iter();
+            points
+                .map(|point| (decimal_bounds(&point.at), decimal_bounds(&point.amplitude), point.mark, point.after))
+                .collect()
+        };
+        let whole = told(&range.manifold(3, 12, || true).unwrap());
+        let asked = std::cell::Cell::new(0);
+        for most in [0_usize, 1, 2, 7, 39, 40, 41, 55, 79] {
+            asked.set(0);
+            let goes_on = || asked.replace(asked.get() + 1) < most;
+            let mut found = told(&range.manifold(3, 12, goes_on).unwrap());
+            assert!(found.len() == most.saturating_sub(40), "{most}: {}", found.len());
+            if let Some(last) = found.last_mut() {
+                assert_eq!(last.3, None);
+                last.3 = whole[most - 41].3;
+            }
+            assert_eq!(found, whole[..found.len()], "{most}");
+        }
+    }
+}
+
+#[test]
+fn what_is_known_of_one_harmonic_says_so() {
+    let scene = Scene::parse(include_str!("../scenes/square-wave.toml")).unwrap();
+    let (speed, axis) = (exact("20"), Axis::Frequency);
+    let range = Range { pair: scene.pair(), speed, axis, from: exact("1"), to: exact("2"), count: 5 };
+    let errors =
+        [Question::new(scene.pair(), 1, Unknown::Velocity).unwrap_err(), range.manifold(1, 9, || true).unwrap_err()];
+    for error in errors {
+        let said = error.to_string();
+        assert!(said.contains("has 3 harmonics") && said.contains("periodic --word RL --cycles N --all"), "{said}");
+    }
+}
+
 #[test]
 fn manifolds_over_v_are_mirror_images_on_both_walls() {
     let pair = pair("1", "20", "0.8");
@@ -364,7 +405,7 @@ fn manifolds_over_v_are_mirror_images_on_both_walls() {
             to: exact("2"),
             count: 5,
         };
-        range.manifold(cycles, 9).is_err()
+        range.manifold(cycles, 9, || true).is_err()
     };
     assert!(refused(2, "1") && refused(1, "0") && refused(1, "2") && !refused(1, "1"));
 }

@@ -209,10 +209,11 @@ Examples:
 
 Orbits of the word are looked for at values spread over the range; their branches are followed through folds, and so are \
 those that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly one such bifurcation \
-lies in its bounds. That there are no others is not proved. Only A/d and e matter: over frequency nothing bifurcates.
+lies in its bounds. That there are no others is not proved. Only A/d and e matter: over frequency nothing bifurcates. Of one harmonic; \
+under several sweep --over amplitude.K=... shows attractors over a parameter.
 
-Exit code: 0 each change that was met is proved as narrowly as asked; 1 some is not, or a branch was lost (the output \
-still holds all that is certified); 2 usage, bad input, I/O.";
+Exit code: 0 each change that was met is proved as narrowly as asked; 1 some is not, a branch was lost, or it was interrupted \
+(the output still holds all that is certified); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct BifurcationArguments {

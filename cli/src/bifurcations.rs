@@ -12,16 +12,19 @@ use crate::Answer;
 use crate::arguments::{BifurcationArguments, PeriodicFormat};
 use crate::heading;
 use crate::output::Output;
+use crate::progress::{goes_on, interruption};
 use crate::scene;
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
     let wanted = arguments.wanted(&scene);
+    // From here on Ctrl-C keeps what is proved.
+    interruption();
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let mut out = Output::open(arguments.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
-    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted).with_context(named)?;
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on).with_context(named)?;
     let write = "cannot write the output";
     match arguments.format {
         PeriodicFormat::Table => table(&mut out, &scene, &diagram).context(write)?,
@@ -95,6 +98,7 @@ fn end(end: End) -> &'static str {
         End::At(kind) => kind.name(),
         End::Closed => "none, it closes",
         End::Lost => "lost",
+        End::Interrupted => "interrupted",
     }
 }
 
@@ -105,6 +109,11 @@ fn conclusion(diagram: &Diagram) -> String {
     }
     let count = diagram.points.len();
     let points = format!("{count} bifurcation{} proved", if count == 1 { "" } else { "s" });
+    if diagram.interrupted {
+        return format!(
+            "interrupted: {points} until then; branches are left that were not followed, or not to their ends"
+        );
+    }
     let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
     let hint = if diagram.is_certified() { "" } else { "; try a narrower --over, or more --max-bits" };
     format!("{certified}{points}; others are not excluded (branches are found and followed in floats){hint}")

@@ -33,7 +33,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         !interrupted.load(Ordering::Relaxed)
     };
     let census = match arguments.all {
-        true => problem.find_all_while(start, precision, Budget::default(), &goes_on).with_context(named)?,
+        true => problem.find_all_while(start, precision, Budget::default(), &goes_on),
         false => problem.find_while(start, precision, || !interrupted.load(Ordering::Relaxed)),
     };
     progress.clear();
@@ -48,9 +48,8 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
     out.commit()?;
     if !census.is_certified() && !arguments.quiet && !said_already {
-        let harmonics = scene.pair().excitation().harmonics().len();
         // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{}", conclusion(&census, harmonics));
+        let _ = writeln!(io::stderr(), "{}", conclusion(&census));
     }
     Ok(if census.is_certified() { Answer::Complete } else { Answer::Incomplete })
 }
@@ -74,7 +73,7 @@ fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, 
             writeln!(out, "  {:5}  {cycle}{turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }
-    writeln!(out, "\n{}", conclusion(census, scene.pair().excitation().harmonics().len()))
+    writeln!(out, "\n{}", conclusion(census))
 }
 
 /// What is proved of an orbit, in words.
@@ -112,7 +111,7 @@ fn shown(value: &Eigenvalue) -> String {
 }
 
 /// The last line: how much of what was asked is proved.
-fn conclusion(census: &Census, harmonics: usize) -> String {
+fn conclusion(census: &Census) -> String {
     let orbits = match census.orbits.len() {
         0 => "no orbit".to_owned(),
         1 => "1 orbit".to_owned(),
@@ -126,7 +125,6 @@ fn conclusion(census: &Census, harmonics: usize) -> String {
         }
         (false, true, 1) => "1 part of the state space may hold others".to_owned(),
         (false, true, open) => format!("{open} parts of the state space may hold others"),
-        (false, false, _) if harmonics > 1 => "others are not excluded".to_owned(),
         (false, false, _) => "others are not excluded (try --all)".to_owned(),
     };
     let open = census.orbits.iter().filter(|orbit| !orbit.is_decided()).count();

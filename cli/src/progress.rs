@@ -76,7 +76,7 @@ impl Progress {
 impl Watch for Progress {
     /// Until Ctrl-C comes.
     fn goes_on(&self) -> bool {
-        !interruption().load(Ordering::Relaxed)
+        goes_on()
     }
 
     fn stage(&self, what: &str) {
@@ -96,6 +96,11 @@ impl Watch for Progress {
             bar.set_message(format!(", again from the start in {bits} bits: {index}"));
         }
     }
+}
+
+/// Whether no Ctrl-C has come.
+pub fn goes_on() -> bool {
+    !interruption().load(Ordering::Relaxed)
 }
 
 /// From now on the first Ctrl-C asks to stop and the second one kills; says whether one has come.

@@ -282,6 +282,57 @@ fn a_picture_says_which_of_several_frequencies_phases_are_of() {
     let picture = fs::read_to_string(&file).unwrap();
     let parts = ["Ω = (π, 3π, 5π)", "phases are those of the greatest Ω"];
     assert!(parts.iter().all(|part| picture.contains(part)), "{picture}");
+    let over = ["--over", "amplitude.2=0..1/3:3", "--transient", "0", "--impacts", "9"];
+    let answer = sweep(&[&["scenes/square-wave.toml"], &over[..]].concat()).arg("--plot").arg(&file).output().unwrap();
+    assert_eq!(answer.status.code(), Some(0), "{answer:?}");
+    let picture = fs::read_to_string(&file).unwrap();
+    let parts = ["A₂ varied", "A = (1, A₂, 1/5)", "amplitude of the box A₂ [length]"];
+    assert!(parts.iter().all(|part| picture.contains(part)), "{picture}");
+}
+
+/// Two odd harmonics, the second of them of this amplitude and phase; where it has none, figure 12.
+fn two_terms(folder: &Path, amplitude: &str, phase: &str) -> String {
+    let scene = folder.join("two.toml");
+    let text = format!(
+        "excitation = {{ amplitude = [1, \"{amplitude}\"], frequency = [\"pi\", \"3*pi\"], phase = [0, \"{phase}\"] }}
+        pair = {{ gap = 9.42497, restitution = 0.5 }}
+        start = {{ time = 0, wall = \"left\", velocity = -12.56636 }}"
+    );
+    fs::write(&scene, text).unwrap();
+    scene.to_str().unwrap().to_owned()
+}
+
+/// What holds at a value of a term's parameter is what holds of the scene that has that value.
+#[test]
+fn a_key_with_a_number_varies_that_term() {
+    let folder = folder("sweep-terms");
+    let records = |scene: &str, over: &[&str]| -> Vec<Value> {
+        let shape = ["--transient", "60", "--impacts", "4", "--format", "jsonl", "--quiet"];
+        let answer = sweep(&[&[scene], over, &shape[..]].concat()).output().unwrap();
+        assert_eq!(answer.status.code(), Some(0), "{answer:?}");
+        let lines = String::from_utf8(answer.stdout).unwrap();
+        let record = |line: &str| {
+            let mut record: Value = serde_json::from_str(line).unwrap();
+            ["point", "values"].iter().for_each(|key| drop(record.as_object_mut().unwrap().remove(*key).unwrap()));
+            record
+        };
+        lines.lines().skip(1).map(record).collect()
+    };
+    let over = ["--over", "amplitude.2=0..1/9:3", "--over", "phase.2=0..pi/2:2"];
+    let swept = records(&two_terms(&folder, "1/2", "1"), &over);
+    let values = ["0", "1/18", "1/9"].into_iter().flat_map(|amplitude| ["0", "pi/2"].map(|phase| (amplitude, phase)));
+    for ((amplitude, phase), swept) in values.zip(&swept) {
+        let own = records(&two_terms(&folder, amplitude, phase), &["--over", "gap=9.42497..10:2"]);
+        assert_eq!(*swept, own[0], "{amplitude} {phase}");
+        assert_eq!(swept["outcome"], "attracted");
+    }
+    assert!(swept.len() == 6 && swept[0] == swept[1] && swept[4] != swept[5]);
+    let arguments = [&two_terms(&folder, "1/9", "0"), "--over", "amplitude=0..1:3"];
+    let answer = sweep(&arguments).output().unwrap();
+    assert!(
+        error(&answer).contains("the excitation has 2 terms: accepted are amplitude.1 to amplitude.2"),
+        "{answer:?}"
+    );
 }
 
 /// Times differ from run to run.

@@ -30,6 +30,7 @@ pub fn bifurcations(
         over: ParameterRange { key: key.name().to_owned(), low: low.into(), high: high.into() },
         exhaustive: false,
         certified: diagram.is_certified(),
+        interrupted: diagram.interrupted,
         points: diagram.points.iter().map(|found| point(found, diagram)).collect::<Result<_, _>>()?,
         branches: diagram.branches.iter().map(|followed| branch(followed, diagram)).collect(),
         undecided: diagram.unproved.iter().map(|open| unproved(open, diagram)).collect(),
@@ -43,7 +44,7 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
         Some(orbit) => periodic_orbit(&units.measured(orbit)),
         // Where an impact is the graze the Jacobian has no bound.
         None => PeriodicOrbitDocument {
-            impacts: point.impacts.iter().map(|impact| units.impact(impact, point.bits)).collect(),
+            impacts: point.impacts.iter().map(|impact| units.impact(impact, (point.bits, 1))).collect(),
             unique: true,
             symmetric: point.symmetric,
             stability: "undecided".to_owned(),
@@ -66,6 +67,7 @@ fn branch(branch: &Branch, diagram: &Diagram) -> BranchDocument {
         End::At(kind) => kind.name(),
         End::Closed => "closed",
         End::Lost => "lost",
+        End::Interrupted => "interrupted",
     };
     BranchDocument {
         word: branch.word.to_string(),

@@ -54,7 +54,7 @@ impl Units {
         let region = |region: &Region| {
             let impact = |impact: &PeriodicImpact| PeriodicImpactDocument {
                 cycle: cycle(impact),
-                ..self.impact(impact, f64::MANTISSA_DIGITS)
+                ..self.impact(impact, (f64::MANTISSA_DIGITS, problem.period()))
             };
             RegionDocument {
                 impacts: region.impacts.iter().map(impact).collect(),
@@ -79,9 +79,9 @@ impl Units {
         }
     }
 
-    /// An impact of a search or of a bifurcation: under one harmonic.
-    pub(super) fn impact(&self, impact: &PeriodicImpact, bits: u32) -> PeriodicImpactDocument {
-        periodic_impact(&measured_impact(impact, (bits, 1), |velocity| self.velocity(velocity, bits)), 1)
+    /// An impact of a search or of a bifurcation, in so many bits and turns of the common period.
+    pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> PeriodicImpactDocument {
+        periodic_impact(&measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)), period)
     }
 }
 

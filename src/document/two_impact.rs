@@ -58,8 +58,8 @@ fn sign(of: Ordering) -> &'static str {
     }
 }
 
-/// The manifolds of one range; `start` only names the scene.
-pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold]) -> ManifoldDocument {
+/// The manifolds of one range, maybe `interrupted` before all were there; `start` only names the scene.
+pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold], interrupted: bool) -> ManifoldDocument {
     let axis = range.axis;
     let curve = |curve: &Manifold| CurveDocument {
         cycles: curve.cycles,
@@ -70,7 +70,8 @@ pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold]) -> Manif
         program: PROGRAM.to_owned(),
         scene: SceneDocument::new(range.pair, start),
         over: axis.name().to_owned(),
-        certified: true,
+        certified: !interrupted,
+        interrupted,
         curves: curves.iter().map(curve).collect(),
     }
 }

@@ -8,8 +8,8 @@
 use std::cmp::Ordering;
 
 use super::chain::times;
+use super::chained::{Chained, Step};
 use super::orbit::Finding;
-use super::shaken::{Shaken, Step};
 use super::shaking::Shaking;
 use super::{Pair, Problem};
 use crate::mapping::jacobian_between;
@@ -81,7 +81,7 @@ impl Problem {
         }
     }
 
-    fn product_under<S: Shaken>(&self, shaken: &S, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
+    fn product_under<S: Chained>(&self, shaken: &S, orbit: &Finding<Ball>, axes: Axes, radius: f64) -> Option<Matrix> {
         let chain = &self.chain;
         let mut product = axes.map(|row| row.map(Ball::exact));
         for i in 0..chain.impacts() {

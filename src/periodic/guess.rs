@@ -3,8 +3,8 @@
 // Labels: proposes throughout.
 
 use super::chain::Chain;
+use super::chained::{Chained, Passing};
 use super::newton::{is_plausible, polish};
-use super::shaken::{Passing, Shaken};
 use impact_pair_model::Start;
 
 use crate::clock::Clock;
@@ -23,7 +23,7 @@ const ROOT_STEPS: u32 = 40;
 const BLOCK: usize = 100;
 
 /// Phases near those of orbits of the chain; the first ones come from the motion of `start`.
-pub(super) fn guesses<S: Shaken>(
+pub(super) fn guesses<S: Chained>(
     chain: &Chain,
     shaken: &S,
     pair: &ImpactPair,
@@ -43,7 +43,7 @@ pub(super) fn guesses<S: Shaken>(
 }
 
 /// The floating motion of a start; nothing where that is beyond doubles.
-fn motion_of<S: Shaken>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
+fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
     let first = || -> Option<Passing> {
         let clock = Clock::new(pair, start.time(), f64::MANTISSA_DIGITS).ok()?;
         let origin = Origin::new(pair, start, &clock, Vec::new()).and_then(|origin| origin.map(ball)).ok()?;
@@ -56,7 +56,7 @@ fn motion_of<S: Shaken>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &St
 }
 
 /// The floating motion from a state on a wall.
-fn motion_from<S: Shaken>(shaken: &S, start: Passing, impacts: usize) -> Vec<Passing> {
+fn motion_from<S: Chained>(shaken: &S, start: Passing, impacts: usize) -> Vec<Passing> {
     std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(impacts).collect()
 }
 
@@ -93,7 +93,7 @@ fn even(n: usize, i: usize, count: usize) -> f64 {
 }
 
 /// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a turn.
-fn spread_state<S: Shaken>(chain: &Chain, shaken: &S, n: usize) -> Passing {
+fn spread_state<S: Chained>(chain: &Chain, shaken: &S, n: usize) -> Passing {
     let wall = chain.walls()[0];
     let speed = 2.0 * (shaken.speed() + 1.0) * even(n, 1, 2);
     (wall, f64::from(chain.period()) * even(n, 0, 2), -wall.sign() * speed)

@@ -5,7 +5,7 @@
 //! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Under several harmonics
-//! with a common period ([`Problem::period`]) all but that search is the same. Lemmas T1-T11 and H10-H12 are in
+//! with a common period ([`Problem::period`]) all that is the same. Lemmas T1-T11, H10-H12 and H14 are in
 //! `docs/proofs.md`.
 
 mod attractor;
@@ -13,6 +13,7 @@ mod basin;
 pub mod bifurcation;
 mod census;
 pub mod chain;
+mod chained;
 mod equations;
 mod guess;
 mod identity;
@@ -25,7 +26,6 @@ pub mod precondition;
 mod prove;
 mod search;
 mod several;
-mod shaken;
 mod stability;
 mod unshaken;
 
@@ -43,6 +43,7 @@ pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
+use chained::Chained;
 use identity::{Identity, is_one_orbit};
 use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
@@ -50,7 +51,6 @@ pub use measured::{MeasuredImpact, MeasuredOrbit};
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
 pub use search::{Budget, Searched};
 use several::repetition;
-use shaken::Shaken;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
 /// How narrow the enclosures of an orbit are asked to be.
@@ -190,7 +190,7 @@ impl Problem {
         }
     }
 
-    fn find_under<S: Shaken>(
+    fn find_under<S: Chained>(
         &self,
         shaken: &S,
         start: &Start,

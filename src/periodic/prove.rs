@@ -1,12 +1,12 @@
 //! The proof of one orbit: floats propose, doubles prove, more bits where those do not suffice. Lemmas T3-T5
 
 use super::chain::Legs;
+use super::chained::Chained;
 use super::equations::Orbits;
 use super::krawczyk::{self, Effort, LARGEST};
 use super::newton;
 use super::orbit::{Finding, PeriodicOrbit};
 use super::precondition::Preconditioner;
-use super::shaken::Shaken;
 use super::shaking::Shaking;
 use super::{Pair, Precision, Problem};
 #[cfg(feature = "multiprecision")]
@@ -41,7 +41,7 @@ impl Problem {
         }
     }
 
-    fn prove_in_balls<S: Shaken>(&self, shaken: &S, guess: &[f64]) -> Option<Finding<Ball>> {
+    fn prove_in_balls<S: Chained>(&self, shaken: &S, guess: &[f64]) -> Option<Finding<Ball>> {
         let inverse = newton::precondition(&self.chain, shaken.floats(), guess)?;
         let guess: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         self.attempt(shaken.balls(), &inverse, &guess, f64::MANTISSA_DIGITS, |phases, legs| {
@@ -82,7 +82,7 @@ impl Problem {
         }
     }
 
-    fn prove_under<S: Shaken>(&self, shaken: &S, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
+    fn prove_under<S: Chained>(&self, shaken: &S, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
         let guess = self.polished(guess)?;
         let finding = self.prove_in_balls(shaken, &guess);
         let is_narrow = finding.as_ref().is_some_and(|finding| is_narrow(shaken, finding, precision));
@@ -97,7 +97,7 @@ impl Problem {
 
     /// The same in balls of rising precision; what is known already is `best`.
     #[cfg(feature = "multiprecision")]
-    fn prove_precisely<S: Shaken>(
+    fn prove_precisely<S: Chained>(
         &self,
         shaken: &S,
         guess: &[f64],
@@ -139,7 +139,7 @@ impl Problem {
 
     /// Doubles are all there is.
     #[cfg(not(feature = "multiprecision"))]
-    fn prove_precisely<S: Shaken>(
+    fn prove_precisely<S: Chained>(
         &self,
         _: &S,
         _: &[f64],
@@ -153,7 +153,7 @@ impl Problem {
     /// Whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
     /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floats comes no nearer than to many points.
     #[cfg(feature = "multiprecision")]
-    pub(super) fn settles_on_known<S: Shaken>(&self, shaken: &S, guess: &[f64], known: &[PeriodicOrbit]) -> bool {
+    pub(super) fn settles_on_known<S: Chained>(&self, shaken: &S, guess: &[f64], known: &[PeriodicOrbit]) -> bool {
         const BITS: u32 = 128;
         let is_precise = known.iter().any(|orbit| orbit.bits > f64::MANTISSA_DIGITS);
         let settled = || {
@@ -168,7 +168,7 @@ impl Problem {
 
     /// Doubles are all there is.
     #[cfg(not(feature = "multiprecision"))]
-    pub(super) fn settles_on_known<S: Shaken>(&self, _: &S, _: &[f64], _: &[PeriodicOrbit]) -> bool {
+    pub(super) fn settles_on_known<S: Chained>(&self, _: &S, _: &[f64], _: &[PeriodicOrbit]) -> bool {
         false
     }
 
@@ -188,7 +188,7 @@ impl Problem {
 }
 
 /// Whether the widths are those asked for.
-fn is_narrow<N: Enclosing>(shaken: &impl Shaken, finding: &Finding<N>, precision: Precision) -> bool {
+fn is_narrow<N: Enclosing>(shaken: &impl Chained, finding: &Finding<N>, precision: Precision) -> bool {
     let asked = precision.log2_width();
     let speed = shaken.speed().log2();
     let [phase, velocity] = finding.widths();

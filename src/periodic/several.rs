@@ -1,8 +1,8 @@
 //! Chains under several harmonics, equation (1): Lemmas H10-H12 of `docs/proofs.md`.
 
 use super::chain::{Chain, Legs, MOST_CYCLES};
+use super::chained::{Chained, Moment, Rate};
 use super::physical::{Claim, Found, all_first};
-use super::shaken::{Moment, Shaken};
 use super::shaking::Repetition;
 use crate::Error;
 use crate::flight::Launch;
@@ -10,7 +10,7 @@ use crate::flight::Launch;
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
-use crate::several::{Doubt, Phased, Spectrum};
+use crate::several::{Doubt, Partial, Phased, Spectrum};
 use crate::shaken::{Several, Sum};
 
 /// When the harmonics of a pair repeat.
@@ -47,7 +47,14 @@ fn is_first<N: Phased + Enclosing>(several: &Several, sum: &Sum<N>, claim: &Clai
     }
 }
 
-impl Shaken for Several {
+impl Chained for Several {
+    fn rates(&self) -> Vec<Rate> {
+        let own = |term: &Partial<Ball>| [term.ratio, Ball::phase_at(&term.counter, 0)];
+        let terms = self.balls.harmonics.terms.iter().enumerate();
+        // H11: the first one is the fastest, whose turns are counted from its own phase 0
+        terms.map(|(k, term)| Rate { beta: term.beta, own: (k > 0).then(|| own(term)) }).collect()
+    }
+
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball, Moment<Self, Ball>>) -> Option<bool> {
         all_first(chain, phases, &legs.legs, |claim| {
             is_first(self, &self.balls, claim, self.pair.rebound_of(claim.before))

@@ -69,7 +69,7 @@ mod tests {
         let harmonic = Harmonic::new("0".parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
         let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
         let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
-        problem.find_all(&start, Precision::default(), Budget::default()).unwrap()
+        problem.find_all(&start, Precision::default(), Budget::default())
     }
 
     /// A box at rest that takes nothing from the ball: it goes to and fro at one speed, from any time on.

@@ -17,7 +17,7 @@ use crate::{Error, Scene};
 /// What a sweep is about; a `summary` leaves the impacts out, a shard is told by its number and of how many.
 pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Option<[u64; 2]>) -> SweepHead {
     let over = |axis: &Axis| SweepAxis {
-        key: axis.key.name().to_owned(),
+        key: axis.key.to_string(),
         from: axis.low.text(),
         to: axis.high.text(),
         count: axis.count,

@@ -77,7 +77,7 @@ impl FromStr for Axis {
 
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}..{}:{}", self.key.name(), self.low, self.high, self.count)
+        write!(f, "{}={}..{}:{}", self.key, self.low, self.high, self.count)
     }
 }
 
@@ -94,11 +94,10 @@ impl Grid {
     /// When there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
     pub fn new(axes: Vec<Axis>) -> Result<Self, Error> {
         let text = || axes.iter().map(Axis::to_string).collect::<Vec<_>>().join(" ");
-        let is_start_time = |axis: &Axis| matches!(axis.key, Key::StartTime | Key::StartPhase);
         let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.count));
         match &axes[..] {
             [] | [_, _, _, ..] => return Err(refused(&text(), "one axis, or two")),
-            [a, b] if a.key == b.key || [a, b].into_iter().all(is_start_time) => {
+            [a, b] if a.key.is_one_with(b.key) => {
                 return Err(refused(&text(), "two axes that do not set the same"));
             }
             _ => {}
@@ -171,7 +170,8 @@ mod tests {
         for axes in [&["gap=1..2"][..], &["gap=1..2:1"], &["gap=2..1:5"], &["gap=[1,2]..3:5"], &["gap=1..x:5"], &[]] {
             assert!(grid(axes).unwrap_err().to_string().contains("but accepted is"), "{axes:?}");
         }
-        for axes in [&twice, &times, &large] {
+        let terms = ["phase=1..2:3", "phase.2=1..2:3"];
+        for axes in [&twice, &times, &terms, &large] {
             assert!(grid(axes).is_err(), "{axes:?}");
         }
         assert!(grid(&["mass=1..2:5"]).unwrap_err().to_string().contains("the key is \"mass\""));

@@ -10,7 +10,7 @@ use crate::exact::{Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::{ImpactPair, Wall, within};
 
 use super::closed_forms::{self, grazing_angle};
-use super::question::SHOWN;
+use super::question::{ONE_HARMONIC, SHOWN};
 use crate::exact::Real;
 use crate::periodic::Stability;
 
@@ -121,16 +121,16 @@ struct Place {
 }
 
 impl Range<'_> {
-    /// The curve of N cycles, N odd.
+    /// The curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
     ///
     /// # Errors
-    /// When e is not below 1, N is even (65), a number is an interval of values, the range is empty or holds 0, or two
-    /// marks cannot be told apart.
-    pub fn manifold(&self, cycles: u32, digits: u32) -> Result<Manifold, Error> {
+    /// When there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
+    /// holds 0, or two marks cannot be told apart.
+    pub fn manifold(&self, cycles: u32, digits: u32, goes_on: impl Fn() -> bool) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);
         let marks = self.marks(cycles, bits)?;
-        let mut places = self.grid(bits)?;
+        let mut places = self.grid(bits, &goes_on)?;
         places.retain(|place| marks.iter().all(|(_, x)| order(&place.x, x).is_some()));
         let ends = [places.first(), places.last()].map(|place| place.map(|place| place.x.clone()));
         for (mark, x) in &marks {
@@ -156,10 +156,15 @@ impl Range<'_> {
             mark: place.mark,
             after,
         };
-        Ok(Manifold { cycles, points: places.into_iter().zip(parts).map(point).collect() })
+        let mut points: Vec<Point> = places.into_iter().zip(parts).take_while(|_| goes_on()).map(point).collect();
+        if let Some(last) = points.last_mut() {
+            last.after = None;
+        }
+        Ok(Manifold { cycles, points })
     }
 
     fn check(&self, cycles: u32) -> Result<(), Error> {
+        self.pair.harmonic(ONE_HARMONIC)?;
         let (gap, e) = (self.pair.gap(), self.pair.restitution());
         if e.compare(&Exact::from(1)) != Some(Ordering::Less) {
             return Err(Error::range("pair.restitution", e, "must be below 1 for the manifolds of figures 10 and 11"));
@@ -228,8 +233,8 @@ impl Range<'_> {
         })
     }
 
-    /// The grid, by `x`.
-    fn grid(&self, bits: u32) -> Result<Vec<Place>, Error> {
+    /// The grid, by `x`, while `goes_on` says so.
+    fn grid(&self, bits: u32, goes_on: impl Fn() -> bool) -> Result<Vec<Place>, Error> {
         let step = |index: usize| {
             let part = Exact::from(index as i64).checked_div(&Exact::from(self.count as i64 - 1))?; // exact: a count
             self.from.checked_add(&self.to.checked_sub(&self.from)?.checked_mul(&part)?)
@@ -246,7 +251,7 @@ impl Range<'_> {
             };
             Ok(Place { x: x.expect("checked not to be 0"), at, mark: None })
         };
-        (0..self.count).map(place).collect()
+        (0..self.count).take_while(|_| goes_on()).map(place).collect()
     }
 
     /// W or v at `x`.

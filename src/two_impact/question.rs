@@ -21,6 +21,9 @@ use crate::periodic::{MeasuredOrbit, Stability};
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
 /// Bits of the bounds that are handed on, beyond the whole bits of the digits asked for.
 pub(super) const SHOWN: u32 = 11;
+/// What is not known of several harmonics, and what is.
+pub(super) const ONE_HARMONIC: &str =
+    "the closed form of two impacts (periodic --word RL --cycles N --all finds them under several)";
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 
@@ -78,7 +81,7 @@ impl Question {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), &accepted));
         }
-        let harmonic = pair.harmonic("the closed form of two impacts")?;
+        let harmonic = pair.harmonic(ONE_HARMONIC)?;
         match &unknown {
             Unknown::Velocity => {}
             Unknown::Amplitude(speed) | Unknown::Gap(speed) => Error::require_positive("|start.velocity|", speed)?,

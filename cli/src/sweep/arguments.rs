@@ -20,8 +20,10 @@ Examples:
 
 Shards become one by sweep --merge one.jsonl two.jsonl three.jsonl --output diagram.csv
 
-KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or start.velocity. Points \
-are exact and evenly spread, both ends among them; of two axes the second one runs through faster.
+KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or start.velocity. Of \
+several terms amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, from 1; phases and cycles are at each point those of \
+the fastest term that moves the box there. Points are exact and evenly spread, both ends among them; of two axes the second one runs through \
+faster.
 
 Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly from a release \
 on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved of the future (it may be chaotic, \

@@ -51,9 +51,8 @@ impl Work<'_> {
         let interrupted = interruption();
         let values = self.grid.values(point)?;
         let named = || {
-            let value = |(key, value): &(impact_pair::scene::Key, impact_pair::exact::Exact)| {
-                format!("{} = {value}", key.name())
-            };
+            let value =
+                |(key, value): &(impact_pair::scene::Key, impact_pair::exact::Exact)| format!("{key} = {value}");
             format!("point {point} ({})", values.iter().map(value).collect::<Vec<_>>().join(", "))
         };
         let scene = self.scene.with(&values).with_context(named)?;

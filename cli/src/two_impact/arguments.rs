@@ -10,8 +10,8 @@ use impact_pair::pair::Wall;
 use impact_pair::two_impact::{COUNTS, CYCLES};
 
 pub const EXIT_CODES: &str = "\
-Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved); 2 usage, bad \
-input, I/O";
+Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
+(the output holds all that is proved until then); 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
 Examples:
@@ -24,14 +24,16 @@ cycles are found, equispaced by (66), (67) or (70), (71), and the others, N odd 
 with proof. amplitude: d and the start's v are the scene's, and A_N is that of (68); gap: A and the start's v are, and d is that of (67); \
 these two are equispaced, so for N odd.
 
+Under several harmonics there is no closed form: periodic --word RL --cycles N --all finds such motions.
+
 Of each motion: whether no wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable or \
 called undecided: neutral ones are beyond linear theory.
 
 Manifold: A_N (68) over W for the scene's d, e and start velocity, or over v for the scene's d, e and W; points of the grid and those where \
 first contact, stability or the sign of sin th0 change, and what is proved between each point and the next.
 
-Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved); 2 usage, bad \
-input, I/O.";
+Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
+(the output holds all that is proved until then); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct TwoImpactArguments {

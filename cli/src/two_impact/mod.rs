@@ -4,6 +4,7 @@ pub mod arguments;
 mod csv;
 mod table;
 
+use std::cell::Cell;
 use std::io::{self, Write};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
@@ -16,6 +17,7 @@ use impact_pair::pair::Wall;
 use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown};
 
 use crate::output::Output;
+use crate::progress::goes_on;
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
 use impact_pair_plot::picture::encoded;
@@ -74,7 +76,9 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
         }
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
-    write(arguments, &text)?;
+    let mut out = Output::open(arguments.output.as_deref())?;
+    out.write_all(text.as_bytes()).context("cannot write the output")?;
+    out.commit()?;
     let is_complete = answers.iter().all(|answer| answer.is_complete);
     let is_shown = arguments.format == TwoImpactFormat::Table && arguments.output.is_none();
     if !is_complete && !arguments.quiet && !is_shown {
@@ -97,29 +101,40 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     // Even N have no equispaced motion (65): of a range the odd ones are drawn.
     let cycles = arguments.cycles.0.clone();
     let is_one = cycles.start() == cycles.end();
-    let curves: Vec<Manifold> =
-        cycles.filter(|n| is_one || n % 2 == 1).map(|n| range.manifold(n, digits)).collect::<Result<_, _>>()?;
+    // From here on Ctrl-C keeps what is proved.
+    let interrupted = Cell::new(!goes_on());
+    let goes_on = || {
+        interrupted.set(!goes_on());
+        !interrupted.get()
+    };
+    let mut out = Output::open(arguments.output.as_deref())?;
+    let mut curves: Vec<Manifold> = cycles
+        .filter(|n| is_one || n % 2 == 1)
+        .take_while(|_| goes_on())
+        .map(|n| range.manifold(n, digits, goes_on))
+        .collect::<Result<_, _>>()?;
+    curves.retain(|curve| !curve.points.is_empty());
+    let interrupted = interrupted.get();
     let text = match arguments.format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
         TwoImpactFormat::Json => {
-            let document = document::manifolds(&range, scene.start(), &curves);
+            let document = document::manifolds(&range, scene.start(), &curves, interrupted);
             format!("{}\n", one_a_line(&document, &["curves", "points"]))
         }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
-    write(arguments, &text)?;
-    if let Some(path) = &arguments.plot {
+    out.write_all(text.as_bytes()).context("cannot write the output")?;
+    out.commit()?;
+    if let Some(path) = arguments.plot.as_ref().filter(|_| !curves.is_empty()) {
         let mut picture = Output::open(Some(path))?;
         let failed = || format!("cannot draw {}", path.display());
         let svg = impact_pair_plot::two_impact::svg(scene, axis, &curves).with_context(failed)?;
         picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
         picture.commit()?;
     }
-    Ok(Exit::Complete)
-}
-
-fn write(arguments: &TwoImpactArguments, text: &str) -> Result<()> {
-    let mut out = Output::open(arguments.output.as_deref())?;
-    out.write_all(text.as_bytes()).context("cannot write the output")?;
-    out.commit()
+    if interrupted && !arguments.quiet {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "interrupted: all points that are there are proved, others are left");
+    }
+    Ok(if interrupted { Exit::Incomplete } else { Exit::Complete })
 }

@@ -1,5 +1,6 @@
 //! All the branches that the orbits of a word lie on, and those that leave them: the bifurcation diagram.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -46,11 +47,13 @@ struct Survey<'w> {
     followed: Vec<(Ring, Path)>,
     leads: VecDeque<Lead>,
     diagram: Diagram,
+    goes_on: &'w dyn Fn() -> bool,
 }
 
 /// Finds the bifurcations on the branches of the orbits of a word, and on those that leave them.
 ///
-/// Each point is proved. That there are no others is not: branches are found and followed in floats.
+/// Each point is proved. That there are no others is not: branches are found and followed in floats. Where `goes_on` ends it early,
+/// what was found until then is kept.
 ///
 /// # Errors
 /// When the word is not closed, the cycles are too many, or the range is not one of the parameter's.
@@ -59,6 +62,7 @@ pub fn survey(
     start: &Start,
     (word, cycles): (&Word, u32),
     wanted: &Wanted,
+    goes_on: impl Fn() -> bool,
 ) -> Result<Diagram, Error> {
     let chain = Chain::new(word, cycles)?;
     for end in [&wanted.over.low, &wanted.over.high] {
@@ -67,18 +71,33 @@ pub fn survey(
     let Some(setting) = wanted.over.setting(pair)? else { return Ok(Diagram::new(pair, &wanted.over)) };
     let floats = setting.floats();
     let range = wanted.over.ends(pair)?;
-    let diagram = Diagram::new(pair, &wanted.over);
-    let mut survey = Survey { wanted, setting, floats, range, followed: Vec::new(), leads: VecDeque::new(), diagram };
+    let interrupted = Cell::new(false);
+    let goes_on = || {
+        interrupted.set(interrupted.get() || !goes_on());
+        !interrupted.get()
+    };
+    let mut survey = Survey {
+        wanted,
+        setting,
+        floats,
+        range,
+        followed: Vec::new(),
+        leads: VecDeque::new(),
+        diagram: Diagram::new(pair, &wanted.over),
+        goes_on: &goes_on,
+    };
     if !chain.crosses() {
         // Lemma T7: on one wall there is none.
         return Ok(survey.diagram);
     }
-    for seed in seeds(&chain, pair, start, wanted)? {
+    for seed in seeds(&chain, (pair, start), wanted, &goes_on)? {
         survey.sow(&seed.ring, seed.x);
         survey.follow_leads();
     }
-    survey.diagram.points.sort_by(|a, b| compare(a, b, wanted.over.key));
-    Ok(survey.diagram)
+    let mut diagram = survey.diagram;
+    diagram.points.sort_by(|a, b| compare(a, b, wanted.over.key));
+    diagram.interrupted = interrupted.get();
+    Ok(diagram)
 }
 
 /// The order of the parameter: `d` falls as `A/d` rises.
@@ -122,7 +141,7 @@ impl Survey<'_> {
 
     /// Follows what there is to follow.
     fn follow_leads(&mut self) {
-        while let Some(lead) = self.leads.pop_front() {
+        while let Some(lead) = self.leads.pop_front().filter(|_| (self.goes_on)()) {
             if lead.leaves.is_some() && self.is_followed(&lead.ring, &lead.start.x) {
                 continue;
             }
@@ -137,7 +156,7 @@ impl Survey<'_> {
             // All the way from one end to the other.
             let mut way: Vec<Station> = Vec::new();
             for (end, from) in ends.iter_mut().zip(ways) {
-                let path = follow(&lead.ring, &self.floats, from, self.range, lead.step);
+                let path = follow(&lead.ring, &self.floats, (from, lead.step), self.range, self.goes_on);
                 for station in &path.stations {
                     range = [range[0].min(station.parameter()), range[1].max(station.parameter())]; // shown
                 }
@@ -152,7 +171,7 @@ impl Survey<'_> {
             if ends[0] == End::Closed {
                 ends[1] = End::Closed;
             }
-            let is_proved = is_one_curve(&lead.ring, &self.floats, &self.setting.doubles(), &way);
+            let is_proved = is_one_curve(&lead.ring, (&self.floats, &self.setting.doubles()), &way, self.goes_on);
             let range = [range[0].max(self.range[0]), range[1].min(self.range[1])]; // shown
             let (word, cycles, symmetric) = (lead.ring.word(), lead.ring.chain().cycles(), lead.ring.is_mirrored());
             self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends, is_proved });
@@ -179,7 +198,8 @@ impl Survey<'_> {
                 (Kind::PeriodDoubling, false) => lead.doublings + 1,
                 _ => lead.doublings,
             };
-            match prove(&self.setting, &ring, (change, &x), self.wanted.precision) {
+            let proved = (self.goes_on)().then(|| prove(&self.setting, &ring, (change, &x), self.wanted.precision));
+            match proved.flatten() {
                 Some(point) => self.enter(Point { doublings, ..point }),
                 None => {
                     let near = x[x.len() - 1];
@@ -196,6 +216,7 @@ impl Survey<'_> {
             Stop::Loop => End::Closed,
             Stop::Change => last.map_or(End::Lost, End::At),
             Stop::Lost => End::Lost,
+            Stop::Interrupted => End::Interrupted,
         }
     }
 

@@ -41,6 +41,8 @@ pub enum End {
     Closed,
     /// It could be followed no further.
     Lost,
+    /// It was not followed further, as the caller wished.
+    Interrupted,
 }
 
 /// A branch as it was followed.
@@ -71,13 +73,15 @@ pub struct Diagram {
     pub unproved: Vec<Unproved>,
     /// The branches followed.
     pub branches: Vec<Branch>,
+    /// Whether it ended before all was followed and proved, as the caller wished.
+    pub interrupted: bool,
 }
 
 impl Diagram {
     /// An empty one, of a pair over a parameter.
     pub(super) fn new(pair: &ImpactPair, over: &Over) -> Self {
         let (pair, over) = (pair.clone(), over.clone());
-        Self { pair, over, points: Vec::new(), unproved: Vec::new(), branches: Vec::new() }
+        Self { pair, over, points: Vec::new(), unproved: Vec::new(), branches: Vec::new(), interrupted: false }
     }
 
     /// The pair; the parameter's own value in it is not used.
@@ -103,10 +107,12 @@ impl Diagram {
         self.over.range_f64(&self.pair, ends)
     }
 
-    /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to its end.
+    /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to
+    /// its end.
     pub fn is_certified(&self) -> bool {
         let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);
-        self.unproved.is_empty()
+        !self.interrupted
+            && self.unproved.is_empty()
             && self.points.iter().all(|point| point.is_narrow && point.is_decided())
             && self.branches.iter().all(ends)
     }

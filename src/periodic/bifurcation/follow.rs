@@ -32,6 +32,8 @@ pub(super) enum Stop {
     Loop,
     /// Newton's iteration or the budget gives out.
     Lost,
+    /// The caller wishes to stop.
+    Interrupted,
 }
 
 /// A part of a branch in one direction.
@@ -57,12 +59,22 @@ const HALVINGS: u32 = 24;
 /// How near to its half a ring is at a turn that is a meeting.
 const TOGETHER: f64 = 1e-3;
 
-/// Follows the branch from a station the way of its tangent.
-pub(super) fn follow(ring: &Ring, family: &Family<f64>, start: Station, [low, high]: [f64; 2], first: f64) -> Path {
+/// Follows the branch from a station the way of its tangent, for as long as `goes_on` says so.
+pub(super) fn follow(
+    ring: &Ring,
+    family: &Family<f64>,
+    (start, first): (Station, f64),
+    [low, high]: [f64; 2],
+    goes_on: &dyn Fn() -> bool,
+) -> Path {
     let longest = LONGEST.min(OF_RANGE * (high - low) + 1e-6);
     let mut size = first.min(longest);
     let mut path = Path { stations: vec![start], changes: Vec::new(), stop: Stop::Lost };
     while path.stations.len() < MOST_STATIONS && size > SHORTEST {
+        if !goes_on() {
+            path.stop = Stop::Interrupted;
+            break;
+        }
         let last = path.stations.last().expect("a first station");
         let Some((next, cosine)) = advance(ring, family, last, size) else {
             size *= 0.5;

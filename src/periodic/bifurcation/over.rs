@@ -54,6 +54,10 @@ pub struct Over {
     pub high: Exact,
 }
 
+/// What is not known of several harmonics, and what is.
+const ONE_HARMONIC: &str =
+    "a branch of orbits over a parameter (sweep --over amplitude.K=... shows attractors over it)";
+
 pub(super) fn not_a_range(text: &str) -> Error {
     let accepted = "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency";
     Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}"))
@@ -83,7 +87,7 @@ impl Over {
     /// # Errors
     /// When the value is not in its range.
     pub(super) fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
-        let old = pair.harmonic("a parameter of a branch")?;
+        let old = pair.harmonic(ONE_HARMONIC)?;
         let (mut amplitude, mut frequency) = (old.amplitude().clone(), old.frequency().clone());
         let (mut gap, mut restitution) = (pair.gap().clone(), pair.restitution().clone());
         match self.key {

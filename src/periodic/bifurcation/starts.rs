@@ -3,9 +3,9 @@
 // Labels: proposes throughout.
 
 use super::super::chain::Chain;
+use super::super::chained::One;
 use super::super::guess::guesses;
 use super::super::identity::View;
-use super::super::shaken::One;
 use super::diagram::Wanted;
 use super::over::{Key, Over};
 use super::ring::Ring;
@@ -26,13 +26,19 @@ pub(super) struct Seed {
     pub x: Vec<f64>,
 }
 
-/// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their halves.
+/// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their halves; those that
+/// are found while `goes_on` says so.
 ///
 /// # Errors
 /// When the range goes beyond what the parameter may be.
-pub(super) fn seeds(chain: &Chain, pair: &ImpactPair, start: &Start, wanted: &Wanted) -> Result<Vec<Seed>, Error> {
+pub(super) fn seeds(
+    chain: &Chain,
+    (pair, start): (&ImpactPair, &Start),
+    wanted: &Wanted,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<Seed>, Error> {
     let mut found: Vec<Seed> = Vec::new();
-    for value in values(&wanted.over) {
+    for value in values(&wanted.over).into_iter().take_while(|_| goes_on()) {
         let there = wanted.over.pair_at(pair, value)?;
         let exact = Reduced::exact(&there)?;
         let balls = exact.enclosed()?;
@@ -40,7 +46,7 @@ pub(super) fn seeds(chain: &Chain, pair: &ImpactPair, start: &Start, wanted: &Wa
         let reduced = one.court.centre;
         let p = if wanted.over.key == Key::Restitution { reduced.restitution } else { reduced.alpha };
         let from = found.len();
-        for phases in guesses(chain, &one, &there, start) {
+        for phases in guesses(chain, &one, &there, start).take_while(|_| goes_on()) {
             let mut x = phases.clone();
             x.push(p);
             let is_new = |seed: &Seed| !is_same(chain, &seed.ring.lift(&seed.x[..seed.x.len() - 1]), &phases);

@@ -86,10 +86,15 @@ impl Slab<'_> {
     }
 }
 
-/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it. Lemma Y6
-pub(super) fn is_one_curve(ring: &Ring, floats: &Family<f64>, family: &Family<Ball>, stations: &[Station]) -> bool {
+/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, while `goes_on` says so. Lemma Y6
+pub(super) fn is_one_curve(
+    ring: &Ring,
+    families: (&Family<f64>, &Family<Ball>),
+    stations: &[Station],
+    goes_on: &dyn Fn() -> bool,
+) -> bool {
     let mut end: Option<Vec<Ball>> = None;
-    stations.windows(2).all(|ends| bridge(ring, (floats, family), [&ends[0].x, &ends[1].x], &mut end, 0))
+    stations.windows(2).all(|ends| goes_on() && bridge(ring, families, [&ends[0].x, &ends[1].x], &mut end, 0))
 }
 
 /// Proves the way between two points of the branch and glues it to what ends at `end`; halves it where that fails.

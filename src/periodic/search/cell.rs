@@ -4,10 +4,11 @@ use super::cut::{Part, Terms};
 use super::grow::Stretch;
 use super::interval::Interval;
 use super::newton::{Rows, Step};
-use crate::contact::{Court, Reason};
+use crate::contact::Reason;
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::periodic::census::Region;
+use crate::periodic::chained::Chained;
 use crate::periodic::identity::{Identity, is_one_orbit};
 use crate::periodic::krawczyk::Proved;
 use crate::periodic::newton::{is_plausible, polish};
@@ -24,9 +25,9 @@ const MOST_UNDECIDED: usize = 64;
 const WIDE: f64 = 0.5;
 
 /// What is searched for, and how.
-pub(super) struct Task<'p> {
+pub(super) struct Task<'p, S> {
     pub problem: &'p Problem,
-    pub court: &'p Court,
+    pub shaken: &'p S,
     pub terms: Terms<'p>,
     pub precision: Precision,
     /// The width below which a box is not halved, in turns.
@@ -38,8 +39,8 @@ pub(super) struct Task<'p> {
 }
 
 /// A cell, as far as it is searched.
-pub(super) struct Cell<'t, 'p> {
-    task: &'t Task<'p>,
+pub(super) struct Cell<'t, 'p, S> {
+    task: &'t Task<'p, S>,
     pub terms: &'t Terms<'p>,
     first: Interval,
     /// Boxes that may still be looked at.
@@ -59,8 +60,8 @@ pub(super) struct Narrow {
     is_regular: bool,
 }
 
-impl<'t, 'p> Cell<'t, 'p> {
-    pub fn new(task: &'t Task<'p>, first: Interval) -> Self {
+impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
+    pub fn new(task: &'t Task<'p, S>, first: Interval) -> Self {
         let (found, undecided) = (Vec::new(), Vec::new());
         Self { task, terms: &task.terms, first, left: 0, open: None, found, undecided }
     }
@@ -113,17 +114,17 @@ impl<'t, 'p> Cell<'t, 'p> {
 
     /// Cuts a part by all that is known of a stretch; `None` when nothing is left.
     pub fn narrow(&self, part: Part, stretch: &Stretch) -> Option<Narrow> {
-        let (terms, pair) = (self.terms, &self.task.court.pair);
+        let (terms, shaking) = (self.terms, self.task.shaken.balls());
         let all = terms.chain.impacts();
         let mut part = terms.cut(part, stretch)?;
         loop {
             let rows = terms.rows(&part, stretch.impacts.clone());
             let before = part.size();
-            let Step { part: cut, weakest, is_regular } = terms.newton(pair, part, &rows)?;
+            let Step { part: cut, weakest, is_regular } = terms.newton(shaking, part, &rows)?;
             part = cut;
             // Near a bifurcation the others follow from the phase that is determined least, though it follows from none.
             if stretch.impacts.len() == all {
-                part = terms.newton(pair, part.clone(), &terms.rows(&part, weakest + 1..weakest + all))?.part;
+                part = terms.newton(shaking, part.clone(), &terms.rows(&part, weakest + 1..weakest + all))?.part;
             }
             if part.size() > (1.0 - WORTH) * before {
                 return Some(Narrow { part, rows, weakest, is_regular });
@@ -152,10 +153,10 @@ impl<'t, 'p> Cell<'t, 'p> {
 
     /// An orbit in or beside the part that Newton's iteration leads to, proved, and whether it is known.
     fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
-        let (chain, pair) = (&self.task.problem.chain, &self.task.court.centre);
-        let phases = polish(chain, pair, part.centre())?;
+        let (chain, floats) = (&self.task.problem.chain, self.task.shaken.floats());
+        let phases = polish(chain, floats, part.centre())?;
         let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
-        if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, pair, &phases)) {
+        if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, floats, &phases)) {
             return None;
         }
         let known = self.task.known.iter().chain(&self.found);

@@ -8,20 +8,76 @@ use crate::number::Ball;
 use crate::pair::Reduced;
 use crate::pair::Wall;
 use crate::periodic::chain::Chain;
+use crate::periodic::chained::Rate;
 
 /// The word, the parameters and the bounds of Lemma T8.
 #[derive(Clone, Debug)]
 pub(super) struct Terms<'c> {
     pub chain: &'c Chain,
+    /// `beta`, of several harmonics their sum.
     beta: Interval,
+    /// The fastest first.
+    harmonics: Vec<Harmonic>,
     pub restitution: Interval,
-    /// `1 + e`, and `(1 + e) 2 pi beta`.
+    /// `1 + e`
     lossy: Interval,
-    pub swing: Interval,
     /// `|c|` is at most this.
     drift: f64,
     /// The least time of a crossing.
     crossing: f64,
+}
+
+/// A harmonic of the shaking. Lemma H14
+#[derive(Clone, Copy, Debug)]
+struct Harmonic {
+    beta: Interval,
+    /// `(1 + e) 2 pi r beta`
+    swing: Interval,
+    /// `r` and `s`: its phase is `r u + s`; none of the one that turns are counted of.
+    own: Option<[Interval; 2]>,
+}
+
+impl Harmonic {
+    fn new(Rate { beta, own }: Rate, lossy: Interval) -> Self {
+        let beta = Interval::of(beta);
+        let beta = Interval::new(beta.lo.max(0.0), beta.hi); // exact: not negative
+        let own = own.map(|own| own.map(Interval::of));
+        let harmonic = Self { beta, swing: (PI * beta * lossy).times(2.0), own };
+        Self { swing: harmonic.rate(harmonic.swing), ..harmonic }
+    }
+
+    /// Its phase.
+    fn phase(&self, phase: Interval) -> Interval {
+        self.own.map_or(phase, |[ratio, shift]| ratio * phase + shift)
+    }
+
+    /// So many of its own turns, or a rate in them.
+    fn rate(&self, time: Interval) -> Interval {
+        self.own.map_or(time, |[ratio, _]| {
+            let own = ratio * time;
+            // H14: of numbers that are not negative
+            if time.lo >= 0.0 { Interval::new(own.lo.max(0.0), own.hi) } else { own }
+        })
+    }
+
+    /// Its velocity.
+    fn speed(&self, phase: Interval) -> Interval {
+        self.beta * self.phase(phase).cos()
+    }
+
+    /// Its mean velocity over a time around a phase.
+    fn mean(&self, time: Interval, middle: Interval) -> Interval {
+        self.beta * self.rate(time).sinc() * self.phase(middle).cos()
+    }
+
+    /// What it adds to `-w/h` and `-v/h` of a hop. Lemma T9
+    fn hop(&self, time: Interval, middle: Interval) -> [Interval; 2] {
+        let (time, middle) = (self.rate(time), self.phase(middle));
+        let quarter = time.times(0.25);
+        let bend = time.bend() * middle.cos();
+        let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
+        [bend + swing(middle - quarter), bend - swing(middle + quarter)].map(|x| self.rate(self.beta) * x)
+    }
 }
 
 /// A box of phases, with what is known of its flights and impacts.
@@ -43,7 +99,7 @@ const LOOKS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 const WORTH: f64 = 0.1;
 
 impl<'c> Terms<'c> {
-    pub fn new(chain: &'c Chain, pair: &Reduced<Ball>) -> Self {
+    pub fn new(chain: &'c Chain, pair: &Reduced<Ball>, rates: Vec<Rate>) -> Self {
         let [alpha, beta, restitution] = [pair.alpha, pair.beta, pair.restitution].map(Interval::of);
         let one = Interval::point(1.0);
         // exact: neither is negative
@@ -60,8 +116,8 @@ impl<'c> Terms<'c> {
         let lost = (lossy * beta).over(one - restitution).map_or(f64::MAX, |drift| drift.hi);
         let drift = general.min(lost); // T8: the smaller of two bounds
         let crossing = one.over(Interval::point(drift) + beta).map_or(f64::MAX, |time| time.lo);
-        let swing = (PI * beta * lossy).times(2.0);
-        Self { chain, beta, restitution, lossy, swing, drift, crossing }
+        let harmonics = rates.into_iter().map(|rate| Harmonic::new(rate, lossy)).collect();
+        Self { chain, beta, harmonics, restitution, lossy, drift, crossing }
     }
 
     /// How wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
@@ -70,9 +126,24 @@ impl<'c> Terms<'c> {
         relative.max(self.restitution.width()) // proposes
     }
 
+    /// What all harmonics do.
+    fn sum(harmonics: &[Harmonic], of: impl Fn(&Harmonic) -> Interval) -> Option<Interval> {
+        harmonics.iter().map(of).reduce(|a, b| a + b)
+    }
+
     /// The velocity of the box over these phases.
     pub fn speed(&self, phase: Interval) -> Interval {
-        self.beta * phase.cos()
+        Self::sum(&self.harmonics, |harmonic| harmonic.speed(phase)).expect("a harmonic")
+    }
+
+    /// `(1 + e) S` over these phases.
+    pub fn swing(&self, phase: Interval) -> Interval {
+        Self::sum(&self.harmonics, |harmonic| harmonic.swing * harmonic.phase(phase).sin()).expect("a harmonic")
+    }
+
+    /// The mean velocity of the box over a time around a phase.
+    fn mean(&self, time: Interval, middle: Interval) -> Interval {
+        Self::sum(&self.harmonics, |harmonic| harmonic.mean(time, middle)).expect("a harmonic")
     }
 
     /// All flights and impacts.
@@ -84,7 +155,7 @@ impl<'c> Terms<'c> {
     /// The part of the state space with the first impact in `first`. T8
     pub fn all(&self, first: Interval) -> Part {
         let count = self.chain.impacts();
-        let reach = 1.0 + f64::from(self.chain.cycles());
+        let reach = f64::from(self.chain.period()) + f64::from(self.chain.cycles());
         // T10: no orbit has a phase that is an end of these bounds.
         let rest = Interval::new(first.lo.next_down(), reach.next_up());
         Part {
@@ -150,9 +221,9 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// `beta S(h_i) cos 2 pi m_i`: the mean velocity of the box during flight `i`, over phases with these times.
+    /// `beta S(h_i) cos 2 pi m_i`, of several harmonics the sum: the mean velocity of the box during flight `i`, over phases with these times.
     fn wave(&self, phases: &[Interval], i: usize, time: Interval) -> Interval {
-        self.beta * time.sinc() * self.middle(phases, i, time).cos()
+        self.mean(time, self.middle(phases, i, time))
     }
 
     /// `m_i`: half way between both phases of a flight.
@@ -183,10 +254,8 @@ impl<'c> Terms<'c> {
             return ratios;
         }
         let middle = self.middle(phases, i, time);
-        let quarter = time.times(0.25);
-        let bend = time.bend() * middle.cos();
-        let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
-        let hop = [-(self.beta * (bend + swing(middle - quarter))), -(self.beta * (bend - swing(middle + quarter)))];
+        let hops = self.harmonics.iter().map(|harmonic| harmonic.hop(time, middle));
+        let hop = hops.reduce(|a, b| [a[0] + b[0], a[1] + b[1]]).expect("a harmonic").map(|x| -x);
         [0, 1].map(|end| ratios[end].cut(hop[end]).unwrap_or(hop[end])) // T9: the second holds it anyway
     }
 
@@ -207,7 +276,9 @@ impl<'c> Terms<'c> {
                 (to, speed, from)
             }
         };
-        if let Some(cos) = speed.over(self.beta) {
+        let (fastest, others) = self.harmonics.split_first().expect("a harmonic");
+        let others = Self::sum(others, |harmonic| harmonic.speed(part.phases[i]));
+        if let Some(cos) = others.map_or(speed, |others| speed - others).over(fastest.beta) {
             part.phases[i] = part.phases[i].where_cos(cos)?;
         }
         (part.drifts[p], part.drifts[i], part.speeds[i]) = (to, from, speed);
@@ -229,7 +300,7 @@ impl<'c> Terms<'c> {
         for fraction in LOOKS {
             let since = part.times[i].times(fraction);
             let at = part.phases[i] + since.times(0.5);
-            let way = since * (part.drifts[i] - self.beta * since.sinc() * at.cos());
+            let way = since * (part.drifts[i] - self.mean(since, at));
             way.signed(wall.sign()).cut(Interval::new(0.0, 1.0))?;
         }
         Some(())

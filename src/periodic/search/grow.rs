@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::cell::Cell;
 use super::cut::Part;
 use super::interval::Interval;
+use crate::periodic::chained::Chained;
 
 /// Flights on from a new end at which it is felt.
 const FELT: usize = 3;
@@ -32,7 +33,7 @@ struct Letter {
     held: Range<usize>,
 }
 
-impl Cell<'_, '_> {
+impl<S: Chained> Cell<'_, '_, S> {
     /// All the orbits of the cell, in parts that are narrow but for the first impact and the one half way.
     ///
     /// `None` where the budget ends.

@@ -12,11 +12,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use super::census::{Census, Region};
+use super::chained::Chained;
 use super::identity::Identity;
 use super::orbit::PeriodicOrbit;
 use super::{Pair, Precision, Problem};
-use crate::Error;
-use crate::contact::{Court, Reason};
+use crate::contact::Reason;
 use cell::{Cell, Task};
 use cut::Terms;
 use impact_pair_model::Start;
@@ -46,62 +46,64 @@ pub struct Searched {
     pub of: usize,
 }
 
-/// Cells of the first phase, in which searches go on side by side.
+/// Cells of the first phase in each turn of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
+/// Turns that are cut into cells so; those of a longer period are wider.
+const MOST_PERIODS: u32 = 1 << 10;
 
 impl Problem {
     /// Proves all the orbits of the word, and that there are no other physical ones. Lemmas T3, T8-T10
     ///
     /// Starts from what [`Problem::find`] finds. Where the budget ends, what is left is listed as undecided.
-    ///
-    /// # Errors
-    /// When there are several harmonics, except for words on one wall.
-    pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Result<Census, Error> {
+    pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Census {
         self.find_all_while(start, precision, budget, &|_| true)
     }
 
     /// The same while `goes_on`, which is told how far the search has come and is asked between parts, by any thread.
     ///
     /// What it ends before is listed as undecided.
-    ///
-    /// # Errors
-    /// As [`Problem::find_all`].
     pub fn find_all_while(
         &self,
         start: &Start,
         precision: Precision,
         budget: Budget,
         goes_on: &(dyn Fn(Searched) -> bool + Sync),
-    ) -> Result<Census, Error> {
-        if self.chain.crosses() {
-            self.impact_pair.harmonic("the search for all periodic orbits")?;
-        }
-        let of = CELLS as usize; // exact: small
+    ) -> Census {
+        let of = self.cells() as usize; // exact: small
         let found = self.find_while(start, precision, || goes_on(Searched { cells: 0, of }));
-        let Pair::One(one) = &self.pair else { return Ok(found) };
         if found.exhaustive || found.is_family {
-            return Ok(found);
+            return found;
         }
-        Ok(self.search(&one.court, found.orbits, precision, budget, goes_on))
+        match &self.pair {
+            Pair::One(one) => self.search(&**one, found.orbits, precision, budget, goes_on),
+            Pair::Several(several) => self.search(&**several, found.orbits, precision, budget, goes_on),
+        }
+    }
+
+    /// How many cells the first phase is searched in.
+    fn cells(&self) -> u32 {
+        CELLS * self.chain.period().min(MOST_PERIODS) // T10: any number of cells
     }
 
     /// Searches for orbits beside those known.
-    fn search(
+    fn search<S: Chained>(
         &self,
-        court: &Court,
+        shaken: &S,
         known: Vec<PeriodicOrbit>,
         precision: Precision,
         budget: Budget,
         goes_on: &(dyn Fn(Searched) -> bool + Sync),
     ) -> Census {
-        let terms = Terms::new(&self.chain, &court.pair);
+        let terms = Terms::new(&self.chain, shaken.pair(), shaken.rates());
         let narrowest = 2f64.powi(-(budget.halvings as i32)).max(terms.spread() / 16.0); // proposes: when to stop
         let done = AtomicUsize::new(0);
-        let of = CELLS as usize; // exact: small
+        let of = self.cells() as usize; // exact: small
         let goes_on = || goes_on(Searched { cells: done.load(Ordering::Relaxed), of });
-        let task = Task { problem: self, court, terms, precision, narrowest, known: &known, goes_on: &goes_on };
-        let line = |n: u32| f64::from(n) / f64::from(CELLS); // exact: a power of two
-        let mut cells: Vec<_> = (0..CELLS).map(|n| Cell::new(&task, Interval::new(line(n), line(n + 1)))).collect();
+        let task = Task { problem: self, shaken, terms, precision, narrowest, known: &known, goes_on: &goes_on };
+        // T10: any lines from 0 to the period
+        let line = |n: u32| f64::from(n) * f64::from(self.chain.period()) / f64::from(self.cells());
+        let mut cells: Vec<_> =
+            (0..self.cells()).map(|n| Cell::new(&task, Interval::new(line(n), line(n + 1)))).collect();
         // What cells leave of the budget is shared among those that have not done.
         let mut left = budget.boxes;
         loop {
@@ -129,7 +131,7 @@ impl Problem {
     }
 
     /// What all cells found, each orbit once, whatever the order that they were searched in.
-    fn gathered(&self, cells: &[Cell], known: &[PeriodicOrbit], precision: Precision) -> Census {
+    fn gathered<S: Chained>(&self, cells: &[Cell<S>], known: &[PeriodicOrbit], precision: Precision) -> Census {
         let mut undecided: Vec<Region> = cells.iter().flat_map(Cell::undecided).collect();
         let mut orbits = known.to_vec();
         for orbit in cells.iter().flat_map(|cell| &cell.found) {
@@ -153,8 +155,10 @@ impl Problem {
 mod tests {
     use super::super::identity::is_one_orbit;
     use super::*;
+    use crate::number::Ball;
     use crate::pair::Wall;
-    use crate::{Harmonic, ImpactPair};
+    use crate::periodic::Chain;
+    use crate::{Excitation, Harmonic, ImpactPair};
 
     fn is_physical(orbit: &PeriodicOrbit) -> bool {
         orbit.physical == Some(true)
@@ -180,7 +184,7 @@ mod tests {
             let precision = Precision::default();
             let guessed = problem.find(&start, precision).orbits;
             let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
-            let census = problem.search(&one.court, Vec::new(), precision, Budget::default(), &|_| true);
+            let census = problem.search(&**one, Vec::new(), precision, Budget::default(), &|_| true);
             assert!(census.exhaustive, "{word}");
             let is_found = |orbit: &PeriodicOrbit| {
                 let is_it = |other: &PeriodicOrbit| is_one_orbit(&problem.chain, &orbit.proved, &other.proved);
@@ -199,17 +203,31 @@ mod tests {
         Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
     }
 
-    fn court(problem: &Problem) -> &Court {
-        let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
-        &one.court
+    /// Amplitude, frequency and phase.
+    type Told = (&'static str, &'static str, &'static str);
+
+    /// Two odd harmonics, two that are not, three, a hop of every length; lengths in gaps, the fastest harmonic has `W = 2 pi`.
+    fn under_several() -> Vec<Problem> {
+        let questions: [(&[Told], &str, &str, u32); 4] = [
+            (&[("1/9.42497", "2*pi/3", "0"), ("0.5/9.42497", "2*pi", "0")], "0.5", "LR", 3),
+            (&[("0.1", "pi", "0.3"), ("1/10", "2*pi", "0")], "0.5", "LR", 2),
+            (&[("1/5", "4*pi/3", "0"), ("1/15", "2*pi/3", "1"), ("1/25", "2*pi", "0")], "0.6", "LR", 3),
+            (&[("1/100", "pi", "0"), ("2", "2*pi", "0.7")], "0.8", "RRLLLRRLLL", 2),
+        ];
+        let value = |text: &str| text.parse::<crate::exact::Exact>().unwrap();
+        let problem = |(terms, restitution, word, cycles): (&[Told], &str, &str, u32)| {
+            let term = |&(a, w, tau): &Told| Harmonic::new(value(a), value(w), value(tau)).unwrap();
+            let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
+            let pair = ImpactPair::new(excitation, value("1"), value(restitution)).unwrap();
+            Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
+        };
+        questions.map(problem).to_vec()
     }
 
     /// Lemma T10: whatever else is cut away, the chains that grow hold each orbit that is proved elsewhere.
     #[test]
     fn chains_hold_the_orbits_that_guesses_lead_to() {
-        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
-        let mut seen = 0;
-        for (word, cycles, ratio, restitution) in [
+        let questions = [
             ("LR", 3, "1/9.42497", "0.5"),
             ("LLR", 1, "8/9.42497", "0.5"),
             ("RRLLL", 1, "2", "0.8"),
@@ -218,41 +236,90 @@ mod tests {
             ("LRLRLR", 3, "0.498", "0.8"),
             ("LRLRLRLRLR", 5, "0.36", "0.8"),
             ("RLRLRL", 3, "0.36", "1"),
-        ] {
-            let problem = problem(ratio, restitution, word, cycles);
-            let court = court(&problem);
-            let found = problem.find(&start, Precision::default()).orbits;
-            for orbit in found.iter().filter(|orbit| is_physical(orbit)) {
-                // Told from the turn of the first impact.
-                let at = |i: usize| {
-                    let first = orbit.phases()[0].mid().floor();
-                    orbit.phases()[i].mid() - first
-                };
-                let cell = (at(0) * f64::from(CELLS)).floor() / f64::from(CELLS);
-                let task = Task {
-                    problem: &problem,
-                    court,
-                    terms: Terms::new(&problem.chain, &court.pair),
-                    precision: Precision::default(),
-                    narrowest: 0.0,
-                    known: &[],
-                    goes_on: &|| true,
-                };
-                let mut cell = Cell::new(&task, Interval::new(cell, cell + 1.0 / f64::from(CELLS)));
-                cell.left = u64::MAX;
-                let chains = cell.chains().unwrap();
-                let is_in = |part: &&cut::Part| {
-                    part.phases.iter().enumerate().all(|(i, x)| x.lo - 1e-9 <= at(i) && at(i) <= x.hi + 1e-9)
-                };
-                let holding: Vec<_> = chains.iter().filter(is_in).collect();
-                assert!(!holding.is_empty(), "{word} at {:?}", orbit.phases());
-                // They are not just everything.
-                let before = cell.all().size();
-                assert!(holding.iter().all(|part| part.size() < 0.5 * before), "{word}: {holding:?}");
-                seen += 1;
+        ];
+        let under_one = questions.map(|(word, cycles, ratio, restitution)| problem(ratio, restitution, word, cycles));
+        let held = |problem: &Problem| match &problem.pair {
+            Pair::One(one) => held_by_chains(problem, &**one),
+            Pair::Several(several) => held_by_chains(problem, &**several),
+        };
+        let (one, several): (usize, usize) = (under_one.iter().map(held).sum(), under_several().iter().map(held).sum());
+        assert!(one >= 30 && several >= 8, "{one} {several}");
+    }
+
+    /// How many orbits chains are seen to hold.
+    fn held_by_chains<S: Chained>(problem: &Problem, shaken: &S) -> usize {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let (word, period) = (&problem.word, f64::from(problem.period()));
+        let found = problem.find(&start, Precision::default()).orbits;
+        for orbit in found.iter().filter(|orbit| is_physical(orbit)) {
+            // Told from the period of the first impact.
+            let at = |i: usize| {
+                let first = (orbit.phases()[0].mid() / period).floor() * period;
+                orbit.phases()[i].mid() - first
+            };
+            let cell = (at(0) * f64::from(CELLS)).floor() / f64::from(CELLS);
+            let task = Task {
+                problem,
+                shaken,
+                terms: Terms::new(&problem.chain, shaken.pair(), shaken.rates()),
+                precision: Precision::default(),
+                narrowest: 0.0,
+                known: &[],
+                goes_on: &|| true,
+            };
+            let mut cell = Cell::new(&task, Interval::new(cell, cell + 1.0 / f64::from(CELLS)));
+            cell.left = u64::MAX;
+            let chains = cell.chains().unwrap();
+            let is_in = |part: &&cut::Part| {
+                part.phases.iter().enumerate().all(|(i, x)| x.lo - 1e-9 <= at(i) && at(i) <= x.hi + 1e-9)
+            };
+            let holding: Vec<_> = chains.iter().filter(is_in).collect();
+            assert!(!holding.is_empty(), "{word} at {:?}", orbit.phases());
+            // They are not just everything.
+            let before = cell.all().size();
+            assert!(holding.iter().all(|part| part.size() < 0.5 * before), "{word}: {holding:?}");
+        }
+        found.iter().filter(|orbit| is_physical(orbit)).count()
+    }
+
+    /// Lemmas T9, H14: over a box that is a point, the derivatives of a search are those of Lemma T2 there.
+    #[test]
+    fn derivatives_over_a_point_are_those_of_the_chain() {
+        fn meet<S: Chained>(chain: &Chain, shaken: &S, phases: &[f64]) {
+            let terms = Terms::new(chain, shaken.pair(), shaken.rates());
+            let points: Vec<Interval> = phases.iter().map(|&x| Interval::point(x)).collect();
+            let count = points.len();
+            let time = |i: usize| points[chain.next(i)] + terms.shift(i) - points[i];
+            let unknown = vec![Interval::new(f64::MIN, f64::MAX); count];
+            let times = (0..count).map(time).collect();
+            let part = cut::Part { phases: points, times, drifts: unknown.clone(), speeds: unknown };
+            let rows = terms.rows(&part, 0..count);
+            let balls: Vec<Ball> = phases.iter().map(|&x| Ball::exact(x)).collect();
+            let slopes = chain.slopes(shaken.balls(), &chain.legs(shaken.balls(), &balls).unwrap()).unwrap();
+            for (own, expected) in rows.slopes.iter().flatten().zip(slopes.0.iter().flatten()) {
+                let expected = Interval::of(*expected);
+                assert!(
+                    own.cut(expected).is_some() && own.width() < 1e-6 * (1.0 + own.hi.abs()),
+                    "{own:?} {expected:?}"
+                );
             }
         }
-        assert!(seen >= 30, "{seen}");
+        let mut problems = under_several();
+        problems.extend([problem("2", "0.8", "RRLLL", 1), problem("1/9.42497", "0.5", "LR", 3)]);
+        for problem in problems {
+            let (count, cycles) = (problem.chain.impacts(), f64::from(problem.chain.cycles()));
+            for n in 0..40 {
+                // Flights of all lengths, from hundredths of a turn on.
+                let part = |i: usize| (1.0 + (1.7 * i as f64 + 2.3 * f64::from(n)).sin()).powi(1 + n % 4) + 0.02;
+                let whole: f64 = (0..count).map(part).sum();
+                let at = |i: usize| 0.31 * f64::from(n) + (0..i).map(part).sum::<f64>() * cycles / whole;
+                let phases: Vec<f64> = (0..count).map(at).collect();
+                match &problem.pair {
+                    Pair::One(one) => meet(&problem.chain, &**one, &phases),
+                    Pair::Several(several) => meet(&problem.chain, &**several, &phases),
+                }
+            }
+        }
     }
 
     /// What a search finds does not depend on who searches which cell when, and a search that is ended says so and keeps what is
@@ -264,7 +331,7 @@ mod tests {
         let all = |budget, ends_at: usize| {
             let calls = AtomicUsize::new(0);
             let goes_on = |_| calls.fetch_add(1, Ordering::Relaxed) < ends_at;
-            problem.find_all_while(&start, Precision::default(), budget, &goes_on).unwrap()
+            problem.find_all_while(&start, Precision::default(), budget, &goes_on)
         };
         let (one, other) = (all(Budget::default(), usize::MAX), all(Budget::default(), usize::MAX));
         assert!(one.exhaustive && !one.interrupted && one.is_certified());

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use super::cut::{Part, Terms};
 use super::interval::Interval;
-use crate::number::{Ball, Number, Wave};
-use crate::pair::Reduced;
+use crate::number::{Ball, Number};
 use crate::periodic::krawczyk::Jacobian;
 use crate::periodic::precondition::Preconditioner;
+use crate::periodic::shaking::Shaking;
 
 /// The equations of consecutive impacts over a part, for the phases of these impacts; others are given.
 ///
@@ -15,7 +15,7 @@ use crate::periodic::precondition::Preconditioner;
 pub(super) struct Rows {
     impacts: Range<usize>,
     /// The derivatives of each by the phases before, at and after it.
-    slopes: Vec<[Interval; 3]>,
+    pub slopes: Vec<[Interval; 3]>,
     /// The places of these phases among the unknowns; those that are given have none.
     columns: Vec<[Option<usize>; 3]>,
 }
@@ -73,7 +73,7 @@ impl Terms<'_> {
             let i = i % count;
             let [after_before, before_own] = std::mem::replace(&mut last, ratios(i));
             let [after, before] = last;
-            [e * after_before, after - e * before_own + self.swing * part.phases[i].sin(), -before]
+            [e * after_before, after - e * before_own + self.swing(part.phases[i]), -before]
         };
         let slopes = impacts.clone().map(row).collect();
         let unknowns = impacts.len();
@@ -83,14 +83,14 @@ impl Terms<'_> {
     }
 
     /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
-    pub fn newton(&self, pair: &Reduced<Ball>, part: Part, rows: &Rows) -> Option<Step> {
+    pub fn newton<S: Shaking<Ball>>(&self, shaking: &S, part: Part, rows: &Rows) -> Option<Step> {
         let middles = rows.slopes.iter().map(|row| row.map(Interval::middle)).collect();
         let Some(inverse) = Preconditioner::new(&Square(rows, middles)) else {
             return Some(Step { part, weakest: 0, is_regular: false });
         };
         let size = |i: usize| inverse.row(i).iter().map(|x| x.abs()).sum::<f64>();
         let weakest = (0..rows.slopes.len()).max_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(0); // proposes
-        match self.misses(pair, &part, rows.impacts.clone()) {
+        match self.misses(shaking, &part, rows.impacts.clone()) {
             Some(misses) => {
                 self.solve(part, &inverse, &misses, rows).map(|(part, is_regular)| Step { part, weakest, is_regular })
             }
@@ -99,21 +99,21 @@ impl Terms<'_> {
     }
 
     /// `F` of these impacts at the middle of the part.
-    fn misses(&self, pair: &Reduced<Ball>, part: &Part, impacts: Range<usize>) -> Option<Vec<Interval>> {
+    fn misses<S: Shaking<Ball>>(&self, shaking: &S, part: &Part, impacts: Range<usize>) -> Option<Vec<Interval>> {
         let count = self.chain.impacts();
         let moment = |i: usize| {
             let phase = Ball::exact(part.phases[i].middle());
-            (phase, phase.wave())
+            (phase, shaking.moment(0.0, &phase))
         };
         let leg = |i: usize| {
             let (from, to) = (moment(i), moment(self.chain.next(i)));
-            self.chain.leg(pair, i, [&from.0, &to.0], [&from.1, &to.1])
+            self.chain.leg(shaking, i, [&from.0, &to.0], [&from.1, &to.1])
         };
         let mut to = leg((impacts.start + count - 1) % count)?;
         let miss = |i: usize| {
             let from = leg(i % count)?;
             let before = std::mem::replace(&mut to, from).before;
-            Some(Interval::of(pair.restitution.mul_add(before, from.after)))
+            Some(Interval::of(shaking.restitution().mul_add(before, from.after)))
         };
         impacts.map(miss).collect()
     }

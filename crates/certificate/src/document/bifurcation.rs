@@ -29,6 +29,9 @@ pub struct BifurcationDocument {
     pub exhaustive: bool,
     /// Whether all points that were found are proved.
     pub certified: bool,
+    /// Whether it ended before all was followed and proved: others are left.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub interrupted: bool,
     /// The bifurcations.
     pub points: Vec<BifurcationPointDocument>,
     /// The branches as they were followed, in floats.

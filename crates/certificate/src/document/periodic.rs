@@ -152,8 +152,11 @@ pub struct ManifoldDocument {
     pub scene: SceneDocument,
     /// The parameter that varies.
     pub over: String,
-    /// Always.
+    /// Whether all that was asked is there; all that is there is proved.
     pub certified: bool,
+    /// Whether it ended before all was there: points at the end of the last curve, or curves after it, are left.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub interrupted: bool,
     /// A curve for each number of cycles.
     pub curves: Vec<CurveDocument>,
 }

@@ -21,7 +21,7 @@ use crate::settings::{Arithmetic, Settings};
 use crate::start::Start;
 use impact_pair_exact::Exact;
 use section::{Entry, Section, line_of, quoted};
-pub use vary::Key;
+pub use vary::{Key, Term};
 
 /// The digits that can be asked for.
 pub const DIGITS: RangeInclusive<u32> = 1..=400;

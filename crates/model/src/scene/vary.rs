@@ -1,30 +1,38 @@
 //! A scene with another value of one of its parameters or initial data.
 
+use std::fmt;
+use std::num::NonZeroU16;
 use std::str::FromStr;
 
 use super::Scene;
 use crate::error::{Error, within};
-use crate::excitation::Harmonic;
+use crate::excitation::{Excitation, Harmonic};
 use crate::pair::ImpactPair;
 use crate::start::{Place, Start};
 use impact_pair_exact::Exact;
 
+/// The number of a term of the excitation, from 1, in the order of the scene file.
+pub type Term = NonZeroU16;
+
 /// A parameter or a datum of the start, as the scene file names it.
+///
+/// What the excitation has of each term is that of its only harmonic, or by a number that of one of several terms.
 ///
 /// ```
 /// use impact_pair_model::scene::Key;
-/// assert_eq!("amplitude".parse::<Key>()?, Key::Amplitude);
-/// assert_eq!("start.velocity".parse::<Key>()?.name(), "start.velocity");
+/// assert_eq!("amplitude".parse::<Key>()?, Key::Amplitude(None));
+/// assert_eq!("excitation.phase.2".parse::<Key>()?.to_string(), "phase.2");
+/// assert_eq!("start.velocity".parse::<Key>()?.to_string(), "start.velocity");
 /// # Ok::<(), impact_pair_model::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Key {
     /// `A`
-    Amplitude,
+    Amplitude(Option<Term>),
     /// `W`
-    Frequency,
+    Frequency(Option<Term>),
     /// `tau`
-    Phase,
+    Phase(Option<Term>),
     /// `d`
     Gap,
     /// `e`
@@ -41,11 +49,11 @@ pub enum Key {
 }
 
 impl Key {
-    /// All of them, parameters first: in the order in which they take effect.
+    /// All of them without the numbers of terms, parameters first: in the order in which they take effect.
     pub const ALL: [Self; 9] = [
-        Self::Amplitude,
-        Self::Frequency,
-        Self::Phase,
+        Self::Amplitude(None),
+        Self::Frequency(None),
+        Self::Phase(None),
         Self::Gap,
         Self::Restitution,
         Self::StartTime,
@@ -54,12 +62,12 @@ impl Key {
         Self::StartVelocity,
     ];
 
-    /// Its name in messages and in what is written.
-    pub fn name(self) -> &'static str {
+    /// Its name without the number of a term.
+    fn name(self) -> &'static str {
         match self {
-            Self::Amplitude => "amplitude",
-            Self::Frequency => "frequency",
-            Self::Phase => "phase",
+            Self::Amplitude(_) => "amplitude",
+            Self::Frequency(_) => "frequency",
+            Self::Phase(_) => "phase",
             Self::Gap => "gap",
             Self::Restitution => "restitution",
             Self::StartTime => "start.time",
@@ -69,19 +77,48 @@ impl Key {
         }
     }
 
-    /// Its symbol in the paper, and its unit.
-    pub fn symbol(self) -> (&'static str, &'static str) {
+    /// The number of the term that it names.
+    pub fn term(self) -> Option<Term> {
         match self {
-            Self::Amplitude => ("A", "length"),
-            Self::Frequency => ("Ω", "rad/time"),
-            Self::Phase => ("τ", "rad"),
+            Self::Amplitude(term) | Self::Frequency(term) | Self::Phase(term) => term,
+            _ => None,
+        }
+    }
+
+    /// The same of a term.
+    fn of(self, term: Term) -> Option<Self> {
+        match self {
+            Self::Amplitude(_) => Some(Self::Amplitude(Some(term))),
+            Self::Frequency(_) => Some(Self::Frequency(Some(term))),
+            Self::Phase(_) => Some(Self::Phase(Some(term))),
+            _ => None,
+        }
+    }
+
+    /// Whether both set one datum of some scene: then they are not two axes of a grid.
+    pub fn is_one_with(self, other: Self) -> bool {
+        let is_time = |key| matches!(key, Self::StartTime | Self::StartPhase);
+        let is_all = self.term().is_none() || other.term().is_none();
+        self == other || (is_all && self.name() == other.name()) || (is_time(self) && is_time(other))
+    }
+
+    /// Its symbol in the paper, and its unit.
+    pub fn symbol(self) -> (String, &'static str) {
+        let (symbol, unit) = match self {
+            Self::Amplitude(_) => ("A", "length"),
+            Self::Frequency(_) => ("Ω", "rad/time"),
+            Self::Phase(_) => ("τ", "rad"),
             Self::Gap => ("d", "length"),
             Self::Restitution => ("e", ""),
             Self::StartTime => ("t₀", "time"),
             Self::StartPhase => ("Ωt₀ + τ", "rad"),
             Self::StartPosition => ("y₀", "length"),
             Self::StartVelocity => ("v₀", "length/time"),
-        }
+        };
+        let lower = |digit: u8| char::from_u32(u32::from('₀') + u32::from(digit - b'0'));
+        let number: String =
+            self.term().iter().flat_map(|term| term.to_string().into_bytes()).filter_map(lower).collect();
+        (format!("{symbol}{number}"), unit)
     }
 }
 
@@ -89,7 +126,16 @@ const ON_A_WALL: &str = "the scene starts on a wall (give it a start.position in
 
 fn not_a_key(text: &str) -> Error {
     let keys = Key::ALL.map(Key::name).join(", ");
-    Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}"))
+    let terms = "of several terms with a number, such as amplitude.2";
+    Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}; {terms}"))
+}
+
+impl fmt::Display for Key {
+    /// Its name in messages and in what is written.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())?;
+        self.term().map_or(Ok(()), |term| write!(f, ".{term}"))
+    }
 }
 
 impl FromStr for Key {
@@ -98,7 +144,12 @@ impl FromStr for Key {
     /// The table of a parameter (`pair.gap`) may be left out, that of the start may not.
     fn from_str(text: &str) -> Result<Self, Error> {
         let short = text.strip_prefix("excitation.").or_else(|| text.strip_prefix("pair.")).unwrap_or(text);
-        Self::ALL.into_iter().find(|key| key.name() == short).ok_or_else(|| not_a_key(text))
+        let named = |name: &str| Self::ALL.into_iter().find(|key| key.name() == name);
+        let of_term = || {
+            let (name, number) = short.rsplit_once('.')?;
+            named(name)?.of(number.parse().ok()?)
+        };
+        named(short).or_else(of_term).ok_or_else(|| not_a_key(text))
     }
 }
 
@@ -106,8 +157,8 @@ impl Scene {
     /// The scene with these values in the place of its own; the settings of its run are kept.
     ///
     /// # Errors
-    /// When a value is not in its range, it is that of a harmonic and there are several, the start then is none (a position beyond the gap), or there is a start on a
-    /// wall and a position for it.
+    /// When a value is not in its range, it is that of a harmonic and there are several or no term has its number, the start then
+    /// is none (a position beyond the gap), or there is a start on a wall and a position for it.
     pub fn with(&self, values: &[(Key, Exact)]) -> Result<Self, Error> {
         let mut values: Vec<_> = values.to_vec();
         values.sort_by_key(|(key, _)| *key);
@@ -123,7 +174,9 @@ impl Scene {
         let mut excitation = self.pair.excitation().clone();
         let (mut gap, mut restitution) = (self.pair.gap().clone(), self.pair.restitution().clone());
         match key {
-            Key::Amplitude | Key::Frequency | Key::Phase => excitation = self.only_with(key, value)?.into(),
+            Key::Amplitude(term) | Key::Frequency(term) | Key::Phase(term) => {
+                excitation = varied(&excitation, key, term, value)?;
+            }
             Key::Gap => gap = value,
             Key::Restitution => restitution = value,
             Key::StartTime => self.start.time = value,
@@ -142,17 +195,6 @@ impl Scene {
         Ok(())
     }
 
-    /// The only harmonic with another value.
-    fn only_with(&self, key: Key, value: Exact) -> Result<Harmonic, Error> {
-        let old = self.pair.harmonic(&format!("a range of the {}", key.name()))?;
-        let [amplitude, frequency, phase] = [old.amplitude(), old.frequency(), old.phase()].map(Exact::clone);
-        match key {
-            Key::Amplitude => Harmonic::new(value, frequency, phase),
-            Key::Frequency => Harmonic::new(amplitude, value, phase),
-            _ => Harmonic::new(amplitude, frequency, value),
-        }
-    }
-
     /// The start, asked again whether it is one.
     fn checked_start(&self) -> Result<Start, Error> {
         let Start { time, velocity, place } = self.start.clone();
@@ -161,6 +203,36 @@ impl Scene {
             Place::Inside(position) => Start::inside(&self.pair, time, position, velocity),
         }
     }
+}
+
+/// The excitation with another value of its only harmonic, or of one of its terms.
+fn varied(excitation: &Excitation, key: Key, term: Option<Term>, value: Exact) -> Result<Excitation, Error> {
+    let Some(number) = term else {
+        return Ok(with(excitation.only().ok_or_else(|| no_term(excitation, key))?, key, value)?.into());
+    };
+    let mut terms = excitation.terms().to_vec();
+    let term = terms.get_mut(usize::from(number.get()) - 1).ok_or_else(|| no_term(excitation, key))?;
+    *term = with(term, key, value)?;
+    Excitation::new(terms)
+}
+
+/// The harmonic with another value.
+fn with(old: &Harmonic, key: Key, value: Exact) -> Result<Harmonic, Error> {
+    let [amplitude, frequency, phase] = [old.amplitude(), old.frequency(), old.phase()].map(Exact::clone);
+    match key {
+        Key::Amplitude(_) => Harmonic::new(value, frequency, phase),
+        Key::Frequency(_) => Harmonic::new(amplitude, value, phase),
+        _ => Harmonic::new(amplitude, frequency, value),
+    }
+}
+
+fn no_term(excitation: &Excitation, key: Key) -> Error {
+    let (name, count) = (key.name(), excitation.terms().len());
+    let accepted = match count {
+        1 => format!("the excitation has a single term: accepted are {name} and {name}.1"),
+        _ => format!("the excitation has {count} terms: accepted are {name}.1 to {name}.{count}"),
+    };
+    Error::out_of_range(None, format!("the key is \"{key}\", but {accepted}"))
 }
 
 #[cfg(test)]
@@ -204,16 +276,62 @@ mod tests {
                 Key::StartPhase => (5, "-0.125"),
                 Key::StartPosition => (6, "0.75"),
                 Key::StartVelocity => (7, "0.75"),
-                _ => (key as usize, "0.75"),
+                _ => (Key::ALL.iter().position(|other| *other == key).unwrap(), "0.75"),
             };
-            assert_eq!(changed, [expected], "{}", key.name());
-            assert_eq!(key.name().parse::<Key>().unwrap(), key);
+            assert_eq!(changed, [expected], "{key}");
+            assert_eq!(key.to_string().parse::<Key>().unwrap(), key);
         }
     }
 
     #[test]
+    fn a_number_names_a_term_of_the_scene() {
+        let text = "excitation = { amplitude = [1, 2], frequency = [3, 4], phase = 5 }
+            pair = { gap = 4, restitution = 0.5 }
+            start = { time = 0, wall = \"left\", velocity = -1 }";
+        let two = Scene::parse(text).unwrap();
+        let terms = |key: &str| {
+            let varied = two.with(&[(key.parse().unwrap(), exact("7"))]).unwrap();
+            let all = varied.pair().excitation().terms().iter();
+            all.flat_map(|term| [term.amplitude(), term.frequency(), term.phase()].map(Exact::text)).collect::<String>()
+        };
+        assert_eq!(["amplitude.1", "frequency.1", "phase.1"].map(terms), ["735245", "175245", "137245"]);
+        assert_eq!(["amplitude.2", "frequency.2", "phase.2"].map(terms), ["135745", "135275", "135247"]);
+        let message =
+            |scene: &Scene, key: &str| scene.with(&[(key.parse().unwrap(), exact("7"))]).unwrap_err().to_string();
+        for key in ["amplitude", "amplitude.3"] {
+            let said = format!(
+                "the key is \"{key}\", but the excitation has 2 terms: accepted are amplitude.1 to amplitude.2"
+            );
+            assert_eq!(message(&two, key), said);
+        }
+        let one = scene("time = 0, wall = \"left\", velocity = -1");
+        assert_eq!(
+            one.with(&[("phase.1".parse().unwrap(), exact("7"))])
+                .unwrap()
+                .pair()
+                .excitation()
+                .reference()
+                .phase()
+                .text(),
+            "7"
+        );
+        assert!(message(&one, "phase.2").ends_with("a single term: accepted are phase and phase.1"));
+        for key in ["amplitude.0", "amplitude.x", "gap.1", "start.time.1", "amplitude."] {
+            assert!(key.parse::<Key>().is_err(), "{key}");
+        }
+    }
+
+    #[test]
+    fn keys_that_set_one_datum_are_told() {
+        let is_one = |a: &str, b: &str| a.parse::<Key>().unwrap().is_one_with(b.parse().unwrap());
+        assert!(is_one("gap", "pair.gap") && is_one("start.time", "start.phase"));
+        assert!(is_one("phase.2", "phase.2") && is_one("phase", "phase.1") && is_one("phase.1", "phase"));
+        assert!(!is_one("phase.1", "phase.2") && !is_one("phase.1", "amplitude.1") && !is_one("gap", "restitution"));
+    }
+
+    #[test]
     fn parameters_take_effect_before_the_start() {
-        let values = [(Key::StartPhase, exact("5")), (Key::Frequency, exact("4"))];
+        let values = [(Key::StartPhase, exact("5")), (Key::Frequency(None), exact("4"))];
         let varied = scene("time = 0, wall = \"left\", velocity = -1").with(&values).unwrap();
         assert_eq!(varied.start().time().as_rational(), exact("1").as_rational());
     }

@@ -1,7 +1,7 @@
 //! What a picture of a sweep says in words.
 
 use impact_pair::certificate::document::{SceneDocument, SweepHead, Written};
-use impact_pair::scene::Key;
+use impact_pair::scene::{Key, Term};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -23,7 +23,7 @@ pub fn key(root: &Canvas<'_>, (x, y): (i32, i32), colour: RGBColor, name: &str) 
 
 /// Title, parameters, and how it was computed.
 pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
-    let varied: Vec<&str> = varied(head).map(|key| key.symbol().0).collect();
+    let varied: Vec<String> = varied(head).map(|key| key.symbol().0).collect();
     let varied = format!("{} varied", varied.join(" and "));
     let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
     let last = head.transient + head.impacts;
@@ -53,16 +53,21 @@ fn varied(head: &SweepHead) -> impl Iterator<Item = Key> {
 /// The parameters and the start that do not vary.
 fn parameters(head: &SweepHead) -> String {
     let varies = |keys: &[Key]| varied(head).any(|key| keys.contains(&key));
-    let terms = |terms: &[Written]| {
-        let terms: Vec<String> = terms.iter().map(|term| term.0.text()).collect();
+    let terms = |terms: &[Written], of: fn(Option<Term>) -> Key| {
+        // Of terms that vary the symbol.
+        let term = |(number, term): (u16, &Written)| {
+            let key = of(Term::new(number));
+            if varies(&[key]) { key.symbol().0 } else { term.0.text() }
+        };
+        let terms: Vec<String> = (1..).zip(terms).map(term).collect();
         Some(if terms.len() == 1 { terms.concat() } else { format!("({})", terms.join(", ")) })
     };
     let number = |number: &Written| Some(number.0.text());
     let SceneDocument { excitation, gap, restitution, start } = &head.scene;
     let entries = [
-        ("A", terms(&excitation.amplitude), &[Key::Amplitude][..]),
-        ("Ω", terms(&excitation.frequency), &[Key::Frequency]),
-        ("τ", terms(&excitation.phase), &[Key::Phase]),
+        ("A", terms(&excitation.amplitude, Key::Amplitude), &[Key::Amplitude(None)][..]),
+        ("Ω", terms(&excitation.frequency, Key::Frequency), &[Key::Frequency(None)]),
+        ("τ", terms(&excitation.phase, Key::Phase), &[Key::Phase(None)]),
         ("d", number(gap), &[Key::Gap]),
         ("e", number(restitution), &[Key::Restitution]),
         ("t₀", number(&start.time), &[Key::StartTime, Key::StartPhase]),
@@ -84,9 +89,9 @@ fn parameters(head: &SweepHead) -> String {
 /// Name, symbol and unit of a key.
 pub fn described(key: Key) -> String {
     let name = match key {
-        Key::Amplitude => "amplitude of the box",
-        Key::Frequency => "angular frequency",
-        Key::Phase => "phase of the excitation",
+        Key::Amplitude(_) => "amplitude of the box",
+        Key::Frequency(_) => "angular frequency",
+        Key::Phase(_) => "phase of the excitation",
         Key::Gap => "gap",
         Key::Restitution => "coefficient of restitution",
         Key::StartTime => "time of the start",

@@ -66,7 +66,7 @@ pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<S
 fn scale(axis: &sweep::Axis) -> Axis {
     let (low, high) = (value(&axis.low), value(&axis.high));
     let half = 0.5 * (high - low) / (axis.count - 1) as f64;
-    let is_turn = matches!(axis.key, Key::Phase | Key::StartPhase) && (low, high) == (0.0, TAU);
+    let is_turn = matches!(axis.key, Key::Phase(_) | Key::StartPhase) && (low, high) == (0.0, TAU);
     if is_turn { Axis::turn(half) } else { Axis::over(low - half, high + half) }
 }
 

@@ -29,12 +29,23 @@ pub(super) struct Step {
     pub swings: [Ball; 2],
 }
 
+/// A harmonic as searches see it.
+pub(super) struct Rate {
+    /// Its greatest speed, in gaps a turn.
+    pub beta: Ball,
+    /// `W_k/W` and its phase at turn 0, but for the one that turns are counted of.
+    pub own: Option<[Ball; 2]>,
+}
+
 /// What proofs of chains need of a pair.
-pub(super) trait Shaken: Flying {
+pub(super) trait Chained: Flying {
     /// The box's greatest speed in gaps a turn, about.
     fn speed(&self) -> f64 {
         self.pair().beta.mid()
     }
+
+    /// All harmonics, the fastest first.
+    fn rates(&self) -> Vec<Rate>;
 
     /// The impact after one of a floating motion.
     fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
@@ -67,7 +78,11 @@ pub(super) trait Shaken: Flying {
     ) -> Option<bool>;
 }
 
-impl Shaken for One {
+impl Chained for One {
+    fn rates(&self) -> Vec<Rate> {
+        vec![Rate { beta: self.court.pair.beta, own: None }]
+    }
+
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
         physical::is_physical(&self.court, chain, phases, legs)
     }
