@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::document::{BIFURCATION_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA};
-use crate::{Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, Verdict};
+use crate::{BifurcationCertificate, Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, Verdict};
 use impact_pair_model::Error;
 
 /// What a document claims.
@@ -15,6 +15,8 @@ pub enum Claims {
     Orbit(Box<Certificate>),
     /// A periodic JSON, or that of two-impact motions: all its orbits are checked, not that there are no others.
     Periodic(Box<PeriodicCertificate>),
+    /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
+    Bifurcations(Box<BifurcationCertificate>),
     /// Nothing of it is checked, for the reason told.
     Unchecked(&'static str),
 }
@@ -36,9 +38,7 @@ impl Claims {
                 Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
             }
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
-            Some(BIFURCATION_SCHEMA) => {
-                Self::Unchecked("bifurcations: that the eigenvalue passes 1 or -1 there, or a wall is grazed")
-            }
+            Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
             Some(SWEEP_SCHEMA) => Self::Unchecked("sweep points: run their scenes, and check what run writes"),
             _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
@@ -59,6 +59,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.check_until(effort, stop, progress),
             Self::Periodic(certificate) => certificate.check_until(effort, stop, progress),
+            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, progress),
             Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
@@ -70,6 +71,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.events().len(),
             Self::Periodic(certificate) => certificate.count(),
+            Self::Bifurcations(certificate) => certificate.count(),
             Self::Unchecked(_) => 0,
         }
     }
@@ -79,6 +81,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.unjudged().iter().map(String::as_str).collect(),
             Self::Periodic(certificate) => certificate.unjudged().iter().map(String::as_str).collect(),
+            Self::Bifurcations(certificate) => certificate.unjudged().iter().map(String::as_str).collect(),
             Self::Unchecked(why) => vec![why],
         }
     }
@@ -92,6 +95,7 @@ impl Claims {
                 let events = counted(count, "event");
                 if impacts == 0 { events } else { format!("{events}, impacts 1..{impacts}") }
             }
+            Self::Bifurcations(_) => counted(count, "bifurcation"),
             Self::Periodic(_) | Self::Unchecked(_) => counted(count, "orbit"),
         }
     }
@@ -101,6 +105,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => format!("{} and the outcome", counted(certificate.events().len(), "event")),
             Self::Periodic(certificate) => counted(certificate.count(), "orbit"),
+            Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
             Self::Unchecked(_) => "nothing".to_owned(),
         }
     }
@@ -110,7 +115,8 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.described(*event, message),
             Self::Periodic(certificate) if *event < certificate.count() => format!("orbits[{event}]: {message}"),
-            Self::Periodic(_) | Self::Unchecked(_) => message.clone(),
+            Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
+            Self::Periodic(_) | Self::Bifurcations(_) | Self::Unchecked(_) => message.clone(),
         }
     }
 }

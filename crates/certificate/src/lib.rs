@@ -4,6 +4,7 @@
 //! exact numbers and on the model alone.
 
 mod attraction;
+mod bifurcation;
 mod check;
 mod claims;
 pub mod document;
@@ -14,6 +15,7 @@ mod read;
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+pub use bifurcation::BifurcationCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
 pub use periodic::PeriodicCertificate;

@@ -20,7 +20,7 @@ use impact_pair_model::{Wall, Word};
 pub(super) const BITS: u32 = 192;
 /// Bits beyond those that the claimed bounds are worth.
 const SPARE_BITS: u32 = 96;
-const MOST_BITS: u32 = 1 << 12;
+pub(super) const MOST_BITS: u32 = 1 << 12;
 /// How often these are doubled.
 const DOUBLED: u32 = 3;
 
@@ -136,7 +136,7 @@ impl<'c> Target<'c> {
     }
 
     /// All that is found of the orbit lies inside the claimed bounds.
-    fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
+    pub fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let ClaimedOrbit { symmetric, impacts, numbers, physical, .. } = self.claim;
         // Where flights are not proved to be motions, their mirror images are not either.
         if let Some(claimed) = symmetric.filter(|_| *physical == Some(true)) {
@@ -249,10 +249,14 @@ impl<'c> Target<'c> {
     /// Bits that are worth more than the claimed bounds.
     fn bits(&self) -> u32 {
         let bounds = self.claim.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
-        let widths = bounds.map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top());
         // proposes: bits to enclose the orbit with
-        let narrowest = widths.flatten().min().unwrap_or(0);
+        let narrowest = narrowest(bounds).unwrap_or(0);
         // proposes
         SPARE_BITS.saturating_add(u32::try_from(-narrowest).unwrap_or(0)).clamp(BITS, MOST_BITS)
     }
+}
+
+/// The least width of bounds, as a power of 2.
+pub(super) fn narrowest<'b>(bounds: impl Iterator<Item = &'b Bounds>) -> Option<i64> {
+    bounds.filter_map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top()).min()
 }
