@@ -11,6 +11,7 @@ pub mod document;
 mod periodic;
 mod prove;
 mod read;
+mod sweep;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
@@ -21,3 +22,4 @@ pub use claims::Claims;
 pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
+pub use sweep::SweepCertificate;

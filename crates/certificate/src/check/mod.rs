@@ -31,6 +31,7 @@ mod round;
 mod shaking;
 mod step;
 mod still;
+mod sweep;
 mod target;
 mod walk;
 
