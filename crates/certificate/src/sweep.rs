@@ -142,9 +142,11 @@ impl ClaimedOrbit {
         if rest != 0 {
             is_of_grid = Some(false);
         }
-        let contradiction = if !follow || listed.is_some_and(|listed| listed != record.impacts) {
-            Some("its impacts are not all those after the transient")
-        } else if !head.summary && listed.is_none() && record.impacts > head.transient {
+        let is_cut = match listed {
+            Some(listed) => listed != record.impacts,
+            None => !head.summary && record.impacts > head.transient,
+        };
+        let contradiction = if !follow || is_cut {
             Some("its impacts are not all those after the transient")
         } else if all
             .is_none_or(|all| record.impacts > all || record.outcome == "not-attracted" && record.impacts < all)
