@@ -27,7 +27,7 @@ fn verdict(document: &Value) -> Option<(Verdict, Vec<String>)> {
     let claims = Claims::parse(&document.to_string()).ok()?;
     let effort = Effort { bits: 1 << 12, work: 1 << 12, pieces: 16, ..Effort::default() };
     let verdict = claims.check_until(&effort, None, |_| {}).ok()?;
-    Some((verdict, claims.unjudged().into_iter().map(str::to_owned).collect()))
+    Some((verdict, claims.unjudged()))
 }
 
 fn is_confirmed(document: &Value) -> bool {

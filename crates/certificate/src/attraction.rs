@@ -49,6 +49,8 @@ pub(super) struct Passage {
     pub wall: Wall,
     /// Whole turns of the common period of all harmonics before the phase; told where that is longer than a turn.
     pub turn: Option<u64>,
+    /// The whole turns before the phase since that which the first one is in; told where a period takes several common ones.
+    pub cycle: Option<i64>,
     pub phase: Bounds,
     pub velocity: Bounds,
 }
@@ -88,6 +90,7 @@ impl ClaimedOrbit {
         let impact = |impact: &PeriodicImpactDocument| Passage {
             wall: impact.wall,
             turn: impact.turn.map(u64::from),
+            cycle: impact.cycle,
             phase: values(&impact.phase),
             velocity: values(&impact.velocity),
         };

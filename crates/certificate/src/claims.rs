@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::document::{BIFURCATION_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA};
-use crate::{Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, Verdict};
+use crate::{
+    BifurcationCertificate, Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, SweepCertificate, Verdict,
+};
 use impact_pair_model::Error;
 
 /// What a document claims.
@@ -15,6 +17,12 @@ pub enum Claims {
     Orbit(Box<Certificate>),
     /// A periodic JSON, or that of two-impact motions: all its orbits are checked, not that there are no others.
     Periodic(Box<PeriodicCertificate>),
+    /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
+    Bifurcations(Box<BifurcationCertificate>),
+    /// A sweep: the impacts of all its points are checked, not what becomes of them.
+    Sweep(Box<SweepCertificate>),
+    /// Several documents in a list: one by one.
+    List(Vec<Claims>),
     /// Nothing of it is checked, for the reason told.
     Unchecked(&'static str),
 }
@@ -26,6 +34,9 @@ impl Claims {
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
+        if let Some(Value::Array(documents)) = &head {
+            return Self::list(documents);
+        }
         let schema = head.as_ref().and_then(|head| head["schema"].as_str());
         Ok(match schema {
             Some(PERIODIC_SCHEMA)
@@ -36,12 +47,44 @@ impl Claims {
                 Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
             }
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
-            Some(BIFURCATION_SCHEMA) => {
-                Self::Unchecked("bifurcations: that the eigenvalue passes 1 or -1 there, or a wall is grazed")
-            }
+            Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
-            Some(SWEEP_SCHEMA) => Self::Unchecked("sweep points: run their scenes, and check what run writes"),
+            Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
+        })
+    }
+
+    fn list(documents: &[Value]) -> Result<Self, Error> {
+        let parse = |document: &Value| match document {
+            Value::Object(_) => Self::parse(&document.to_string()),
+            _ => Err(Error::certificate("a list must be one of documents".to_owned())),
+        };
+        Ok(Self::List(documents.iter().map(parse).collect::<Result<_, _>>()?))
+    }
+
+    /// Judges one document after another; the first that is not confirmed says why.
+    fn check_list(
+        documents: &[Self],
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        progress: &mut dyn FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let (mut before, mut most) = (0, (0, 0));
+        for document in documents {
+            let verdict = document.check_until(effort, stop, &mut |event| progress(before + event))?;
+            let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
+            match verdict {
+                Verdict::Confirmed { bits, pieces } => most = (most.0.max(bits), most.1.max(pieces)),
+                Verdict::Refuted(finding) => return Ok(Verdict::Refuted(at(finding))),
+                Verdict::Undecided(finding) => return Ok(Verdict::Undecided(at(finding))),
+                Verdict::Interrupted { events } => return Ok(Verdict::Interrupted { events: before + events }),
+            }
+            // One more for what is said of the whole document.
+            before += document.count() + 1;
+        }
+        Ok(match most {
+            (0, _) => Verdict::Undecided(Finding { event: 0, message: "there is nothing to check".to_owned() }),
+            (bits, pieces) => Verdict::Confirmed { bits, pieces },
         })
     }
 
@@ -54,11 +97,14 @@ impl Claims {
         &self,
         effort: &Effort,
         stop: Option<&'static AtomicBool>,
-        progress: impl FnMut(usize),
+        mut progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
         match self {
+            Self::List(documents) => Self::check_list(documents, effort, stop, &mut progress),
+            Self::Sweep(certificate) => certificate.check_until(effort, stop, progress),
             Self::Orbit(certificate) => certificate.check_until(effort, stop, progress),
             Self::Periodic(certificate) => certificate.check_until(effort, stop, progress),
+            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, progress),
             Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
@@ -70,16 +116,28 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.events().len(),
             Self::Periodic(certificate) => certificate.count(),
+            Self::Bifurcations(certificate) => certificate.count(),
+            Self::Sweep(certificate) => certificate.count(),
+            // One more each for what is said of the whole document.
+            Self::List(documents) => documents.iter().map(|document| document.count() + 1).sum(),
             Self::Unchecked(_) => 0,
         }
     }
 
     /// What of it is not judged: keys, or words.
-    pub fn unjudged(&self) -> Vec<&str> {
+    pub fn unjudged(&self) -> Vec<String> {
         match self {
-            Self::Orbit(certificate) => certificate.unjudged().iter().map(String::as_str).collect(),
-            Self::Periodic(certificate) => certificate.unjudged().iter().map(String::as_str).collect(),
-            Self::Unchecked(why) => vec![why],
+            Self::Orbit(certificate) => certificate.unjudged().to_vec(),
+            Self::Periodic(certificate) => certificate.unjudged().to_vec(),
+            Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
+            Self::Sweep(certificate) => certificate.unjudged().to_vec(),
+            Self::List(documents) => {
+                let of = |(i, document): (usize, &Self)| {
+                    document.unjudged().into_iter().map(move |key| format!("[{i}].{key}"))
+                };
+                documents.iter().enumerate().flat_map(of).collect()
+            }
+            Self::Unchecked(why) => vec![(*why).to_owned()],
         }
     }
 
@@ -92,6 +150,18 @@ impl Claims {
                 let events = counted(count, "event");
                 if impacts == 0 { events } else { format!("{events}, impacts 1..{impacts}") }
             }
+            Self::Bifurcations(_) => counted(count, "bifurcation"),
+            Self::Sweep(_) => counted(count, "point"),
+            Self::List(documents) => {
+                let mut left = count;
+                let whole = documents.iter().take_while(|document| {
+                    let size = document.count() + 1;
+                    let is_whole = left >= size;
+                    left = left.saturating_sub(size);
+                    is_whole
+                });
+                counted(whole.count(), "document")
+            }
             Self::Periodic(_) | Self::Unchecked(_) => counted(count, "orbit"),
         }
     }
@@ -101,6 +171,12 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => format!("{} and the outcome", counted(certificate.events().len(), "event")),
             Self::Periodic(certificate) => counted(certificate.count(), "orbit"),
+            Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
+            Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
+            Self::List(documents) => {
+                let each: Vec<_> = documents.iter().map(Self::all).collect();
+                format!("{}: {}", counted(documents.len(), "document"), each.join(", "))
+            }
             Self::Unchecked(_) => "nothing".to_owned(),
         }
     }
@@ -110,7 +186,20 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.described(*event, message),
             Self::Periodic(certificate) if *event < certificate.count() => format!("orbits[{event}]: {message}"),
-            Self::Periodic(_) | Self::Unchecked(_) => message.clone(),
+            Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
+            Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
+            Self::List(documents) => {
+                let mut left = *event;
+                for (i, document) in documents.iter().enumerate() {
+                    if left <= document.count() {
+                        let finding = Finding { event: left, message: message.clone() };
+                        return format!("[{i}]: {}", document.described(&finding));
+                    }
+                    left -= document.count() + 1;
+                }
+                message.clone()
+            }
+            Self::Periodic(_) | Self::Bifurcations(_) | Self::Sweep(_) | Self::Unchecked(_) => message.clone(),
         }
     }
 }

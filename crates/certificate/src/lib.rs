@@ -4,18 +4,22 @@
 //! exact numbers and on the model alone.
 
 mod attraction;
+mod bifurcation;
 mod check;
 mod claims;
 pub mod document;
 mod periodic;
 mod prove;
 mod read;
+mod sweep;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
 
+pub use bifurcation::BifurcationCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
 pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
+pub use sweep::SweepCertificate;

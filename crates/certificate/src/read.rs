@@ -118,6 +118,12 @@ impl Certificate {
         Ok(Self { pair, start, events: claims, attraction: Attraction::of(&ended, &outcome)?, ended, unjudged })
     }
 
+    /// What claims nothing but a start.
+    pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
+        let (events, ended) = (Vec::new(), OutcomeDocument::default());
+        Self { pair, start, events, ended, attraction: None, unjudged: Vec::new() }
+    }
+
     /// The impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair

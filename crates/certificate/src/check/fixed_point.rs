@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::affine::Affine;
 use super::basin::{Contraction, Ellipse};
 use super::contact::{Doubt, clear_throughout};
-use super::round::Round;
+use super::round::{Matrix, Round};
 use super::step::{Departure, Landing};
 use impact_pair_exact::Real;
 
@@ -17,11 +17,17 @@ const TRIED: u32 = 12;
 /// Bits that rounding may take of the first one's size.
 const SPARE_BITS: i64 = 40;
 
-/// The orbit of a basin.
+/// The orbit of a basin, or the orbits of a box.
 pub(super) struct FixedPoint<'r> {
     round: &'r Round<'r>,
-    basin: &'r Ellipse,
-    contraction: Contraction,
+    /// In which there is no other one.
+    basin: Option<&'r Ellipse>,
+    /// Its impacts, the next first one at the end.
+    landings: Vec<Landing>,
+    /// Has the trace of the derivative of the period.
+    derivative: Matrix,
+    /// Whether it is known to be its own mirror image.
+    is_mirrored: bool,
 }
 
 impl<'r> FixedPoint<'r> {
@@ -35,16 +41,23 @@ impl<'r> FixedPoint<'r> {
             if contraction.is_proved() {
                 // What is in both is the only orbit of either.
                 let is_it = basin.holds(&contraction.landings[0]);
-                return if is_it { Ok(Self { round, basin, contraction }) } else { Err(open()) };
+                let Contraction { landings, derivative, .. } = contraction;
+                let orbit = Self { round, basin: Some(basin), landings, derivative, is_mirrored: false };
+                return if is_it { Ok(orbit) } else { Err(open()) };
             }
             size += contraction.larger_by();
         }
         Err(open())
     }
 
+    /// The orbits whose impacts are in given sets, of which it may be known that they are their own mirror images.
+    pub fn of_box(round: &'r Round<'r>, landings: Vec<Landing>, derivative: Matrix, is_mirrored: bool) -> Self {
+        Self { round, basin: None, landings, derivative, is_mirrored }
+    }
+
     /// Its impacts.
     pub fn impacts(&self) -> &[Landing] {
-        &self.contraction.landings[..self.round.walls.len()]
+        &self.landings[..self.round.walls.len()]
     }
 
     /// Whether its flights are as physical as claimed: where first contacts were proved they are; where it is claimed that they are
@@ -53,7 +66,7 @@ impl<'r> FixedPoint<'r> {
         if claimed != Some(false) {
             return Ok(());
         }
-        let (round, landings) = (self.round, &self.contraction.landings);
+        let (round, landings) = (self.round, &self.landings);
         let is_cut_short = |i: usize| {
             let departure = Departure::rebound(round.parameters, &landings[i]);
             let end = landings[i + 1].phase.hull() - &landings[i].phase.hull();
@@ -75,12 +88,15 @@ impl<'r> FixedPoint<'r> {
 
     /// The trace of the derivative of the period. **Equation** (38)
     pub fn trace(&self) -> Real {
-        let [[a, _], [_, d]] = &self.contraction.derivative;
+        let [[a, _], [_, d]] = &self.derivative;
         a.clone() + d
     }
 
     /// Whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one.
     pub fn is_symmetric(&self, has_mirror: bool) -> Option<bool> {
+        if self.is_mirrored {
+            return Some(true);
+        }
         let half = self.round.common.half();
         let minus = Real::int(-1, half.bits());
         let mirrored = |Landing { wall, phase, velocity }: &Landing| Landing {
@@ -105,7 +121,7 @@ impl<'r> FixedPoint<'r> {
     fn is_first(&self, state: &Landing) -> Option<bool> {
         let first = &self.impacts()[0];
         let state = Landing { phase: self.round.near(&state.phase, &first.phase.centre)?, ..state.clone() };
-        if self.basin.holds(&state) {
+        if self.basin.is_some_and(|basin| basin.holds(&state)) {
             return Some(true);
         }
         let off = [(&state.phase, &first.phase), (&state.velocity, &first.velocity)].map(|(x, y)| x.hull() - &y.hull());

@@ -91,7 +91,7 @@ impl Target<'_> {
     }
 
     /// Whether its impacts are claimed to be first contacts.
-    fn is_physical(&self) -> bool {
+    pub(super) fn is_physical(&self) -> bool {
         self.claim.physical == Some(true)
     }
 
@@ -106,7 +106,7 @@ impl Target<'_> {
     }
 
     /// About how long the flights between the claimed impacts last: as phases are told less whole turns, these follow from the drift.
-    fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
+    pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
         let none = || Doubt::Open("the claimed impacts do not follow one another in so many cycles".into());
         let bits = frame.turn.bits();
         let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes

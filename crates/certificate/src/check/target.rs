@@ -12,7 +12,7 @@ use super::frame::{Frame, hull};
 use super::round::Round;
 use super::step::Landing;
 use super::walk::compare;
-use crate::attraction::{Bounds, ClaimedOrbit, Stability};
+use crate::attraction::{Bounds, ClaimedOrbit, Passage, Stability};
 use impact_pair_exact::Real;
 use impact_pair_model::{Wall, Word};
 
@@ -20,7 +20,7 @@ use impact_pair_model::{Wall, Word};
 pub(super) const BITS: u32 = 192;
 /// Bits beyond those that the claimed bounds are worth.
 const SPARE_BITS: u32 = 96;
-const MOST_BITS: u32 = 1 << 12;
+pub(super) const MOST_BITS: u32 = 1 << 12;
 /// How often these are doubled.
 const DOUBLED: u32 = 3;
 
@@ -136,7 +136,7 @@ impl<'c> Target<'c> {
     }
 
     /// All that is found of the orbit lies inside the claimed bounds.
-    fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
+    pub fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let ClaimedOrbit { symmetric, impacts, numbers, physical, .. } = self.claim;
         // Where flights are not proved to be motions, their mirror images are not either.
         if let Some(claimed) = symmetric.filter(|_| *physical == Some(true)) {
@@ -166,6 +166,7 @@ impl<'c> Target<'c> {
             compare("phase of the orbit", &phase.hull(), &claimed.phase)?;
             compare("velocity of the orbit", &frame.clock.velocity(&found.velocity.hull()), &claimed.velocity)?;
         }
+        self.compare_cycles(frame, orbit)?;
         self.compare_spacing(frame, orbit)?;
         orbit.is_physical_as(*physical)?;
         let trace = orbit.trace();
@@ -190,6 +191,31 @@ impl<'c> Target<'c> {
         };
         // They are a pair without an order.
         both(&one, &other).or_else(|doubt| both(&other, &one).map_err(|_| doubt))
+    }
+
+    /// The whole turns between its first impact and the others.
+    fn compare_cycles(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
+        let middle =
+            |claimed: &Passage| hull(&claimed.phase.each_ref().map(|x| Real::rational(x, frame.turn.bits()))).middle();
+        let (claims, impacts) = (&self.claim.impacts, orbit.impacts());
+        for (claimed, found) in claims.iter().zip(impacts) {
+            let Some(cycle) = claimed.cycle else { continue };
+            let passed = found.phase.hull() - &impacts[0].phase.hull();
+            let beyond = passed - &(middle(claimed) - &middle(&claims[0]));
+            let half = Real::int(1, frame.turn.bits()).half();
+            let first = claims[0].turn.and_then(|turn| i64::try_from(turn).ok()).unwrap_or(0); // exact: no turn, the first one
+            let told = cycle.checked_sub(first).ok_or_else(|| Doubt::Open("a cycle is too large".into()))?;
+            let off = beyond.over(&frame.turn).map(|turns| turns - told);
+            match off {
+                // Both are a whole number.
+                Some(off) if off.is_below(&half) && (-off.clone()).is_below(&half) => {}
+                Some(off) if half.is_below(&off) || half.is_below(&-off.clone()) => {
+                    return Err(Doubt::False("an impact of the orbit is in another cycle".into()));
+                }
+                _ => return Err(Doubt::Open("the cycle of an impact is not decided".into())),
+            }
+        }
+        Ok(())
     }
 
     /// Spacing and sine of a two-impact motion.
@@ -249,10 +275,14 @@ impl<'c> Target<'c> {
     /// Bits that are worth more than the claimed bounds.
     fn bits(&self) -> u32 {
         let bounds = self.claim.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
-        let widths = bounds.map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top());
         // proposes: bits to enclose the orbit with
-        let narrowest = widths.flatten().min().unwrap_or(0);
+        let narrowest = narrowest(bounds).unwrap_or(0);
         // proposes
         SPARE_BITS.saturating_add(u32::try_from(-narrowest).unwrap_or(0)).clamp(BITS, MOST_BITS)
     }
+}
+
+/// The least width of bounds, as a power of 2.
+pub(super) fn narrowest<'b>(bounds: impl Iterator<Item = &'b Bounds>) -> Option<i64> {
+    bounds.filter_map(|[lower, upper]| Real::rational(&(upper - lower), 64).enclosure().mig().top()).min()
 }

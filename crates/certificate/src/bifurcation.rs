@@ -1,0 +1,197 @@
+//! The bifurcation JSON, read back: what it claims of its points, as exact fractions.
+
+use serde_json::Value;
+
+use super::attraction::{Bounds, ClaimedOrbit};
+use crate::document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place};
+use impact_pair_exact::Exact;
+use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
+
+/// What a bifurcation JSON claims.
+#[derive(Clone, Debug)]
+pub struct BifurcationCertificate {
+    pair: ImpactPair,
+    start: Start,
+    over: Parameter,
+    points: Vec<ClaimedPoint>,
+    /// Why it contradicts itself.
+    contradiction: Option<String>,
+    unjudged: Vec<String>,
+}
+
+/// A bifurcation that is claimed.
+#[derive(Clone, Debug)]
+pub(super) struct ClaimedPoint {
+    pub kind: Kind,
+    pub parameter: Bounds,
+    pub word: Word,
+    pub cycles: u64,
+    pub orbit: ClaimedOrbit,
+}
+
+/// What is claimed to happen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Fold,
+    Pitchfork,
+    PeriodDoubling,
+    Graze,
+}
+
+/// What varies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Parameter {
+    Amplitude,
+    Gap,
+    Restitution,
+    /// Over which nothing changes.
+    Frequency,
+}
+
+impl Parameter {
+    fn of(place: &Place<'_>) -> Result<Self, Error> {
+        match place.read::<String>()?.as_str() {
+            "excitation.amplitude" => Ok(Self::Amplitude),
+            "pair.gap" => Ok(Self::Gap),
+            "pair.restitution" => Ok(Self::Restitution),
+            "excitation.frequency" => Ok(Self::Frequency),
+            _ => Err(place.refused("accepted are excitation.amplitude, .frequency, pair.gap and .restitution")),
+        }
+    }
+
+    /// Where its own value stands in the scene; it only names the scene.
+    fn place(self) -> &'static str {
+        match self {
+            Self::Amplitude => "scene.excitation.amplitude",
+            Self::Gap => "scene.gap",
+            Self::Restitution => "scene.restitution",
+            Self::Frequency => "scene.excitation.frequency",
+        }
+    }
+}
+
+impl ClaimedPoint {
+    fn of(point: &BifurcationPointDocument, place: &Place<'_>) -> Result<Self, Error> {
+        let kind = match point.kind.as_str() {
+            "fold" => Kind::Fold,
+            "pitchfork" => Kind::Pitchfork,
+            "period-doubling" => Kind::PeriodDoubling,
+            "graze" => Kind::Graze,
+            _ => return Err(place.get("kind")?.refused("accepted are fold, pitchfork, period-doubling and graze")),
+        };
+        let orbit = place.get("orbit")?;
+        if point.orbit.amplitude.is_some() || point.orbit.gap.is_some() {
+            return Err(orbit.refused("what is solved for the amplitude or the gap is not checked"));
+        }
+        Ok(Self {
+            kind,
+            parameter: point.parameter.each_ref().map(|bound| bound.value()),
+            word: point.word.parse()?,
+            cycles: point.cycles.into(),
+            orbit: ClaimedOrbit::of(&point.orbit, &orbit)?,
+        })
+    }
+}
+
+impl BifurcationCertificate {
+    /// Reads a bifurcation JSON.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value: Value = serde_json::from_str(text)
+            .map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
+        let whole = Place::whole(&value);
+        let schema = whole.get("schema")?;
+        if schema.read::<String>()? != BIFURCATION_SCHEMA {
+            return Err(schema.refused(&format!("accepted is \"{BIFURCATION_SCHEMA}\"")));
+        }
+        let document: BifurcationDocument = whole.read()?;
+        let over = Parameter::of(&whole.get("over")?.get("key")?)?;
+        let places = whole.get("points")?.list()?;
+        let points = document.points.iter().zip(&places).map(|(point, place)| ClaimedPoint::of(point, place));
+        let points: Vec<ClaimedPoint> = points.collect::<Result<_, _>>()?;
+        let mut unjudged = whole.unread::<BifurcationDocument>()?;
+        unjudged.extend(["program", "scene.start", "over.low", "over.high", over.place()].map(str::to_owned));
+        unjudged.extend((!document.branches.is_empty()).then(|| "branches".to_owned()));
+        unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
+        unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
+        let is_graze = |(_, point): &(usize, &ClaimedPoint)| point.kind == Kind::Graze;
+        unjudged.extend(points.iter().enumerate().filter(is_graze).map(|(i, _)| format!("points[{i}]")));
+        unjudged.extend((!points.is_empty()).then(|| "points.orbit.unique".to_owned()));
+        unjudged.sort();
+        unjudged.dedup();
+        let contradiction = contradiction(&document, &points)?;
+        let (pair, _) = document.scene.model()?;
+        Ok(Self {
+            pair,
+            // Phases are counted from the time 0; no orbit depends on the scene's start.
+            start: Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?,
+            over,
+            points,
+            contradiction,
+            unjudged,
+        })
+    }
+
+    pub(super) fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    pub(super) fn start(&self) -> &Start {
+        &self.start
+    }
+
+    pub(super) fn over(&self) -> Parameter {
+        self.over
+    }
+
+    pub(super) fn points(&self) -> &[ClaimedPoint] {
+        &self.points
+    }
+
+    pub(super) fn contradiction(&self) -> Option<&str> {
+        self.contradiction.as_deref()
+    }
+
+    /// How many bifurcations it claims.
+    pub fn count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// How many of them are checked: those that are no grazes.
+    pub fn checked(&self) -> usize {
+        self.points.iter().filter(|point| point.kind != Kind::Graze).count()
+    }
+
+    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}
+
+/// What a document says that its own fields exclude.
+fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Result<Option<String>, Error> {
+    let BifurcationDocument { word, cycles, certified, branches, undecided, .. } = document;
+    let asked: Word = word.parse()?;
+    let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
+    let is_open = |point: &ClaimedPoint| point.kind != Kind::Graze && point.orbit.physical.is_none();
+    if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
+        return Ok(Some("certified: not all is proved that was found".to_owned()));
+    }
+    for (i, (point, told)) in points.iter().zip(&document.points).enumerate() {
+        // The orbit at which a doubling comes is the one before it.
+        let doublings = told.doublings.saturating_sub((point.kind == Kind::PeriodDoubling).into());
+        let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings)?);
+        let repeated = asked.mappings().iter().cycle().take(point.word.mappings().len());
+        let fits = times(asked.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
+            && times((*cycles).into()) == Some(point.cycles);
+        if !fits || !repeated.eq(point.word.mappings()) {
+            return Ok(Some(format!("points[{i}]: its word is not the asked one, doubled so often")));
+        }
+        if point.parameter[0] > point.parameter[1] {
+            return Ok(Some(format!("points[{i}]: a lower bound is above the upper one")));
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,164 @@
+//! Whether a bifurcation JSON is right: at each fold, pitchfork and period doubling an orbit as claimed is found again at which an
+//! eigenvalue passes 1 or -1 (Lemma V9).
+//!
+//! Nothing of the extended systems that made the certificate is used: the orbits near the claimed one are proved to be one curve, over the
+//! parameter or, at a fold, over phase or velocity, and `det(DP - mu)` to have opposite signs at two of its points.
+
+use std::sync::atomic::AtomicBool;
+
+use super::budget::Budget;
+use super::contact::Doubt;
+use super::curve::{Cell, Curve, PARAMETER};
+use super::data::{Data, Piece};
+use super::fixed_point::FixedPoint;
+use super::frame::{Frame, hull};
+use super::target::{MOST_BITS, Target, narrowest};
+use super::walk::compare;
+use super::{Effort, Finding, Verdict};
+use crate::attraction::Bounds;
+use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind, Parameter};
+use impact_pair_exact::{Exact, Real};
+use impact_pair_model::Error;
+
+/// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
+const INSIDE: i64 = 24;
+/// Bits of the arithmetic beyond those of the box.
+const SPARE_BITS: i64 = 128;
+/// The largest box, as a power of 2.
+const LARGEST: i64 = -40;
+
+impl BifurcationCertificate {
+    /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until `stop` is set, if there is
+    /// one. `progress` is told the points judged so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let budget = Budget::new(0, effort.parts, stop);
+        let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
+        let mut most = 0;
+        let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
+        if let Some(message) = self.contradiction() {
+            return Ok(Verdict::Refuted(end(message)));
+        }
+        for (event, point) in self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze) {
+            budget.add(effort.work);
+            match point.judged(&data, self.over()) {
+                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: event }),
+                Err(Doubt::Open(message)) => return Ok(Verdict::Undecided(Finding { event, message })),
+                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
+                Ok(bits) => {
+                    most = most.max(bits); // exact: what is shown
+                    progress(event + 1);
+                }
+            }
+        }
+        Ok(match self.checked() {
+            0 => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
+            _ => Verdict::Confirmed { bits: most, pieces: 1 },
+        })
+    }
+}
+
+impl ClaimedPoint {
+    /// It is one, proved in so many bits. Another one that is found refutes nothing: there may be several.
+    fn judged(&self, data: &Data, over: Parameter) -> Result<u32, Doubt> {
+        let open = |message: &str| Doubt::Open(message.into());
+        let target = Target::new(data, &self.word, self.cycles, &self.orbit)?;
+        if data.only().is_none() {
+            return Err(open("only bifurcations under one harmonic are checked"));
+        }
+        let is_symmetric = self.orbit.symmetric == Some(true);
+        if self.kind == Kind::Pitchfork && !is_symmetric {
+            return Err(Doubt::False("only a symmetric orbit has a pitchfork".into()));
+        }
+        let is_half = is_symmetric && self.kind != Kind::PeriodDoubling;
+        let (walls, half) = (&target.walls, target.walls.len() / 2);
+        if is_half && !(self.cycles % 2 == 1 && walls.len() % 2 == 0 && (0..half).all(|i| walls[i] != walls[i + half]))
+        {
+            return Err(Doubt::False("no orbit of the word is symmetric".into()));
+        }
+        let size = LARGEST.min(narrowest(self.bounds()).unwrap_or(0) - INSIDE); // proposes: a size to try
+        let bits = SPARE_BITS - size;
+        let bits = u32::try_from(bits)
+            .ok()
+            .filter(|&bits| bits <= MOST_BITS)
+            .ok_or_else(|| open("the bounds are too narrow"))?;
+        let found = self.found(&target, over, (bits, size, is_half));
+        found.map(|()| bits).map_err(|doubt| match doubt {
+            Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
+        })
+    }
+
+    /// The bounds that tell how narrowly it is claimed.
+    fn bounds(&self) -> impl Iterator<Item = &Bounds> {
+        let impacts = self.orbit.impacts.iter().flat_map(|impact| [&impact.phase, &impact.velocity]);
+        impacts.chain([&self.parameter])
+    }
+
+    fn found(
+        &self,
+        target: &Target<'_>,
+        over: Parameter,
+        (bits, size, is_half): (u32, i64, bool),
+    ) -> Result<(), Doubt> {
+        let open = |message: &str| Doubt::Open(message.into());
+        let parameter = hull(&self.parameter.each_ref().map(|bound| Real::rational(bound, bits)));
+        let mut curve = Curve {
+            target,
+            frame: Frame::new(target.data, &Piece::default(), bits),
+            over,
+            is_half,
+            mu: if self.kind == Kind::Fold { 1 } else { -1 },
+            units: [0; 3],
+            times: Vec::new(),
+        };
+        curve.frame.parameters = curve.parameters(super::affine::Affine::fixed(parameter.middle()));
+        if curve.frame.parameters.columns() > 0 {
+            return Err(open("only bifurcations of a pair whose other data are points are checked"));
+        }
+        let first = target.first(&curve.frame);
+        let guess = [first.phase.centre, first.velocity.centre, parameter.middle()];
+        let unit = |x: &Real| x.enclosure().mag().top().ok_or_else(|| open("a velocity, or the parameter, is 0"));
+        curve.units = [0, unit(&guess[1])?, unit(&guess[2])?]; // proposes: scales
+        curve.times = target.times(&curve.frame)?;
+        let at = curve.polish(guess)?;
+        // A fold is a curve over phase or velocity, all others over the parameter.
+        let along: &[usize] = if self.kind == Kind::Fold { &[0, 1] } else { &[PARAMETER] };
+        let mut answer = Err(open("nothing is tried"));
+        for &j in along {
+            answer = curve.crossing(&at, j, size).and_then(|cell| self.compare(&curve, &cell));
+            if answer.is_ok() {
+                break;
+            }
+        }
+        answer
+    }
+
+    /// All orbits of a box are as claimed.
+    fn compare(&self, curve: &Curve<'_>, cell: &Cell) -> Result<(), Doubt> {
+        let value = curve.spanned(cell, PARAMETER);
+        compare("parameter", &value.hull(), &self.parameter)?;
+        let one = Real::int(1, value.centre.bits());
+        if !value.hull().is_positive() || curve.over == Parameter::Restitution && one.is_below(&value.hull()) {
+            return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
+        }
+        let image = curve.image(cell, false)?;
+        let derivative = image.derivative();
+        let parameters = curve.parameters(value.clone());
+        let frame = Frame { parameters, clock: curve.frame.clock.clone(), turn: curve.frame.turn.clone() };
+        let mut data = curve.target.data.clone();
+        if curve.over == Parameter::Restitution {
+            let ends = value.hull().ends().map(|end| Exact::from_rational(end.mid().to_rational()));
+            data.restitution = Exact::interval(&ends[0], &ends[1]).map_err(|error| Doubt::Open(error.to_string()))?;
+        }
+        let target = Target::new(&data, &self.word, self.cycles, &self.orbit)?;
+        let round = target.round(&frame, curve.times.clone(), target.is_physical());
+        target.compare(&frame, &FixedPoint::of_box(&round, image.landings, derivative, curve.is_half))
+    }
+}

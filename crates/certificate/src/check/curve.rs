@@ -1,0 +1,294 @@
+//! Orbits of a word over a parameter as a curve of states and values of the parameter (Lemma V9).
+
+use super::affine::Affine;
+use super::contact::Doubt;
+use super::frame::Frame;
+use super::round::{Matrix, along, determinant, inverse, times};
+use super::step::{Landing, Parameters};
+use super::target::Target;
+use crate::bifurcation::Parameter;
+use impact_pair_exact::{Dyadic, Real};
+
+/// Phase \[rad\], velocity \[length/rad\] and the parameter.
+pub(super) type Point = [Real; 3];
+
+/// The coordinate that is the parameter.
+pub(super) const PARAMETER: usize = 2;
+/// Steps of Newton's iteration.
+const STEPS: u32 = 16;
+/// The last one needed is below so many bits of the arithmetic.
+const ENOUGH: i64 = 40;
+/// A box that holds the curve at an end is so many times smaller than the one that holds all of it, as a power of 2.
+const END: i64 = 24;
+/// Room on both sides of the curve, as a power of 2 of how far it strays.
+const ROOM: i64 = 2;
+/// A side of a box is at least so much of the one along the curve, as a power of 2.
+const THIN: i64 = 8;
+
+/// What a period makes of states over a parameter, or half of it seen in the mirror.
+pub(super) struct Curve<'t> {
+    pub target: &'t Target<'t>,
+    pub frame: Frame,
+    pub over: Parameter,
+    pub is_half: bool,
+    /// The eigenvalue sought: 1 or -1.
+    pub mu: i64,
+    /// Of the coordinates, as powers of 2.
+    pub units: [i64; 3],
+    /// About how long the flights of a whole period last.
+    pub times: Vec<Real>,
+}
+
+/// A box: `centre + 2^(sizes + units) q`, `|q_i| <= 1`.
+#[derive(Clone, Debug)]
+pub(super) struct Cell {
+    pub centre: Point,
+    pub sizes: [i64; 3],
+}
+
+/// What a round makes of a box, in units.
+pub(super) struct Image {
+    pub landings: Vec<Landing>,
+    /// How far the centre is moved.
+    moved: [Real; 2],
+    /// Encloses the derivatives by the coordinates over the box.
+    slopes: [[Real; 3]; 2],
+}
+
+impl Image {
+    /// The derivative by the state.
+    pub fn derivative(&self) -> Matrix {
+        self.slopes.each_ref().map(|[a, b, _]| [a.clone(), b.clone()])
+    }
+
+    /// `det(DP - mu)`, zero where `mu` is an eigenvalue.
+    fn critical(&self, mu: i64) -> Real {
+        let [[a, b], [c, d]] = self.derivative();
+        determinant(&[[a - mu, b], [c, d - mu]])
+    }
+
+    /// The derivatives of `P(x) - x` by the coordinate `j`.
+    fn off(&self, j: usize) -> [Real; 2] {
+        [0, 1].map(|i| self.slopes[i][j].clone() - i64::from(i == j))
+    }
+}
+
+impl Curve<'_> {
+    fn bits(&self) -> u32 {
+        self.frame.turn.bits()
+    }
+
+    fn power(&self, n: i64) -> Real {
+        Real::point(Dyadic::power_of_two(n), self.bits())
+    }
+
+    /// The data with these values of the parameter.
+    pub fn parameters(&self, value: Affine) -> Parameters {
+        let mut parameters = self.frame.parameters.clone();
+        match self.over {
+            Parameter::Amplitude => parameters.terms[0].amplitude = value,
+            Parameter::Restitution => parameters.restitution = value,
+            Parameter::Gap | Parameter::Frequency => {
+                let half = self.power(-1);
+                parameters.half_gap = Affine::of(value.centre.half(), &[(&half, &value)]);
+            }
+        }
+        parameters
+    }
+
+    /// The quantity `i` over a box.
+    pub fn spanned(&self, cell: &Cell, i: usize) -> Affine {
+        let zero = Real::zero(self.bits());
+        Affine::spanned(cell.centre[i].clone(), i, [self.power(cell.sizes[i] + self.units[i]), zero])
+    }
+
+    /// What a round makes of a box, if all contacts are proved; `is_half`: half a period, seen in the mirror.
+    pub fn image(&self, cell: &Cell, is_half: bool) -> Result<Image, Doubt> {
+        let clock = self.frame.clock.clone();
+        let parameters = self.parameters(self.spanned(cell, PARAMETER));
+        let frame = Frame { parameters, clock, turn: self.frame.turn.clone() };
+        let flights = if is_half { self.times.len() / 2 } else { self.times.len() };
+        let mut round = self.target.round(&frame, self.times[..flights].to_vec(), self.target.is_physical());
+        if is_half {
+            round.lasting = round.lasting.half();
+        }
+        let start =
+            Landing { wall: self.target.walls[0], phase: self.spanned(cell, 0), velocity: self.spanned(cell, 1) };
+        let mut landings = round.run(start)?;
+        let end = landings.last_mut().expect("the set");
+        if is_half {
+            let minus = Real::int(-1, self.bits());
+            end.wall = end.wall.other();
+            end.velocity = Affine::of(-end.velocity.centre.clone(), &[(&minus, &end.velocity)]);
+        }
+        let ends = [&end.phase, &end.velocity];
+        let moved = [0, 1].map(|i| (ends[i].without(0).hull() - &cell.centre[i]) * &self.power(-self.units[i]));
+        let slope =
+            |i: usize, j: usize| ends[i].column(j).at(self.bits()) * &self.power(-cell.sizes[j] - self.units[i]);
+        let slopes = [0, 1].map(|i| [0, 1, 2].map(|j| slope(i, j)));
+        Ok(Image { landings, moved, slopes })
+    }
+
+    /// The same of next to a point; the times of its flights are kept.
+    fn near(&self, at: &Point) -> Result<Image, Doubt> {
+        self.image(&Cell { centre: at.clone(), sizes: [-i64::from(self.bits()); 3] }, self.is_half)
+    }
+
+    /// How long the flights from a point last.
+    fn retime(&mut self, at: &Point) -> Result<(), Doubt> {
+        let sizes = [-i64::from(self.bits()); 3];
+        let Image { landings, .. } = self.image(&Cell { centre: at.clone(), sizes }, false)?;
+        let phases: Vec<_> = landings.iter().map(|landing| self.point(&landing.phase.centre)).collect();
+        let lasting = self.frame.turn.clone() * i64::try_from(self.target.cycles).unwrap_or(i64::MAX); // proposes
+        self.times = phases.windows(2).map(|flight| self.point(&(flight[1].clone() - &flight[0]))).collect();
+        let last = self.times.pop().expect("a flight") + &lasting;
+        self.times.push(self.point(&last));
+        Ok(())
+    }
+
+    fn point(&self, x: &Real) -> Real {
+        Real::point(x.mid(), self.bits())
+    }
+
+    /// The coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Nothing is proved.
+    pub fn polish(&mut self, guess: Point) -> Result<Point, Doubt> {
+        let open = || Doubt::Open("no bifurcation is found near".into());
+        let (mut at, mut before) = (guess.map(|x| self.point(&x)), None::<Dyadic>);
+        let far = i64::from(self.bits() / 4);
+        for _ in 0..STEPS {
+            self.retime(&at)?;
+            let here = self.near(&at)?;
+            let critical = here.critical(self.mu);
+            let mut gradient = [0, 1, 2].map(|_| Real::zero(self.bits()));
+            for (j, slope) in gradient.iter_mut().enumerate() {
+                let mut there = at.clone();
+                there[j] = there[j].clone() + &self.power(self.units[j] - far);
+                *slope = self.point(&((self.near(&there)?.critical(self.mu) - &critical) * &self.power(far)));
+            }
+            let [one, other] = [0, 1].map(|i| [0, 1, 2].map(|j| self.point(&here.off(j)[i])));
+            let step =
+                solved(&[one, other, gradient], &[&here.moved[0], &here.moved[1], &critical]).ok_or_else(open)?;
+            let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
+            // As many digits as rounding leaves.
+            if before.is_some_and(|before| size.scaled(1) > before) {
+                return Ok(at);
+            }
+            at = [0, 1, 2].map(|i| self.point(&(at[i].clone() - &(step[i].clone() * &self.power(self.units[i])))));
+            // proposes: when to stop
+            if size.top().is_none_or(|top| top < ENOUGH - i64::from(self.bits())) {
+                return Ok(at);
+            }
+            before = Some(size);
+        }
+        Err(open())
+    }
+
+    /// The point of the curve with the same coordinate `along` as a guess. Nothing is proved.
+    fn on_curve(&self, mut at: Point, along: usize) -> Result<Point, Doubt> {
+        let others = others(along);
+        for _ in 0..STEPS / 4 {
+            let here = self.near(&at)?;
+            let newton = newton(&here, others).ok_or_else(lost)?;
+            let step = newton.each_ref().map(|row| super::round::along(row, &here.moved));
+            for (k, &i) in others.iter().enumerate() {
+                at[i] = self.point(&(at[i].clone() - &(step[k].clone() * &self.power(self.units[i]))));
+            }
+        }
+        Ok(at)
+    }
+
+    /// A box around a point of the curve in which the coordinate `j` goes `2^size` units to both sides, and a bifurcation is proved to
+    /// lie: the curve is one over that coordinate, and `det(DP - mu)` has opposite signs at two of its points.
+    pub fn crossing(&self, at: &Point, j: usize, size: i64) -> Result<Cell, Doubt> {
+        let here = self.near(at)?;
+        let slopes = newton(&here, others(j)).ok_or_else(lost)?.map(|row| -along(&row, &here.off(j)));
+        let mut sizes = [size; 3];
+        for (&i, slope) in others(j).iter().zip(&slopes) {
+            let top = slope.enclosure().mag().top().unwrap_or(-THIN); // proposes: a size to try
+            sizes[i] = size + ROOM + top.max(-THIN); // proposes: a size to try
+        }
+        let cell = Cell { centre: at.clone(), sizes };
+        is_curve(&self.image(&cell, self.is_half)?, &cell, j)?;
+        let [before, after] = [-1, 1].map(|sign| self.sign_at(&cell, j, &slopes, sign));
+        if before?.is_lt() == after?.is_lt() {
+            return Err(Doubt::Open("no eigenvalue is proved to pass 1 or -1 there".into()));
+        }
+        Ok(cell)
+    }
+
+    /// The sign of `det(DP - mu)` at the point of the curve half as far as the box reaches.
+    fn sign_at(&self, cell: &Cell, j: usize, slopes: &[Real; 2], sign: i64) -> Result<std::cmp::Ordering, Doubt> {
+        let by = self.power(cell.sizes[j] - 1) * sign;
+        let mut guess = cell.centre.clone();
+        guess[j] = guess[j].clone() + &(by.clone() * &self.power(self.units[j]));
+        for (&i, slope) in others(j).iter().zip(slopes) {
+            guess[i] = self.point(&(guess[i].clone() + &(slope.clone() * &by * &self.power(self.units[i]))));
+        }
+        let end = Cell { centre: self.on_curve(guess, j)?, sizes: cell.sizes.map(|size| size - END) };
+        let image = self.image(&end, self.is_half)?;
+        is_curve(&image, &end, j)?;
+        let is_inside = (0..3).all(|i| {
+            let [large, small] = [cell, &end].map(|cell| self.power(cell.sizes[i] + self.units[i]));
+            let off = Real::point((end.centre[i].clone() - &cell.centre[i]).enclosure().mag(), self.bits());
+            (off + &small).is_below(&large)
+        });
+        let critical = image.critical(self.mu);
+        match critical.sign().filter(|sign| is_inside && sign.is_ne()) {
+            Some(sign) => Ok(sign),
+            None => Err(Doubt::Open("it is not decided on which side of 1 or -1 an eigenvalue lies".into())),
+        }
+    }
+}
+
+/// Proves that the orbits in a box are one curve over the coordinate `j`: for each of its values there is exactly one (Lemma V9).
+fn is_curve(image: &Image, cell: &Cell, j: usize) -> Result<(), Doubt> {
+    let bits = image.moved[0].bits();
+    let others = others(j);
+    let size = |i: usize| Real::point(Dyadic::power_of_two(cell.sizes[i]), bits);
+    let newton = newton(image, others).ok_or_else(lost)?;
+    // In the coordinates q.
+    let newton = [0, 1].map(|k| {
+        let shrunk = Real::point(Dyadic::power_of_two(-cell.sizes[others[k]]), bits);
+        newton[k].clone().map(|x| x * &shrunk)
+    });
+    let [one, other] = others.map(|i| image.off(i).map(|x| x * &size(i)));
+    let columns = [[one[0].clone(), other[0].clone()], [one[1].clone(), other[1].clone()]];
+    let change = times(&newton, &columns);
+    let drift = image.off(j).map(|x| x * &size(j));
+    let unit = Real::int(1, bits);
+    let magnitude = |x: &Real| Real::point(x.enclosure().mag(), bits);
+    for (k, row) in newton.iter().enumerate() {
+        let factor = magnitude(&(change[k][k].clone() - 1)) + &magnitude(&change[k][1 - k]);
+        let moved = magnitude(&along(row, &image.moved)) + &magnitude(&along(row, &drift));
+        if !(factor.is_below(&unit) && (factor + &moved).is_below(&unit)) {
+            return Err(Doubt::Open("the orbits are not proved to be one curve".into()));
+        }
+    }
+    Ok(())
+}
+
+/// The inverse of the derivatives of `P(x) - x` by two coordinates, about: any matrix is as sound.
+fn newton(image: &Image, coordinates: [usize; 2]) -> Option<Matrix> {
+    let [one, other] = coordinates.map(|j| image.off(j).map(|x| x.middle()));
+    let [[a, c], [b, d]] = [one, other];
+    Some(inverse(&[[a, b], [c, d]])?.map(|row| row.map(|x| x.middle())))
+}
+
+fn others(j: usize) -> [usize; 2] {
+    [(j + 1) % 3, (j + 2) % 3]
+}
+
+fn lost() -> Doubt {
+    Doubt::Open("the curve of the orbits is lost".into())
+}
+
+/// The solution of three linear equations, about.
+fn solved(rows: &[Point; 3], right: &[&Real; 3]) -> Option<Point> {
+    let minor =
+        |a: usize, b: usize, i: usize, j: usize| rows[a][i].clone() * &rows[b][j] - &(rows[a][j].clone() * &rows[b][i]);
+    // Adjoint matrix over the determinant.
+    let adjoint = |i: usize, k: usize| minor((k + 1) % 3, (k + 2) % 3, (i + 1) % 3, (i + 2) % 3);
+    let whole = (0..3).map(|i| rows[0][i].clone() * &adjoint(i, 0)).reduce(|sum, x| sum + &x)?;
+    let solution = |i: usize| (0..3).map(|k| adjoint(i, k) * right[k]).reduce(|sum, x| sum + &x)?.over(&whole.middle());
+    Some([solution(0)?, solution(1)?, solution(2)?])
+}

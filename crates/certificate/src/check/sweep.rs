@@ -1,0 +1,146 @@
+//! Whether the impacts of a sweep's points are right: each orbit is followed from its exact start, and compared after the transient.
+
+use std::sync::atomic::AtomicBool;
+
+use super::budget::Budget;
+use super::contact::Doubt;
+use super::data::{Data, Piece};
+use super::step::Departure;
+use super::walk::{Walk, compare};
+use super::{Effort, FIRST_BITS, Finding, Verdict};
+use crate::Certificate;
+use crate::sweep::{ClaimedOrbit, ClaimedState, SweepCertificate};
+use impact_pair_exact::Real;
+use impact_pair_model::Error;
+
+impl SweepCertificate {
+    /// Proves the impacts of every point again, or says of which they are not true or not proved, until `stop` is set, if there is
+    /// one. `progress` is told the points judged so far.
+    ///
+    /// # Errors
+    /// When a scene's values are beyond what exact expressions hold.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let (mut most, mut open, mut confirmed) = (0, None, 0);
+        for (event, point) in self.points().iter().enumerate() {
+            let budget = Budget::new(effort.work, effort.parts, stop);
+            let certificate = Certificate::of_start(point.pair.clone(), point.start.clone());
+            let data = Data { budget: budget.clone(), ..Data::new(&point.pair, &point.start)? };
+            match point.judged(&certificate, &data, effort.bits) {
+                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: confirmed }),
+                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
+                Err(Doubt::Open(message)) => open = open.or(Some(Finding { event, message })),
+                Ok(bits) => {
+                    most = most.max(bits); // exact: what is shown
+                    confirmed += 1;
+                }
+            }
+            progress(event + 1);
+        }
+        Ok(match open {
+            Some(Finding { event, message }) => {
+                let message = format!("{message}; {confirmed} of {} points confirmed", self.count());
+                Verdict::Undecided(Finding { event, message })
+            }
+            None if confirmed == 0 => {
+                Verdict::Undecided(Finding { event: 0, message: "there is no point to check".to_owned() })
+            }
+            None => Verdict::Confirmed { bits: most, pieces: 1 },
+        })
+    }
+}
+
+impl ClaimedOrbit {
+    /// Its impacts are as claimed, proved in so many bits, `most` at most.
+    fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
+        if let Some(message) = self.contradiction {
+            return Err(Doubt::False(message.to_owned()));
+        }
+        match self.is_of_grid {
+            Some(true) => {}
+            Some(false) => return Err(Doubt::False("its values are not those of the grid".into())),
+            None => return Err(Doubt::Open("its values are not proved to be those of the grid".into())),
+        }
+        if !data.is_point() {
+            return Err(Doubt::Open("only points whose data are numbers are checked".into()));
+        }
+        let (mut bits, mut before) = (FIRST_BITS, None);
+        loop {
+            let mut walk = Walk::new(certificate, data, &Piece::default(), bits);
+            match self.follow(&mut walk) {
+                Ok(()) => return Ok(bits),
+                // More bits have not helped.
+                Err(doubt @ Doubt::Open(_))
+                    if before == Some(walk.impacts) || bits >= most || data.budget.is_spent() =>
+                {
+                    return Err(doubt);
+                }
+                Err(Doubt::Open(_)) => (before, bits) = (Some(walk.impacts), (2 * bits).min(most)), // proposes: the bits to try
+                Err(doubt) => return Err(doubt),
+            }
+        }
+    }
+
+    fn follow(&self, walk: &mut Walk<'_>) -> Result<(), Doubt> {
+        let mut states = self.states.iter().peekable();
+        if walk.still.is_some() && self.impacts > 0 {
+            return Err(Doubt::Open("the ball has no drift".into()));
+        }
+        let mut may_rest = false;
+        while walk.impacts < self.impacts {
+            let next = walk.impacts + 1;
+            let open = || Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"));
+            let landing = walk.next_landing().ok_or_else(open)?;
+            // The bounces of a chatter that ends in a rest have no number: then all others are told wrongly here.
+            may_rest |= walk.last == Some(landing.wall);
+            walk.last = Some(landing.wall);
+            walk.departure = Departure::rebound(&walk.parameters, &landing);
+            if let Some(state) = states.next_if(|state| state.index == next) {
+                state.compare(walk, &landing).map_err(|doubt| match doubt {
+                    Doubt::False(message) if may_rest => {
+                        Doubt::Open(format!("{message}, or a rest comes before, whose bounces are not counted"))
+                    }
+                    doubt => doubt,
+                })?;
+            }
+            walk.impacts = next;
+            walk.data.budget.allow(walk.bits, walk.data.tones.len());
+        }
+        Ok(())
+    }
+}
+
+impl ClaimedState {
+    fn compare(&self, walk: &Walk<'_>, landing: &super::step::Landing) -> Result<(), Doubt> {
+        let Self { index, wall, phase, velocity } = self;
+        if *wall != landing.wall {
+            return Err(Doubt::False(format!("impact {index} is on the other wall")));
+        }
+        if phase[0] > phase[1] || velocity[0] > velocity[1] {
+            return Err(Doubt::False(format!("a lower bound of impact {index} is above the upper one")));
+        }
+        let bits = walk.bits;
+        let turn = Real::pi(bits) * 2;
+        let [lower, upper] = phase.each_ref().map(|phase| Real::rational(phase, bits));
+        if lower.is_negative() || turn.is_below(&lower) {
+            return Err(Doubt::False(format!("the phase of impact {index} is not in [0, 2 pi)")));
+        }
+        let found = walk.absolute(&landing.phase.hull());
+        let ahead = (found.clone() - &lower.hull(&upper).middle()).over(&turn);
+        let half = Real::int(1, bits).half();
+        // V6: any whole number of periods
+        let turns = ahead.and_then(|ahead| (ahead.middle() + &half).floor());
+        let turns = turns.ok_or_else(|| Doubt::Open("a phase is too large".into()))?;
+        let wide = Real::pi(found.bits()) * 2;
+        let named = |doubt: Doubt| match doubt {
+            Doubt::Open(message) => Doubt::Open(format!("impact {index}: {message}")),
+            Doubt::False(message) => Doubt::False(format!("impact {index}: {message}")),
+        };
+        compare("phase", &(found - &(wide * turns)), phase).map_err(named)?;
+        compare("velocity", &walk.clock.velocity(&landing.velocity.hull()), velocity).map_err(named)
+    }
+}

@@ -1,0 +1,143 @@
+//! Bifurcation JSONs: those that are computed are confirmed by `check`, and nothing else.
+#![cfg(feature = "multiprecision")]
+
+use impact_pair::Scene;
+use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair::document;
+use impact_pair::exact::{Exact, decimal_bounds};
+use impact_pair::periodic::Precision;
+use impact_pair::periodic::bifurcation::{Wanted, survey};
+use serde_json::{Value, json};
+
+fn bifurcations(over: &str, doublings: u32, digits: u32) -> Value {
+    let scene = r#"
+        excitation = { amplitude = 0.36, frequency = "pi", phase = 0.25 }
+        pair = { gap = 1, restitution = 0.8 }
+        start = { time = 0, wall = "left", velocity = -1 }"#;
+    let scene = Scene::parse(scene).unwrap();
+    let precision = Precision { digits, ..Precision::default() };
+    let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
+    let asked = (&"RL".parse().unwrap(), 1);
+    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, || true).unwrap();
+    json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
+}
+
+fn kinds(document: &Value) -> Vec<&str> {
+    document["points"].as_array().unwrap().iter().map(|point| point["kind"].as_str().unwrap()).collect()
+}
+
+fn claims(document: &Value) -> Claims {
+    Claims::parse(&document.to_string()).unwrap()
+}
+
+fn verdict(document: &Value) -> Verdict {
+    claims(document).check_until(&Effort::default(), None, |_| {}).unwrap()
+}
+
+fn assert_confirmed(document: &Value) {
+    assert!(matches!(verdict(document), Verdict::Confirmed { .. }), "{:?}", verdict(document));
+}
+
+/// Bounds next to these, which hold another number if these hold one.
+fn beside(bounds: &Value, steps: &str) -> Value {
+    let [lower, upper] = [0, 1].map(|end| bounds[end].as_str().unwrap());
+    let moved = |end: &str| format!("{end} + ({steps}) * ({upper} - ({lower}) + 1e-60)").parse::<Exact>().unwrap();
+    json!([decimal_bounds(&moved(lower).enclose(400))[0], decimal_bounds(&moved(upper).enclose(400))[1]])
+}
+
+/// The closed forms of the fold and the pitchfork (Lemmas W2, W4), and the cascade.
+#[test]
+fn r17_folds_pitchforks_and_doublings_are_confirmed() {
+    let document = bifurcations("amplitude=0.03..0.499", 2, 20);
+    assert_eq!(kinds(&document), ["fold", "pitchfork", "period-doubling", "period-doubling"]);
+    assert_confirmed(&document);
+    let expected = [
+        "branches",
+        "over.high",
+        "over.low",
+        "points.orbit.unique",
+        "program",
+        "scene.excitation.amplitude",
+        "scene.start",
+    ];
+    assert_eq!(claims(&document).unjudged(), expected);
+    assert_confirmed(&bifurcations("pair.gap=0.75..1.1", 1, 9));
+    assert_confirmed(&bifurcations("restitution=0.6..0.7", 0, 40));
+}
+
+#[test]
+fn r17_no_bifurcation_that_is_changed_is_confirmed() {
+    let document = bifurcations("amplitude=0.03..0.48", 1, 12);
+    assert_eq!(kinds(&document), ["fold", "pitchfork", "period-doubling"]);
+    let mut tried = 0;
+    for (i, kind) in kinds(&document).into_iter().enumerate() {
+        // Each point alone, so that what is wrong stands alone.
+        let mut alone = document.clone();
+        alone["points"] = json!([document["points"][i]]);
+        assert_confirmed(&alone);
+        let bounds = [
+            "/parameter",
+            "/orbit/impacts/0/phase",
+            "/orbit/impacts/1/phase",
+            "/orbit/impacts/0/velocity",
+            "/orbit/impacts/1/velocity",
+            "/orbit/trace",
+            "/orbit/determinant",
+            "/orbit/eigenvalues/0/re",
+            "/orbit/eigenvalues/1/re",
+        ];
+        let point = &document["points"][i];
+        let mut changes: Vec<(String, Value)> = Vec::new();
+        for path in bounds {
+            // A whole width and more to either side.
+            changes.extend(["-1.5", "1.5"].map(|steps| (path.to_owned(), beside(point.pointer(path).unwrap(), steps))));
+        }
+        let others = ["fold", "pitchfork", "period-doubling"].into_iter().filter(|other| *other != kind);
+        changes.extend(others.map(|other| ("/kind".to_owned(), json!(other))));
+        let is_symmetric = point["orbit"]["symmetric"].as_bool().unwrap();
+        for (path, value) in [
+            ("/orbit/symmetric", json!(!is_symmetric)),
+            ("/orbit/physical", json!(false)),
+            ("/orbit/stability", json!("stable")),
+            ("/orbit/stability", json!("unstable")),
+            ("/cycles", json!(3)),
+            ("/doublings", json!(4)),
+            ("/word", json!("P1 P2")),
+        ] {
+            changes.push((path.to_owned(), value));
+        }
+        let mut judge = |path: &str, value: Value| {
+            let mut copy = alone.clone();
+            *copy.pointer_mut(path).expect(path) = value;
+            assert!(!matches!(verdict(&copy), Verdict::Confirmed { .. }), "{kind}: {path}: {copy}");
+            tried += 1;
+        };
+        for (path, value) in changes {
+            judge(&format!("/points/0{path}"), value);
+        }
+        judge("/scene/gap", json!("1.00001"));
+        judge("/scene/restitution", json!("0.80001"));
+        judge("/scene/excitation/frequency/0", json!("3.1416"));
+        judge("/over/key", json!("pair.gap"));
+        judge("/cycles", json!(2));
+    }
+    assert_eq!(tried, 3 * (2 * 9 + 2 + 7 + 5));
+}
+
+#[test]
+fn r17_a_document_that_contradicts_itself_is_refuted() {
+    let document = bifurcations("amplitude=0.03..0.04", 0, 9);
+    let refuted = |edit: fn(&mut Value)| {
+        let mut copy = document.clone();
+        edit(&mut copy);
+        matches!(verdict(&copy), Verdict::Refuted(_))
+    };
+    assert!(refuted(|copy| copy["undecided"] = json!([{"kind": "graze", "near": 0.3, "word": "P2 P1"}])));
+    assert!(refuted(|copy| copy["points"][0]["orbit"]["physical"] = Value::Null));
+    assert!(refuted(|copy| copy["branches"][0]["ends"][0] = json!("lost")));
+    // With no bifurcation but grazes nothing is proved.
+    let mut none = document.clone();
+    none["points"][0]["kind"] = json!("graze");
+    assert!(matches!(verdict(&none), Verdict::Undecided(_)));
+    assert!(claims(&none).unjudged().contains(&"points[0]".to_owned()));
+}

@@ -1,0 +1,176 @@
+//! Sweeps, and lists of documents: what `check` proves of them, and nothing else is confirmed.
+#![cfg(feature = "multiprecision")]
+
+use impact_pair::Scene;
+use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair::document::{self, Units};
+use impact_pair::orbit::Settings;
+use impact_pair::pair::Wall;
+use impact_pair::periodic::{Precision, Problem};
+use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::two_impact::{Question, Unknown};
+use serde_json::{Value, json};
+
+/// The lines of a sweep: impacts 4 to 8 of each point.
+fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
+    let scene = Scene::parse(scene).unwrap();
+    let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
+    let asked = Asked { transient: 3, impacts: 5, settings: Settings { digits: 6, ..Settings::default() } };
+    let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, false, None))];
+    for number in 0..grid.points() {
+        let values = grid.values(number).unwrap();
+        let point = sweep::follow(&scene.with(&values).unwrap(), &asked, || true).unwrap().unwrap();
+        lines.push(json!(sweep::record(number, &values, &point, false)));
+    }
+    lines
+}
+
+fn verdict(lines: &[Value]) -> Verdict {
+    let text: Vec<_> = lines.iter().map(Value::to_string).collect();
+    Claims::parse(&text.join("\n")).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+}
+
+fn is_confirmed(lines: &[Value]) -> bool {
+    matches!(verdict(lines), Verdict::Confirmed { .. })
+}
+
+const SCENE: &str = r#"
+    excitation = { amplitude = 8, frequency = "pi", phase = 0.1 }
+    pair = { gap = 9.42497, restitution = 0.5 }
+    start = { time = 0, wall = "left", velocity = -12.56636 }"#;
+
+#[test]
+fn r17_the_impacts_of_a_sweep_are_confirmed() {
+    for over in [&["amplitude=7..9:3"][..], &["restitution=0.4..0.6:2", "start.phase=0..1:3"], &["gap=pi..4*pi:2"]] {
+        let lines = sweep(SCENE, over);
+        assert!(is_confirmed(&lines), "{over:?}: {:?}", verdict(&lines));
+    }
+    let inside = SCENE.replace("wall = \"left\"", "position = 1");
+    let lines = sweep(&inside, &["start.position=-2..2:3", "start.velocity=1..2:2"]);
+    assert!(is_confirmed(&lines), "{:?}", verdict(&lines));
+}
+
+#[test]
+fn r17_no_sweep_that_is_changed_is_confirmed() {
+    let lines = sweep(SCENE, &["amplitude=7..9:3", "start.phase=0..1:2"]);
+    assert!(is_confirmed(&lines));
+    let beside = |bounds: &Value, by: f64| {
+        let moved = |end: usize| format!("{:.17}", bounds[end].as_str().unwrap().parse::<f64>().unwrap() + by);
+        json!([moved(0), moved(1)])
+    };
+    let first = lines[2].clone();
+    let state = &first["states"][2];
+    for (line, path, value) in [
+        (2, "/states/2/phase", beside(&state["phase"], 1e-3)),
+        (2, "/states/2/phase", beside(&state["phase"], 2.0 * std::f64::consts::PI)),
+        (2, "/states/2/phase", beside(&state["phase"], -2.0 * std::f64::consts::PI)),
+        (2, "/states/2/velocity", beside(&state["velocity"], 1e-3)),
+        (2, "/states/2/velocity", json!([state["velocity"][1], state["velocity"][0]])),
+        (2, "/states/2/wall", json!(if state["wall"] == "left" { "right" } else { "left" })),
+        (2, "/states/2/index", json!(7)),
+        (2, "/states/4", first["states"][3].clone()),
+        (2, "/states", json!([])),
+        (2, "/impacts", json!(9)),
+        (2, "/impacts", json!(7)),
+        (2, "/point", json!(2)),
+        (2, "/point", json!(100)),
+        (2, "/values/0", json!("7.5")),
+        (2, "/values/1", json!("0.9")),
+        (0, "/scene/gap", json!("9.5")),
+        (0, "/scene/restitution", json!("0.51")),
+        (0, "/over/0/to", json!("10")),
+        (0, "/over/0/key", json!("gap")),
+        (0, "/over/1/count", json!(3)),
+        (0, "/transient", json!(2)),
+    ] {
+        let mut copy = lines.clone();
+        *copy[line].pointer_mut(path).expect(path) = value.clone();
+        assert!(!is_confirmed(&copy), "{line}: {path}: {value}");
+    }
+    // The scene's own value of what varies only names it.
+    let mut copy = lines.clone();
+    *copy[0].pointer_mut("/scene/excitation/amplitude/0").unwrap() = json!("1");
+    assert!(is_confirmed(&copy));
+}
+
+/// Where no bounce repeats a wall nothing can rest, and what is false is refuted.
+#[test]
+fn r17_an_impact_that_is_false_is_refuted() {
+    let lines = sweep(&SCENE.replace("amplitude = 8", "amplitude = 2"), &["amplitude=2..2.1:2"]);
+    assert!(is_confirmed(&lines));
+    for (key, value) in [("velocity", json!(["1000", "1001"])), ("phase", json!(["0", "1e-9"]))] {
+        let mut copy = lines.clone();
+        copy[2]["states"][0][key] = value;
+        assert!(matches!(verdict(&copy), Verdict::Refuted(_)), "{:?}", verdict(&copy));
+    }
+}
+
+/// A chatter among the points leaves it undecided, however right the others are; a false one is found all the same.
+#[test]
+fn r17_a_point_that_is_not_proved_does_not_hide_one_that_is_false() {
+    let chatter = r#"
+        excitation = { amplitude = 1, frequency = "pi", phase = "pi" }
+        pair = { gap = 9.42497, restitution = 0.3 }
+        start = { time = 0, wall = "left", velocity = -0.5 }"#;
+    let mut lines = sweep(chatter, &["restitution=0.1..0.2:2", "amplitude=1..8:2"]);
+    assert!(matches!(verdict(&lines), Verdict::Undecided(_)), "{:?}", verdict(&lines));
+    lines[4]["values"][0] = json!("0.15");
+    assert!(matches!(verdict(&lines), Verdict::Refuted(_)), "{:?}", verdict(&lines));
+}
+
+fn two_impact(cycles: u32) -> Value {
+    let scene = Scene::parse(&SCENE.replace("amplitude = 8", "amplitude = 2")).unwrap();
+    let answer = Question::new(scene.pair(), cycles, Unknown::Velocity).unwrap().answer(9);
+    json!(document::two_impact(scene.start(), &answer, Wall::Left))
+}
+
+#[test]
+fn r17_documents_in_a_list_are_judged_one_by_one() {
+    let both = json!([two_impact(1), two_impact(2)]);
+    let claims = |document: &Value| Claims::parse(&document.to_string()).unwrap();
+    let judged = |document: &Value| claims(document).check_until(&Effort::default(), None, |_| {}).unwrap();
+    assert!(matches!(judged(&both), Verdict::Confirmed { .. }), "{:?}", judged(&both));
+    assert!(claims(&both).all().starts_with("2 documents: "), "{}", claims(&both).all());
+    assert!(claims(&both).unjudged().iter().any(|key| key == "[1].exhaustive"));
+    let mut spoiled = both.clone();
+    spoiled[1]["orbits"][0]["impacts"][0]["velocity"] = json!(["-1", "-0.9"]);
+    match judged(&spoiled) {
+        Verdict::Confirmed { .. } | Verdict::Interrupted { .. } => panic!("confirmed"),
+        Verdict::Refuted(finding) | Verdict::Undecided(finding) => {
+            let said = claims(&spoiled).described(&finding);
+            assert!(said.starts_with("[1]: orbits[0]: "), "{said}");
+        }
+    }
+    assert!(!matches!(judged(&json!([])), Verdict::Confirmed { .. }));
+    assert!(Claims::parse("[1]").is_err());
+}
+
+/// The cycle that an impact is told to be in is a claim: of even cycles and of several harmonics.
+#[test]
+fn r17_cycles_of_impacts_are_judged() {
+    let scenes = [
+        ("excitation = { amplitude = 1, frequency = 1, phase = 0 }\npair = { gap = 10.82, restitution = 0.5 }", 2),
+        (
+            "excitation = { amplitude = [1, \"1/5\"], frequency = [\"2*pi\", \"3*pi\"], phase = 0 }\npair = { gap = 9.42497, restitution = 0.5 }",
+            6,
+        ),
+    ];
+    for (scene, cycles) in scenes {
+        let scene = format!("{scene}\nstart = {{ time = 0, wall = \"left\", velocity = -12 }}");
+        let scene = Scene::parse(&scene).unwrap();
+        let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), cycles).unwrap();
+        let census = problem.find(scene.start(), Precision { digits: 9, ..Precision::default() });
+        let document = json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census));
+        assert!(document["orbits"][0]["impacts"][1]["cycle"].is_i64(), "{document}");
+        let judged = |document: &Value| {
+            Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+        };
+        assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
+        for (impact, by) in [(0, 1), (1, 1), (1, -1), (1, i64::from(cycles))] {
+            let mut copy = document.clone();
+            let told = &mut copy["orbits"][0]["impacts"][impact]["cycle"];
+            *told = json!(told.as_i64().unwrap() + by);
+            assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{impact} {by}: {:?}", judged(&copy));
+        }
+    }
+}
