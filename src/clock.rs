@@ -60,7 +60,7 @@ impl Clock {
         let shown = BITS.saturating_add(shown); // X1: any number of bits encloses
         let bits = shown.saturating_add(u32::try_from(origin.bits()).unwrap_or(u32::MAX / 2)); // X1
         let (period, delay, speed) = (period.enclose(bits), delay.enclose(bits), speed.enclose(shown));
-        let relative = |of: &Enclosure, to: &Enclosure| of.width().to_f64_up() / to.mig().to_f64_down();
+        let relative = |of: &Enclosure, to: &Enclosure| of.wid().to_f64_up() / to.mig().to_f64_down();
         Ok(Self {
             bits,
             shown,
@@ -154,7 +154,7 @@ impl Clock {
     /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
     pub fn time_in_period(&self, rest: &Enclosure) -> Enclosure {
         let turns = rest.sub(&self.shift.enclose(self.shown), self.shown);
-        let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), self.shown); // exact: a whole number
+        let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), self.shown); // exact: a whole number
         turns.sub(&whole, self.shown).mul(&self.period, self.shown)
     }
 
@@ -177,7 +177,7 @@ fn phase(rate: &Exact, shift: &Exact, time: &Exact) -> Result<Exact, ExactError>
 /// A whole number nearest to the value, or next to it.
 fn nearest(value: &Exact) -> BigInt {
     let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
-    let low = value.enclose(BITS.saturating_add(whole)).lo().to_rational(); // X1: any number of bits encloses
+    let low = value.enclose(BITS.saturating_add(whole)).inf().to_rational(); // X1: any number of bits encloses
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
 }
 

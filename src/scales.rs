@@ -182,7 +182,7 @@ fn log10(x: &Dyadic, side: f64) -> f64 {
         return f64::NEG_INFINITY;
     }
     let x = Enclosure::point(x.clone()).rounded(BITS);
-    let x = if side > 0.0 { x.hi() } else { x.lo() };
+    let x = if side > 0.0 { x.sup() } else { x.inf() };
     let mantissa = Dyadic::new(x.mantissa().clone(), 0).to_f64_up();
     (mantissa.log2() + x.exponent() as f64) * 2f64.log10() // U1
 }

@@ -33,14 +33,14 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
 /// The phase `W t + tau` \[rad\] of one in turns, its lower bound in `[0, 2 pi)`.
 pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     let bits = bits + 64;
-    let whole = Enclosure::from_rational(&turns.lo().to_rational().floor(), bits); // exact: any whole number of turns
+    let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), bits); // exact: any whole number of turns
     let two_pi = Enclosure::pi(bits).add(&Enclosure::pi(bits), bits);
     turns.sub(&whole, bits).mul(&two_pi, bits)
 }
 
 /// The turn, less whole common periods of so many turns, that a phase is in: 0 under one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
-    let turn = turns.lo().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
+    let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
     turn.to_u32().expect("less than the period")
 }
 

@@ -28,7 +28,7 @@ fn kinds(diagram: &Diagram) -> Vec<(Kind, u32)> {
 }
 
 fn width(x: &Enclosure) -> f64 {
-    x.width().to_f64_up()
+    x.wid().to_f64_up()
 }
 
 /// Closed forms (Lemma W2 and W4): `A_sn = d/sqrt(4 + K^2)`, `A_pf = d sqrt(1 + 4 kappa^2/pi^2)/(K (1 - 4/pi^2))`, `kappa = 9`, `K = 9 pi`.

@@ -261,7 +261,7 @@ fn assert_sets(whole: &[(Enclosure, Enclosure)], ends: [&[(Enclosure, Enclosure)
             let hull = a.hull(b);
             assert!(set.contains_enclosure(&hull), "datum {datum}, impact {i}: {set:?} {hull:?}");
             // Twice, for derivatives that are 0 nearby.
-            assert!(!is_tight || set.width() <= hull.width().scaled(1), "datum {datum}, impact {i}: {set:?} {hull:?}");
+            assert!(!is_tight || set.wid() <= hull.wid().scaled(1), "datum {datum}, impact {i}: {set:?} {hull:?}");
         }
     }
 }

@@ -80,10 +80,7 @@ fn r17_a_start_in_the_gap_needs_no_direction() {
                 for (impact, wide) in impacts.iter().zip(&all) {
                     let [(time, speed), (wide_time, wide_speed)] = [orbit.bounds(impact), of_all.bounds(wide)];
                     assert!(impact.wall == wide.wall && wide_time.intersection(&time).is_some());
-                    assert!(
-                        wide_speed.intersection(&speed).is_some() && wide_time.width() > time.width(),
-                        "{velocity}"
-                    );
+                    assert!(wide_speed.intersection(&speed).is_some() && wide_time.wid() > time.wid(), "{velocity}");
                 }
             }
         }

@@ -36,7 +36,7 @@ fn the_exact_orbit_of_figure_12_is_enclosed_for_a_thousand_impacts() {
         assert_eq!((impact.wall, impact.index), (wall, count));
         assert!(time.contains(&BigRational::from_integer(count.into())), "impact {count}");
         assert!(holds(&velocity, &(Exact::pi() * Exact::from(sign))), "impact {count}");
-        assert!(time.width().to_f64_up() < 1e-13 && velocity.width().to_f64_up() < 1e-12);
+        assert!(time.wid().to_f64_up() < 1e-13 && velocity.wid().to_f64_up() < 1e-12);
     }
     assert_eq!((count, orbit.outcome()), (1000, Some(&Outcome::ImpactsReached)));
 }
@@ -112,7 +112,7 @@ fn auto_lists_nothing_wider_than_the_digits_asked_for() {
         while let Some(impact) = orbit.next() {
             let (time, velocity) = orbit.bounds(&impact);
             // The period is 2, A W = 8 pi.
-            assert!(time.width().to_f64_up() <= 2.0 * width && velocity.width().to_f64_up() <= 25.1327 * width);
+            assert!(time.wid().to_f64_up() <= 2.0 * width && velocity.wid().to_f64_up() <= 25.1327 * width);
             count += 1;
         }
         assert!(count >= [60, 40, 20, 3][digits as usize / 3 - 1], "{count} impacts at {digits} digits");

@@ -128,7 +128,7 @@ fn the_exact_orbit_is_enclosed_to_many_digits() {
         (orbit.impacts[1].phase.contains(&half))
             || (orbit.impacts[1].phase.contains(&(half + num_rational::BigRational::from_integer(1.into()))))
     );
-    assert!(orbit.impacts[0].phase.width().to_f64_up() < 1e-60);
+    assert!(orbit.impacts[0].phase.wid().to_f64_up() < 1e-60);
     let quarter = num_rational::BigRational::new(1.into(), 4.into());
     assert!(orbit.eigenvalues.iter().all(|value| value.re.contains(&quarter)));
 }
@@ -276,7 +276,7 @@ fn searches_miss_nothing_that_newton_finds() {
 fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32) {
     let interval = |x: &Enclosure| {
         let end = |x: &impact_pair::exact::Dyadic| Exact::from_rational(x.to_rational());
-        Exact::interval(&end(x.lo()), &end(x.hi())).unwrap()
+        Exact::interval(&end(x.inf()), &end(x.sup())).unwrap()
     };
     let first = &orbit.impacts[0];
     // A turn takes 1, the gap is 1: phases are times and velocities are as they are.

@@ -179,7 +179,7 @@ fn certified_runs_from_a_proved_box_stay_at_the_orbit() {
         assert!(orbit.is_narrow);
         let interval = |x: &Enclosure| {
             let end = |x: &Dyadic| Exact::from_rational(x.to_rational());
-            Exact::interval(&end(x.lo()), &end(x.hi())).unwrap()
+            Exact::interval(&end(x.inf()), &end(x.sup())).unwrap()
         };
         let (first, count) = (&orbit.impacts[0], orbit.impacts.len());
         let impacts = run(&pair, first.wall, [interval(&first.phase), interval(&first.velocity)], 6 * count);
@@ -198,7 +198,7 @@ fn certified_runs_from_a_proved_box_stay_at_the_orbit() {
 #[test]
 fn trace_and_determinant_agree_with_differences_of_runs() {
     let step = BigRational::new(1.into(), num_bigint::BigInt::from(1) << 100);
-    let middle = |x: &Enclosure| (x.lo().to_rational() + x.hi().to_rational()) / BigRational::from_integer(2.into());
+    let middle = |x: &Enclosure| (x.inf().to_rational() + x.sup().to_rational()) / BigRational::from_integer(2.into());
     for (pair, _, orbit) in motions(60) {
         let first = &orbit.impacts[0];
         let state = [middle(&first.phase), middle(&first.velocity)];

@@ -189,7 +189,7 @@ fn terms_that_change_nothing_change_nothing() {
     let rest =
         "pair = { gap = 9.42497, restitution = 0.5 }\nstart = { time = 0, wall = \"left\", velocity = -12.56636 }";
     let times = |case: Case| -> Vec<_> {
-        let bounds = |x: Enclosure| (x.lo().to_rational(), x.hi().to_rational());
+        let bounds = |x: Enclosure| (x.inf().to_rational(), x.sup().to_rational());
         case.events(Arithmetic::Auto, 40).0.into_iter().map(|event| bounds(event.time)).collect()
     };
     let one = times(case(&["8"], &["pi"], rest));

@@ -48,7 +48,7 @@ fn rational(text: &str) -> BigRational {
 /// Whether the impact's time lies between these.
 fn is_between(orbit: &Orbit, impact: &Impact, low: &str, high: &str) -> bool {
     let time = orbit.bounds(impact).0;
-    time.lo().to_rational() >= rational(low) && time.hi().to_rational() <= rational(high)
+    time.inf().to_rational() >= rational(low) && time.sup().to_rational() <= rational(high)
 }
 
 /// What a start next to the left wall may be certified to do first: to touch it then, or maybe.

@@ -62,7 +62,7 @@ fn residuals(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> [Enclosure; 4] {
 fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
     for orbit in &answer.orbits {
         for rest in residuals(pair, orbit, cycles) {
-            assert!(holds(&rest, "0") && rest.width() < Dyadic::power_of_two(-40), "{orbit:?} {rest:?}");
+            assert!(holds(&rest, "0") && rest.wid() < Dyadic::power_of_two(-40), "{orbit:?} {rest:?}");
         }
         let e = pair.restitution().enclose(BITS);
         assert!(meets(&orbit.measured.determinant, &e.powi(4, BITS).unwrap()));
@@ -76,8 +76,8 @@ fn judge(pair: &ImpactPair, answer: &Answer, cycles: u32) {
         let size = |re: &Enclosure, im: &Enclosure| re.powi(2, BITS).unwrap().add(&im.powi(2, BITS).unwrap(), BITS);
         let sizes = [size(re0, im0), size(re1, im1)];
         match orbit.measured.stability {
-            Stability::Stable => assert!(sizes.iter().all(|size| size.lo() < &Dyadic::power_of_two(0))),
-            Stability::Unstable => assert!(sizes.iter().any(|size| size.hi() > &Dyadic::power_of_two(0))),
+            Stability::Stable => assert!(sizes.iter().all(|size| size.inf() < &Dyadic::power_of_two(0))),
+            Stability::Unstable => assert!(sizes.iter().any(|size| size.sup() > &Dyadic::power_of_two(0))),
             Stability::Undecided => {}
         }
         if let (Some(is_physical), Some(is_followed)) = (orbit.measured.physical, is_followed(pair, orbit, cycles)) {
@@ -267,7 +267,7 @@ fn follow(pair: &ImpactPair, orbit: &Orbit, cycles: u32) {
         for wall in [Wall::Right, Wall::Left] {
             let Progress::Impact(impact) = run.advance() else { panic!("{orbit:?}") };
             assert!(is_expected(&run, &impact, orbit, (cycles, period, wall)), "{period} {orbit:?}");
-            assert!(run.bounds(&impact).0.width() < Dyadic::power_of_two(-30));
+            assert!(run.bounds(&impact).0.wid() < Dyadic::power_of_two(-30));
         }
     }
     assert!(matches!(run.advance(), Progress::Ended));
@@ -330,7 +330,7 @@ fn parts_of_the_manifolds_agree_with_the_motions_in_them() {
         let expected = [Mark::Graze, Mark::Pitchfork, Mark::Level, Mark::Fold];
         assert!(marks == if cycles == 1 { &expected[1..] } else { &expected[..] }, "{marks:?}");
         for ends in curve.points.windows(2) {
-            let between = ends[0].at.hi().to_f64_up() / 2.0 + ends[1].at.lo().to_f64_down() / 2.0;
+            let between = ends[0].at.sup().to_f64_up() / 2.0 + ends[1].at.inf().to_f64_down() / 2.0;
             let frequency = Exact::from_f64(between).unwrap();
             let harmonic = Harmonic::new(exact("1"), frequency, exact("0")).unwrap();
             let there = ImpactPair::new(harmonic, exact("20"), exact("0.8")).unwrap();

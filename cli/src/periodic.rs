@@ -105,7 +105,7 @@ fn described(orbit: &PeriodicOrbit) -> String {
 
 /// A real or complex number with the digits that are certain.
 fn shown(value: &Eigenvalue) -> String {
-    let is_zero = |x: &Enclosure| x.is_point() && x.lo().is_zero();
+    let is_zero = |x: &Enclosure| x.is_point() && x.inf().is_zero();
     let re = decimal_digits(&value.re);
     if is_zero(&value.im) { re } else { format!("{re} + {} i", decimal_digits(&value.im)) }
 }

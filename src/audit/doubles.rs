@@ -49,7 +49,7 @@ impl Doubles {
         tolerance: &Tolerance,
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
-        let of_list = |site: &&Site| site.kind == SiteKind::Impact && &site.time.hi().to_rational() <= end;
+        let of_list = |site: &&Site| site.kind == SiteKind::Impact && &site.time.sup().to_rational() <= end;
         let last = truth.sites.iter().rfind(of_list).map_or(0, |site| site.index);
         // One more than the truth has: a chatter in doubles need not end.
         let settings = Settings { impacts: Some(last + 1), ..settings.clone() };
@@ -86,7 +86,7 @@ fn list(scene: &Scene, settings: Settings, watch: &dyn Watch) -> Result<Option<V
 }
 
 fn number(x: &Enclosure) -> Number {
-    Number { low: x.lo().to_rational(), high: x.hi().to_rational(), written: decimal_f64(x.mid_rad().0) }
+    Number { low: x.inf().to_rational(), high: x.sup().to_rational(), written: decimal_f64(x.mid_rad().0) }
 }
 
 /// The scene with each number of its data rounded to the nearest double; `None` if it has intervals, or the rounded numbers

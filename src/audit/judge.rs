@@ -111,7 +111,7 @@ impl<'a> Judge<'a> {
     /// The contacts on its wall that a row may be: the nearest one, and all within the tolerance; the start only then.
     fn candidates(&self, row: usize) -> Vec<usize> {
         let around = self.tolerance.around_time(&self.times[row]);
-        let (from, to) = (around.lo().to_rational(), around.hi().to_rational());
+        let (from, to) = (around.inf().to_rational(), around.sup().to_rational());
         let first = self.middles.partition_point(|middle| middle < &from);
         let near = first..self.middles.partition_point(|middle| middle <= &to);
         let is_start = |site: usize| self.truth.sites[site].kind == SiteKind::Start;
@@ -150,7 +150,7 @@ impl<'a> Judge<'a> {
     fn missed(&self, site: usize, alignment: &Alignment, end: &BigRational) -> Option<Finding> {
         let Site { kind, time, .. } = &self.truth.sites[site];
         let is_missed =
-            alignment.row_of[site].is_none() && *kind == SiteKind::Impact && &time.hi().to_rational() <= end;
+            alignment.row_of[site].is_none() && *kind == SiteKind::Impact && &time.sup().to_rational() <= end;
         is_missed.then_some(Finding { verdict: Verdict::Missed, row: None, site: Some(site), errors: None })
     }
 
@@ -177,7 +177,7 @@ impl<'a> Judge<'a> {
     /// The verdict on a row that is no contact.
     fn unmatched(&self, row: usize, candidates: &[usize], alignment: &Alignment) -> Finding {
         let (nearest, time) = (self.nearest(row), &self.times[row]);
-        let is_in_doubt = self.truth.doubtful_from.as_ref().is_some_and(|from| time.hi() >= from.lo());
+        let is_in_doubt = self.truth.doubtful_from.as_ref().is_some_and(|from| time.sup() >= from.inf());
         let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
         let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
         let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));
@@ -204,12 +204,12 @@ impl<'a> Judge<'a> {
     /// Whether a time comes after the contact and not after the release of the rest that follows it.
     fn is_within(&self, time: &Enclosure, site: usize, rest: &Rest) -> bool {
         let is_before_its_end = match (&rest.until, &self.truth.doubtful_from) {
-            (Some(until), _) => time.hi() <= until.hi(),
+            (Some(until), _) => time.sup() <= until.sup(),
             (None, None) => true,
             // Nobody knows for how long it rests.
-            (None, Some(_)) => time.lo() <= self.tolerance.around_time(&rest.from).hi(),
+            (None, Some(_)) => time.inf() <= self.tolerance.around_time(&rest.from).sup(),
         };
-        time.lo() > self.truth.sites[site].time.hi() && is_before_its_end
+        time.inf() > self.truth.sites[site].time.sup() && is_before_its_end
     }
 
     /// Whether a row lies in the chatter that ends in this rest: on its wall, no later than it by more than the tolerance,
@@ -221,7 +221,7 @@ impl<'a> Judge<'a> {
             let slower = first.hull(&Enclosure::point(Dyadic::zero()));
             self.tolerance.is_outside_in_velocity(&self.tolerance.distance(&listed, &slower))
         });
-        rest.is_accumulation && self.rows[row].wall == *wall && time.lo() <= end.hi() && !is_fast
+        rest.is_accumulation && self.rows[row].wall == *wall && time.inf() <= end.sup() && !is_fast
     }
 }
 

@@ -120,7 +120,7 @@ impl<'s> Audit<'s> {
         let listed = rows.len();
         let end = match &asked.until {
             Some(until) => {
-                let rounded_up = || until.enclose(Tolerance::GUARD).hi().to_rational();
+                let rounded_up = || until.enclose(Tolerance::GUARD).sup().to_rational();
                 let end = until.as_rational().cloned().unwrap_or_else(rounded_up);
                 rows.retain(|row| row.time.low <= end);
                 end
@@ -129,7 +129,7 @@ impl<'s> Audit<'s> {
         };
         let tolerance = Tolerance::new(scene, &asked.tolerance, asked.digits());
         // A listed impact may be early: the truth is followed for a period more.
-        let after = &end + tolerance.scales.period.hi().to_rational();
+        let after = &end + tolerance.scales.period.sup().to_rational();
         let settings = asked.settings(Exact::from_rational(after));
         let truth = Truth::follow(scene, settings.clone(), &tolerance, rows.len(), watch);
         let truth = truth.map_err(|error| match error.key() {
@@ -199,7 +199,7 @@ impl<'s> Audit<'s> {
 
     /// Whether what is certified ends before the time to judge up to.
     pub fn is_open(&self) -> bool {
-        self.truth.doubtful_from.as_ref().is_some_and(|from| from.lo().to_rational() <= self.end)
+        self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf().to_rational() <= self.end)
     }
 
     /// Whether nothing disagrees and nothing is undecided.

@@ -24,7 +24,7 @@ impl Tolerance {
     pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Self {
         let scales = Scales::of(scene);
         let bits = digits.saturating_mul(10) / 3 + Self::GUARD; // proposes
-        let allowed = |scale: &Enclosure| relative.enclose(bits).mul(scale, bits).hi().clone();
+        let allowed = |scale: &Enclosure| relative.enclose(bits).mul(scale, bits).sup().clone();
         let (time, velocity) = (allowed(&scales.period), allowed(&scales.velocity));
         Self { relative: relative.clone(), scales, time, velocity, bits }
     }
@@ -37,12 +37,12 @@ impl Tolerance {
 
     /// Whether a distance in time is proved to be greater than the tolerance.
     pub fn is_outside_in_time(&self, distance: &Enclosure) -> bool {
-        distance.lo() > &self.time
+        distance.inf() > &self.time
     }
 
     /// The same for a velocity.
     pub fn is_outside_in_velocity(&self, distance: &Enclosure) -> bool {
-        distance.lo() > &self.velocity
+        distance.inf() > &self.velocity
     }
 
     /// The interval with what a time may be off on both sides.

@@ -49,7 +49,7 @@ pub enum SiteKind {
 impl Site {
     /// The middle of the time's enclosure.
     pub(super) fn middle(&self) -> BigRational {
-        middle(&self.time.lo().to_rational(), &self.time.hi().to_rational())
+        middle(&self.time.inf().to_rational(), &self.time.sup().to_rational())
     }
 }
 
@@ -152,7 +152,7 @@ impl Truth {
         let boundary = |pair: &[Site]| {
             let [one, next] = pair else { unreachable!("windows of two") };
             match one.rest.as_ref().and_then(|rest| Some((&rest.from, rest.until.as_ref()?))) {
-                Some((from, until)) => middle(&from.hi().to_rational(), &until.lo().to_rational()),
+                Some((from, until)) => middle(&from.sup().to_rational(), &until.inf().to_rational()),
                 None => middle(&one.middle(), &next.middle()),
             }
         };

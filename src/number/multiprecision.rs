@@ -98,7 +98,7 @@ impl MpBall {
 
     /// Encloses an enclosure, with a centre of `bits` bits.
     pub fn enclosing(x: &Enclosure, bits: u32) -> Self {
-        let (low, high) = (float_of(x.lo()), float_of(x.hi()));
+        let (low, high) = (float_of(x.inf()), float_of(x.sup()));
         // M1: any centre; the radius is measured from it
         let middle: Float = Float::with_val(low.prec().max(high.prec()) + 1, &low + &high) / 2u32;
         let mid = Float::with_val(bits, &middle);

@@ -79,13 +79,13 @@ impl Truth {
 
     /// `|x|`
     pub fn abs(&self) -> Self {
-        if self.0.hi().sign().is_lt() { -self.clone() } else { self.clone() }
+        if self.0.sup().sign().is_lt() { -self.clone() } else { self.clone() }
     }
 
     /// A single number inside, in the middle.
     pub fn point(&self) -> Self {
-        let [lo, hi] = [self.0.lo(), self.0.hi()].map(|end| Enclosure::point(end.clone()));
-        Self(Enclosure::point((Self(lo.add(&hi, BITS)) * 0.5).0.lo().clone()))
+        let [lo, hi] = [self.0.inf(), self.0.sup()].map(|end| Enclosure::point(end.clone()));
+        Self(Enclosure::point((Self(lo.add(&hi, BITS)) * 0.5).0.inf().clone()))
     }
 
     /// With all the numbers within `by`.
@@ -96,7 +96,7 @@ impl Truth {
 
     /// Whether it is proved to be greater than `b`.
     pub fn exceeds(&self, b: impl Into<Self>) -> bool {
-        self.0.lo() > b.into().0.hi()
+        self.0.inf() > b.into().0.sup()
     }
 
     /// Whether it may lie in the ball: one that is not finite holds everything.
@@ -107,7 +107,7 @@ impl Truth {
 
 /// The member of the ball at `place` of its radius from the centre, from -1 to 1.
 pub(crate) fn member(ball: &impl Enclosing, place: f64) -> Truth {
-    let radius = |x: Enclosure| Truth(Enclosure::point(x.hi().clone()));
+    let radius = |x: Enclosure| Truth(Enclosure::point(x.sup().clone()));
     let [centre, spread] = [ball.centre(), ball.spread()].map(|x| x.as_enclosure().expect("a finite ball"));
     Truth(centre) + radius(spread) * place
 }

@@ -32,7 +32,7 @@ pub(super) fn decided(pair: &ImpactPair, start: &Start) -> Option<Start> {
 fn longest(pair: &ImpactPair, position: &Exact, velocity: &Exact) -> Result<f64, ExactError> {
     let half = pair.gap().checked_div(&Exact::from(2))?;
     let rooms = [half.checked_sub(position)?, half.checked_add(position)?];
-    let room = rooms.map(|room| room.enclose(BITS).lo().to_f64_down());
+    let room = rooms.map(|room| room.enclose(BITS).inf().to_f64_down());
     let size = |x: &Exact| x.enclose(BITS).mag().to_f64_up();
     let harmonics = pair.excitation().harmonics().iter();
     let speed =

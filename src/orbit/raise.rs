@@ -119,7 +119,7 @@ fn finest(pair: &ImpactPair) -> f64 {
     let intervals = shaking.chain([pair.gap()]).filter(|x| !x.is_point());
     let bits = |x: &Exact| {
         let x = x.enclose(LEAST_BITS);
-        x.mag().to_f64_up().log2() - x.width().to_f64_up().log2()
+        x.mag().to_f64_up().log2() - x.wid().to_f64_up().log2()
     };
     intervals.map(bits).fold(f64::INFINITY, f64::min)
 }

@@ -27,7 +27,7 @@ pub struct PeriodicImpact {
 impl PeriodicImpact {
     /// The turn that its phase `W t + tau` is told from, counted from that of the first impact.
     pub fn cycle(&self) -> i64 {
-        let turn = self.phase.lo().to_rational().floor().to_integer(); // exact: a whole number
+        let turn = self.phase.inf().to_rational().floor().to_integer(); // exact: a whole number
         turn.to_i64().expect("turns of a chain")
     }
 }
@@ -148,7 +148,7 @@ impl<N: Enclosing> Finding<N> {
         is_narrow: bool,
     ) -> Option<PeriodicOrbit> {
         let period = BigRational::from_integer(chain.period().into());
-        let first = self.proved.at[0].as_enclosure()?.lo().to_rational();
+        let first = self.proved.at[0].as_enclosure()?.inf().to_rational();
         let turns = (first / &period).floor() * period; // exact: a whole number
         // More than the ends of these balls have.
         let room = bits + 160;

@@ -99,8 +99,8 @@ pub fn eigenvalues(trace: &Enclosure, determinant: &Enclosure, bits: u32) -> [Ei
         }
         Some(Ordering::Less) => apart(&zero(), &half(&under.negated().sqrt(bits).expect("a positive number"))),
         _ => {
-            let re = zero().hull(&root_of(under.hi()));
-            let im = zero().hull(&root_of(under.negated().hi()));
+            let re = zero().hull(&root_of(under.sup()));
+            let im = zero().hull(&root_of(under.negated().sup()));
             apart(&re, &im)
         }
     }

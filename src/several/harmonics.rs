@@ -57,14 +57,14 @@ impl Ticks {
     fn new(ratio: &Exact, shift: &Exact) -> Self {
         let ticks = |x: &Exact| {
             let enclosure = x.enclose(320);
-            let middle = enclosure.lo().to_rational() + enclosure.hi().to_rational();
+            let middle = enclosure.inf().to_rational() + enclosure.sup().to_rational();
             let scaled = middle * num_rational::BigRational::from_integer(num_bigint::BigInt::from(1) << 127);
             let whole = scaled.floor().to_integer(); // H1: rounded down to ticks
             let modulus = num_bigint::BigInt::from(1) << 128;
             let wrapped = num_integer::Integer::mod_floor(&whole, &modulus);
             let ticks = u128::try_from(wrapped).expect("less than the modulus");
             // Lemma H1: half the width, and nothing where that is below the ticks, as it is for all that is not an interval.
-            let half = enclosure.width().to_f64_up();
+            let half = enclosure.wid().to_f64_up();
             (ticks, if half <= 2f64.powi(-130) { 0.0 } else { half })
         };
         let ((ratio, of_ratio), (shift, of_shift)) = (ticks(ratio), ticks(shift));

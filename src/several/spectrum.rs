@@ -120,7 +120,7 @@ fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
         Some(fraction) => fraction.round().to_integer(), // exact: any whole number is taken off
         // exact: any whole number is taken off
-        None => phase.enclose(160 + whole_bits(&phase)).lo().to_rational().round().to_integer(),
+        None => phase.enclose(160 + whole_bits(&phase)).inf().to_rational().round().to_integer(),
     };
     phase.checked_sub(&Exact::from(near))
 }

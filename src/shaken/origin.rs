@@ -73,7 +73,7 @@ impl Origin<Exact> {
 
     /// A release: no velocity, and the phase as exactly as it can be shown.
     pub fn released(release: Released) -> Self {
-        let [lo, hi] = [release.phase.lo(), release.phase.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        let [lo, hi] = [release.phase.inf(), release.phase.sup()].map(|end| Exact::from_rational(end.to_rational()));
         Self {
             place: Location::Wall(release.wall),
             turns: release.turns,

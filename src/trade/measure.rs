@@ -146,8 +146,8 @@ fn observe(orbit: &mut Orbit, units: &Units, watch: &dyn Watch) -> Seen {
         let bounded = Instant::now();
         in_orbit += computed - since;
         in_bounds += bounded - computed;
-        widths.time.note(units.time.above(&time.width()));
-        widths.velocity.note(units.velocity.above(&velocity.width()));
+        widths.time.note(units.time.above(&time.wid()));
+        widths.velocity.note(units.velocity.above(&velocity.wid()));
         last = Some(impact);
         since = Instant::now();
         ControlFlow::Continue(())

@@ -23,7 +23,7 @@ pub(super) fn angle(sin: &Real, cos: &Real) -> Option<Real> {
         let error = &size.square() * &size;
         let here = &at + &y + (-&error).hull(&error);
         let next = best.as_ref().map_or(Some(here.clone()), |best| best.intersection(&here)).expect("both hold it");
-        let is_better = best.is_none_or(|best| next.width().scaled(1) < best.width());
+        let is_better = best.is_none_or(|best| next.wid().scaled(1) < best.wid());
         at = next.middle();
         best = Some(next);
         if !is_better {
@@ -58,7 +58,7 @@ mod tests {
             let t = point(t, bits);
             let angle = angle(&t.sin(), &t.cos()).unwrap();
             prop_assert!(!angle.is_apart_from(&t));
-            prop_assert!(angle.width() < Dyadic::power_of_two(8 - i64::from(bits)));
+            prop_assert!(angle.wid() < Dyadic::power_of_two(8 - i64::from(bits)));
             let arc = acos(&t.cos()).unwrap();
             prop_assert!(!arc.is_apart_from(&t) || !arc.is_apart_from(&-&t));
         }

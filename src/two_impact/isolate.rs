@@ -52,13 +52,13 @@ struct Row {
 /// few bits), or the signs at the ends of the interval are not known.
 pub(super) fn zeros(interval: &Interval, f: impl Fn(&Real) -> Option<Jet>) -> Vec<Part> {
     // Half of the bits: a double zero is seen no better.
-    let least = interval.x.width().scaled(-i64::from(interval.x.bits()) / 2);
+    let least = interval.x.wid().scaled(-i64::from(interval.x.bits()) / 2);
     let (mut stack, mut parts) = (vec![interval.x.clone()], Vec::new());
     let (mut left, mut row, mut boxes): (_, Option<Row>, usize) = (interval.signs[0], None, 0);
     while let Some(x) = stack.pop() {
         boxes += 1;
         let class = classify(&x, &f);
-        if class == Class::Neither && boxes < BOXES && x.width() > least {
+        if class == Class::Neither && boxes < BOXES && x.wid() > least {
             let [low, high] = x.ends();
             let middle = x.middle();
             stack.push(middle.hull(&high));
@@ -127,7 +127,7 @@ pub(super) fn refine(x: Real, left: Ordering, f: impl Fn(&Real) -> Option<Jet>) 
         };
         // A step that gains less than a quarter is the last one.
         let [three, four] = [3, 4].map(|n: i64| Dyadic::new(n.into(), 0));
-        let is_done = next.width().times(&four) >= x.width().times(&three);
+        let is_done = next.wid().times(&four) >= x.wid().times(&three);
         x = next;
         if is_done {
             break;

@@ -63,7 +63,7 @@ impl Jet {
     /// The values over `x` by the mean value theorem too, from `f` at the middle.
     pub fn cut(self, x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> Self {
         let middle = x.middle();
-        if x.width() == Dyadic::zero() {
+        if x.wid() == Dyadic::zero() {
             return self;
         }
         let Some(there) = f(&middle) else { return self };

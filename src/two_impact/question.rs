@@ -205,7 +205,7 @@ impl Bounds {
         let point = |size: Dyadic| Real::new(Enclosure::point(size), motion.parameters.bits());
         let widened = |x: &Real, size: Dyadic| {
             let rounding = point(size.scaled(4 - i64::from(shown))) + point(size.scaled(-120));
-            let margin = point(x.width()) + rounding;
+            let margin = point(x.wid()) + rounding;
             x + (-&margin).hull(&margin)
         };
         let eight = || Dyadic::power_of_two(3);
@@ -247,8 +247,8 @@ impl Bounds {
 /// Whether phases and speed have so many digits.
 fn is_narrow(motion: &Motion, digits: u32) -> bool {
     let power = BigRational::new(1.into(), BigInt::from(10).pow(digits));
-    let unit = Enclosure::from_rational(&power, 64).lo().clone();
+    let unit = Enclosure::from_rational(&power, 64).inf().clone();
     // 2 pi > 6.
     let phase = unit.times(&Dyadic::new(6.into(), 0));
-    [&motion.theta0, &motion.theta1()].iter().all(|theta| theta.width() <= phase) && motion.speed.width() <= unit
+    [&motion.theta0, &motion.theta1()].iter().all(|theta| theta.wid() <= phase) && motion.speed.wid() <= unit
 }

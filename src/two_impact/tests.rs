@@ -34,7 +34,7 @@ fn all_zeros_of_a_wave_are_found_and_its_double_zeros_doubted() {
         let Part::Zero { x, left } = part else { panic!("{part:?}") };
         let zero = refine(x.clone(), *left, |x| wave(x, "0"));
         let expected = Real::pi(96) * (n as i64 + 1);
-        assert!(!zero.is_apart_from(&expected) && zero.width() < Dyadic::power_of_two(-80));
+        assert!(!zero.is_apart_from(&expected) && zero.wid() < Dyadic::power_of_two(-80));
     }
     let parts = zeros(&Interval { x, signs: [Some(Ordering::Less); 2] }, |x| wave(x, "1"));
     assert!(parts.len() == 5 && parts.iter().all(|part| matches!(part, Part::Doubt(_))));
@@ -53,7 +53,7 @@ fn the_graze_meets_the_pitchfork_at_the_known_restitution() {
     let excess = |e: &str| {
         let e = real(e, 120);
         let angle = grazing_angle(&e).unwrap();
-        assert!(angle.width() < Dyadic::power_of_two(-100));
+        assert!(angle.wid() < Dyadic::power_of_two(-100));
         let kappa = (&e + 1).over(&(Real::int(1, 120) - &e)).unwrap();
         (angle.sin().over(&angle.cos()).unwrap() - (kappa * 2).over(&Real::pi(120)).unwrap()).sign()
     };
@@ -109,9 +109,9 @@ fn a_plain_scan_finds_no_motion_that_was_missed() {
         for motion in &motions {
             let (theta0, theta1) = (&motion.theta0, motion.theta1());
             let speed = speed_between(theta0, &theta1, &parameters.restitution).unwrap();
-            assert!(!speed.is_apart_from(&motion.speed) && speed.width() < Dyadic::power_of_two(-50));
+            assert!(!speed.is_apart_from(&motion.speed) && speed.wid() < Dyadic::power_of_two(-50));
             let rest = closure(theta0, &theta1, cycles, &parameters.restitution, &speed);
-            assert!(rest.sign().is_none() && rest.width() < Dyadic::power_of_two(-50));
+            assert!(rest.sign().is_none() && rest.wid() < Dyadic::power_of_two(-50));
         }
         for index in seen {
             let eps = f64::from(index + 1) * step;

@@ -94,7 +94,7 @@ fn line(finding: &Finding, audit: &Audit<'_>) -> String {
 
 /// A distance to two digits.
 fn about(distance: &Enclosure) -> String {
-    Unit::ONE.above(distance.hi()).rounded()
+    Unit::ONE.above(distance.sup()).rounded()
 }
 
 fn label(site: &Site) -> String {

@@ -73,7 +73,7 @@ fn kind(orbit: &MeasuredOrbit) -> String {
 
 fn eigenvalues(orbit: &MeasuredOrbit) -> String {
     let few = |x: &Enclosure| decimal_digits(&x.rounded(FEW));
-    let is_zero = |x: &Enclosure| x.lo().is_zero() && x.hi().is_zero();
+    let is_zero = |x: &Enclosure| x.inf().is_zero() && x.sup().is_zero();
     let [large, small] = &orbit.eigenvalues;
     if is_zero(&large.im) && is_zero(&small.im) {
         format!("{} and {}", few(&large.re), few(&small.re))

@@ -32,7 +32,7 @@ const CACHED_POWERS: usize = 512;
 /// assert_eq!(decimal_bounds(&Enclosure::from_f64_bounds(0.25, 0.25).unwrap()), ["0.25", "0.25"]);
 /// ```
 pub fn decimal_bounds(x: &Enclosure) -> [String; 2] {
-    bounds(x.lo(), x.hi())
+    bounds(x.inf(), x.sup())
 }
 
 /// Decimal bounds that hold every real number between two doubles, whichever comes first; as [`decimal_bounds`].
@@ -329,7 +329,7 @@ mod tests {
             let x = Enclosure::new(Dyadic::new(lo.clone(), e), Dyadic::new(lo + n, e)).unwrap();
             let [lower, upper] = decimal_bounds(&x);
             let (printed_lo, printed_hi) = (value(&lower), value(&upper));
-            let (lo, hi) = (x.lo().to_rational(), x.hi().to_rational());
+            let (lo, hi) = (x.inf().to_rational(), x.sup().to_rational());
             prop_assert!(printed_lo <= lo && hi <= printed_hi);
             prop_assert!(lower != "-0" && upper != "-0");
             if n != 0 {

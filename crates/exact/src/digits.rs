@@ -43,7 +43,7 @@ pub fn log2_of_digits(digits: f64) -> f64 {
 /// assert_eq!(shown("0.25"), "0.25");
 /// ```
 pub fn decimal_digits(x: &Enclosure) -> String {
-    let (lo, hi) = (x.lo(), x.hi());
+    let (lo, hi) = (x.inf(), x.sup());
     if is_coarse(lo) || is_coarse(hi) {
         let [lower, upper] = decimal_bounds(x);
         return format!("[{lower}, {upper}]");
@@ -157,7 +157,7 @@ mod tests {
             let lo = BigInt::from(m) << gap;
             let x = enclosure(lo.clone(), lo + n, e);
             let [lower, upper] = ends(&decimal_digits(&x));
-            let (lo, hi) = (x.lo().to_rational(), x.hi().to_rational());
+            let (lo, hi) = (x.inf().to_rational(), x.sup().to_rational());
             prop_assert!(lower <= lo && hi <= upper);
             prop_assert!(n == 0 || upper - lower <= (hi - lo) * BigRational::from_integer(3.into()));
         }

@@ -247,7 +247,7 @@ mod tests {
         let (a, b) = (BigRational::new(cut.clone(), scale.clone()), BigRational::new(cut + away, scale));
         let (lo, hi) = if a < b { (a, b) } else { (b, a) };
         assert!(
-            enclosure.lo().to_rational() >= lo && enclosure.hi().to_rational() <= hi,
+            enclosure.inf().to_rational() >= lo && enclosure.sup().to_rational() <= hi,
             "{enclosure:?} is not {digits}..."
         );
     }
@@ -289,8 +289,8 @@ mod tests {
         let (x, y, one) = (Dyadic::new(x, 0), Dyadic::new(y, 0), Dyadic::power_of_two(0));
         let sum = sin(&x, 200).mul(&cos(&one, 200), 200).add(&cos(&x, 200).mul(&sin(&one, 200), 200), 200);
         let direct = sin(&y, 200);
-        assert!(sum.intersection(&direct).is_some() && sum.width() < Dyadic::power_of_two(-190));
-        assert!(direct.width() < Dyadic::power_of_two(-190));
+        assert!(sum.intersection(&direct).is_some() && sum.wid() < Dyadic::power_of_two(-190));
+        assert!(direct.wid() < Dyadic::power_of_two(-190));
     }
 
     #[test]
@@ -298,9 +298,9 @@ mod tests {
         for exponent in [-1, -20, -34, -35, -200, -40_000] {
             let x = Dyadic::new(5.into(), exponent - 2);
             let sine = sin(&x, 64);
-            assert!(sine.width() <= x.scaled(-58), "{exponent}");
-            assert!(sine.contains_enclosure(&sin(&x, 300)) && *sine.hi() <= x.scaled(0));
-            assert!(cos(&x, 64).width() <= Dyadic::power_of_two(-60));
+            assert!(sine.wid() <= x.scaled(-58), "{exponent}");
+            assert!(sine.contains_enclosure(&sin(&x, 300)) && *sine.sup() <= x.scaled(0));
+            assert!(cos(&x, 64).wid() <= Dyadic::power_of_two(-60));
         }
     }
 
@@ -310,8 +310,8 @@ mod tests {
             let x = Dyadic::new(m.into(), e);
             prop_assert!(sin(&x, bits).contains_enclosure(&sin(&x, 400)));
             prop_assert!(cos(&x, bits).contains_enclosure(&cos(&x, 400)));
-            prop_assert!(sin(&x, bits).width() <= Dyadic::power_of_two(3 - i64::from(bits)));
-            prop_assert!(cos(&x, bits).width() <= Dyadic::power_of_two(3 - i64::from(bits)));
+            prop_assert!(sin(&x, bits).wid() <= Dyadic::power_of_two(3 - i64::from(bits)));
+            prop_assert!(cos(&x, bits).wid() <= Dyadic::power_of_two(3 - i64::from(bits)));
         }
 
         // Without the outward rounding to `bits`, which would hide a wrong error bound behind the guard digits.
@@ -321,7 +321,7 @@ mod tests {
             let found = Reduced::new(&x, bits).sin_of_quadrant(turns);
             let truth = Reduced::new(&x, bits + 200).sin_of_quadrant(turns);
             prop_assert!(found.contains_enclosure(&truth), "{found:?} {truth:?}");
-            prop_assert!(found.width() <= Dyadic::power_of_two(1 - i64::from(bits)));
+            prop_assert!(found.wid() <= Dyadic::power_of_two(1 - i64::from(bits)));
         }
 
         #[test]
@@ -330,7 +330,7 @@ mod tests {
             let (s, c) = (sin(&x, bits), cos(&x, bits));
             let sum = s.mul(&s, bits).add(&c.mul(&c, bits), bits);
             prop_assert!(sum.contains(&BigRational::one()));
-            prop_assert!(sum.width() <= Dyadic::power_of_two(8 - i64::from(bits)));
+            prop_assert!(sum.wid() <= Dyadic::power_of_two(8 - i64::from(bits)));
         }
     }
 }

@@ -57,12 +57,12 @@ impl Enclosure {
     }
 
     /// The lower end.
-    pub fn lo(&self) -> &Dyadic {
+    pub fn inf(&self) -> &Dyadic {
         &self.lo
     }
 
     /// The upper end.
-    pub fn hi(&self) -> &Dyadic {
+    pub fn sup(&self) -> &Dyadic {
         &self.hi
     }
 
@@ -172,7 +172,7 @@ impl Enclosure {
             return f(&self.lo, bits).intersection(&whole).unwrap_or(whole); // X1: both hold it
         }
         let radius_bits = 32;
-        let width = self.width();
+        let width = self.wid();
         if width >= Dyadic::power_of_two(3) {
             return whole; // longer than a period
         }
@@ -214,7 +214,7 @@ impl Enclosure {
     }
 
     /// An upper bound of `hi - lo`, at most `2^-63` too large in relative terms; zero for a point.
-    pub fn width(&self) -> Dyadic {
+    pub fn wid(&self) -> Dyadic {
         self.hi.plus(&self.lo.negated(), 64, Round::Up)
     }
 
@@ -353,6 +353,6 @@ mod tests {
     fn powers_are_tight() {
         let x = Enclosure::point(Dyadic::from_f64(1.1).unwrap());
         let power = x.powi(10_000, 100).unwrap();
-        assert!(power.width() <= power.lo().scaled(-97));
+        assert!(power.wid() <= power.inf().scaled(-97));
     }
 }

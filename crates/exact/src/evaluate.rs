@@ -62,7 +62,7 @@ impl Exact {
         loop {
             let enclosure = self.evaluate(precision);
             nonzero_in_time |= precision <= doubtful && !enclosure.mig().is_zero();
-            let width = enclosure.width();
+            let width = enclosure.wid();
             // One bit better than promised, which pays for the final rounding to bits + 3 bits.
             let relative = width <= enclosure.mig().scaled(-i64::from(bits) - 1);
             let absolute = width <= Dyadic::power_of_two(-8 * i64::from(bits) - 2049);
@@ -85,7 +85,7 @@ impl Exact {
             precision = precision.saturating_mul(2).min(budget); // X1
             let finer = self.evaluate(precision);
             let noticeable = finer.mag().scaled(-i64::from(bits) - 1);
-            let shrinks = enclosure.width() > finer.width().plus(&noticeable, 64, super::dyadic::Round::Up);
+            let shrinks = enclosure.wid() > finer.wid().plus(&noticeable, 64, super::dyadic::Round::Up);
             enclosure = finer;
             if !shrinks {
                 break;
@@ -132,8 +132,8 @@ impl Exact {
             Form::SquareRoot(x) => {
                 // Proved nonnegative at construction, so a part below zero at this precision can be cut off.
                 let x = x.evaluate(bits);
-                let lo = x.lo().max(&Dyadic::zero()).clone(); // X1: nothing of it lies below 0
-                let radicand = Enclosure::new(lo, x.hi().clone()).expect("the radicand is not negative");
+                let lo = x.inf().max(&Dyadic::zero()).clone(); // X1: nothing of it lies below 0
+                let radicand = Enclosure::new(lo, x.sup().clone()).expect("the radicand is not negative");
                 radicand.sqrt(bits).expect("cut off at zero")
             }
             Form::Sine(x) => x.evaluate(bits).sin(bits),
@@ -235,7 +235,7 @@ pub(crate) mod tests {
     /// Asserts the documented width for a number that is not zero.
     fn assert_relative(x: &Exact, bits: u32) {
         let enclosure = x.enclose(bits);
-        assert!(enclosure.width() <= enclosure.mig().scaled(-i64::from(bits)), "{x} at {bits} bits: {enclosure:?}");
+        assert!(enclosure.wid() <= enclosure.mig().scaled(-i64::from(bits)), "{x} at {bits} bits: {enclosure:?}");
     }
 
     #[test]
@@ -262,7 +262,7 @@ pub(crate) mod tests {
         for bits in [1, 64, 200] {
             let enclosure = zero.enclose(bits);
             assert!(enclosure.contains(&num_rational::BigRational::from_integer(0.into())));
-            assert!(enclosure.width() <= Dyadic::power_of_two(-8 * i64::from(bits) - 2048));
+            assert!(enclosure.wid() <= Dyadic::power_of_two(-8 * i64::from(bits) - 2048));
         }
         assert_eq!(zero.sign(), None);
         assert_eq!(zero.compare(&exact("1e-900")), Some(Ordering::Less));
@@ -274,10 +274,10 @@ pub(crate) mod tests {
         // Each of these would need or produce astronomically many bits if evaluated naively.
         let large_zero = "(1e300*cos(pi/5) - 1e300*cos(2*pi/5) - 5e299)";
         let x = exact(&format!("(((({large_zero}^10000)^10000)^10000)^10000)^10000"));
-        assert!(x.enclose(64).width() < Dyadic::power_of_two(-2000));
+        assert!(x.enclose(64).wid() < Dyadic::power_of_two(-2000));
         assert!(Exact::parse("(((2^10000)^10000)^10000)^10000").is_err());
         let tiny = exact("(((0.5^10000)^10000)^10000)^10000");
-        assert!(tiny.enclose(10).lo().sign().is_ge());
+        assert!(tiny.enclose(10).inf().sign().is_ge());
     }
 
     /// Two seconds in release, a minute in debug: `cargo test --release -- --ignored`.
@@ -297,7 +297,7 @@ pub(crate) mod tests {
             enclosure.contains(exact("4.71").as_rational().unwrap())
                 && enclosure.contains(exact("4.715").as_rational().unwrap())
         );
-        assert!(enclosure.width() <= exact("0.0050000001").enclose(60).hi().clone());
+        assert!(enclosure.wid() <= exact("0.0050000001").enclose(60).sup().clone());
         assert!((&x - &x).sign().is_none() && !(&x - &x).is_point());
         assert_eq!((-&x).sign(), Some(Ordering::Less));
     }

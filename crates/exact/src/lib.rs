@@ -308,6 +308,6 @@ mod tests {
         for _ in 0..200 {
             x = &x + &x; // 2^200 leaves as a tree
         }
-        assert!(x.enclose(300).lo().top() == Some(199));
+        assert!(x.enclose(300).inf().top() == Some(199));
     }
 }

@@ -122,7 +122,7 @@ impl Exact {
         if let Some(root) = self.as_monomial().and_then(Monomial::square_root) {
             return Ok(Exact::from_monomial(root));
         }
-        match prove(self, |x| x.lo().sign().is_ge()) {
+        match prove(self, |x| x.inf().sign().is_ge()) {
             Some(_) => Exact::from_form(Form::SquareRoot(self.clone())),
             None => Err(ExactError::NegativeRoot { radicand: shortened(&self.text()) }),
         }

@@ -119,7 +119,7 @@ impl Real {
 
     /// Whether all members are less than all of the other.
     pub fn is_below(&self, other: &Self) -> bool {
-        self.value.hi() < other.value.lo()
+        self.value.sup() < other.value.inf()
     }
 
     /// Whether no member of one is one of the other.
@@ -144,24 +144,24 @@ impl Real {
 
     /// A point near the middle, not outside.
     pub fn middle(&self) -> Self {
-        let (lo, hi) = (self.value.lo(), self.value.hi());
+        let (lo, hi) = (self.value.inf(), self.value.sup());
         let sum = lo.plus(hi, self.bits.saturating_add(4), Round::Down); // exact: any point, cut to a member below
         self.with(Enclosure::point(sum.scaled(-1).clamp(lo.clone(), hi.clone()))) // exact: a member
     }
 
     /// That point.
     pub fn mid(&self) -> Dyadic {
-        self.middle().value.lo().clone()
+        self.middle().value.inf().clone()
     }
 
     /// The lower and the upper bound, as points.
     pub fn ends(&self) -> [Self; 2] {
-        [self.value.lo(), self.value.hi()].map(|end| self.with(Enclosure::point(end.clone())))
+        [self.value.inf(), self.value.sup()].map(|end| self.with(Enclosure::point(end.clone())))
     }
 
     /// An upper bound of the distance between two members.
-    pub fn width(&self) -> Dyadic {
-        self.value.width()
+    pub fn wid(&self) -> Dyadic {
+        self.value.wid()
     }
 
     /// A double near the middle.
@@ -176,8 +176,8 @@ impl Real {
 
     /// The square root of the members that are not negative; `None` if there is none.
     pub fn sqrt(&self) -> Option<Self> {
-        let lo = self.value.lo().max(&Dyadic::zero()).clone(); // X1: the members from 0 on
-        let value = Enclosure::new(lo, self.value.hi().clone())?.sqrt(self.bits)?;
+        let lo = self.value.inf().max(&Dyadic::zero()).clone(); // X1: the members from 0 on
+        let value = Enclosure::new(lo, self.value.sup().clone())?.sqrt(self.bits)?;
         Some(self.with(value))
     }
 
@@ -190,7 +190,7 @@ impl Real {
     /// Half of it, exactly.
     pub fn half(&self) -> Self {
         let half = |end: &Dyadic| end.scaled(-1);
-        self.with(Enclosure::new(half(self.value.lo()), half(self.value.hi())).expect("in order"))
+        self.with(Enclosure::new(half(self.value.inf()), half(self.value.sup())).expect("in order"))
     }
 
     /// The sine.
@@ -212,7 +212,7 @@ impl Real {
     pub fn at_most(&self, most: i64) -> Self {
         let most = Dyadic::new(most.into(), 0);
         let cut = |end: &Dyadic| end.min(&most).clone(); // X1: the members up to it
-        self.with(Enclosure::new(cut(self.value.lo()), cut(self.value.hi())).expect("in order"))
+        self.with(Enclosure::new(cut(self.value.inf()), cut(self.value.sup())).expect("in order"))
     }
 
     /// The integer part that all members share.

@@ -140,7 +140,7 @@ impl Walls {
     fn new(gap: &Exact) -> Self {
         let gap = gap.enclose(64);
         let two = BigRational::from_integer(2.into());
-        Self { half: (gap.lo().to_rational() + gap.hi().to_rational()) / &two / two }
+        Self { half: (gap.inf().to_rational() + gap.sup().to_rational()) / &two / two }
     }
 
     /// The wall; a position must be nearer to it than to the middle of the gap, so that no other code passes for one.

@@ -18,7 +18,7 @@ fn flight_of(truth: &TrueFlight, bits: u32, radius: Magnitude) -> Flight<MpBall>
     let (phase, velocity) = (ball(&truth.phase), ball(&truth.velocity).widened(radius));
     let sin_cos = phase.sin_cos();
     // A height of 0 is the wall.
-    if truth.height.0.is_point() && truth.height.0.lo().is_zero() {
+    if truth.height.0.is_point() && truth.height.0.inf().is_zero() {
         Flight::from_wall(&pair, truth.wall, phase, velocity, sin_cos)
     } else {
         Flight::from_inside(&pair, ball(&truth.height), phase, velocity, sin_cos)

@@ -50,8 +50,8 @@ proptest! {
     fn decisions_hold_for_all_members([x, y] in [balls(), balls()], [i, j] in [places(), places()], by in -2.0..2.0f64) {
         let a = member(&x, i);
         match x.certain_sign() {
-            Some(Ordering::Greater) => prop_assert!(!Truth::from(0.0).exceeds(&a) && a.0.hi().sign().is_gt()),
-            Some(Ordering::Less) => prop_assert!(!a.exceeds(0.0) && a.0.lo().sign().is_lt()),
+            Some(Ordering::Greater) => prop_assert!(!Truth::from(0.0).exceeds(&a) && a.0.sup().sign().is_gt()),
+            Some(Ordering::Less) => prop_assert!(!a.exceeds(0.0) && a.0.inf().sign().is_lt()),
             Some(Ordering::Equal) => prop_assert!(x == Ball::exact(x.mid()) && x.mid() == 0.0),
             None => prop_assert!(x.rad() >= x.mid().abs()),
         }
@@ -61,7 +61,7 @@ proptest! {
             if inner.is_interior_to(&x) {
                 let end = member(&inner, j);
                 prop_assert!(!(&end - member(&x, 0.0)).abs().exceeds(x.rad()), "{inner:?} in {x:?}");
-                prop_assert!((&end - member(&x, 0.0)).abs().0.lo().to_f64_down() < x.rad(), "{inner:?} in {x:?}");
+                prop_assert!((&end - member(&x, 0.0)).abs().0.inf().to_f64_down() < x.rad(), "{inner:?} in {x:?}");
             }
         }
     }

@@ -82,7 +82,7 @@ proptest! {
         // An interval of which nothing is known but its ends: those of two balls.
         let ends = x.enclosure().unwrap().hull(&y.enclosure().unwrap());
         let found = MpBall::enclosing(&ends, bits);
-        for end in [&ends, &Enclosure::point(ends.lo().clone()), &Enclosure::point(ends.hi().clone())] {
+        for end in [&ends, &Enclosure::point(ends.inf().clone()), &Enclosure::point(ends.sup().clone())] {
             prop_assert!(found.enclosure().unwrap().contains_enclosure(end), "{x:?}, {y:?}: {found:?}");
         }
         // There and back makes it no wider than a quarter more, its own rounding apart.
@@ -100,8 +100,8 @@ proptest! {
     fn decisions_hold_for_all_members([x, y] in [mp_balls(), mp_balls()], [i, j] in [places(), places()], by in -2.0..2.0f64) {
         let a = member(&x, i);
         match x.sign() {
-            Some(Ordering::Greater) => prop_assert!(a.0.hi().sign().is_gt(), "{x:?}"),
-            Some(Ordering::Less) => prop_assert!(a.0.lo().sign().is_lt(), "{x:?}"),
+            Some(Ordering::Greater) => prop_assert!(a.0.sup().sign().is_gt(), "{x:?}"),
+            Some(Ordering::Less) => prop_assert!(a.0.inf().sign().is_lt(), "{x:?}"),
             Some(Ordering::Equal) => prop_assert!(x.mid.is_zero() && x.rad.is_zero()),
             None => prop_assert!(!x.rad.is_zero()),
         }
@@ -121,7 +121,7 @@ proptest! {
                 prop_assert!(!away.exceeds(bound(x.rad)), "{inner:?} in {x:?}");
             }
             if inner.is_interior_to(&x) {
-                prop_assert!(away.0.lo() < bound(x.rad).0.lo(), "{inner:?} in {x:?}");
+                prop_assert!(away.0.inf() < bound(x.rad).0.inf(), "{inner:?} in {x:?}");
             }
         }
     }
@@ -145,7 +145,7 @@ proptest! {
             let found = x.acos().enclosure().expect("a finite ball");
             let half = Enclosure::from_f64_bounds(0.0, 0.5).unwrap();
             let inside = found.intersection(&half).expect("an angle from 0 to half a turn");
-            let [most, least] = [inside.lo(), inside.hi()].map(|end| Truth(Enclosure::point(end.clone())).sin_cos().1);
+            let [most, least] = [inside.inf(), inside.sup()].map(|end| Truth(Enclosure::point(end.clone())).sin_cos().1);
             prop_assert!(!q.exceeds(most) && !least.exceeds(&q), "{x:?}: {found:?}");
         }
     }

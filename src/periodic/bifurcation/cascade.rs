@@ -102,7 +102,7 @@ pub fn survey(
 
 /// The order of the parameter: `d` falls as `A/d` rises.
 fn compare(a: &Point, b: &Point, key: Key) -> Ordering {
-    let order = a.parameter.lo().cmp(b.parameter.lo());
+    let order = a.parameter.inf().cmp(b.parameter.inf());
     if key == Key::Gap { order.reverse() } else { order }
 }
 
@@ -224,7 +224,7 @@ impl Survey<'_> {
     fn enter(&mut self, point: Point) {
         let end = |x: f64| Dyadic::from_f64(x).expect("a finite number");
         let [low, high] = self.range;
-        if *point.parameter.hi() < end(low) || *point.parameter.lo() > end(high) {
+        if *point.parameter.sup() < end(low) || *point.parameter.inf() > end(high) {
             return;
         }
         let is_known = |known: &Point| {

@@ -219,7 +219,7 @@ impl<S: Condition> Claim<'_, S> {
         }
         // Radii may be far smaller than this arithmetic's unit where nothing is rounded.
         let parameter = p.as_enclosure()?.rounded(bits + 64);
-        let ends = [parameter.lo(), parameter.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        let ends = [parameter.inf(), parameter.sup()].map(|end| Exact::from_rational(end.to_rational()));
         let restitution = match self.setting.unknown {
             Unknown::Ratio => self.setting.fixed.clone(),
             Unknown::Restitution => Exact::interval(&ends[0], &ends[1]).ok()?,
@@ -239,7 +239,7 @@ impl<S: Condition> Claim<'_, S> {
         let orbit = orbit.map(|orbit| PeriodicOrbit { symmetric, ..orbit });
         let room = bits + 160;
         // exact: a whole number
-        let turns = Enclosure::from_rational(&phases[0].as_enclosure()?.lo().to_rational().floor(), room);
+        let turns = Enclosure::from_rational(&phases[0].as_enclosure()?.inf().to_rational().floor(), room);
         let impact = |i: usize| {
             Some(PeriodicImpact {
                 wall: chain.walls()[i],

@@ -65,12 +65,12 @@ impl Point {
 
     /// See [`Diagram::in_units`](super::Diagram::in_units).
     pub(super) fn in_units(&self, over: &Over, pair: &ImpactPair) -> Result<(Enclosure, ImpactPair), Error> {
-        let ends = [self.parameter.lo(), self.parameter.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        let ends = [self.parameter.inf(), self.parameter.sup()].map(|end| Exact::from_rational(end.to_rational()));
         let [a, b] = ends.map(|end| over.in_units(pair, &end));
         let (a, b) = (a?, b?);
         let room = self.bits + 64;
         let hull = a.enclose(room).hull(&b.enclose(room));
-        let [low, high] = [hull.lo(), hull.hi()].map(|end| Exact::from_rational(end.to_rational()));
+        let [low, high] = [hull.inf(), hull.sup()].map(|end| Exact::from_rational(end.to_rational()));
         let value =
             Exact::interval(&low, &high).map_err(|error| not_a_range(&format!("{low}..{high}")).because(error))?;
         Ok((hull, over.pair_at(pair, value)?))

@@ -91,8 +91,8 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         let Some(mut open) = self.open.take() else { return };
         while self.undecided.len() < MOST_UNDECIDED && !open.is_empty() && self.look() {
             let Some(narrow) = open.pop().and_then(|part| self.narrow(part, &self.terms.whole())) else { continue };
-            let is_last = narrow.part.width() <= self.task.narrowest;
-            if narrow.part.width() <= NEAR && self.is_known(&narrow.part, narrow.is_regular || is_last) {
+            let is_last = narrow.part.wid() <= self.task.narrowest;
+            if narrow.part.wid() <= NEAR && self.is_known(&narrow.part, narrow.is_regular || is_last) {
                 continue;
             }
             if is_last {
@@ -155,7 +155,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
     fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
         let (chain, floats) = (&self.task.problem.chain, self.task.shaken.floats());
         let phases = polish(chain, floats, part.centre())?;
-        let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.width();
+        let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.wid();
         if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, floats, &phases)) {
             return None;
         }
@@ -179,9 +179,9 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
 /// Both halves of a part: across the phase that the equations determine least or, if that is narrow, depend on most.
 fn halves(Narrow { part, rows, weakest, .. }: Narrow) -> [Part; 2] {
     let weights = rows.weights(part.phases.len());
-    let weight = |j: &usize| weights[*j] * part.phases[*j].width();
+    let weight = |j: &usize| weights[*j] * part.phases[*j].wid();
     let heaviest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
-    let across = if part.phases[weakest].width() >= WIDE * part.width() { weakest } else { heaviest };
+    let across = if part.phases[weakest].wid() >= WIDE * part.wid() { weakest } else { heaviest };
     let Interval { lo, hi } = part.phases[across];
     let middle = part.phases[across].middle();
     let mut other = part.clone();

@@ -122,8 +122,8 @@ impl<'c> Terms<'c> {
 
     /// How wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
     pub fn spread(&self) -> f64 {
-        let relative = self.beta.width() / self.beta.hi.max(f64::MIN_POSITIVE); // proposes: when to stop
-        relative.max(self.restitution.width()) // proposes
+        let relative = self.beta.wid() / self.beta.hi.max(f64::MIN_POSITIVE); // proposes: when to stop
+        relative.max(self.restitution.wid()) // proposes
     }
 
     /// What all harmonics do.
@@ -324,7 +324,7 @@ fn in_order(a: Interval, b: Interval, c: Interval) -> Option<(Interval, Interval
 impl Part {
     /// How much there is: the sum of the widths of the phases and times.
     pub fn size(&self) -> f64 {
-        self.phases.iter().chain(&self.times).map(|x| x.width()).sum()
+        self.phases.iter().chain(&self.times).map(|x| x.wid()).sum()
     }
 
     /// Whether it overlaps another part at these impacts.
@@ -359,7 +359,7 @@ impl Part {
     }
 
     /// The width of the widest phase.
-    pub fn width(&self) -> f64 {
-        self.phases.iter().map(|x| x.width()).fold(0.0, f64::max) // proposes: when to stop
+    pub fn wid(&self) -> f64 {
+        self.phases.iter().map(|x| x.wid()).fold(0.0, f64::max) // proposes: when to stop
     }
 }

@@ -58,7 +58,7 @@ impl Interval {
 
     /// `hi - lo`, to nearest: it decides nothing.
     #[inline(always)]
-    pub fn width(self) -> f64 {
+    pub fn wid(self) -> f64 {
         self.hi - self.lo
     }
 
@@ -126,7 +126,7 @@ impl Interval {
 
     /// `cos 2 pi u` over the interval.
     pub fn cos(self) -> Self {
-        if self.width() >= 1.0 {
+        if self.wid() >= 1.0 {
             return Self::new(-1.0, 1.0);
         }
         let ends = [kernel::sin_cos(self.lo).1, kernel::sin_cos(self.hi).1];

@@ -298,10 +298,7 @@ mod tests {
             let slopes = chain.slopes(shaken.balls(), &chain.legs(shaken.balls(), &balls).unwrap()).unwrap();
             for (own, expected) in rows.slopes.iter().flatten().zip(slopes.0.iter().flatten()) {
                 let expected = Interval::of(*expected);
-                assert!(
-                    own.cut(expected).is_some() && own.width() < 1e-6 * (1.0 + own.hi.abs()),
-                    "{own:?} {expected:?}"
-                );
+                assert!(own.cut(expected).is_some() && own.wid() < 1e-6 * (1.0 + own.hi.abs()), "{own:?} {expected:?}");
             }
         }
         let mut problems = under_several();

@@ -40,7 +40,7 @@ fn equispaced(scene: &Scene, n: u64, impacts: usize) -> Vec<Contact> {
     let At::Wall(start) = scene.at else { unreachable!() };
     let spacing = pi_times(BITS, n as i32) / scene.omega.member(BITS, 0.0);
     let exact = scene.velocity.exact().enclose(BITS);
-    let speed = Float::with_val(BITS, scene::float(exact.lo()).abs());
+    let speed = Float::with_val(BITS, scene::float(exact.inf()).abs());
     (1..=impacts)
         .map(|index| {
             let wall = if index % 2 == 0 { start } else { start.opposite() };
@@ -182,7 +182,7 @@ fn figure_12_made_exact_comes_back_a_thousand_times() {
     let mut orbit = scene.orbit(1000).expect("a scene");
     let last = orbit.by_ref().last().expect("impacts");
     let (time, velocity) = orbit.bounds(&last);
-    let widths = [time, velocity].map(|bounds| bounds.width().to_f64_up());
+    let widths = [time, velocity].map(|bounds| bounds.wid().to_f64_up());
     println!("impact 1000: time within {:e}, velocity within {:e}", widths[0], widths[1]);
     assert!(widths[0] < 1e-13 && widths[1] < 1e-12);
 }

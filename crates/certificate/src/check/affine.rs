@@ -74,7 +74,7 @@ impl Affine {
             }
             spread = spread + &Real::point(slope.enclosure().mag().times(&x.error), COLUMN_BITS);
         }
-        Self { centre, columns, error: spread.enclosure().hi().clone() }
+        Self { centre, columns, error: spread.enclosure().sup().clone() }
     }
 
     /// Whether it is known as well as its centre.
@@ -87,7 +87,7 @@ impl Affine {
         let middle = Real::point(self.centre.mid(), self.centre.bits());
         let off = Real::point((self.centre - &middle).enclosure().mag(), COLUMN_BITS);
         let error = off + &Real::point(self.error, COLUMN_BITS);
-        Self { centre: middle, columns: self.columns, error: error.enclosure().hi().clone() }
+        Self { centre: middle, columns: self.columns, error: error.enclosure().sup().clone() }
     }
 
     /// The same deviations from 0.
@@ -117,7 +117,7 @@ impl Affine {
     /// How far the deviations reach.
     pub fn reach(&self) -> Dyadic {
         let reach = |sum: Real, column: &Real| sum + &Real::point(column.enclosure().mag(), COLUMN_BITS);
-        self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).enclosure().hi().clone()
+        self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).enclosure().sup().clone()
     }
 
     /// The set of all its values.

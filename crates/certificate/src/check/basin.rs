@@ -79,7 +79,7 @@ impl Ellipse {
     /// The least size that holds a set.
     pub fn size_for(&self, set: &Landing) -> Option<i64> {
         let place = self.sized(0).place([&set.phase, &set.velocity])?;
-        Some(place.enclosure().hi().top().map_or(i64::MIN, |top| top + 1)) // exact: a point has no size
+        Some(place.enclosure().sup().top().map_or(i64::MIN, |top| top + 1)) // exact: a point has no size
     }
 
     /// `2^(sign size)`
@@ -112,13 +112,13 @@ impl Contraction {
     /// Whether it is proved to be mapped into itself and contracted, by the period or by Newton's step.
     pub fn is_proved(&self) -> bool {
         let (one, reach) = (Real::int(1, self.factor.bits()), self.factor.clone() + &self.moved);
-        self.factor.is_below(&one) && reach.enclosure().hi() <= one.enclosure().lo()
+        self.factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()
     }
 
     /// About how many times larger, as a power of 2, an ellipse is that holds the orbit.
     pub fn larger_by(&self) -> i64 {
         let rest = Real::int(1, self.factor.bits()) - &self.factor;
-        let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().hi().top());
+        let needed = self.moved.over(&rest).and_then(|needed| needed.enclosure().sup().top());
         needed.map_or(1, |top| top + 2).max(1) // proposes: a size to try
     }
 }

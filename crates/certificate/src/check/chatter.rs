@@ -23,12 +23,12 @@ pub(super) fn accumulation(departure: &Departure, parameters: &Parameters) -> Op
     let twice = u.clone() + &u;
     let pressure = |h: &Real| -inward(flight.curvature(h));
     let lasting = |pressure: &Real, loss: &Real| twice.over(&((one.clone() - loss) * pressure));
-    let upper = |x: &Real| Real::point(x.enclosure().hi().clone(), bits);
+    let upper = |x: &Real| Real::point(x.enclosure().sup().clone(), bits);
     let mut window = upper(&lasting(&pressure(&Real::zero(bits)), &e)?);
     for _ in 0..WINDOWS {
         window = window.clone() + &window;
         let pressure = pressure(&Real::zero(bits).hull(&window));
-        let (lo, hi) = (Real::point(pressure.enclosure().lo().clone(), bits), upper(&pressure));
+        let (lo, hi) = (Real::point(pressure.enclosure().inf().clone(), bits), upper(&pressure));
         if !lo.is_positive() || u.is_negative() {
             return None;
         }

@@ -100,7 +100,7 @@ fn with_turns(data: &Data, bits: u32) -> u32 {
 
 /// Where `found` lies.
 pub(super) fn beside(found: &Real, [lower, upper]: &[BigRational; 2]) -> Beside {
-    let (lo, hi) = (found.enclosure().lo(), found.enclosure().hi());
+    let (lo, hi) = (found.enclosure().inf(), found.enclosure().sup());
     if compare_rational(lo, lower).is_ge() && compare_rational(hi, upper).is_le() {
         Beside::Inside
     } else if compare_rational(hi, lower) == Ordering::Less || compare_rational(lo, upper) == Ordering::Greater {

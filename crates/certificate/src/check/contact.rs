@@ -250,5 +250,5 @@ pub(super) fn zero(bracket: Real, value: impl Fn(&Real) -> Real, slope: impl Fn(
 }
 
 fn width(x: &Real) -> Dyadic {
-    x.enclosure().width()
+    x.enclosure().wid()
 }

@@ -222,7 +222,7 @@ impl Piece {
             return Affine::fixed(whole);
         }
         let (k, n) = self.parts.get(j).cloned().unwrap_or_default(); // exact: not cut yet, the whole
-        let [lo, hi] = [whole.enclosure().lo(), whole.enclosure().hi()].map(|end| Real::point(end.clone(), bits));
+        let [lo, hi] = [whole.enclosure().inf(), whole.enclosure().sup()].map(|end| Real::point(end.clone(), bits));
         let size = hi - &lo;
         let cut = |k: BigInt| lo.clone() + &(size.clone() * &Real::point(Dyadic::new(k, -i64::from(n)), bits));
         let part = cut(k.clone()).hull(&cut(k + 1));
@@ -248,7 +248,7 @@ fn phase(harmonic: &Harmonic, start: &Start) -> Result<(Exact, BigInt), Error> {
 fn nearest(x: &Exact) -> BigInt {
     let top = x.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
     let near = x.enclose(64 + u32::try_from(top).unwrap_or(0)); // X1
-    Enclosure::point(near.lo().clone()).floor().unwrap_or_default() // exact: any whole number is taken off
+    Enclosure::point(near.inf().clone()).floor().unwrap_or_default() // exact: any whole number is taken off
 }
 
 #[cfg(test)]

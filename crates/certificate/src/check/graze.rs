@@ -117,8 +117,8 @@ fn summit(flight: &Flight, wall: Wall, guess: &Real) -> Option<Summit> {
             let rise = slope(&middle) * &off - &(bend.clone() * &(off.clone() * &off)).half();
             let excess = outward(flight.height(&middle) - &flight.level(wall)) + &rise;
             let end = |x: &Dyadic| Real::point(x.clone(), bits);
-            let (least, most) = (end(bend.enclosure().lo()), end(bend.enclosure().hi()));
-            let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.enclosure().hi()) };
+            let (least, most) = (end(bend.enclosure().inf()), end(bend.enclosure().sup()));
+            let high = if excess.is_negative() { Real::zero(bits) } else { end(excess.enclosure().sup()) };
             let twice = high.clone() + &high;
             let spread = twice.over(&least)?.sqrt()?;
             let speed = (twice * &most).sqrt()?;

@@ -56,7 +56,7 @@ fn float(x: &Real) -> f64 {
 }
 
 fn half_width(x: &Real) -> f64 {
-    x.enclosure().width().scaled(-1).to_f64_up()
+    x.enclosure().wid().scaled(-1).to_f64_up()
 }
 
 /// How far displacement and velocity of the box are unknown at a known phase of the reference: by what the data of the other

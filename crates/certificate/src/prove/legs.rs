@@ -45,7 +45,7 @@ pub(super) fn start(origin: &Origin, scale: u32) -> Box {
     let known = |scale| {
         let is_exact = |x: &Real| x.enclosure().is_point() && x.mid().exponent() >= -i64::from(scale);
         let radius = |x: &Real| {
-            if is_exact(x) { 0.0 } else { x.enclosure().width().scaled(i64::from(scale) - 1).to_f64_up() + 2.0 }
+            if is_exact(x) { 0.0 } else { x.enclosure().wid().scaled(i64::from(scale) - 1).to_f64_up() + 2.0 }
         };
         (radius(&origin.phase), radius(&origin.velocity))
     };
@@ -122,7 +122,7 @@ fn coarser(scale: u32, radius: f64) -> u32 {
 pub(super) fn excess(flight: &Flight, arrival: &Box) -> u32 {
     let room = |middle: &BigInt, [low, high]: &[Real; 2]| {
         let scaled = |end: &Dyadic| Enclosure::point(end.scaled(arrival.scale.into())).floor().unwrap_or_default();
-        let (low, high) = (scaled(low.enclosure().hi()) + 1, scaled(high.enclosure().lo()));
+        let (low, high) = (scaled(low.enclosure().sup()) + 1, scaled(high.enclosure().inf()));
         let below: BigInt = middle - low;
         below.min(high - middle)
     };

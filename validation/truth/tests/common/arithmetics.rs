@@ -95,7 +95,7 @@ impl Run {
         let (amplitude, omega) = (scene.amplitude.member(BITS, 0.0), scene.omega.member(BITS, 0.0));
         let period = Float::with_val(BITS, Constant::Pi) * 2 / &omega;
         let (time, velocity) = &self.bounds[index];
-        [float(&time.width()) / period, float(&velocity.width()) / (amplitude * omega)]
+        [float(&time.wid()) / period, float(&velocity.wid()) / (amplitude * omega)]
     }
 
     /// Asserts that no width is beyond the digits asked for.
@@ -151,7 +151,7 @@ pub fn first_wrong(scene: &Scene, run: &Run, truth: &[Contact]) -> Option<usize>
     let limit = 1e-6 * std::f64::consts::TAU / scene.omega.member(64, 0.0).to_f64();
     run.impacts.iter().zip(&run.bounds).enumerate().position(|(index, (impact, (time, _)))| {
         let Some(contact) = truth.get(index) else { return true };
-        let off = Float::with_val(64, float(time.lo()) - &contact.time).to_f64().abs();
+        let off = Float::with_val(64, float(time.inf()) - &contact.time).to_f64().abs();
         is_left(impact) != (contact.wall == Wall::Left) || off > limit
     })
 }

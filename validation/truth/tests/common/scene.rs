@@ -154,7 +154,7 @@ pub fn float(x: &Dyadic) -> Float {
 }
 
 pub fn holds(bounds: &Enclosure, value: &Float) -> bool {
-    float(bounds.lo()) <= *value && *value <= float(bounds.hi())
+    float(bounds.inf()) <= *value && *value <= float(bounds.sup())
 }
 
 /// What is wrong with the impacts of the library for one true orbit, or `None`.

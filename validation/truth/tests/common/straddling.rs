@@ -57,7 +57,7 @@ fn wrong<T>(words: String) -> Judged<T> {
 /// The value, rounded; exactly 0 where that many bits do not tell it from 0.
 fn value(exact: &Exact) -> Float {
     let enclosure = exact.enclose(BITS);
-    if enclosure.sign().is_none() { Float::new(BITS) } else { Float::with_val(BITS, float(enclosure.lo())) }
+    if enclosure.sign().is_none() { Float::new(BITS) } else { Float::with_val(BITS, float(enclosure.inf())) }
 }
 
 fn wall(library: LibraryWall) -> Wall {
@@ -137,7 +137,7 @@ impl Pair<'_> {
         let bounds = self.orbit.graze_time(graze);
         let truth = self.truth()?;
         let Truth::Contact { time, wall: hit, velocity_before } = truth else { return Ok(()) };
-        if time < float(bounds.lo()) {
+        if time < float(bounds.inf()) {
             return wrong(format!("a graze from {:?}, but an impact on {hit:?} at {time:.70}", bounds.to_f64_bounds()));
         }
         if hit == wall(graze.wall) && holds(&bounds, &time) {
@@ -154,7 +154,7 @@ impl Pair<'_> {
         match self.truth()? {
             Truth::Rests if is_there && holds(&widened(&end), &self.start.time) => Ok(()),
             Truth::Contact { time, wall: hit, .. }
-                if is_there && rest.is_accumulation && hit == wall(rest.wall) && time <= float(widened(&end).hi()) =>
+                if is_there && rest.is_accumulation && hit == wall(rest.wall) && time <= float(widened(&end).sup()) =>
             {
                 Ok(())
             }
@@ -165,9 +165,9 @@ impl Pair<'_> {
     /// At a whole number of turns on the left, half a turn later on the right; at most half a turn after the rest.
     fn release(&mut self, rest: &Rest, release: &Release) -> Judged<()> {
         let [lower, upper, began] = [
-            self.orbit.release_time(release).lo(),
-            self.orbit.release_time(release).hi(),
-            self.orbit.rest_time(rest).hi(),
+            self.orbit.release_time(release).inf(),
+            self.orbit.release_time(release).sup(),
+            self.orbit.rest_time(rest).sup(),
         ]
         .map(float);
         let shift = if release.wall == LibraryWall::Left { 0.0 } else { 0.5 };
