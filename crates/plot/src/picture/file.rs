@@ -49,7 +49,7 @@ fn png(svg: &str) -> Result<Vec<u8>> {
     fonts.set_sans_serif_family("DejaVu Sans");
     let tree = Tree::from_str(svg, &options)?;
     let size = tree.size().to_int_size().scale_by(PIXELS).context("no pixels")?;
-    let mut pixels = Pixmap::new(size.wid(), size.height()).context("too many pixels")?;
+    let mut pixels = Pixmap::new(size.width(), size.height()).context("too many pixels")?;
     resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
     Ok(pixels.encode_png()?)
 }
