@@ -74,6 +74,7 @@
 pub mod audit;
 pub mod clock;
 pub mod contact;
+pub mod covering;
 pub mod document;
 pub mod excitation;
 pub mod flight;

@@ -48,16 +48,46 @@ pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Opt
 pub(crate) fn jacobian_between<N: Number>(
     restitution: N,
     time: N,
-    [swing0, swing1]: [N; 2],
-    [velocity0, velocity1]: [N; 2],
+    swings: [N; 2],
+    velocities: [N; 2],
 ) -> Option<[[N; 2]; 2]> {
-    let inverse = N::from_f64(1.0).checked_div(velocity1)?;
-    let after = rebound(&restitution, velocity0);
-    let time_by_time = swing0.clone().mul_add(time.clone(), after) * inverse.clone();
-    let time_by_velocity = restitution.clone() * time * inverse;
-    let velocity_by_time = swing1.clone().mul_add(time_by_time.clone(), -swing0);
-    let velocity_by_velocity = swing1.mul_add(time_by_velocity.clone(), -restitution);
-    Some([[time_by_time, time_by_velocity], [velocity_by_time, velocity_by_velocity]])
+    Some(Sheared::between(restitution, time, swings, velocities)?.jacobian())
+}
+
+/// The Jacobian (A.7) in two parts: near a graze all that is large, and known badly, is along `(1, slope)`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sheared<N> {
+    /// `[dt1/dt0, dt1/dv0]`
+    pub time: [N; 2],
+    /// `y''` at the impact it ends with: what `dt1` adds to `dv1`.
+    pub slope: N,
+    /// `dv1` at a fixed time.
+    pub velocity: [N; 2],
+}
+
+impl<N: Number> Sheared<N> {
+    /// From what [`jacobian_between`] is told.
+    #[inline(always)]
+    pub fn between(
+        restitution: N,
+        time: N,
+        [swing0, swing1]: [N; 2],
+        [velocity0, velocity1]: [N; 2],
+    ) -> Option<Self> {
+        let inverse = N::from_f64(1.0).checked_div(velocity1)?;
+        let after = rebound(&restitution, velocity0);
+        let time_by_time = swing0.clone().mul_add(time.clone(), after) * inverse.clone();
+        let time_by_velocity = restitution.clone() * time * inverse;
+        Some(Self { time: [time_by_time, time_by_velocity], slope: swing1, velocity: [-swing0, -restitution] })
+    }
+
+    /// Both in one.
+    #[inline(always)]
+    pub fn jacobian(self) -> [[N; 2]; 2] {
+        let Self { time, slope, velocity: [by_time, by_velocity] } = self;
+        let velocity = [slope.mul_add_ref(&time[0], by_time), slope.mul_add_ref(&time[1], by_velocity)];
+        [time, velocity]
+    }
 }
 
 #[cfg(test)]

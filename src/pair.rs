@@ -106,6 +106,12 @@ impl Reduced<Ball> {
         rebound_of(self.restitution, before)
     }
 
+    /// A power of two near the velocities to come after this one: the unit of velocities in sets.
+    pub(crate) fn scale(&self, velocity: Ball) -> f64 {
+        let speed = self.beta.mag().max(velocity.mag()).clamp(1.0 / LARGEST_RATE, LARGEST_RATE); // S2: any power of two
+        2f64.powi(speed.log2().round() as i32) // S2: any power of two
+    }
+
     /// The centres of the parameters, for the floating twin.
     #[inline(always)]
     pub fn centre(&self) -> Reduced<f64> {

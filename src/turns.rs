@@ -50,6 +50,18 @@ pub(crate) fn counted(turns: i64, whole: f64) -> i64 {
     turns.wrapping_add(whole as i64) // N1: the other count ends first, and this one with it
 }
 
+/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
+#[inline(always)]
+pub(crate) fn carry(turns: f64, phase: f64) -> (f64, f64) {
+    if phase > 0.5 {
+        (turns + 1.0, phase - 1.0)
+    } else if phase < -0.5 {
+        (turns - 1.0, phase + 1.0)
+    } else {
+        (turns, phase)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

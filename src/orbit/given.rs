@@ -15,9 +15,8 @@ use crate::Error;
 use crate::clock::Clock;
 use crate::exact::Exact;
 use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced, ball, within};
-use crate::several::phases_at;
-use crate::shaken::{Flying, One, Origin, Released, Several, Shaken};
+use crate::pair::{ImpactPair, ball};
+use crate::shaken::{Either, Flying, Origin, Released, Shaken};
 
 /// A pair and a start.
 #[derive(Clone, Debug)]
@@ -60,15 +59,12 @@ impl Given {
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
         let later = decided(pair, start);
         let start = later.as_ref().unwrap_or(start); // R3: the same motion
-        let (shaken, phases): (Arc<dyn Motions>, _) = match Several::new(pair, clock.origin())? {
-            None => {
-                let exact = Reduced::exact(pair)?;
-                let reduced = exact.enclosed()?;
-                (Arc::new(One::new(exact, reduced)), Vec::new())
-            }
-            Some(several) => (Arc::new(several), within("start.time", start.time(), phases_at(pair, start.time()))?),
+        let either = Either::new(pair, clock)?;
+        let origin = either.origin(pair, start, clock)?;
+        let shaken: Arc<dyn Motions> = match either {
+            Either::One(one) => one,
+            Either::Several(several) => several,
         };
-        let origin = Origin::new(pair, start, clock, phases)?;
         Ok(Self { pair: Arc::new(pair.clone()), shaken, origin })
     }
 

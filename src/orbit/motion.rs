@@ -10,12 +10,11 @@ use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
 use crate::flight::Launch;
-use crate::mapping::jacobian_between;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
-use crate::number::{Ball, LARGEST_RATE};
-use crate::pair::{Reduced, Wall, rebound};
-use crate::shaken::{Flying, Location, Origin};
+use crate::number::Ball;
+use crate::pair::{Wall, rebound};
+use crate::shaken::{Flying, Leaving, Location, Origin};
 use crate::turns;
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
@@ -55,27 +54,9 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     }
 }
 
-/// Shifts a phase into `[-1/2, 1/2]`, exactly (Sterbenz), and moves the turn to the count.
-#[inline(always)]
-pub(super) fn carry(turns: f64, phase: f64) -> (f64, f64) {
-    if phase > 0.5 {
-        (turns + 1.0, phase - 1.0)
-    } else if phase < -0.5 {
-        (turns - 1.0, phase + 1.0)
-    } else {
-        (turns, phase)
-    }
-}
-
 /// Bits enough to lose nothing of doubles on the way past a graze.
 #[cfg(feature = "multiprecision")]
 pub(super) const PASSING_BITS: u32 = 128;
-
-/// A power of two near the velocities to come.
-pub(super) fn scale(pair: &Reduced<Ball>, velocity: Ball) -> f64 {
-    let speed = pair.beta.mag().max(velocity.mag()).clamp(1.0 / LARGEST_RATE, LARGEST_RATE); // S2: any power of two
-    2f64.powi(speed.log2().round() as i32) // S2: any power of two
-}
 
 /// The states of a set after a contact, before the impact, or inside the gap.
 #[derive(Debug)]
@@ -101,7 +82,7 @@ impl<S: Flying> FloatMotion<S> {
 impl<S: Flying> Motion for FloatMotion<S> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
         let Contact { wall, turns, phase, time, velocity } = self.shaken.propose(&self.next)?;
-        let (turns, phase) = carry(turns, phase);
+        let (turns, phase) = turns::carry(turns, phase);
         let after = rebound(&self.shaken.pair().restitution.mid(), velocity);
         self.next = Launch::from_wall(wall, turns::counted(self.next.turns, turns), phase, after, false);
         let exact = Ball::exact;
@@ -130,7 +111,7 @@ impl<S: Flying> IntervalMotion<S> {
         let Origin { turns, phase, velocity, .. } = *origin;
         let states = match origin.place {
             Location::Wall(wall) => {
-                let set = StateSet::new(phase, velocity, scale(shaken.pair(), velocity));
+                let set = StateSet::new(phase, velocity, shaken.pair().scale(velocity));
                 States::Wall { wall, set, is_release: origin.release.is_some() }
             }
             Location::Inside(height) => States::Inside { height, phase, velocity },
@@ -139,24 +120,13 @@ impl<S: Flying> IntervalMotion<S> {
         Self { shaken, turns, states, waves }
     }
 
-    /// The flights of a set that leave a wall, its velocities before the impact.
-    #[inline(always)]
-    fn rebound(&self, wall: Wall, phase: Ball, before: Ball, is_release: bool) -> Launch<Ball> {
-        Launch::from_wall(wall, self.turns, phase, self.shaken.pair().rebound_of(before), is_release)
-    }
-
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
     #[inline(always)]
     fn step(&self, wall: Wall, set: &StateSet, is_release: bool) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let (phase, before) = (set.phase_ball(), set.velocity_ball());
-        let all = self.rebound(wall, phase, before, is_release);
-        let centre = self.rebound(wall, Ball::exact(set.phase), Ball::exact(set.velocity), is_release);
-        let (image, swings) = self.shaken.first_contacts(all, centre, self.waves.as_ref())?;
-        let contact = image.all;
-        let wide = Undecided::width(&contact);
-        let restitution = self.shaken.pair().restitution;
-        let jacobian = jacobian_between(restitution, contact.time, swings, [before, contact.velocity]).ok_or(wide)?;
-        Ok((contact, set.image(&image, &jacobian)))
+        let leaving = Leaving { wall, turns: self.turns, phase, before, is_release };
+        let (image, jacobian) = self.shaken.fly(leaving, self.waves.as_ref())?;
+        Ok((image.all, set.image(&image, &jacobian.jacobian())))
     }
 
     /// From inside the gap: the enclosure of all first contacts is the new set.
@@ -164,7 +134,7 @@ impl<S: Flying> IntervalMotion<S> {
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let all = Launch::from_inside(height, self.turns, phase, velocity);
         let (contact, _) = self.shaken.first_contact(all, self.waves.as_ref())?;
-        Ok((contact, StateSet::new(contact.phase, contact.velocity, scale(self.shaken.pair(), contact.velocity))))
+        Ok((contact, StateSet::new(contact.phase, contact.velocity, self.shaken.pair().scale(contact.velocity))))
     }
 }
 
@@ -174,7 +144,7 @@ impl<S: Flying> Motion for IntervalMotion<S> {
             States::Wall { wall, set, is_release } => self.step(*wall, set, *is_release)?,
             States::Inside { height, phase, velocity } => self.first(*height, *phase, *velocity)?,
         };
-        let (turns, phase) = carry(contact.turns, set.phase);
+        let (turns, phase) = turns::carry(contact.turns, set.phase);
         let set = set.at_phase(phase);
         self.turns = turns::counted(self.turns, turns);
         self.states = States::Wall { wall: contact.wall, set, is_release: false };
@@ -186,7 +156,8 @@ impl<S: Flying> Motion for IntervalMotion<S> {
     fn pass_graze(&mut self) -> Option<Passed> {
         let launch = match self.states {
             States::Wall { wall, set, is_release } => {
-                self.rebound(wall, set.phase_ball(), set.velocity_ball(), is_release)
+                let after = self.shaken.pair().rebound_of(set.velocity_ball());
+                Launch::from_wall(wall, self.turns, set.phase_ball(), after, is_release)
             }
             States::Inside { height, phase, velocity } => Launch::from_inside(height, self.turns, phase, velocity),
         };

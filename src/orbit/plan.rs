@@ -119,7 +119,7 @@ impl Growth {
     pub fn new(given: &Given) -> Option<Self> {
         let (run, origin) = (given.motion(Arithmetic::Float).ok()?, given.origin_ball().ok()?);
         let (shaken, turns, velocity) = (given.shaken.clone(), origin.turns, origin.velocity);
-        let scale = super::motion::scale(shaken.pair(), velocity);
+        let scale = shaken.pair().scale(velocity);
         let last = origin.wall().map(|_| (velocity.mid(), shaken.swing(turns, origin.phase.mid())));
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }

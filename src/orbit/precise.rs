@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use rug::Float;
 
-use super::motion::{Motion, States, scale};
+use super::motion::{Motion, States};
 use super::plan::Plan;
 use super::set::{Noise, SHORTEST_EDGE, Shape};
 use crate::contact::multiprecision::Passed;
@@ -124,7 +124,7 @@ impl<S: Flying> PreciseMotion<S> {
         let waves = shaken.waves(&origin.phases, &phase, bits);
         let states = match &origin.place {
             Location::Wall(wall) => {
-                let set = PreciseSet::new(&phase, &velocity, scale(shaken.pair(), velocity.to_ball()));
+                let set = PreciseSet::new(&phase, &velocity, shaken.pair().scale(velocity.to_ball()));
                 States::Wall { wall: *wall, set, is_release: origin.release.is_some() }
             }
             Location::Inside(height) => States::Inside { height: enclose(height), phase, velocity },
@@ -169,7 +169,7 @@ impl<S: Flying> PreciseMotion<S> {
         let (shaken, bits) = (&self.shaken, self.plan.bits(1));
         let (contact, [phase, velocity], waves) =
             shaken.arrive_from_inside(&self.parameters, all, self.waves.as_ref(), bits)?;
-        Ok((contact, PreciseSet::new(&phase, &velocity, scale(shaken.pair(), velocity.to_ball())), waves))
+        Ok((contact, PreciseSet::new(&phase, &velocity, shaken.pair().scale(velocity.to_ball())), waves))
     }
 }
 

@@ -12,7 +12,9 @@ mod still;
 mod sum;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
+use impact_pair_model::Start;
 #[cfg(feature = "multiprecision")]
 use rug::Float;
 
@@ -20,12 +22,15 @@ use rug::Float;
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, SetContact, Undecided};
 use crate::exact::{Enclosure, Exact};
+use crate::Error;
+use crate::clock::Clock;
 use crate::flight::Launch;
+use crate::mapping::Sheared;
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
-use crate::pair::{Reduced, Wall};
-use crate::several::Phased;
+use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
+use crate::several::{Phased, phases_at};
 pub(crate) use one::One;
 pub(crate) use origin::{Location, Origin, Released};
 pub(crate) use several::Several;
@@ -101,6 +106,20 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         waves: Option<&Self::Waves<Ball>>,
     ) -> Result<(SetContact, [Ball; 2]), Undecided>;
 
+    /// Flies a set from a wall to its first contacts, with the Jacobian over it: **equations** (15), (A.1)-(A.7).
+    #[inline(always)]
+    fn fly(&self, set: Leaving, waves: Option<&Self::Waves<Ball>>) -> Result<(SetContact, Sheared<Ball>), Undecided> {
+        let Leaving { wall, turns, phase, before, is_release } = set;
+        let restitution = self.pair().restitution;
+        let launch =
+            |phase, before| Launch::from_wall(wall, turns, phase, rebound_of(restitution, before), is_release);
+        let centre = launch(Ball::exact(phase.mid()), Ball::exact(before.mid()));
+        let (image, swings) = self.first_contacts(launch(phase, before), centre, waves)?;
+        let all = image.all;
+        let jacobian = Sheared::between(restitution, all.time, swings, [before, all.velocity]);
+        Ok((image, jacobian.ok_or(Undecided::width(&all))?))
+    }
+
     /// The parameters in so many bits.
     #[cfg(feature = "multiprecision")]
     fn precise(&self, bits: u32) -> Self::In<MpBall>;
@@ -141,6 +160,48 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         waves: Option<&Self::Waves<MpBall>>,
         bits: u32,
     ) -> Result<Precisely<Self::Waves<MpBall>>, Undecided>;
+}
+
+/// What shakes a pair.
+pub(crate) enum Either {
+    One(Arc<One>),
+    Several(Arc<Several>),
+}
+
+impl Either {
+    /// What shakes `pair`, phases told by the clock.
+    ///
+    /// # Errors
+    /// When a value is beyond what exact expressions or doubles hold.
+    pub fn new(pair: &ImpactPair, clock: &Clock) -> Result<Self, Error> {
+        Ok(match Several::new(pair, clock.origin())? {
+            None => {
+                let exact = Reduced::exact(pair)?;
+                let reduced = exact.enclosed()?;
+                Self::One(Arc::new(One::new(exact, reduced)))
+            }
+            Some(several) => Self::Several(Arc::new(several)),
+        })
+    }
+
+    /// The exact start of `pair`.
+    pub fn origin(&self, pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Origin<Exact>, Error> {
+        let phases = match self {
+            Self::One(_) => Vec::new(),
+            Self::Several(_) => within("start.time", start.time(), phases_at(pair, start.time()))?,
+        };
+        Origin::new(pair, start, clock, phases)
+    }
+}
+
+/// A set of states on a wall, its velocities before the impact, in doubles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leaving {
+    pub wall: Wall,
+    pub turns: i64,
+    pub phase: Ball,
+    pub before: Ball,
+    pub is_release: bool,
 }
 
 /// A set of flights that leave a wall.

@@ -1,0 +1,191 @@
+//! A chain of nodes, each of which covers the next: proposed block by block, and proved link by link (Lemmas F2-F4).
+
+use std::sync::Arc;
+
+use super::Ending;
+use super::node::{Landing, Link, Node};
+use super::proposal::{Point, farthest, length, plan};
+use super::start::Segment;
+use crate::contact::Undecided;
+use crate::number::Ball;
+use crate::pair::{Inward, Wall};
+use crate::shaken::{Flying, Origin};
+
+/// Nodes that are handed out at a time.
+const BLOCK: usize = 4096;
+/// Impacts that are proposed anew where a link is not proved: after so many another orbit has nothing of its troubles.
+const BACK: usize = 60;
+/// Impacts that are looked ahead: contracting directions and sides have forgotten by then where they began.
+const AHEAD: usize = 512;
+/// How often a link is dodged.
+const TRIES: u32 = 2;
+
+/// A chain under any excitation.
+pub(crate) trait Covering: std::fmt::Debug + Send {
+    /// The phases (whole turns apart) and velocities of the starts: one of them has the orbit.
+    fn starts(&self) -> (i64, Ball, Ball);
+
+    /// The next nodes, proved; empty at the end.
+    fn advance(&mut self) -> Vec<Node>;
+
+    /// Why there are no more.
+    fn ending(&self) -> Option<&Ending>;
+}
+
+#[derive(Debug)]
+pub(crate) struct Chain<S: Flying> {
+    shaken: Arc<S>,
+    segment: Segment<S::Waves<Ball>>,
+    /// Half the length of the segment of starts.
+    reach: f64,
+    /// The first one has been handed out, but for a chain that has not begun.
+    points: Vec<Point>,
+    is_begun: bool,
+    ending: Option<Ending>,
+}
+
+impl<S: Flying> Chain<S> {
+    pub fn new(shaken: Arc<S>, origin: Origin<Ball>) -> Self {
+        let segment = Segment::new(&*shaken, origin);
+        let mut chain =
+            Self { shaken, segment, reach: 0.0, points: Vec::new(), is_begun: false, ending: None };
+        match chain.first() {
+            Ok(first) => chain.points.push(first),
+            Err(undecided) => {
+                let is_rest = chain.segment.on_wall().is_some_and(|state| chain.comes_to_rest(state));
+                chain.ending = Some(if is_rest { Ending::Rest } else { Ending::Undecided(undecided) });
+            }
+        }
+        chain
+    }
+
+    /// Whether a state comes to rest on its wall, after infinitely many impacts or none. Lemmas Z1, H7
+    fn comes_to_rest(&self, (wall, turns, phase, before): (Wall, i64, Ball, Ball)) -> bool {
+        let after = wall.inward(self.shaken.pair().rebound_of(before));
+        let time = |phase| self.shaken.accumulation(wall, turns, &phase, after, self.segment.phases());
+        phase.enclosure().and_then(time).is_some()
+    }
+
+    /// The first impact of the given start itself.
+    fn first(&self) -> Result<Point, Undecided> {
+        let landing = self.segment.land(&*self.shaken, 0.0)?;
+        Ok(Point::at(&landing, self.segment.axes.scale, self.stretched(&landing)))
+    }
+
+    /// The image of the segment's direction, scaled.
+    fn stretched(&self, landing: &Landing) -> [f64; 2] {
+        let [[a, b], [c, d]] = landing.jacobian.jacobian().map(|row| row.map(Ball::mid));
+        let ([x, y], scale) = (self.segment.axes.unstable, self.segment.axes.scale);
+        [a * x + b * scale * y, c / scale * x + d * y]
+    }
+
+    /// Proposes points up to the horizon; what stops them.
+    fn propose(&mut self) -> Option<Undecided> {
+        while self.points.len() <= BLOCK + BACK + AHEAD {
+            let last = self.points.last_mut()?;
+            match last.next(&*self.shaken) {
+                Ok(point) => self.points.push(point),
+                Err(undecided) => return Some(undecided),
+            }
+        }
+        None
+    }
+
+    /// Proves the links up to point number `end`, which are planned; else the number of the first one that is not.
+    fn prove(&mut self, end: usize) -> Result<(), (usize, Option<Undecided>)> {
+        if !self.is_begun {
+            self.begin().map_err(|undecided| (0, undecided))?;
+        }
+        for k in 0..end {
+            let from = self.points[k].node;
+            let landing = from.land(&*self.shaken).map_err(|undecided| (k + 1, Some(undecided)))?;
+            let next = &mut self.points[k + 1].node;
+            link(from.sides, Link::new(&from.axes, &landing, next), next).ok_or((k + 1, None))?;
+        }
+        Ok(())
+    }
+
+    /// Proves the link from the segment of starts.
+    fn begin(&mut self) -> Result<(), Option<Undecided>> {
+        let given = self.segment.land(&*self.shaken, 0.0)?;
+        let reach = self.points[0].covering_side(length(self.stretched(&given)));
+        let landing = self.segment.land(&*self.shaken, reach)?;
+        let next = &mut self.points[0].node;
+        link([reach, 0.0], Link::new(&self.segment.axes, &landing, next), next).ok_or(None)?;
+        self.reach = reach;
+        Ok(())
+    }
+
+    /// Plans and proves as much as is proposed and expands; the number of nodes proved after the first point.
+    fn block(&mut self) -> usize {
+        let mut tries = 0;
+        let mut horizon = usize::MAX;
+        loop {
+            let stopped = self.propose();
+            let points = self.points.len().min(horizon.saturating_add(1)); // proposes: how far
+            let far = farthest(&self.points[..points]);
+            plan(&mut self.points[..=far], usize::from(self.is_begun));
+            let end = far.min(BLOCK + BACK); // proposes: how far
+            match self.prove(end) {
+                Ok(()) if end == BLOCK + BACK => return BLOCK,
+                Ok(()) => {
+                    if self.ending.is_none() {
+                        let rests = self.points[end..].iter().any(|Point { node, .. }| {
+                            let (phase, velocity) = (Ball::exact(node.phase), Ball::exact(node.velocity));
+                            self.comes_to_rest((node.wall, node.turns, phase, velocity))
+                        });
+                        let other = stopped.map_or(Ending::NoExpansion, Ending::Undecided);
+                        self.ending = Some(if rests { Ending::Rest } else { other });
+                    }
+                    return end;
+                }
+                // The move has to come after what is handed out, and before the link.
+                Err((at, _)) if tries < TRIES && at > 1 => {
+                    let from = at.saturating_sub(BACK).max(1); // proposes: any point
+                    self.points.truncate(from + 1);
+                    self.points[from] = self.points[from].moved();
+                    tries += 1;
+                }
+                Err((at, undecided)) => {
+                    self.ending = Some(undecided.map_or(Ending::Uncovered, Ending::Undecided));
+                    if at == 0 {
+                        self.points.clear();
+                        return 0;
+                    }
+                    horizon = at - 1;
+                }
+            }
+        }
+    }
+}
+
+/// Proves a link to a node that is as narrow as can be.
+#[inline(always)]
+fn link(sides: [f64; 2], link: Option<Link>, next: &mut Node) -> Option<()> {
+    let link = link?;
+    next.sides[1] = link.narrowest(sides);
+    link.covers(sides, next.sides).then_some(())
+}
+
+impl<S: Flying> Covering for Chain<S> {
+    fn starts(&self) -> (i64, Ball, Ball) {
+        let (phase, velocity) = self.segment.starts(self.reach);
+        (self.segment.turns(), phase, velocity)
+    }
+
+    fn advance(&mut self) -> Vec<Node> {
+        if self.ending.is_some() {
+            return Vec::new();
+        }
+        let last = self.block();
+        let first = usize::from(self.is_begun);
+        let nodes = self.points.get(first..=last).unwrap_or(&[]).iter().map(|point| point.node).collect(); // exact: nothing left
+        self.points.drain(..last.min(self.points.len())); // exact: all that is there
+        self.is_begun = true;
+        nodes
+    }
+
+    fn ending(&self) -> Option<&Ending> {
+        self.ending.as_ref()
+    }
+}

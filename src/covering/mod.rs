@@ -1,0 +1,147 @@
+//! Shadowing: a true orbit near a pseudo-orbit, proved by parallelograms each of which covers the next.
+//!
+//! Precision that rises costs half a bit for each impact of a chaotic motion, and the widths of sets that fly grow. Here the
+//! question is another: is there a true orbit, from a start very near the given one, with these impacts, each this near to
+//! where doubles have it? Along the expanding direction the set of states that are considered is stretched over the next one
+//! instead of being followed, so that widths never grow, however long the orbit. Lemmas F1-F4 of `docs/proofs.md`.
+
+mod chain;
+mod node;
+mod proposal;
+mod start;
+#[cfg(test)]
+mod tests;
+
+use chain::{Chain, Covering};
+use node::Node;
+
+use crate::Error;
+use crate::Scene;
+pub use crate::clock::Clock;
+use crate::contact::Undecided;
+use crate::number::Ball;
+use crate::pair::{ImpactPair, Wall, ball};
+use crate::shaken::Either;
+use impact_pair_model::Start;
+
+/// An impact of a true orbit near the given one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shadowed {
+    /// Counts the impacts from 1.
+    pub index: u64,
+    /// The wall.
+    pub wall: Wall,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    /// The rest of the phase `(W t + tau) / (2 pi)`, in turns.
+    pub phase: Ball,
+    /// The relative velocity `y'` just before the impact, in gaps a turn.
+    pub velocity: Ball,
+}
+
+/// Why a chain goes no further.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// The ball comes to rest on a wall: nothing expands any more.
+    Rest,
+    /// No direction expands: the motion is regular, or has become so. Widths do not grow; [`crate::orbit::Arithmetic::Interval`]
+    /// follows it.
+    NoExpansion,
+    /// Expanding and contracting directions are nearly tangent, and orbits nearby do not avoid it.
+    Uncovered,
+    /// A flight is not decided: most often a graze.
+    Undecided(Undecided),
+}
+
+/// An orbit near the given one, proved to exist: an iterator over its impacts, without end while the motion is chaotic.
+///
+/// **Enclosure**: for all parameters of the scene and every start that it allows there is a start with the same time and place
+/// whose velocity lies in [`Shadow::start`] (with the same velocity and a time in there, where no velocity is left after the
+/// impact) and whose true orbit has the impacts listed, as its first ones and without another contact between: impact `i` is on
+/// that wall, so many turns later, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
+/// the orbit of the given start itself is another. Lemmas F1-F4
+/// **Cost**: two certified flights an impact, and about 2 MB.
+///
+/// ```
+/// use impact_pair::Scene;
+/// use impact_pair::covering::Shadow;
+/// let scene = Scene::parse(r#"
+///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+///     pair = { gap = 9.42497, restitution = 0.5 }
+///     start = { time = 0, wall = "left", velocity = -12.56636 }
+/// "#)?;
+/// let mut shadow = Shadow::of(&scene)?;
+/// let (_, phase, velocity) = shadow.start();
+/// assert!(phase.rad() == 0.0 && velocity.rad() < 1e-12);
+/// for impact in shadow.by_ref().take(10_000) {
+///     assert!(impact.phase.rad() < 1e-8 && impact.velocity.rad() < 1e-6);
+/// }
+/// assert_eq!(shadow.ending(), None);
+/// # Ok::<(), impact_pair::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Shadow {
+    clock: Clock,
+    chain: Box<dyn Covering>,
+    nodes: std::vec::IntoIter<Node>,
+    listed: u64,
+}
+
+impl Shadow {
+    /// The orbit of `pair` near the one from `start`.
+    ///
+    /// # Errors
+    /// When a value is beyond the range of double-precision flights.
+    pub fn new(pair: &ImpactPair, start: &Start) -> Result<Self, Error> {
+        let clock = Clock::new(pair, start.time(), 0)?;
+        let either = Either::new(pair, &clock)?;
+        let origin = either.origin(pair, start, &clock)?.map(ball)?;
+        let mut chain: Box<dyn Covering> = match either {
+            Either::One(one) => Box::new(Chain::new(one, origin)),
+            Either::Several(several) => Box::new(Chain::new(several, origin)),
+        };
+        let nodes = chain.advance().into_iter();
+        Ok(Self { clock, chain, nodes, listed: 0 })
+    }
+
+    /// The orbit near that of a scene; what is wrong with it is told with its line.
+    ///
+    /// # Errors
+    /// As [`Shadow::new`].
+    pub fn of(scene: &Scene) -> Result<Self, Error> {
+        Self::new(scene.pair(), scene.start()).map_err(|error| scene.located(error, &scene.settings()))
+    }
+
+    /// Where the orbit starts: whole turns since the clock's origin, the rest of the phase, and the velocity in gaps a turn, before
+    /// the impact for a start on a wall.
+    ///
+    /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
+    pub fn start(&self) -> (i64, Ball, Ball) {
+        self.chain.starts()
+    }
+
+    /// Turns phases into times and reduced velocities into velocities.
+    pub fn clock(&self) -> &Clock {
+        &self.clock
+    }
+
+    /// Why no impact follows; `None` while there are more.
+    pub fn ending(&self) -> Option<&Ending> {
+        self.chain.ending().filter(|_| self.nodes.as_slice().is_empty())
+    }
+}
+
+impl Iterator for Shadow {
+    type Item = Shadowed;
+
+    #[inline]
+    fn next(&mut self) -> Option<Shadowed> {
+        if self.nodes.as_slice().is_empty() {
+            self.nodes = self.chain.advance().into_iter();
+        }
+        let node = self.nodes.next()?;
+        self.listed += 1;
+        let Node { wall, turns, .. } = node;
+        Some(Shadowed { index: self.listed, wall, turns, phase: node.phases(), velocity: node.velocities() })
+    }
+}
