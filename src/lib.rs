@@ -25,6 +25,7 @@
 //! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
+//! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
 //! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | beyond the paper | intervals of the package `inari`, IEEE 1788 | [`number::interval`], [`orbit::Orbit::intervals`] |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |

@@ -68,12 +68,7 @@ pub(crate) struct Sheared<N> {
 impl<N: Number> Sheared<N> {
     /// From what [`jacobian_between`] is told.
     #[inline(always)]
-    pub fn between(
-        restitution: N,
-        time: N,
-        [swing0, swing1]: [N; 2],
-        [velocity0, velocity1]: [N; 2],
-    ) -> Option<Self> {
+    pub fn between(restitution: N, time: N, [swing0, swing1]: [N; 2], [velocity0, velocity1]: [N; 2]) -> Option<Self> {
         let inverse = N::from_f64(1.0).checked_div(velocity1)?;
         let after = rebound(&restitution, velocity0);
         let time_by_time = swing0.clone().mul_add(time.clone(), after) * inverse.clone();

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 21] = [
+const ROOMS: [(&str, &[&str]); 22] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -18,7 +18,8 @@ const ROOMS: [(&str, &[&str]); 21] = [
     ("rest", &["number", "pair"]),
     ("contact", &["number", "turns", "pair", "flight"]),
     ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
-    ("shaken", &["number", "turns", "pair", "clock", "excitation", "flight", "rest", "contact", "several"]),
+    ("shaken", &["number", "turns", "pair", "clock", "excitation", "mapping", "flight", "rest", "contact", "several"]),
+    ("covering", &["number", "turns", "pair", "clock", "mapping", "flight", "contact", "shaken"]),
     ("periodic", &["number", "pair", "clock", "excitation", "mapping", "flight", "contact", "several", "shaken"]),
     ("two_impact", &["pair", "periodic"]),
     (

@@ -1,4 +1,4 @@
-//! A chain of nodes, each of which covers the next: proposed block by block, and proved link by link (Lemmas F2-F4).
+//! A chain of nodes, each of which covers the next: proposed block by block, and proved link by link: Lemmas F1-F4.
 
 use std::sync::Arc;
 
@@ -47,8 +47,7 @@ pub(crate) struct Chain<S: Flying> {
 impl<S: Flying> Chain<S> {
     pub fn new(shaken: Arc<S>, origin: Origin<Ball>) -> Self {
         let segment = Segment::new(&*shaken, origin);
-        let mut chain =
-            Self { shaken, segment, reach: 0.0, points: Vec::new(), is_begun: false, ending: None };
+        let mut chain = Self { shaken, segment, reach: 0.0, points: Vec::new(), is_begun: false, ending: None };
         match chain.first() {
             Ok(first) => chain.points.push(first),
             Err(undecided) => {

@@ -137,10 +137,8 @@ impl Link {
         let drift = landing.velocity - exact(to.velocity);
         let spread = Ball::new(0.0, landing.phase.rad());
         let sheared = adjugate(landing.slope);
-        let noise = [
-            sheared[0] * spread + s2 * off - s1_scaled * drift,
-            sheared[1] * spread + u1_scaled * drift - u2 * off,
-        ];
+        let noise =
+            [sheared[0] * spread + s2 * off - s1_scaled * drift, sheared[1] * spread + u1_scaled * drift - u2 * off];
         let determinant = u1 * s2 - u2 * s1;
         Some(Self {
             stretch: least(along_u[0]),
@@ -157,7 +155,7 @@ impl Link {
     pub fn covers(&self, [a, b]: [f64; 2], [next_a, next_b]: [f64; 2]) -> bool {
         let inside = up(self.determinant.1 * next_a + self.leak * b + self.noise[0] + TINY);
         let room = self.determinant.0 * next_b * (1.0 - 8.0 * UNIT);
-        self.stretch * a * (1.0 - 8.0 * UNIT) > inside && self.width([a, b]) <= room
+        next_b.is_finite() && self.stretch * a * (1.0 - 8.0 * UNIT) > inside && self.width([a, b]) <= room
     }
 
     /// Bounds how far the image reaches along the stable axis, times the determinant.

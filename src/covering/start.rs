@@ -74,8 +74,7 @@ impl<W> Segment<W> {
         };
         let velocities = [self.starts(a).1, all.velocity];
         let jacobian = Sheared::between(restitution, all.time, swings, velocities).ok_or(Undecided::width(&all))?;
-        let image =
-            SetContact { phase: given.phase, velocity: given.velocity, slope: Ball::exact(0.0), all: given };
+        let image = SetContact { phase: given.phase, velocity: given.velocity, slope: Ball::exact(0.0), all: given };
         Landing::new(turns, &image, jacobian)
     }
 }

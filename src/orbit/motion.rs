@@ -10,9 +10,9 @@ use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
 use crate::flight::Launch;
+use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
-use crate::number::Ball;
 use crate::pair::{Wall, rebound};
 use crate::shaken::{Flying, Leaving, Location, Origin};
 use crate::turns;

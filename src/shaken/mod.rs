@@ -18,12 +18,12 @@ use impact_pair_model::Start;
 #[cfg(feature = "multiprecision")]
 use rug::Float;
 
+use crate::Error;
+use crate::clock::Clock;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, SetContact, Undecided};
 use crate::exact::{Enclosure, Exact};
-use crate::Error;
-use crate::clock::Clock;
 use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::Ball;
@@ -111,8 +111,7 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
     fn fly(&self, set: Leaving, waves: Option<&Self::Waves<Ball>>) -> Result<(SetContact, Sheared<Ball>), Undecided> {
         let Leaving { wall, turns, phase, before, is_release } = set;
         let restitution = self.pair().restitution;
-        let launch =
-            |phase, before| Launch::from_wall(wall, turns, phase, rebound_of(restitution, before), is_release);
+        let launch = |phase, before| Launch::from_wall(wall, turns, phase, rebound_of(restitution, before), is_release);
         let centre = launch(Ball::exact(phase.mid()), Ball::exact(before.mid()));
         let (image, swings) = self.first_contacts(launch(phase, before), centre, waves)?;
         let all = image.all;
