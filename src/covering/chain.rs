@@ -7,6 +7,7 @@ use super::node::{Landing, Link, Node};
 use super::proposal::{Point, farthest, length, plan};
 use super::start::Segment;
 use crate::contact::Undecided;
+use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{Inward, Wall};
 use crate::shaken::{Flying, Origin};
@@ -51,17 +52,19 @@ impl<S: Flying> Chain<S> {
         match chain.first() {
             Ok(first) => chain.points.push(first),
             Err(undecided) => {
-                let is_rest = chain.segment.on_wall().is_some_and(|state| chain.comes_to_rest(state));
+                let phases = chain.segment.phases();
+                let is_rest = chain.segment.on_wall().is_some_and(|state| chain.comes_to_rest(state, phases));
                 chain.ending = Some(if is_rest { Ending::Rest } else { Ending::Undecided(undecided) });
             }
         }
         chain
     }
 
-    /// Whether a state comes to rest on its wall, after infinitely many impacts or none. Lemmas Z1, H7
-    fn comes_to_rest(&self, (wall, turns, phase, before): (Wall, i64, Ball, Ball)) -> bool {
+    /// Whether a state comes to rest on its wall, after infinitely many impacts or none; `phases` are those of several harmonics,
+    /// where they are known exactly. Lemmas Z1, H7
+    fn comes_to_rest(&self, (wall, turns, phase, before): (Wall, i64, Ball, Ball), phases: &[Exact]) -> bool {
         let after = wall.inward(self.shaken.pair().rebound_of(before));
-        let time = |phase| self.shaken.accumulation(wall, turns, &phase, after, self.segment.phases());
+        let time = |phase| self.shaken.accumulation(wall, turns, &phase, after, phases);
         phase.enclosure().and_then(time).is_some()
     }
 
@@ -131,7 +134,7 @@ impl<S: Flying> Chain<S> {
                     if self.ending.is_none() {
                         let rests = self.points[end..].iter().any(|Point { node, .. }| {
                             let (phase, velocity) = (Ball::exact(node.phase), Ball::exact(node.velocity));
-                            self.comes_to_rest((node.wall, node.turns, phase, velocity))
+                            self.comes_to_rest((node.wall, node.turns, phase, velocity), &[])
                         });
                         let other = stopped.map_or(Ending::NoExpansion, Ending::Undecided);
                         self.ending = Some(if rests { Ending::Rest } else { other });

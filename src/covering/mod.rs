@@ -42,10 +42,10 @@ pub struct Shadowed {
 /// Why a chain goes no further.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {
-    /// The ball comes to rest on a wall: nothing expands any more.
+    /// From a point near the end the ball comes to rest on a wall, proved: nothing expands any more.
     Rest,
-    /// No direction expands: the motion is regular, or has become so. Widths do not grow; [`crate::orbit::Arithmetic::Interval`]
-    /// follows it.
+    /// From there on no direction is seen to expand: the motion is regular, or has become so, and then
+    /// [`Arithmetic::Interval`](impact_pair_model::Arithmetic::Interval) follows it without widths that grow.
     NoExpansion,
     /// Expanding and contracting directions are nearly tangent, and orbits nearby do not avoid it.
     Uncovered,

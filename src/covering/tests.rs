@@ -16,7 +16,7 @@ fn scene(name: &str) -> Scene {
 /// Figure 14 with an overtone.
 fn overtone() -> Scene {
     let text = r#"
-        excitation = { harmonics = [{ amplitude = 8, frequency = "pi", phase = 0 }, { amplitude = 1, frequency = "2*pi", phase = 1 }] }
+        excitation = { amplitude = [8, 1], frequency = ["pi", "2*pi"], phase = [0, 1] }
         pair = { gap = 9.42497, restitution = 0.5 }
         start = { time = 0, wall = "left", velocity = -12.56636 }"#;
     Scene::parse(text).unwrap()
@@ -117,7 +117,7 @@ mod refined {
             Place::Wall(wall) => Start::on_wall(time, *wall, velocity),
             Place::Inside(position) => Start::inside(scene.pair(), time, position.clone(), velocity),
         };
-        let settings = Settings { arithmetic: Arithmetic::Bits(896), ..Settings::default() };
+        let settings = Settings { impacts: None, arithmetic: Arithmetic::Bits(896), ..Settings::default() };
         let mut orbit = Orbit::new(scene.pair(), &moved.unwrap(), settings).unwrap();
         let mut along = Vec::new();
         for node in nodes {
