@@ -16,7 +16,7 @@ fn scene(name: &str) -> Scene {
 /// Figure 14 with an overtone.
 fn overtone() -> Scene {
     let text = r#"
-        excitation = { amplitude = [8, 1], frequency = ["pi", "2*pi"], phase = [0, 1] }
+        excitation = { amplitude = [8, 1], frequency = ["pi", "3*pi"], phase = [0, 1] }
         pair = { gap = 9.42497, restitution = 0.5 }
         start = { time = 0, wall = "left", velocity = -12.56636 }"#;
     Scene::parse(text).unwrap()
