@@ -135,7 +135,7 @@ mod refined {
         } else {
             shadow.clock().velocity(&velocity.enclosure().unwrap())
         };
-        let (low, high) = (ends.lo().to_rational(), ends.hi().to_rational());
+        let (low, high) = (ends.inf().to_rational(), ends.sup().to_rational());
         let at = |part: f64| low.clone() + (high.clone() - low.clone()) * exact(part);
         let run = |start: &BigRational| run(scene, start, is_of_times, &nodes, bits);
         let mut runs = [0.45, 0.55].map(|part| run(&at(part)));
