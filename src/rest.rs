@@ -5,10 +5,12 @@
 
 use std::cmp::Ordering;
 
+use inari::{Interval, const_interval};
 use num_bigint::BigInt;
 
 use crate::exact::{Dyadic, Enclosure};
-use crate::number::{Ball, Enclosing, Number, TINY, kernel, up};
+use crate::number::interval::{between, enclosing};
+use crate::number::{Ball, Enclosing, Number, Wave};
 use crate::pair::{Reduced, Wall};
 
 /// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
@@ -22,12 +24,16 @@ pub(crate) fn haste(pair: &Reduced<Ball>) -> f64 {
 /// Where a set of phases lies on a stretch of a turn during which a wall is pressed.
 #[derive(Debug)]
 pub(crate) struct Pressed {
-    /// Bounds of the turns since the pressure began, and until it ends; the whole set lies between.
-    since: (f64, f64),
-    left: (f64, f64),
+    /// The turns since the pressure began, and until it ends, of all members.
+    since: Interval,
+    left: Interval,
     /// Whole turns from phase 0 to the turn in which it began.
     turns: BigInt,
 }
+
+const ZERO: Interval = const_interval!(0.0, 0.0);
+const ONE: Interval = const_interval!(1.0, 1.0);
+const EIGHT: Interval = const_interval!(8.0, 8.0);
 
 /// A sum of no more bits than this is exact.
 const EXACTLY: u32 = 1 << 30;
@@ -48,14 +54,14 @@ impl Pressed {
         let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACTLY);
         let left = half().sub(&since, EXACTLY);
         let is_inside = since.sign().is_some_and(Ordering::is_ge) && left.sign() == Some(Ordering::Greater);
-        is_inside.then(|| Self { since: since.to_f64_bounds(), left: left.to_f64_bounds(), turns })
+        is_inside.then(|| Self { since: enclosing(&since), left: enclosing(&left), turns })
     }
 
     /// Whether the pressure begins exactly there: then it is 0.
     ///
     /// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
     pub fn is_at_its_begin(&self) -> bool {
-        self.since == (0.0, 0.0) // Z2: exactly there
+        self.since == ZERO // Z2: exactly there
     }
 
     /// The whole turns from phase 0 to that of the release, and the rest, exactly: 0 on the left wall, -1/2 on the right one,
@@ -64,31 +70,29 @@ impl Pressed {
         Some((i64::try_from(&self.turns).ok()?.checked_add(1)?, -wall.mirror_phase())) // Z2: refused beyond
     }
 
-    /// Bounds of `|sin|` on all phases of the set and `window` turns after each; `None` where the pressure ends before.
-    fn sine(&self, window: f64) -> Option<(Ball, Ball)> {
-        let left = (self.left.0 - window).next_down();
-        if left.partial_cmp(&0.0) != Some(Ordering::Greater) {
+    /// `|sin|` on all phases of the set and `window` turns after each; `None` where the pressure may end before.
+    fn sine(&self, window: f64) -> Option<Interval> {
+        let window = between(0.0, window);
+        let (since, left) = (self.since + window, self.left - window);
+        if left.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
             return None;
         }
-        // |sin| rises for a quarter of a turn and falls after it.
-        let first = sine(if self.since.0 <= 0.25 { self.since.0 } else { self.left.1 });
-        let last = sine(if left <= 0.25 { left } else { (self.since.1 + window).next_up() });
-        let least = if first.mid() < last.mid() { first } else { last };
-        let (one, two) = (first.mag(), last.mag());
-        // Z1: the greater end, or the top between both
-        let most = if self.since.0 <= 0.25 && left <= 0.25 { 1.0 } else { one.max(two) };
-        Some((least, Ball::exact(most)))
+        // It rises for a quarter of a turn and falls after it: told from the nearer end.
+        let at = |since: f64, left: f64| sine(if since <= 0.25 { since } else { left });
+        let ends = at(since.inf(), left.sup()).convex_hull(at(since.sup(), left.inf()));
+        // Z1: the top between both
+        Some(if since.inf() <= 0.25 && left.inf() <= 0.25 { ends.convex_hull(ONE) } else { ends })
     }
 }
 
-/// The sine at so much of a turn, of at most a quarter (a little more does no harm), to a few units in the last place of itself.
-fn sine(phase: f64) -> Ball {
-    // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`; the square may underflow.
-    if phase < 2f64.powi(-20) {
-        let phase = Ball::exact(phase);
-        return phase.turn() * phase * Ball::new(1.0, up(8.0 * phase.mid() * phase.mid() + TINY));
+/// The sine at so much of a turn, at most a quarter of it, to a few units in the last place of itself.
+fn sine(phase: f64) -> Interval {
+    let phase = between(phase, phase);
+    // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`
+    if phase.sup() < 2f64.powi(-20) {
+        return phase.turn() * phase * (ONE - EIGHT * phase.sqr()).convex_hull(ONE);
     }
-    Ball::new(kernel::sin_cos(phase).0, kernel::SIN_COS_ERROR)
+    phase.wave().0
 }
 
 /// How long, in turns, chatter can last that begins with a bounce of a set at `velocity`, that after the impact.
@@ -106,33 +110,30 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
     if speed == 0.0 {
         return Some(0.0);
     }
-    let swing = pair.beta.turn() * pair.beta;
+    let beta = Interval::from(pair.beta);
+    let swing = beta.turn() * beta;
     // Twice what the pressure would take if it were constant. Any window will do that the sum fits into.
-    let now = pressed.sine(0.0)?.0;
-    let window = 4.0 * speed / (swing.mid() * now.mid() * (1.0 - rebound));
+    let now = swing * pressed.sine(0.0)?;
+    let window = 4.0 * speed / (now.mid() * (1.0 - rebound));
     if rebound >= 1.0 || window.partial_cmp(&0.5) != Some(Ordering::Less) {
         return None;
     }
-    let (least, most) = pressed.sine(window)?;
-    let least = swing * least;
-    let least = (least.mid() - least.rad()).next_down();
-    if least.partial_cmp(&0.0) != Some(Ordering::Greater) {
-        return None;
-    }
-    duration(speed, rebound, (least, (swing * most).mag()), window)
+    duration(speed, rebound, swing * pressed.sine(window)?, window)
 }
 
-/// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `[least,
-/// most]` for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
-pub(crate) fn duration(speed: f64, rebound: f64, (least, most): (f64, f64), window: f64) -> Option<f64> {
-    // Lemma B1: each rounding, underflow included, is half a unit in the last place at most, so that one unit bounds it.
-    let above = f64::next_up;
-    let ratio = above(rebound * above(above(most / least).sqrt()));
-    let room = (1.0 - ratio).next_down();
-    let rate = (least * room).next_down();
-    let height = above(above(speed * speed) / least);
-    let time = above(2.0 * speed / rate);
-    (room > 0.0 && rate > 0.0 && height < 1.0 && time <= window).then_some(time)
+/// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `pressure`
+/// for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
+pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64) -> Option<f64> {
+    let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(|x| between(x, x));
+    if least.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
+        return None;
+    }
+    let room = ONE - rebound * (most / least).sqrt();
+    let rate = least * room;
+    let height = speed.sqr() / least;
+    let time = (speed + speed) / rate;
+    let is_proved = room.inf() > 0.0 && rate.inf() > 0.0 && height.sup() < 1.0 && time.sup() <= window;
+    is_proved.then(|| time.sup())
 }
 
 #[cfg(test)]

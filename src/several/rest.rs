@@ -10,6 +10,7 @@ use super::flight::Instant;
 use super::harmonics::{Harmonics, Phased, magnitude};
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
+use crate::number::interval::between;
 use crate::number::{Ball, UNIT, is_positive, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
@@ -45,7 +46,7 @@ pub(crate) fn accumulation(
     if !(is_positive(1.0 - rebound) && is_positive(least)) {
         return None;
     }
-    duration(speed, rebound, (least, most), window)
+    duration(speed, rebound, between(least, most), window)
 }
 
 /// `-z''`, told from the wall.
