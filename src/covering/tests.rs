@@ -14,6 +14,7 @@ fn scene(name: &str) -> Scene {
 }
 
 /// Figure 14 with an overtone.
+#[cfg(feature = "multiprecision")]
 fn overtone() -> Scene {
     let text = r#"
         excitation = { amplitude = [8, 1], frequency = ["pi", "3*pi"], phase = [0, 1] }
@@ -23,6 +24,7 @@ fn overtone() -> Scene {
 }
 
 /// Figure 14 from inside the gap.
+#[cfg(feature = "multiprecision")]
 fn inside() -> Scene {
     let text = r#"
         excitation = { amplitude = 8, frequency = "pi", phase = 0.3 }

@@ -1,7 +1,9 @@
 use super::*;
 use crate::Scene;
+use crate::certificate::Certificate;
+#[cfg(feature = "multiprecision")]
+use crate::certificate::Verdict;
 use crate::certificate::document::SceneDocument;
-use crate::certificate::{Certificate, Verdict};
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Impact, Orbit, Settings};

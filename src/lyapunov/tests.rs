@@ -3,7 +3,9 @@
 use super::*;
 use crate::orbit::Settings;
 use crate::scene::Scene;
-use crate::tolerances::{EXPONENT, NORM, NORM_OF_DIFFERENCES};
+#[cfg(feature = "multiprecision")]
+use crate::tolerances::NORM_OF_DIFFERENCES;
+use crate::tolerances::{EXPONENT, NORM};
 use approx::assert_abs_diff_eq;
 
 fn scene(name: &str) -> Scene {

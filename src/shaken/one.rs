@@ -15,7 +15,9 @@ use crate::flight::{Flight, Launch};
 use crate::number::{Ball, Kernel, Number, UNIT, Wave, kernel};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
-use crate::pair::{Inward, Reduced, Wall};
+#[cfg(feature = "multiprecision")]
+use crate::pair::Inward;
+use crate::pair::{Reduced, Wall};
 use crate::rest::{Pressed, accumulation};
 use crate::several::Phased;
 use crate::turns;

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use anyhow::{Context, Error, Result};
+use impact_pair::certificate::document::SweepHead;
 use impact_pair::exact::Exact;
+use impact_pair_plot::sweep::Records;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
