@@ -281,6 +281,7 @@ fn sets_under_a_sum_depend_on_each_datum_as_their_members() {
 }
 
 #[test]
+#[cfg(feature = "multiprecision")]
 fn r16_after_a_graze_no_mapping_is_confirmed_that_is_not_proved() {
     let document = orbit(
         "excitation = { amplitude = 1, frequency = 2, phase = 0.7 }\n\

@@ -2,7 +2,9 @@
 
 use impact_pair::Scene;
 use impact_pair::contact::Reason;
-use impact_pair::orbit::{Impact, Orbit, Outcome, Progress, Settings};
+#[cfg(feature = "multiprecision")]
+use impact_pair::orbit::Progress;
+use impact_pair::orbit::{Impact, Orbit, Outcome, Settings};
 
 fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
     Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
@@ -108,6 +110,7 @@ fn r17_zeros_in_disguise_are_zeros() {
 
 /// Chatter that begins `1e-16` turns after the pressure does was listed down to the smallest double and then for ever.
 #[test]
+#[cfg(feature = "multiprecision")]
 fn r17_chatter_at_the_edge_of_the_pressure_is_a_rest() {
     for restitution in ["1e-30", "1e-40", "0.01", "1e-4"] {
         let pair = format!("gap = 1, restitution = \"{restitution}\"");

@@ -240,6 +240,7 @@ fn r16_after_what_may_have_been_a_touch_no_mapping_is_named_that_may_be_false() 
 }
 
 #[test]
+#[cfg(feature = "multiprecision")]
 fn r16_a_graze_of_the_wall_that_was_left_leaves_no_doubt_of_the_mapping() {
     // mpmath, 60 digits: the minimum at 2.9192 comes within 10^-44 of the left wall, the maximum at 4.51 is 2.05 from it.
     let text = "excitation = { amplitude = 1, frequency = 2, phase = 2 }\npair = { gap = 2, restitution = 0.5 }\n\
