@@ -4,8 +4,8 @@ use std::fmt;
 
 use impact_pair::certificate::document::ArithmeticDocument;
 use impact_pair::contact::Reason;
-use impact_pair::document::{Conclusion, is_certified};
-use impact_pair::orbit::{Arithmetic, Settings, VERDICT_BITS};
+use impact_pair::document::{Conclusion, arithmetic, is_certified};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings, VERDICT_BITS};
 
 /// The conclusion of an orbit, seen against what was asked.
 pub struct Ending<'s> {
@@ -19,7 +19,13 @@ pub struct Ending<'s> {
     pub bits: u32,
 }
 
-impl Ending<'_> {
+impl<'s> Ending<'s> {
+    /// That of an orbit that has ended, or was left.
+    pub fn of(orbit: &Orbit, conclusion: Conclusion, settings: &'s Settings) -> Self {
+        let (computed, wide, bits) = (arithmetic(orbit), orbit.first_wide(), orbit.bits());
+        Self { conclusion, computed, wide, settings, bits }
+    }
+
     /// Whether all that was asked is certified, or in `float`, where no proof is asked for, computed.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none() && self.wide.is_none()

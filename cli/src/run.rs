@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::document::{Conclusion, Event, arithmetic};
+use impact_pair::document::{Conclusion, Event};
 use impact_pair::orbit::{Orbit, Settings};
 
 use crate::Answer;
@@ -45,13 +45,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     }
     progress.clear();
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
-    let ending = Ending {
-        conclusion,
-        computed: arithmetic(&orbit),
-        wide: orbit.first_wide(),
-        settings: &settings,
-        bits: orbit.bits(),
-    };
+    let ending = Ending::of(&orbit, conclusion, &settings);
     listing.end(&ending).context(write)?.commit()?;
 
     if !ending.is_complete() && !arguments.quiet && !said_already {

@@ -6,7 +6,7 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::document::{Conclusion, Event, arithmetic, is_certified};
+use impact_pair::document::{Conclusion, Event, is_certified};
 use impact_pair::orbit::Orbit;
 use impact_pair_plot::orbit::{Recorder, Sheet, Style, end_of};
 
@@ -39,13 +39,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     progress.clear();
     let impacts = last.as_ref().map_or(0, |event| event.index);
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
-    let ending = Ending {
-        conclusion,
-        computed: arithmetic(&orbit),
-        wide: orbit.first_wide(),
-        settings: &settings,
-        bits: orbit.bits(),
-    };
+    let ending = Ending::of(&orbit, conclusion, &settings);
     let trace = recorder.finish(&orbit, &settings, impacts);
     let style = Style { is_certified: is_certified(settings.arithmetic) };
     let sheet = Sheet {
