@@ -1,4 +1,6 @@
-//! The workloads of the benches: the flights of figures 12-17, from their printed data.
+//! What the benches share: the flights of figures 12-17, from their printed data; a clock and a median.
+
+use std::time::Instant;
 
 use impact_pair::flight::Flight;
 use impact_pair::inari::Interval;
@@ -88,4 +90,17 @@ impl Launch {
     pub fn flight_with(&self, pair: &Reduced<f64>, sin_cos: (f64, f64)) -> Flight<f64> {
         Flight::from_wall(pair, self.wall, self.phase, self.velocity, sin_cos)
     }
+}
+
+/// Nanoseconds that each of `count` pieces of a work takes.
+pub fn time(count: usize, work: impl FnOnce()) -> f64 {
+    let start = Instant::now();
+    work();
+    start.elapsed().as_nanos() as f64 / count as f64
+}
+
+/// The middle one of the values; no number of none.
+pub fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -13,7 +13,7 @@ use impact_pair::flight::Flight;
 use impact_pair::number::{Kernel, MpBall, kernel};
 use impact_pair::orbit::{Orbit, Plan, Settings};
 use impact_pair::pair::{Reduced, Wall};
-use impact_pair_benches::{Figure, figures};
+use impact_pair_benches::{Figure, figures, median};
 use rug::Float;
 use rug::float::Constant;
 
@@ -62,11 +62,6 @@ fn time(impacts: u64, run: impl FnOnce()) -> f64 {
     let start = Instant::now();
     run();
     start.elapsed().as_secs_f64() * 1e6 / impacts as f64
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 /// An orbit in plain MPFR numbers.

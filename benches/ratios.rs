@@ -6,14 +6,13 @@
 //! step of an orbit. `width` is the median bracket in units in the last place of the time since the start.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use impact_pair::contact::{Contact, Margins, Radii, Verdict, first_contact, first_contact_f64};
 use impact_pair::flight::Flight;
 use impact_pair::number::{Ball, Kernel, Std, Trigonometry};
 use impact_pair::orbit::Arithmetic;
 use impact_pair::pair::{Reduced, Wall};
-use impact_pair_benches::{Figure, Launch, figures};
+use impact_pair_benches::{Figure, Launch, figures, median, time};
 
 const ROUNDS: usize = 301;
 const FLIGHTS: u64 = 1000;
@@ -105,15 +104,4 @@ fn certified(pair: &Reduced<f64>, launch: &Launch, margins: &Margins) {
 fn ulps(contact: &Contact<Ball>) -> f64 {
     let time = contact.time.mid();
     2.0 * contact.phase.rad() / (time.next_up() - time)
-}
-
-fn time(count: usize, work: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    work();
-    start.elapsed().as_nanos() as f64 / count as f64
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

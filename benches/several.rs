@@ -11,7 +11,7 @@ use std::time::Instant;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::{Excitation, Harmonic, ImpactPair};
-use impact_pair_benches::{Figure, figures};
+use impact_pair_benches::{Figure, figures, median};
 
 const ROUNDS: usize = 101;
 const TERMS: [usize; 6] = [1, 2, 3, 4, 8, 16];
@@ -77,9 +77,4 @@ fn shared(figure: &Figure, terms: usize) -> ImpactPair {
 fn orbit(figure: &Figure, pair: &ImpactPair, arithmetic: Arithmetic, impacts: u64) -> Orbit {
     let settings = Settings { impacts: Some(impacts), arithmetic, ..Settings::default() };
     Orbit::new(pair, &figure.start, settings).expect("printed data")
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -5,11 +5,10 @@
 //! taken round by round. `eps` are the radii of the proved phases, in turns.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use impact_pair::covering::Shadow;
 use impact_pair::orbit::Arithmetic;
-use impact_pair_benches::{Figure, figures};
+use impact_pair_benches::{Figure, figures, median, time};
 
 const ROUNDS: usize = 21;
 const IMPACTS: usize = 100_000;
@@ -57,15 +56,4 @@ fn row(figure: &Figure, rounds: usize, impacts: usize) {
         radii[impacts / 2],
         radii[impacts - 1],
     );
-}
-
-fn time(count: usize, work: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    work();
-    start.elapsed().as_nanos() as f64 / count as f64
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
