@@ -116,14 +116,18 @@ pub struct RunArguments {
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
     until: Option<Exact>,
     /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W
-    /// [default: that of the scene, or 9]
+    /// [default: that of the scene, or 9; of a shadow 6]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
     /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
-    /// certified in doubles, whatever the widths; inari, the same by the textbook's method, of one harmonic; or certified in
-    /// so many BITS, whatever the widths
-    #[arg(long, default_value = "auto", value_name = "auto|float|interval|inari|BITS")]
+    /// certified in doubles, whatever the widths; inari, the same by the textbook's method, of one harmonic; shadow, of a
+    /// chaotic motion, one true orbit that starts within some 1e-12 of the given start, for any number of impacts; or
+    /// certified in so many BITS, whatever the widths
+    #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     pub arithmetic: Arithmetic,
+    /// With --arithmetic shadow: prove the first M impacts by precision, so that the start is nearer to the given one
+    #[arg(long, value_name = "M", default_value_t = 0)]
+    splice: u64,
     /// Bits that auto takes at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
@@ -145,9 +149,9 @@ impl RunArguments {
         let run = Run {
             impacts: self.impacts.or(run.impacts),
             until: self.until.clone().or_else(|| run.until.clone()),
-            digits: self.digits.or(run.digits),
+            digits: shown_digits(self.digits, self.arithmetic, scene),
         };
-        Settings { max_bits: self.max_bits, ..run.settings(self.arithmetic) }
+        Settings { max_bits: self.max_bits, splice: self.splice, ..run.settings(self.arithmetic) }
     }
 }
 
@@ -368,6 +372,17 @@ pub enum Format {
     Jsonl,
     /// A line an event, bounds in columns
     Csv,
+}
+
+/// The arithmetics, as they are typed.
+pub const ARITHMETICS: &str = "auto|float|interval|inari|shadow|BITS";
+/// Digits of a shadow where none are asked for: it is as narrow as it is, and a scene's own are meant for what can be narrower.
+const SHADOW_DIGITS: u32 = 6;
+
+/// The digits of an orbit that are asked for: by the command line, or else by the scene.
+pub fn shown_digits(digits: Option<u32>, arithmetic: Arithmetic, scene: &Scene) -> Option<u32> {
+    let usual = if arithmetic == Arithmetic::Shadow { Some(SHADOW_DIGITS) } else { scene.run().digits };
+    digits.or(usual)
 }
 
 /// The digits of the command line, or else of the scene, or else the usual ones.

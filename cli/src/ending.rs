@@ -47,6 +47,7 @@ impl<'s> Ending<'s> {
             {
                 Some("try --arithmetic auto")
             }
+            (Arithmetic::Shadow, None) if self.wide.is_some() => Some("try fewer --digits"),
             // Of point data more bits make every enclosure narrower.
             (Arithmetic::Auto, Some(Reason::Width)) if cfg!(feature = "multiprecision") => {
                 Some("narrower intervals in the scene lead further")

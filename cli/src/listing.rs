@@ -4,9 +4,9 @@ use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
 use impact_pair::certificate::document::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
-use impact_pair::document::{Event, Kind, head};
+use impact_pair::document::{Event, Kind, arithmetic, head};
 use impact_pair::mapping::Mapping;
-use impact_pair::orbit::Settings;
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use serde::Serialize;
 
 use crate::arguments::Format;
@@ -35,12 +35,16 @@ impl<'s, W: Write> Listing<'s, W> {
     }
 
     /// What comes before the events.
-    pub fn begin(&mut self) -> io::Result<()> {
+    pub fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
             Format::Jsonl => {
-                let head = self.head(ArithmeticDocument::asked(self.settings));
+                // Whether an orbit is a shadowed one is known before its first impact.
+                let head = self.head(match self.settings.arithmetic {
+                    Arithmetic::Shadow => arithmetic(orbit),
+                    _ => ArithmeticDocument::asked(self.settings),
+                });
                 line(&mut self.out, &head)
             }
             Format::Csv => writeln!(self.out, "{CSV_HEADER}"),

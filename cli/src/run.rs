@@ -29,7 +29,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let progress = Progress::new(settings.impacts, visible);
     let mut listing = Listing::new(arguments.format, &scene, &settings, out);
     let write = "cannot write the output";
-    listing.begin().context(write)?;
+    listing.begin(&orbit).context(write)?;
     let mut last = None;
     let written = orbit.follow(&progress, |orbit, step| {
         let index = last.as_ref().map_or(0, |event: &Event| event.index);

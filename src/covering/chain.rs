@@ -17,20 +17,23 @@ const BLOCK: usize = 4096;
 /// Impacts that are proposed anew where a link is not proved: after so many another orbit has nothing of its troubles.
 const BACK: usize = 60;
 /// Impacts that are looked ahead: contracting directions and sides have forgotten by then where they began.
-const AHEAD: usize = 512;
+pub(crate) const AHEAD: usize = 512;
 /// How often a link is dodged.
 const TRIES: u32 = 2;
 
 /// A chain under any excitation.
 pub(crate) trait Covering: std::fmt::Debug + Send {
-    /// The phases (whole turns apart) and velocities of the starts: one of them has the orbit.
-    fn starts(&self) -> (i64, Ball, Ball);
+    /// The phases (of the origin's turns) and the velocities of the starts: one of them has the orbit.
+    fn starts(&self) -> (Ball, Ball);
 
     /// The next nodes, proved; empty at the end.
     fn advance(&mut self) -> Vec<Node>;
 
     /// Why there are no more.
     fn ending(&self) -> Option<&Ending>;
+
+    /// Whether the motion was seen to expand beyond the last node.
+    fn expands(&self) -> bool;
 }
 
 #[derive(Debug)]
@@ -42,13 +45,28 @@ pub(crate) struct Chain<S: Flying> {
     /// The first one has been handed out, but for a chain that has not begun.
     points: Vec<Point>,
     is_begun: bool,
+    /// Nodes that are still asked for.
+    left: usize,
+    /// Directions were seen to expand as far as was looked ahead, more or less.
+    expands: bool,
     ending: Option<Ending>,
 }
 
 impl<S: Flying> Chain<S> {
-    pub fn new(shaken: Arc<S>, origin: Origin<Ball>) -> Self {
+    /// The chain from an origin, of as many nodes as are asked for; without end where none are told.
+    pub fn new(shaken: Arc<S>, origin: Origin<Ball>, nodes: Option<u64>) -> Self {
         let segment = Segment::new(&*shaken, origin);
-        let mut chain = Self { shaken, segment, reach: 0.0, points: Vec::new(), is_begun: false, ending: None };
+        let left = nodes.and_then(|nodes| usize::try_from(nodes).ok()).unwrap_or(usize::MAX); // exact: more are not counted
+        let mut chain = Self {
+            shaken,
+            segment,
+            reach: 0.0,
+            points: Vec::new(),
+            is_begun: false,
+            left,
+            expands: false,
+            ending: None,
+        };
         match chain.first() {
             Ok(first) => chain.points.push(first),
             Err(undecided) => {
@@ -81,9 +99,16 @@ impl<S: Flying> Chain<S> {
         [a * x + b * scale * y, c / scale * x + d * y]
     }
 
+    /// The number of the last point that this block hands out, and of the last one that it proves: all that is asked for, or a block.
+    fn goals(&self) -> (usize, usize) {
+        // The first point has been handed out, but for a chain that has not begun.
+        let last = self.left.saturating_sub(usize::from(!self.is_begun)); // proposes: how far
+        if last <= BLOCK { (last, last) } else { (BLOCK, BLOCK + BACK) }
+    }
+
     /// Proposes points up to the horizon; what stops them.
-    fn propose(&mut self) -> Option<Undecided> {
-        while self.points.len() <= BLOCK + BACK + AHEAD {
+    fn propose(&mut self, goal: usize) -> Option<Undecided> {
+        while self.points.len() <= goal + AHEAD {
             let last = self.points.last_mut()?;
             match last.next(&*self.shaken) {
                 Ok(point) => self.points.push(point),
@@ -122,14 +147,16 @@ impl<S: Flying> Chain<S> {
     fn block(&mut self) -> usize {
         let mut tries = 0;
         let mut horizon = usize::MAX;
+        let (last, goal) = self.goals();
         loop {
-            let stopped = self.propose();
+            let stopped = self.propose(goal);
             let points = self.points.len().min(horizon.saturating_add(1)); // proposes: how far
             let far = farthest(&self.points[..points]);
+            self.expands = far > goal + AHEAD / 2; // proposes: what to claim
             plan(&mut self.points[..=far], usize::from(self.is_begun));
-            let end = far.min(BLOCK + BACK); // proposes: how far
+            let end = far.min(goal); // proposes: how far
             match self.prove(end) {
-                Ok(()) if end == BLOCK + BACK => return BLOCK,
+                Ok(()) if end == goal => return last,
                 Ok(()) => {
                     if self.ending.is_none() {
                         let rests = self.points[end..].iter().any(|Point { node, .. }| {
@@ -170,18 +197,18 @@ fn link(sides: [f64; 2], link: Option<Link>, next: &mut Node) -> Option<()> {
 }
 
 impl<S: Flying> Covering for Chain<S> {
-    fn starts(&self) -> (i64, Ball, Ball) {
-        let (phase, velocity) = self.segment.starts(self.reach);
-        (self.segment.turns(), phase, velocity)
+    fn starts(&self) -> (Ball, Ball) {
+        self.segment.starts(self.reach)
     }
 
     fn advance(&mut self) -> Vec<Node> {
-        if self.ending.is_some() {
+        if self.ending.is_some() || self.left == 0 {
             return Vec::new();
         }
         let last = self.block();
         let first = usize::from(self.is_begun);
-        let nodes = self.points.get(first..=last).unwrap_or(&[]).iter().map(|point| point.node).collect(); // exact: nothing left
+        let nodes: Vec<Node> = self.points.get(first..=last).unwrap_or(&[]).iter().map(|point| point.node).collect(); // exact: nothing left
+        self.left -= nodes.len();
         self.points.drain(..last.min(self.points.len())); // exact: all that is there
         self.is_begun = true;
         nodes
@@ -189,5 +216,9 @@ impl<S: Flying> Covering for Chain<S> {
 
     fn ending(&self) -> Option<&Ending> {
         self.ending.as_ref()
+    }
+
+    fn expands(&self) -> bool {
+        self.expands
     }
 }

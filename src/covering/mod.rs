@@ -5,8 +5,8 @@
 //! where doubles have it? Along the expanding direction the set of states that are considered is stretched over the next one
 //! instead of being followed, so that widths never grow, however long the orbit. Lemmas F1-F4 of `docs/proofs.md`.
 
-mod chain;
-mod node;
+pub(crate) mod chain;
+pub(crate) mod node;
 mod proposal;
 mod start;
 #[cfg(test)]
@@ -82,6 +82,8 @@ pub enum Ending {
 #[derive(Debug)]
 pub struct Shadow {
     clock: Clock,
+    /// Whole turns of the start.
+    turns: i64,
     chain: Box<dyn Covering>,
     nodes: std::vec::IntoIter<Node>,
     listed: u64,
@@ -96,12 +98,13 @@ impl Shadow {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;
         let origin = either.origin(pair, start, &clock)?.map(ball)?;
+        let turns = origin.turns;
         let mut chain: Box<dyn Covering> = match either {
-            Either::One(one) => Box::new(Chain::new(one, origin)),
-            Either::Several(several) => Box::new(Chain::new(several, origin)),
+            Either::One(one) => Box::new(Chain::new(one, origin, None)),
+            Either::Several(several) => Box::new(Chain::new(several, origin, None)),
         };
         let nodes = chain.advance().into_iter();
-        Ok(Self { clock, chain, nodes, listed: 0 })
+        Ok(Self { clock, turns, chain, nodes, listed: 0 })
     }
 
     /// The orbit near that of a scene; what is wrong with it is told with its line.
@@ -117,7 +120,8 @@ impl Shadow {
     ///
     /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
     pub fn start(&self) -> (i64, Ball, Ball) {
-        self.chain.starts()
+        let (phase, velocity) = self.chain.starts();
+        (self.turns, phase, velocity)
     }
 
     /// Turns phases into times and reduced velocities into velocities.

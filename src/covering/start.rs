@@ -48,11 +48,6 @@ impl<W> Segment<W> {
         &self.origin.phases
     }
 
-    /// Whole turns of the start.
-    pub fn turns(&self) -> i64 {
-        self.origin.turns
-    }
-
     /// Proves that all flights from the starts within `a` land on one wall, so many turns later, transversally.
     pub fn land<S: Flying<Waves<Ball> = W>>(&self, shaken: &S, a: f64) -> Result<Landing, Undecided> {
         let turns = self.origin.turns;

@@ -1,13 +1,13 @@
 //! How an orbit ended, as a document, whose line in words follows from its fields.
 
 pub use impact_pair_certificate::document::counted;
-use impact_pair_certificate::document::{Decimal, OutcomeDocument, Written, bounds};
+use impact_pair_certificate::document::{Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
 
 use super::event::Event;
 use super::periodic::{measured, periodic_orbit};
 use crate::contact::Reason;
-use crate::exact::{Enclosure, Exact};
-use crate::orbit::{Orbit, Outcome, Start};
+use crate::exact::{Enclosure, Exact, decimal_bounds_f64};
+use crate::orbit::{Orbit, Outcome, Shadowing, Start};
 use crate::periodic::Attractor;
 
 /// How an orbit ended: the `outcome` of the orbit JSON.
@@ -24,6 +24,8 @@ impl Conclusion {
             kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
             impacts: Some(last.map_or(0, |event| event.index)),
             until: orbit.listed_until().map(Written::from),
+            start: orbit.shadow().map(|shadow| near(&shadow)),
+            epsilon: orbit.shadow().and_then(|shadow| shadow.nearness).map(epsilon),
             ..OutcomeDocument::default()
         };
         let decided = |document: OutcomeDocument| Self { document: document.told(), reason: None };
@@ -69,6 +71,22 @@ impl Conclusion {
     pub fn document(&self) -> OutcomeDocument {
         self.document.clone()
     }
+}
+
+/// Where the start is of a shadowed orbit.
+fn near(shadow: &Shadowing) -> NearDocument {
+    let Shadowing { time, velocity, .. } = shadow;
+    NearDocument { time: bounds(time), velocity: bounds(velocity) }
+}
+
+/// How near it is, in three digits rounded up.
+fn epsilon(nearness: [f64; 2]) -> EpsilonDocument {
+    // Bounds are rounded outward by a two-hundredth of what is between them at most.
+    let [median, maximum] = nearness.map(|at_most| {
+        let [_, upper] = decimal_bounds_f64(0.5 * at_most, at_most);
+        Decimal::printed(upper)
+    });
+    EpsilonDocument { median, maximum }
 }
 
 /// What is known of what was not decided: from when to when it may happen, open when there is no latest time.

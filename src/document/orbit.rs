@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use impact_pair_certificate::document::{
-    ArithmeticDocument, EventDocument, ORBIT_SCHEMA, OrbitDocument, OrbitHead, PROGRAM, SceneDocument,
+    ArithmeticDocument, ClaimName, EventDocument, ORBIT_SCHEMA, OrbitDocument, OrbitHead, PROGRAM, SceneDocument,
 };
 
 use super::{Conclusion, Event};
@@ -52,13 +52,15 @@ pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: 
         program: PROGRAM.to_owned(),
         scene: SceneDocument::new(pair, start),
         certified: is_certified(arithmetic),
+        claim: if computed == ArithmeticDocument::shadow() { ClaimName::Shadowed } else { ClaimName::ExactStart },
         arithmetic: computed,
     }
 }
 
-/// What computed an orbit: `float`, `interval` or `inari` with 53 bits, or `multiprecision` with those of its first impact.
+/// What computed an orbit: `float`, `interval` or `inari` with 53 bits, `multiprecision` with those of its first impact, or `shadow`.
 pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
     let kind = match (orbit.arithmetic(), orbit.bits()) {
+        (Arithmetic::Shadow, _) if orbit.shadow().is_some() => return ArithmeticDocument::shadow(),
         (Arithmetic::Float, _) => "float",
         (Arithmetic::Inari, _) => "inari",
         (_, f64::MANTISSA_DIGITS) => "interval",
@@ -71,6 +73,6 @@ pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
 pub fn is_certified(arithmetic: Arithmetic) -> bool {
     match arithmetic {
         Arithmetic::Float => false,
-        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_) => true,
+        Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Shadow | Arithmetic::Bits(_) => true,
     }
 }

@@ -4,6 +4,7 @@ use super::Period;
 use super::attraction::Recent;
 use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
 use super::recurrence::Recurrence;
+use super::shadowed::Near;
 use super::shortfall::Shortfall;
 use super::{Cursor, Orbit};
 use crate::exact::{Enclosure, Exact};
@@ -31,6 +32,8 @@ pub(super) struct Aside {
     pub is_late: bool,
     /// The last impacts handed out.
     pub recent: Recent,
+    /// Whose orbit it is, if it is a shadowed one.
+    pub near: Option<Near>,
 }
 
 impl Orbit {
@@ -96,7 +99,8 @@ impl Orbit {
         let is_still = self.engine.pair.beta == Ball::exact(0.0);
         let Cursor { turns, phase, index, .. } = self.cursor;
         let phase = self.engine.motion.enclosures().map_or_else(|| finite(phase), |(phase, _)| phase);
-        let phases: &[Exact] = if index == 0 { &self.engine.given.origin.phases } else { &[] };
+        let is_exact = index == 0 && self.aside.near.is_none();
+        let phases: &[Exact] = if is_exact { &self.engine.given.origin.phases } else { &[] };
         let time = match is_still {
             true => (after == Ball::exact(0.0)).then_some(0.0)?,
             false => self.engine.given.shaken.accumulation(wall, turns, &phase, after, phases)?,
@@ -115,7 +119,7 @@ impl Orbit {
         let Cursor { turns, phase, .. } = self.cursor;
         let radius = self.engine.motion.radii().map_or(phase.rad().log2(), |radii| radii.0);
         let is_wide = radius > width.log2 - 2.0;
-        if is_wide && self.asked.settings.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
+        if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
         let at_start = self.cursor.index == self.start.index;
@@ -153,6 +157,9 @@ impl Orbit {
         self.engine.bits = self.bits();
         self.engine.motion =
             self.engine.given.motion(self.asked.settings.arithmetic).expect("the arithmetic was there at the start");
+        if self.asked.settings.arithmetic == Arithmetic::Shadow {
+            self.engine.arithmetic = Arithmetic::Auto;
+        }
         self.look_ahead();
         event
     }

@@ -1,7 +1,7 @@
 //! Where the ball is between the events of an orbit: what figures draw.
 
 use super::event::finite;
-use super::{Impact, Orbit, Release};
+use super::{Cursor, Impact, Orbit, Release};
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::pair::Wall;
@@ -41,10 +41,11 @@ impl Orbit {
     /// The flight from the start, and its phase: whole turns and the rest. To be asked before the orbit goes on.
     pub fn first_course(&self) -> (Course, i64, Ball) {
         let origin = self.engine.given.origin_ball().expect("the orbit started with these numbers");
-        let (turns, phase) = (self.start.turns, origin.phase);
+        // A shadowed orbit starts near the given one.
+        let Cursor { turns, phase, velocity, .. } = self.start;
         let course = match origin.place {
-            Location::Wall(wall) => self.leaving(wall, turns, phase, self.engine.pair.rebound_of(origin.velocity)),
-            Location::Inside(height) => self.course(turns, phase, height - Ball::exact(0.5), origin.velocity),
+            Location::Wall(wall) => self.leaving(wall, turns, phase, self.engine.pair.rebound_of(velocity)),
+            Location::Inside(height) => self.course(turns, phase, height - Ball::exact(0.5), velocity),
         };
         (course, turns, phase)
     }

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use super::Arithmetic;
-use super::Start;
 use super::later::decided;
 use super::motion::{FloatMotion, IntervalMotion, Motion};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
 #[cfg(feature = "multiprecision")]
 use super::precise::PreciseMotion;
+use super::shadowed::ShadowMotion;
 use super::textbook::TextbookMotion;
+use super::{Arithmetic, Start};
 use crate::Error;
 use crate::clock::Clock;
 use crate::exact::Exact;
@@ -34,6 +34,8 @@ pub(super) trait Motions: Shaken {
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
     /// In doubles, certified.
     fn interval(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
+    /// Near the given one, for as many impacts as are told; and after how many it does not expand, if it does not.
+    fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> (Box<dyn Motion>, Option<u64>);
     /// In as many bits as planned.
     #[cfg(feature = "multiprecision")]
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion>;
@@ -46,6 +48,10 @@ impl<S: Flying> Motions for S {
 
     fn interval(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion> {
         Box::new(IntervalMotion::new(self, origin))
+    }
+
+    fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> (Box<dyn Motion>, Option<u64>) {
+        ShadowMotion::from(self, origin, impacts)
     }
 
     #[cfg(feature = "multiprecision")]
@@ -78,12 +84,13 @@ impl Given {
         self.origin = Origin::released(release);
     }
 
-    /// The first motion from the origin that is tried in an arithmetic.
+    /// The first motion from the origin that is tried in an arithmetic; one near by is another's.
     pub fn motion(&self, arithmetic: Arithmetic) -> Result<Box<dyn Motion>, Error> {
         let (shaken, origin) = (self.shaken.clone(), self.origin_ball()?);
         Ok(match arithmetic {
             Arithmetic::Float => shaken.float(&origin),
-            Arithmetic::Auto | Arithmetic::Interval => shaken.interval(&origin),
+            // F5: no other start has the state of a release.
+            Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Shadow => shaken.interval(&origin),
             Arithmetic::Inari => {
                 self.pair.harmonic("the textbook method (arithmetic inari)")?;
                 Box::new(TextbookMotion::new(shaken.pair(), &origin))

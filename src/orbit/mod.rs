@@ -16,6 +16,7 @@ mod precise;
 mod raise;
 mod recurrence;
 mod set;
+mod shadowed;
 mod shortfall;
 mod textbook;
 mod watch;
@@ -26,6 +27,7 @@ pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
+pub use shadowed::Shadowing;
 pub use watch::Watch;
 
 use std::cmp::Ordering;
@@ -52,6 +54,7 @@ use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
+use shadowed::Near;
 use width::Width;
 
 /// Bits beyond those of the digits asked for that `auto` spends on a decision: what they do not tell is a graze, or `Undecided`.
@@ -114,6 +117,8 @@ struct Engine {
     given: Given,
     pair: Reduced<Ball>,
     motion: Box<dyn Motion>,
+    /// What computes now: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
+    arithmetic: Arithmetic,
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
     /// What is left to try when the motion does not suffice.
@@ -163,8 +168,20 @@ impl Orbit {
         let until = settings.until.as_ref().map(|time| until(&clock, start, time)).transpose()?;
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
-        let motion = given.motion(settings.arithmetic)?;
-        let (wall, turns, phase, velocity) = (origin.wall(), origin.turns, origin.phase, origin.velocity);
+        let (motion, arithmetic) = match settings.arithmetic {
+            Arithmetic::Shadow => {
+                let (motion, regular) = given.shaken.clone().shadow(&origin, settings.impacts);
+                match regular.is_some_and(|impacts| Self::is_regular(pair, start, &settings, impacts)) {
+                    true => (given.motion(Arithmetic::Interval)?, Arithmetic::Interval),
+                    false => (motion, Arithmetic::Shadow),
+                }
+            }
+            arithmetic => (given.motion(arithmetic)?, arithmetic),
+        };
+        let starts = motion.starts();
+        let near = starts.map(|starts| Near::new(&clock, start, origin.turns, starts, starts.1 == origin.velocity));
+        let (phase, velocity) = starts.unwrap_or((origin.phase, origin.velocity));
+        let (wall, turns) = (origin.wall(), origin.turns);
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
         let patience = given.shaken.patience(widths[0].linear);
@@ -172,6 +189,7 @@ impl Orbit {
             given,
             pair: reduced,
             motion,
+            arithmetic,
             is_point,
             #[cfg(feature = "multiprecision")]
             raise: None,
@@ -187,7 +205,7 @@ impl Orbit {
             cursor,
             listed: 0,
             first_wide: None,
-            aside: Aside::default(),
+            aside: Aside { near, ..Aside::default() },
             outcome: None,
         };
         orbit.look_ahead();
@@ -205,7 +223,7 @@ impl Orbit {
     /// What there is to know of a new start.
     fn look_ahead(&mut self) {
         #[cfg(feature = "multiprecision")]
-        if self.asked.settings.arithmetic == Arithmetic::Auto {
+        if self.engine.arithmetic == Arithmetic::Auto {
             let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.asked.settings.clone() };
             self.engine.raise =
@@ -353,6 +371,9 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
+        if let Some(near) = &mut self.aside.near {
+            near.nearness.keep(phase.rad());
+        }
         if self.asked.settings.attractor {
             self.aside.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
         }

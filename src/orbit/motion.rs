@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::plan::Plan;
 use super::set::StateSet;
 #[cfg(feature = "multiprecision")]
-use crate::contact::multiprecision::Passed;
+pub(super) use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::exact::Enclosure;
 use crate::flight::Launch;
@@ -16,11 +16,17 @@ use crate::number::MpBall;
 use crate::pair::{Wall, rebound};
 use crate::shaken::{Flying, Leaving, Location, Origin};
 use crate::turns;
+
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
     /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed, which are to be counted
     /// (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
+
+    /// The phases and the velocities of the starts, one of which has this motion; `None` where it is the given start itself.
+    fn starts(&self) -> Option<(Ball, Ball)> {
+        None
+    }
 
     /// The bits that the first impact is computed with.
     fn bits(&self) -> u32 {

@@ -46,7 +46,7 @@ impl Orbit {
 
     /// Phase and velocity as intervals where doubles are too coarse to show them.
     pub(super) fn precise(&self, contact: &Contact<Ball>) -> Option<(Enclosure, Enclosure)> {
-        let in_full = matches!(self.asked.settings.arithmetic, Arithmetic::Bits(_));
+        let in_full = matches!(self.engine.arithmetic, Arithmetic::Bits(_));
         let [time, velocity] = self.asked.widths;
         let fine = 4.0 * contact.phase.rad() <= time.linear && 4.0 * contact.velocity.rad() <= velocity.linear;
         if fine && !in_full {
@@ -63,7 +63,7 @@ impl Orbit {
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
         // What so many bits do not tell apart is called a graze; both continuations are then followed as one set.
         let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
-        let deep = self.asked.settings.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
+        let deep = self.engine.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
         if may_graze
             && deep
             && let Some(graze) = self.pass_graze()
@@ -82,7 +82,7 @@ impl Orbit {
     /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
     #[cold]
     pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
-        if self.asked.settings.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
+        if self.engine.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {
             return None;
         }
         if self.restart(Shortfall::Width(excess)) {

@@ -6,9 +6,10 @@ use clap::{ArgGroup, Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
+use impact_pair::scene::Run;
 use impact_pair_plot::orbit::Panel;
 
-use crate::arguments::{bits, digits, point};
+use crate::arguments::{ARITHMETICS, bits, digits, point, shown_digits};
 
 pub const HELP: &str = "\
 Examples:
@@ -53,10 +54,12 @@ pub struct PlotArguments {
     /// [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
-    /// certified in doubles, whatever the widths; or certified in so many BITS, whatever the widths
-    #[arg(long, default_value = "auto", value_name = "auto|float|interval|BITS")]
+    /// What computes: as in run
+    #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     arithmetic: Arithmetic,
+    /// With --arithmetic shadow: prove the first M impacts by precision, so that the start is nearer to the given one
+    #[arg(long, value_name = "M", default_value_t = 0)]
+    splice: u64,
     /// Bits that auto takes at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
@@ -105,7 +108,8 @@ impl PlotArguments {
                 None => (Some(SECTION_IMPACTS), None),
             },
         };
-        let digits = self.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
-        Settings { impacts, until, digits, arithmetic: self.arithmetic, max_bits: self.max_bits, attractor: true }
+        let run = Run { impacts, until: until.clone(), digits: shown_digits(self.digits, self.arithmetic, scene) };
+        let settings = run.settings(self.arithmetic);
+        Settings { impacts, until, max_bits: self.max_bits, splice: self.splice, attractor: true, ..settings }
     }
 }

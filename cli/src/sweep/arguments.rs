@@ -56,7 +56,7 @@ pub struct SweepArguments {
     #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::arguments::digits())]
     pub digits: u32,
     /// What computes: as in run
-    #[arg(long, default_value = "auto", value_name = "auto|float|interval|inari|BITS")]
+    #[arg(long, default_value = "auto", value_name = crate::arguments::ARITHMETICS)]
     pub arithmetic: Arithmetic,
     /// Bits that auto takes at most; more than 100,000 chaotic impacts need, and no point takes minutes to stay undecided
     #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::arguments::bits())]

@@ -20,6 +20,10 @@ pub enum Arithmetic {
     Interval,
     /// Certified by the textbook method in `inari`'s intervals: what plain interval arithmetic does; of one harmonic.
     Inari,
+    /// Of a chaotic orbit, certified in double precision for any number of impacts: a true orbit from a start very near the given
+    /// one. Where nothing expands, as [`Arithmetic::Interval`] from the exact start; after a release, whose state is exact, as
+    /// [`Arithmetic::Auto`].
+    Shadow,
     /// Certified in so many bits, as far as they decide; widths are what they are.
     Bits(u32),
 }
@@ -35,7 +39,7 @@ impl Arithmetic {
         };
         Error::out_of_range(
             None,
-            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, inari {bits}"),
+            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, inari, shadow {bits}"),
         )
     }
 }
@@ -53,6 +57,9 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// Bits that [`Arithmetic::Auto`] takes at most.
     pub max_bits: u32,
+    /// With [`Arithmetic::Shadow`]: so many impacts are proved by precision first. From there on the orbit has more room, and its start
+    /// is so much nearer to the given one.
+    pub splice: u64,
     /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit.
     pub attractor: bool,
 }
@@ -71,12 +78,13 @@ impl Default for Settings {
             digits: 9,
             arithmetic: Arithmetic::Auto,
             max_bits: MAX_BITS,
+            splice: 0,
             attractor: false,
         }
     }
 }
 
-/// As the command line says it: `auto`, `float`, `interval`, `inari`, or a number of bits.
+/// As the command line says it: `auto`, `float`, `interval`, `inari`, `shadow`, or a number of bits.
 impl FromStr for Arithmetic {
     type Err = Error;
 
@@ -86,6 +94,7 @@ impl FromStr for Arithmetic {
             "float" => Ok(Self::Float),
             "interval" => Ok(Self::Interval),
             "inari" => Ok(Self::Inari),
+            "shadow" => Ok(Self::Shadow),
             _ => match text.parse() {
                 Ok(bits) if BITS.contains(&bits) && cfg!(feature = "multiprecision") => Ok(Self::Bits(bits)),
                 _ => Err(Self::unknown(text)),
@@ -101,6 +110,7 @@ impl fmt::Display for Arithmetic {
             Self::Float => f.pad("float"),
             Self::Interval => f.pad("interval"),
             Self::Inari => f.pad("inari"),
+            Self::Shadow => f.pad("shadow"),
             Self::Bits(bits) => f.pad(&bits.to_string()),
         }
     }

@@ -35,8 +35,24 @@ pub struct OrbitHead {
     pub scene: SceneDocument,
     /// Whether anything is claimed; in `float` nothing is, and both bounds are the double itself.
     pub certified: bool,
+    /// Of which start the orbit is; older documents do not say.
+    #[serde(default)]
+    pub claim: ClaimName,
     /// What computes it, or has computed it.
     pub arithmetic: ArithmeticDocument,
+}
+
+/// Of which start an orbit is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub enum ClaimName {
+    /// Of every start that the scene allows.
+    #[default]
+    #[serde(rename = "exact start")]
+    ExactStart,
+    /// Of one start within the bounds of the outcome.
+    #[serde(rename = "shadowed")]
+    Shadowed,
 }
 
 /// The last of the JSON Lines.
@@ -50,7 +66,7 @@ pub struct OrbitEnd {
 }
 
 /// What computes: `float`, `interval` or `inari` in 53 bits, `multiprecision` in those of the first impact, `auto` with the most bits it may
-/// take.
+/// take, `shadow` without bits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ArithmeticDocument {
@@ -72,8 +88,14 @@ impl ArithmeticDocument {
             Arithmetic::Float => Self::computed("float", f64::MANTISSA_DIGITS),
             Arithmetic::Interval => Self::computed("interval", f64::MANTISSA_DIGITS),
             Arithmetic::Inari => Self::computed("inari", f64::MANTISSA_DIGITS),
+            Arithmetic::Shadow => Self::shadow(),
             Arithmetic::Bits(bits) => Self::computed("multiprecision", bits),
         }
+    }
+
+    /// What has computed a shadowed orbit.
+    pub fn shadow() -> Self {
+        Self { kind: "shadow".to_owned(), bits: None, max_bits: None }
     }
 
     /// What has computed an orbit.

@@ -4,7 +4,7 @@ use impact_pair_exact::{Enclosure, Exact, decimal_digits};
 use impact_pair_model::{Period, Wall, Word};
 use serde::{Deserialize, Serialize};
 
-use super::number::{Decimal, Written};
+use super::number::{Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
 /// How an orbit ended.
@@ -25,6 +25,12 @@ pub struct OutcomeDocument {
     /// All events up to this time are listed \[time\]; where the time asked for ended the list.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub until: Option<Written>,
+    /// Where the start is that has a shadowed orbit.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub start: Option<NearDocument>,
+    /// How near a shadowed orbit is to where its impacts are listed.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub epsilon: Option<EpsilonDocument>,
     /// The wall of what is undecided, or that the ball rests on for ever.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wall: Option<Wall>,
@@ -48,6 +54,26 @@ pub struct OutcomeDocument {
     pub orbit: Option<PeriodicOrbitDocument>,
 }
 
+/// Where a start is, at the place of the scene's; either its time or its velocity is the scene's.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct NearDocument {
+    /// Bounds of its time \[time\].
+    pub time: Bounds,
+    /// Bounds of its velocity \[length/time\].
+    pub velocity: Bounds,
+}
+
+/// How far impacts are at most from the middles of their bounds, in turns of the excitation's phase.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct EpsilonDocument {
+    /// Half of them are so near.
+    pub median: Decimal,
+    /// All of them are so near.
+    pub maximum: Decimal,
+}
+
 impl OutcomeDocument {
     /// The same with the line in words that its fields make.
     ///
@@ -61,7 +87,7 @@ impl OutcomeDocument {
     /// The line in words; `None` where the kind is not known, or a field is missing.
     pub fn words(&self) -> Option<String> {
         let impacts = self.impacts?;
-        let (so_far, after) = (counted(impacts), after(impacts));
+        let (so_far, after) = (format!("{}{}", counted(impacts), self.shadowed()), after(impacts));
         Some(match self.kind.as_str() {
             "impacts-reached" => so_far,
             "time-reached" => {
@@ -92,6 +118,15 @@ impl OutcomeDocument {
             }
             _ => return None,
         })
+    }
+
+    /// What a shadowed orbit adds to the number of its impacts.
+    fn shadowed(&self) -> String {
+        let Some(EpsilonDocument { median, maximum }) = &self.epsilon else { return String::new() };
+        let (median, maximum) = (median.text(), maximum.text());
+        format!(
+            " of one true orbit that starts near (shadowed), half of them within {median} turns, all within {maximum}"
+        )
     }
 
     /// The line in words of an orbit that its user has interrupted, which ends undecided as well.

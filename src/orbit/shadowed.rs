@@ -1,0 +1,274 @@
+//! An orbit near the given one, for any number of chaotic impacts: a chain of nodes, and where nothing expands the set from its last one.
+//!
+//! **Lemma F5** (handing over). Let a chain prove that an orbit is in its node `N` at impact `n` (Lemma F2). Then what is proved of
+//! all orbits from the states of a box that holds `N` is true of that one: it is one of them. So after the last node the
+//! sets of S go on from its box, and all that they prove, rests, releases and attractors among it, holds for the chain's orbit. The
+//! state at a release does not depend on the start any more: from there on the orbit is followed in exact data.
+
+use std::sync::Arc;
+use std::vec::IntoIter;
+
+use super::event::finite;
+#[cfg(feature = "multiprecision")]
+use super::motion::Passed;
+use super::motion::{IntervalMotion, Motion};
+use super::{Arithmetic, Orbit, Outcome, Settings, Start};
+use crate::clock::Clock;
+use crate::contact::{Contact, Undecided};
+use crate::covering::chain::{AHEAD, Chain, Covering};
+use crate::covering::node::Node;
+use crate::exact::Enclosure;
+use crate::number::Ball;
+use crate::pair::ImpactPair;
+use crate::shaken::{Flying, Location, Origin};
+
+/// Bits that show what the start has in common with the given one.
+const START_BITS: u32 = 160;
+
+/// One impact after another of a shadowed orbit.
+#[derive(Debug)]
+pub(super) struct ShadowMotion<S: Flying> {
+    shaken: Arc<S>,
+    chain: Chain<S>,
+    nodes: IntoIter<Node>,
+    /// The last node handed out; its turns and phase, or those of the start.
+    last: Option<Node>,
+    at: (i64, Ball),
+    /// What goes on after the last node.
+    set: Option<IntervalMotion<S>>,
+}
+
+/// What is claimed of a shadowed orbit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shadowing {
+    /// **Enclosure**: holds the time of the start that has the orbit \[time\].
+    pub time: Enclosure,
+    /// **Enclosure**: and its velocity \[length/time\]; one of the two is the scene's.
+    pub velocity: Enclosure,
+    /// How far impacts are at most from the middles of their enclosures, in turns: half of them, and all; `None` without impacts.
+    pub nearness: Option<[f64; 2]>,
+}
+
+impl Orbit {
+    /// Whether sets from the exact start decide a motion that does not expand: then its orbit is followed, which says more.
+    pub(super) fn is_regular(pair: &ImpactPair, start: &Start, settings: &Settings, impacts: u64) -> bool {
+        let impacts = settings.impacts.map_or(impacts, |asked| asked.min(impacts)); // proposes: what to claim
+        let until = settings.until.clone();
+        let interval = Arithmetic::Interval;
+        let settings = Settings { impacts: Some(impacts), until, arithmetic: interval, ..Settings::default() };
+        let Ok(mut orbit) = Self::new(pair, start, settings) else { return false };
+        orbit.by_ref().for_each(drop);
+        !matches!(orbit.outcome(), Some(Outcome::Undecided { .. }))
+    }
+
+    /// What is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
+    pub fn shadow(&self) -> Option<Shadowing> {
+        let Near { time, velocity, nearness } = self.aside.near.as_ref()?;
+        Some(Shadowing { time: time.clone(), velocity: velocity.clone(), nearness: nearness.median_and_most() })
+    }
+}
+
+/// A start near the given one, and how near the impacts of its orbit are.
+#[derive(Debug)]
+pub(super) struct Near {
+    time: Enclosure,
+    velocity: Enclosure,
+    pub nearness: Nearness,
+}
+
+impl Near {
+    /// The starts at these phases and velocities, of which one or the other is that of the given start.
+    pub fn new(clock: &Clock, start: &Start, turns: i64, (phase, velocity): (Ball, Ball), is_of_times: bool) -> Self {
+        let (time, velocity) = match is_of_times {
+            true => (clock.time(turns, &finite(phase)), start.velocity().enclose(START_BITS)),
+            false => (start.time().enclose(START_BITS), clock.velocity(&finite(velocity))),
+        };
+        Self { time, velocity, nearness: Nearness::default() }
+    }
+}
+
+impl<S: Flying> ShadowMotion<S> {
+    /// The motion from an origin, for as many impacts as are told, and how many impacts of it show that nothing expands any more, if
+    /// they do.
+    pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> (Box<dyn Motion>, Option<u64>) {
+        let mut chain = Chain::new(shaken.clone(), origin.clone(), impacts);
+        let nodes = chain.advance();
+        let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64);
+        let at = (origin.turns, origin.phase);
+        (Box::new(Self { shaken, chain, nodes: nodes.into_iter(), last: None, at, set: None }), regular)
+    }
+
+    /// The set of the last node's box. Lemma F5
+    #[cold]
+    fn hand_over(&self) -> Option<IntervalMotion<S>> {
+        let node = self.last?;
+        let (phase, velocity) = (node.phases(), node.velocities());
+        let place = Location::Wall(node.wall);
+        let origin = Origin { place, turns: node.turns, phase, velocity, phases: Vec::new(), release: None };
+        Some(IntervalMotion::new(self.shaken.clone(), &origin))
+    }
+}
+
+impl<S: Flying> Motion for ShadowMotion<S> {
+    fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
+        if let Some(set) = &mut self.set {
+            return set.next_contact();
+        }
+        if self.nodes.as_slice().is_empty() {
+            self.nodes = self.chain.advance().into_iter();
+        }
+        let Some(node) = self.nodes.next() else {
+            self.set = self.hand_over();
+            return self.set.as_mut().ok_or(Undecided::endless())?.next_contact();
+        };
+        let (phase, velocity) = (node.phases(), node.velocities());
+        let turns = (node.turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 turns
+        let time = Ball::exact(turns) + (phase - self.at.1);
+        (self.last, self.at) = (Some(node), (node.turns, phase));
+        Ok(Contact { wall: node.wall, turns, phase, time, velocity })
+    }
+
+    fn starts(&self) -> Option<(Ball, Ball)> {
+        Some(self.chain.starts())
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn accuracy(&self) -> f64 {
+        self.set.as_ref().map_or(0.0, Motion::accuracy)
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn pass_graze(&mut self) -> Option<Passed> {
+        self.set.as_mut()?.pass_graze()
+    }
+}
+
+/// How near impacts are proved to be to where they are listed: radii of phases in turns, counted by their size.
+#[derive(Debug)]
+pub(super) struct Nearness {
+    counts: Vec<u64>,
+    impacts: u64,
+    most: f64,
+}
+
+/// Bits of a double's fraction that sizes are told by: to a thirty-second.
+const FRACTION: u32 = 5;
+const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - FRACTION;
+
+impl Default for Nearness {
+    fn default() -> Self {
+        Self { counts: vec![0; (f64::INFINITY.to_bits() >> SHIFT) as usize + 1], impacts: 0, most: 0.0 }
+    }
+}
+
+impl Nearness {
+    pub fn keep(&mut self, radius: f64) {
+        self.counts[(radius.to_bits() >> SHIFT) as usize] += 1; // N: radii are not negative
+        self.impacts += 1;
+        self.most = self.most.max(radius);
+    }
+
+    /// The median and the greatest, rounded up; `None` without impacts.
+    pub fn median_and_most(&self) -> Option<[f64; 2]> {
+        let mut left = self.impacts.div_ceil(2);
+        let size = self.counts.iter().position(|count| {
+            left = left.saturating_sub(*count); // exact: what is left of it
+            left == 0
+        })?;
+        let median = f64::from_bits((size as u64 + 1) << SHIFT); // N: the size above this one
+        (self.impacts > 0).then_some([median.min(self.most), self.most]) // exact: no impact is farther
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Scene;
+    use crate::orbit::Progress;
+    use proptest::prelude::*;
+    use std::ops::ControlFlow;
+
+    fn scene(name: &str) -> Scene {
+        let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
+    }
+
+    fn shadow(scene: &Scene, impacts: u64) -> Orbit {
+        let settings = Settings { arithmetic: Arithmetic::Shadow, impacts: Some(impacts), ..Settings::default() };
+        Orbit::of(scene, Settings { attractor: true, ..settings }).unwrap()
+    }
+
+    /// Blocks are handed out without a gap, the last one as far as is asked; what is listed is what the chain proves.
+    #[test]
+    fn an_orbit_lists_the_nodes_of_its_chain() {
+        let scene = scene("figure-14");
+        for impacts in [1, 2, 4095, 4096, 4097, 4098, 9000] {
+            let mut orbit = shadow(&scene, impacts);
+            let chain = crate::covering::Shadow::of(&scene).unwrap();
+            let mut listed = 0;
+            for (impact, node) in orbit.by_ref().zip(chain) {
+                listed += 1;
+                assert_eq!((impact.index, impact.wall, impact.turns), (node.index, node.wall, node.turns));
+                // The two chains are planned from different ends.
+                assert!((impact.phase.mid() - node.phase.mid()).abs() <= impact.phase.rad() + node.phase.rad());
+            }
+            assert_eq!((listed, orbit.outcome()), (impacts, Some(&Outcome::ImpactsReached)));
+        }
+    }
+
+    #[test]
+    fn what_does_not_expand_is_the_orbit_of_the_exact_start() {
+        for (name, impacts) in
+            [("figure-12", 5), ("figure-12", 500), ("figure-13", 500), ("figure-15", 30), ("figure-15", 5000)]
+        {
+            let mut orbit = shadow(&scene(name), impacts);
+            assert_eq!((orbit.by_ref().count() as u64, orbit.shadow()), (impacts, None), "{name}");
+            assert!(matches!(orbit.outcome(), Some(Outcome::Attracted(_) | Outcome::ImpactsReached)), "{name}");
+        }
+    }
+
+    /// A chaotic transient that comes to rest: what follows the release is that of every orbit that rests there.
+    #[cfg(feature = "multiprecision")]
+    #[test]
+    fn a_rest_ends_the_chain_and_forgets_the_start() {
+        let text = r#"
+            excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
+            pair = { gap = 40, restitution = 0.5 }
+            start = { time = 0, wall = "left", velocity = -5 }"#;
+        let scene = Scene::parse(text).unwrap();
+        let events = |mut orbit: Orbit| {
+            let mut events = Vec::new();
+            let _ = orbit.follow(&|| true, |_, event| {
+                events.push(event);
+                ControlFlow::<()>::Continue(())
+            });
+            (orbit, events)
+        };
+        let (orbit, shadowed) = events(shadow(&scene, 200));
+        assert!(orbit.shadow().is_some() && matches!(orbit.outcome(), Some(Outcome::Periodic(_))), "{orbit:?}");
+        let (_, exact) = events(Orbit::of(&scene, Settings { impacts: Some(200), ..Settings::default() }).unwrap());
+        let release = |events: &[Progress]| {
+            let found = events
+                .iter()
+                .find_map(|event| if let Progress::Release(release) = event { Some(release.clone()) } else { None });
+            found.expect("a release")
+        };
+        // The start differs by 1e-13, which the rest forgets: the wall and the phase of the release are the same.
+        let [shadowed, exact] = [release(&shadowed), release(&exact)];
+        assert_eq!((shadowed.wall, shadowed.phase), (exact.wall, exact.phase));
+    }
+
+    proptest! {
+        /// By sorting.
+        #[test]
+        fn the_median_is_that_of_the_sizes(radii in prop::collection::vec(-60..3i32, 1..200), odd in 1.0..2.0f64) {
+            let mut radii: Vec<f64> = radii.into_iter().map(|size| odd * 2f64.powi(size)).collect();
+            let mut nearness = Nearness::default();
+            radii.iter().for_each(|radius| nearness.keep(*radius));
+            radii.sort_by(f64::total_cmp);
+            let ([median, most], middle) = (nearness.median_and_most().unwrap(), radii[(radii.len() - 1) / 2]);
+            prop_assert_eq!(most, radii[radii.len() - 1]);
+            prop_assert!(middle <= median && median <= middle * (1.0 + 1.0 / 32.0));
+        }
+    }
+}
