@@ -1,8 +1,8 @@
 //! The sweep JSON Lines: what is certified at a point.
 
 use impact_pair_certificate::document::{
-    ArithmeticDocument, ExtendedBounds, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepExponent, SweepHead,
-    SweepImpact, SweepPeriod, SweepRecord,
+    ArithmeticDocument, ClaimName, ExtendedBounds, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepExponent,
+    SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
 use super::{Asked, Axis, Grid, Point, State};
@@ -10,7 +10,7 @@ use crate::document::is_certified;
 use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
-use crate::orbit::{Outcome, Period};
+use crate::orbit::{Arithmetic, Outcome, Period};
 use crate::scene::Key;
 use crate::{Error, Scene};
 
@@ -33,6 +33,7 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Opt
         impacts: asked.impacts,
         digits: asked.settings.digits,
         certified: is_certified(asked.settings.arithmetic),
+        claim: (asked.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
         arithmetic: ArithmeticDocument::asked(&asked.settings),
         summary,
         shard,
@@ -81,6 +82,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point, summary: bool
         outcome: outcome.to_owned(),
         reason: reason.map(|reason| reason.name().to_owned()),
         message: point.conclusion.message().to_owned(),
+        claim: point.shadow.as_ref().map(|_| ClaimName::Shadowed),
         complete: reason.is_none() && point.first_wide.is_none() && !is_lost,
         bits: point.bits,
         impacts: point.impacts,

@@ -8,7 +8,7 @@ use crate::exact::Enclosure;
 use crate::lyapunov::{Disturbance, Exponent};
 use crate::mapping::Word;
 use crate::number::{Ball, Number};
-use crate::orbit::{Impact, Orbit, Outcome, Progress, Settings};
+use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Shadowing};
 use crate::pair::Wall;
 use crate::periodic::{Attractor, PeriodicImpact};
 use crate::scene::Scene;
@@ -71,22 +71,54 @@ pub struct Point {
     pub outcome: Outcome,
     /// The same in words.
     pub conclusion: Conclusion,
+    /// Where the start is whose orbit it is, if that is not the exact one.
+    pub shadow: Option<Shadowing>,
     /// The first impact that is wider than asked for.
     pub first_wide: Option<u64>,
     /// The most bits that an impact took.
     pub bits: u32,
 }
 
+impl Point {
+    /// Whether all that was asked is certified.
+    fn is_complete(&self) -> bool {
+        self.first_wide.is_none() && !matches!(self.outcome, Outcome::Undecided { .. })
+    }
+}
+
 /// Follows the orbit of a scene for as long as `goes_on` says so; `None` if it did not to the end.
+///
+/// In [`Arithmetic::Shadow`] only what doubles do not certify to the digits from the exact start is shadowed, and what neither does is
+/// left to [`Arithmetic::Auto`].
 ///
 /// # Errors
 /// When a value is beyond the range of double-precision flights.
 pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Result<Option<Point>, Error> {
+    if asked.settings.arithmetic != Arithmetic::Shadow {
+        return follow_in(asked.settings.arithmetic, scene, asked, &goes_on);
+    }
+    for arithmetic in [Arithmetic::Interval, Arithmetic::Shadow] {
+        match follow_in(arithmetic, scene, asked, &goes_on)? {
+            Some(point) if !point.is_complete() => {}
+            done => return Ok(done),
+        }
+    }
+    follow_in(Arithmetic::Auto, scene, asked, &goes_on)
+}
+
+/// The same in one arithmetic.
+fn follow_in(
+    arithmetic: Arithmetic,
+    scene: &Scene,
+    asked: &Asked,
+    goes_on: &impl Fn() -> bool,
+) -> Result<Option<Point>, Error> {
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
-    let mut orbit = Orbit::of(scene, Settings { impacts, until: None, attractor: true, ..asked.settings.clone() })?;
+    let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
+    let mut orbit = Orbit::of(scene, settings)?;
     let mut window = Window::new(&orbit, asked.transient);
     let mut last = None;
-    let _ = orbit.follow(&goes_on, |orbit, event| {
+    let _ = orbit.follow(goes_on, |orbit, event| {
         window.follow(orbit, &event);
         last = Some(event);
         ControlFlow::<()>::Continue(())
@@ -105,6 +137,7 @@ pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Resul
         attraction,
         conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
         outcome,
+        shadow: orbit.shadow(),
         first_wide: orbit.first_wide(),
         bits: orbit.bits(),
     }))
@@ -236,13 +269,30 @@ mod tests {
         assert!(high - low > 0.1 && found.iter().map(phase).all(|x| x - low < 1e-4 || high - x < 1e-4));
     }
 
+    /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floats does (0.399 an impact).
+    #[test]
+    fn what_is_chaotic_is_shadowed_and_nothing_else() {
+        let follow = |name: &str, impacts: u64| {
+            let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
+            follow(&scene(name), &Asked { transient: 500, impacts, settings }, || true).unwrap().unwrap()
+        };
+        let chaos = follow("figure-14", 20_000);
+        assert!(chaos.shadow.is_some() && chaos.is_complete() && chaos.states.len() == 20_000);
+        let Exponent::Finite { per_impact, .. } = chaos.exponent else { panic!("an exponent: {:?}", chaos.exponent) };
+        assert!((per_impact.mid() - 0.399).abs() < 0.01 && per_impact.rad() < 1e-9, "{per_impact:?}");
+        for name in ["figure-12", "chatter", "cascade"] {
+            let point = follow(name, 300);
+            assert!(point.shadow.is_none() && point.is_complete(), "{name}");
+        }
+    }
+
     #[test]
     fn what_rests_grazes_or_ends_keeps_what_is_certified() {
         let chatter = point(&scene("chatter"), 5, 60);
         assert!(matches!(chatter.outcome, Outcome::Periodic(_)) && chatter.exponent == Exponent::Forgets);
         assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));
         assert_eq!(chatter.states.len(), 60);
-        let settings = Settings { arithmetic: crate::orbit::Arithmetic::Interval, ..Settings::default() };
+        let settings = Settings { arithmetic: Arithmetic::Interval, ..Settings::default() };
         let asked = Asked { transient: 20, impacts: 500, settings };
         let chaos = follow(&scene("figure-14"), &asked, || true).unwrap().unwrap();
         assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);

@@ -55,9 +55,10 @@ pub struct SweepArguments {
     /// any picture
     #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::arguments::digits())]
     pub digits: u32,
-    /// What computes: as in run
-    #[arg(long, default_value = "auto", value_name = crate::arguments::ARITHMETICS)]
-    pub arithmetic: Arithmetic,
+    /// What computes: as in run; in a shadow only those points whose exact orbits doubles do not certify [default: auto, with
+    /// --plot shadow]
+    #[arg(long, value_name = crate::arguments::ARITHMETICS)]
+    pub arithmetic: Option<Arithmetic>,
     /// Bits that auto takes at most; more than 100,000 chaotic impacts need, and no point takes minutes to stay undecided
     #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::arguments::bits())]
     pub max_bits: u32,

@@ -48,18 +48,21 @@ pub fn columns(head: &SweepHead) -> Vec<(String, Kind)> {
         ("period_cycles", Kind::Whole),
         ("attracted_from", Kind::Whole),
     ];
+    let claim = head.claim.map(|_| ("claim", Kind::Text));
     // A dot would be a path in Parquet.
     let keys = head.over.iter().map(|over| (over.key.replace('.', "_"), Kind::Exact));
-    let rest = rest.into_iter().map(|(name, kind)| (name.to_owned(), kind));
+    let rest = rest.into_iter().chain(claim).map(|(name, kind)| (name.to_owned(), kind));
     [("point".to_owned(), Kind::Whole)].into_iter().chain(keys).chain(rest).collect()
 }
 
-/// The rows of a point: its states, then what is said of it all, with the first impact of its attractor.
-pub fn rows(record: &SweepRecord) -> impl Iterator<Item = Vec<Cell<'_>>> {
-    record.states.iter().map(|state| row(record, Some(state))).chain([row(record, None)])
+/// The rows of a point, with claims if the head has one: its states, then what is said of it all, with the first impact of its
+/// attractor.
+pub fn rows(record: &SweepRecord, has_claims: bool) -> impl Iterator<Item = Vec<Cell<'_>>> {
+    let states = record.states.iter().map(move |state| row(record, Some(state), has_claims));
+    states.chain([row(record, None, has_claims)])
 }
 
-fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>) -> Vec<Cell<'r>> {
+fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, has_claims: bool) -> Vec<Cell<'r>> {
     let text = |text: &'r Option<String>| text.as_deref().map_or(Cell::Nothing, Cell::Text);
     let whole = |number: Option<u64>| number.map_or(Cell::Nothing, Cell::Whole);
     let bounds = |bounds: &'r Option<ExtendedBounds>| bounds.as_ref().map_or(Cell::Nothing, Cell::Bounds);
@@ -75,6 +78,7 @@ fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>) -> Vec<Cell<
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
     if state.is_some() {
         cells.extend([Cell::Nothing; 14]);
+        cells.extend(has_claims.then_some(Cell::Nothing));
         return cells;
     }
     cells.extend([
@@ -93,5 +97,6 @@ fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>) -> Vec<Cell<
         whole(period.map(|period| period.cycles)),
         whole(period.and_then(|period| period.from)),
     ]);
+    cells.extend(has_claims.then(|| Cell::Text(record.claim.unwrap_or_default().text())));
     cells
 }

@@ -18,7 +18,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::certificate::document::SweepHead;
-use impact_pair::orbit::Settings;
+use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::sweep::{self, Asked, Grid};
 use impact_pair_plot::sweep::Records;
 
@@ -66,7 +66,9 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let format = format(arguments)?;
     let scene: Scene = scene::read(path)?;
     let grid = Grid::new(arguments.over.clone())?;
-    let (digits, arithmetic, max_bits) = (arguments.digits, arguments.arithmetic, arguments.max_bits);
+    let usual = if arguments.plot.is_some() { Arithmetic::Shadow } else { Arithmetic::Auto };
+    let arithmetic = arguments.arithmetic.unwrap_or(usual);
+    let (digits, max_bits) = (arguments.digits, arguments.max_bits);
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let asked = Asked { transient: arguments.transient, impacts: arguments.impacts, settings };
     let head =

@@ -38,8 +38,9 @@ pub fn write(sweep: &mut Sweep, out: &mut Output) -> Result<()> {
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
     let empty: Vec<Kind> = columns(&sweep.head).into_iter().map(|(_, kind)| kind).collect();
     let mut group = Group::new(&empty);
+    let has_claims = sweep.head.claim.is_some();
     sweep.each_record(|record| {
-        for row in rows(&record) {
+        for row in rows(&record, has_claims) {
             group.push(&row)?;
             if group.rows == GROUP {
                 std::mem::replace(&mut group, Group::new(&empty)).write(writer.next_row_group()?)?;

@@ -50,8 +50,9 @@ impl Sweep {
         });
         writeln!(out, "{}", names.collect::<Vec<_>>().join(","))?;
         let kinds: Vec<Kind> = columns(&self.head).into_iter().map(|(_, kind)| kind).collect();
+        let has_claims = self.head.claim.is_some();
         self.each_record(|record| {
-            for row in rows(&record) {
+            for row in rows(&record, has_claims) {
                 let cells = row.iter().zip(&kinds).map(|(cell, kind)| match cell {
                     Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
                     Cell::Nothing => String::new(),

@@ -6,8 +6,8 @@ use serde_json::{Deserializer, Value};
 
 use super::attraction::Bounds;
 use crate::document::{
-    Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepHead, SweepImpact, SweepRecord,
-    Written,
+    ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepHead, SweepImpact,
+    SweepRecord, Written,
 };
 use impact_pair_exact::{Exact, ExactError};
 use impact_pair_model::{Error, ImpactPair, Start, Wall};
@@ -30,6 +30,8 @@ pub(super) struct ClaimedOrbit {
     pub states: Vec<ClaimedState>,
     /// Whether its values are those of the grid; `None` where that is not decided.
     pub is_of_grid: Option<bool>,
+    /// It is of an orbit that starts near.
+    pub is_shadowed: bool,
     /// Why it contradicts the head of the sweep, or itself.
     pub contradiction: Option<&'static str>,
 }
@@ -155,7 +157,8 @@ impl ClaimedOrbit {
         } else {
             None
         };
-        Ok(Self { pair, start, impacts: record.impacts, states, is_of_grid, contradiction })
+        let is_shadowed = record.claim == Some(ClaimName::Shadowed);
+        Ok(Self { pair, start, impacts: record.impacts, states, is_of_grid, is_shadowed, contradiction })
     }
 }
 

@@ -65,6 +65,9 @@ impl ClaimedOrbit {
             Some(false) => return Err(Doubt::False("its values are not those of the grid".into())),
             None => return Err(Doubt::Open("its values are not proved to be those of the grid".into())),
         }
+        if self.is_shadowed {
+            return Err(Doubt::Open("only orbits from their exact starts are checked in sweeps".into()));
+        }
         if !data.is_point() {
             return Err(Doubt::Open("only points whose data are numbers are checked".into()));
         }

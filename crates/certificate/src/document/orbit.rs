@@ -55,6 +55,16 @@ pub enum ClaimName {
     Shadowed,
 }
 
+impl ClaimName {
+    /// The word of the JSON.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::ExactStart => "exact start",
+            Self::Shadowed => "shadowed",
+        }
+    }
+}
+
 /// The last of the JSON Lines.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]

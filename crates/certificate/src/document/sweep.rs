@@ -3,7 +3,7 @@
 use impact_pair_model::Wall;
 use serde::{Deserialize, Serialize};
 
-use super::orbit::ArithmeticDocument;
+use super::orbit::{ArithmeticDocument, ClaimName};
 use super::scene::SceneDocument;
 
 /// The schema of a sweep.
@@ -37,6 +37,9 @@ pub struct SweepHead {
     pub digits: u32,
     /// Whether anything is claimed.
     pub certified: bool,
+    /// Where it says `shadowed`, the points that say so, too, are of orbits that start near the exact start.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub claim: Option<ClaimName>,
     /// What computes it.
     pub arithmetic: ArithmeticDocument,
     /// The points have no impacts.
@@ -76,6 +79,9 @@ pub struct SweepRecord {
     pub reason: Option<String>,
     /// One line in words.
     pub message: String,
+    /// Of which start its orbit is, where that is not the exact one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub claim: Option<ClaimName>,
     /// All that was asked is certified.
     pub complete: bool,
     /// The most bits that an impact took.

@@ -32,10 +32,10 @@ pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
         _ => format!("impacts {} to {last}", head.transient + 1),
     };
     let arithmetic = &head.arithmetic.kind;
-    let certified = if head.certified {
-        format!("certified ({arithmetic}, {} digits)", head.digits)
-    } else {
-        "floats, not certified".into()
+    let certified = match (head.certified, head.claim) {
+        (true, None) => format!("certified ({arithmetic}, {} digits)", head.digits),
+        (true, Some(_)) => format!("certified ({} digits; chaos: one true orbit near each start)", head.digits),
+        (false, _) => "floats, not certified".into(),
     };
     let made = format!("{} points, {impacts} of each, {certified}; {}", head.points, head.program);
     let lines = [(title, FONT + 3 * SCALE), (parameters(head), FONT), (made, FONT)];
