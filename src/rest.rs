@@ -9,7 +9,7 @@ use inari::{Interval, const_interval};
 use num_bigint::BigInt;
 
 use crate::exact::{Dyadic, Enclosure};
-use crate::number::interval::{between, enclosing};
+use crate::number::interval::{ONE, ZERO, between, enclosing, point};
 use crate::number::{Ball, Enclosing, Number, Wave};
 use crate::pair::{Reduced, Wall};
 
@@ -31,8 +31,6 @@ pub(crate) struct Pressed {
     turns: BigInt,
 }
 
-const ZERO: Interval = const_interval!(0.0, 0.0);
-const ONE: Interval = const_interval!(1.0, 1.0);
 const EIGHT: Interval = const_interval!(8.0, 8.0);
 
 /// A sum of no more bits than this is exact.
@@ -87,7 +85,7 @@ impl Pressed {
 
 /// The sine at so much of a turn, at most a quarter of it, to a few units in the last place of itself.
 fn sine(phase: f64) -> Interval {
-    let phase = between(phase, phase);
+    let phase = point(phase);
     // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`
     if phase.sup() < 2f64.powi(-20) {
         return phase.turn() * phase * (ONE - EIGHT * phase.sqr()).convex_hull(ONE);
@@ -124,7 +122,7 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
 /// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `pressure`
 /// for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
 pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64) -> Option<f64> {
-    let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(|x| between(x, x));
+    let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(point);
     if least.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
         return None;
     }

@@ -18,14 +18,27 @@ const RANGE: Interval = const_interval!(-1.0, 1.0);
 /// What a field of a departure is multiplied by to hold the truth: `1/(1 - x) <= 1 + 2 x` (Lemma K2).
 const RELATIVE: Interval = const_interval!(1.0 - 2.0 * DEPARTURE_ERROR, 1.0 + 2.0 * DEPARTURE_ERROR);
 
+pub(crate) const ZERO: Interval = const_interval!(0.0, 0.0);
+pub(crate) const ONE: Interval = const_interval!(1.0, 1.0);
+
 /// The interval between two doubles, exactly; all numbers where they are none.
 pub(crate) fn between(inf: f64, sup: f64) -> Interval {
     Interval::try_from((inf, sup)).unwrap_or(Interval::ENTIRE) // I1: nothing is known
 }
 
+/// One double.
+pub(crate) fn point(x: f64) -> Interval {
+    between(x, x)
+}
+
+/// All numbers of at most this size.
+pub(crate) fn within(size: f64) -> Interval {
+    between(-size, size)
+}
+
 /// All numbers within `error` of `x`.
 fn around(x: f64, error: f64) -> Interval {
-    between(x, x) + between(-error, error)
+    point(x) + within(error)
 }
 
 /// Sine and cosine at one phase of the kernel's domain (Lemma I1).
@@ -70,7 +83,7 @@ impl TryFrom<Interval> for Ball {
 
 impl Number for Interval {
     fn from_f64(x: f64) -> Self {
-        between(x, x)
+        point(x)
     }
     fn mul_add(self, b: Self, c: Self) -> Self {
         // The inherent one: rounded once at each end.
@@ -110,7 +123,7 @@ impl Wave for Interval {
         // I2: at least 0, where the kernel claims nothing
         let low = kernel::departure(if SHORT.contains(&inf) { inf } else { 0.0 });
         let high = kernel::departure(sup);
-        let hull = |low: f64, high: f64| RELATIVE * between(low, low).convex_hull(between(high, high));
+        let hull = |low: f64, high: f64| RELATIVE * point(low).convex_hull(point(high));
         Some(Departure {
             versine: hull(low.versine, high.versine),
             excess: hull(low.excess, high.excess),
@@ -121,7 +134,7 @@ impl Wave for Interval {
 
 impl Enclosing for Interval {
     fn centre(&self) -> Self {
-        between(self.mid(), self.mid())
+        point(self.mid())
     }
     fn spread(&self) -> Self {
         *self - self.centre()

@@ -2,6 +2,7 @@
 
 mod aside;
 mod attraction;
+mod begin;
 mod course;
 mod event;
 mod given;
@@ -19,6 +20,7 @@ mod set;
 mod shadowed;
 mod shortfall;
 mod textbook;
+mod units;
 mod watch;
 mod width;
 
@@ -30,26 +32,16 @@ pub use plan::Plan;
 pub use shadowed::Shadowing;
 pub use watch::Watch;
 
-use std::cmp::Ordering;
-
-use inari::Interval;
-
-use crate::Error;
-use crate::Scene;
 pub use crate::clock::Clock;
 use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
-use crate::exact::{Enclosure, Exact};
+use crate::exact::Exact;
 use crate::mapping::Mapping;
-use crate::number::interval::enclosing;
 use crate::number::{Ball, Number};
-use crate::pair::{ImpactPair, Reduced, Wall, too_large};
+use crate::pair::{Reduced, Wall};
 use crate::periodic::Passing;
-use crate::rest;
-use crate::switch_plane::{SwitchPoint, absolute};
 use crate::turns;
 use aside::Aside;
-use event::finite;
 use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
@@ -147,93 +139,6 @@ pub(super) struct Cursor {
 }
 
 impl Orbit {
-    /// The orbit of `pair` from `start`.
-    ///
-    /// # Errors
-    /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
-    /// asked for.
-    pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
-        let shown = match settings.arithmetic {
-            Arithmetic::Bits(bits) => bits,
-            // Of log2(10) bits a digit, and a few more.
-            _ => settings.digits.saturating_mul(10) / 3 + 64, // shown
-        };
-        let clock = Clock::new(pair, start.time(), shown)?;
-        let given = Given::new(pair, start, &clock)?;
-        let reduced = *given.shaken.pair();
-        let origin = given.origin_ball().map_err(|error| match error.key() {
-            Some("start.velocity") => too_large("start.velocity", start.velocity()),
-            _ => error,
-        })?;
-        let until = settings.until.as_ref().map(|time| until(&clock, start, time)).transpose()?;
-        let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
-        let is_point = pair.is_point() && start.is_point();
-        let (motion, arithmetic) = match settings.arithmetic {
-            Arithmetic::Shadow => {
-                let (motion, regular) = given.shaken.clone().shadow(&origin, settings.impacts);
-                match regular.is_some_and(|impacts| Self::is_regular(pair, start, &settings, impacts)) {
-                    true => (given.motion(Arithmetic::Interval)?, Arithmetic::Interval),
-                    false => (motion, Arithmetic::Shadow),
-                }
-            }
-            arithmetic => (given.motion(arithmetic)?, arithmetic),
-        };
-        let starts = motion.starts();
-        let near = starts.map(|starts| Near::new(&clock, start, origin.turns, starts, starts.1 == origin.velocity));
-        let (phase, velocity) = starts.unwrap_or((origin.phase, origin.velocity));
-        let (wall, turns) = (origin.wall(), origin.turns);
-        let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
-        let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
-        let patience = given.shaken.patience(widths[0].linear);
-        let engine = Engine {
-            given,
-            pair: reduced,
-            motion,
-            arithmetic,
-            is_point,
-            #[cfg(feature = "multiprecision")]
-            raise: None,
-            bits: 0,
-            haste: rest::haste(&reduced),
-            patience,
-        };
-        let mut orbit = Self {
-            clock,
-            asked: Asked { settings, until, widths, shown },
-            engine,
-            start: cursor,
-            cursor,
-            listed: 0,
-            first_wide: None,
-            aside: Aside { near, ..Aside::default() },
-            outcome: None,
-        };
-        orbit.look_ahead();
-        Ok(orbit)
-    }
-
-    /// The orbit of a scene; what is wrong with it is told with its line.
-    ///
-    /// # Errors
-    /// As [`Orbit::new`].
-    pub fn of(scene: &Scene, settings: Settings) -> Result<Self, Error> {
-        Self::new(scene.pair(), scene.start(), settings.clone()).map_err(|error| scene.located(error, &settings))
-    }
-
-    /// What there is to know of a new start.
-    fn look_ahead(&mut self) {
-        #[cfg(feature = "multiprecision")]
-        if self.engine.arithmetic == Arithmetic::Auto {
-            let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
-            let settings = Settings { impacts: left, ..self.asked.settings.clone() };
-            self.engine.raise =
-                Some(Raise::new(self.engine.given.clone(), self.start.turns, self.asked.until, &settings));
-        }
-        let is_float = self.asked.settings.arithmetic == Arithmetic::Float;
-        self.aside.still = self.engine.given.shaken.still(&self.engine.given.origin).filter(|_| !is_float);
-        self.aside.is_due |= self.aside.still.is_some();
-    }
-
     /// Turns phases into times and reduced velocities into velocities.
     pub fn clock(&self) -> &Clock {
         &self.clock
@@ -263,60 +168,6 @@ impl Orbit {
     /// The first impact whose enclosure is wider than the digits asked for, if one is.
     pub fn first_wide(&self) -> Option<u64> {
         self.first_wide
-    }
-
-    /// The bounds of an impact's time \[time\] and velocity \[length/time\].
-    pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
-        let (phase, velocity) = impact.enclosures();
-        (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
-    }
-
-    /// The same bounds as intervals of doubles, for whoever computes with such.
-    ///
-    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`].
-    ///
-    /// ```
-    /// use impact_pair::Scene;
-    /// use impact_pair::orbit::Orbit;
-    /// use impact_pair::inari::{Interval, const_interval};
-    /// let scene = Scene::parse(r#"
-    ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
-    ///     pair = { gap = 9.42497, restitution = 0.5 }
-    ///     start = { time = 0, wall = "left", velocity = -12.56636 }
-    /// "#)?;
-    /// let mut orbit = Orbit::of(&scene, scene.settings())?;
-    /// let mut before = const_interval!(0.0, 0.0);
-    /// while let Some(impact) = orbit.next() {
-    ///     let (time, velocity): (Interval, Interval) = orbit.intervals(&impact);
-    ///     let frequency = (time - before).recip();
-    ///     assert!(before.strict_precedes(time) && frequency.wid() < 1e-5 && !velocity.contains(0.0));
-    ///     before = time;
-    /// }
-    /// # Ok::<(), impact_pair::Error>(())
-    /// ```
-    pub fn intervals(&self, impact: &Impact) -> (Interval, Interval) {
-        let (time, velocity) = self.bounds(impact);
-        (enclosing(&time), enclosing(&velocity))
-    }
-
-    /// The impact as a point of its switch-plane. **Equations** (18)-(23)
-    pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
-        let shaking = self.shaking(impact.turns, impact.phase);
-        let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
-        let (time, relative_velocity) = impact.enclosures();
-        SwitchPoint {
-            wall: impact.wall,
-            time: self.clock.time_in_period(&time),
-            relative_velocity: self.clock.velocity(&relative_velocity),
-            displacement: self.clock.length(&finite(displacement)),
-            absolute_velocity: self.clock.velocity(&finite(velocity)),
-        }
-    }
-
-    /// `E/d` and `E'` in gaps a turn.
-    fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
-        let [shift, speed, _] = self.engine.given.shaken.displacement(turns, phase);
-        (shift, speed)
     }
 
     /// Goes on: to the next event, or in more precision over an impact that was listed before.
@@ -422,29 +273,6 @@ impl Orbit {
         self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
     }
 
-    /// When a rest begins \[time\].
-    pub fn rest_time(&self, rest: &Rest) -> Enclosure {
-        self.clock.time(rest.turns, &rest.phase)
-    }
-
-    /// When a wall may be grazed \[time\].
-    pub fn graze_time(&self, graze: &Graze) -> Enclosure {
-        self.exact_time(graze.turns, &graze.phase)
-    }
-
-    /// When a release happens \[time\], as exactly as it can be shown.
-    pub fn release_time(&self, release: &Release) -> Enclosure {
-        self.exact_time(release.turns, &release.phase)
-    }
-
-    /// The time of a phase, itself exact where that is.
-    fn exact_time(&self, turns: i64, phase: &Enclosure) -> Enclosure {
-        match phase.mid_rad() {
-            (exact, 0.0) => self.clock.time_of(turns, exact),
-            _ => self.clock.time(turns, phase),
-        }
-    }
-
     /// Whether an impact certainly comes after the time to stop at.
     fn is_past(&self, turns: i64, phase: Ball) -> bool {
         self.asked.until.is_some_and(|until| {
@@ -453,15 +281,6 @@ impl Orbit {
             ahead.mid() > ahead.rad()
         })
     }
-}
-
-/// When to stop: not before the start.
-fn until(clock: &Clock, start: &Start, time: &Exact) -> Result<Phase, Error> {
-    if time.compare(start.time()) == Some(Ordering::Less) {
-        let accepted = format!("must be at least start.time, {}", start.time());
-        return Err(Error::range("run.until", time, &accepted));
-    }
-    clock.phase_of("run.until", time)
 }
 
 impl Iterator for Orbit {

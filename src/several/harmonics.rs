@@ -1,8 +1,11 @@
 //! Several harmonics in any arithmetic: their phases at any turn, and what bounds the motion.
 
+use inari::Interval;
+
 use super::spectrum::{Spectrum, Term};
 use crate::Error;
 use crate::exact::{Enclosure, Exact};
+use crate::number::interval::between;
 use crate::number::kernel::Departure;
 use crate::number::{Ball, LARGEST_RATE, Wave, is_positive, up};
 #[cfg(feature = "multiprecision")]
@@ -21,6 +24,11 @@ pub(crate) trait Phased: Wave + std::fmt::Debug + Send {
     fn enclose(x: &Exact, bits: u32) -> Self;
     /// A lower and an upper bound.
     fn bounds(&self) -> (f64, f64);
+    /// The same as an interval.
+    fn interval(&self) -> Interval {
+        let (inf, sup) = self.bounds();
+        between(inf, sup)
+    }
     /// Whether it is exactly 0.
     fn is_zero(&self) -> bool {
         self.bounds() == (0.0, 0.0)

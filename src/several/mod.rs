@@ -25,3 +25,6 @@ pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};
 pub(crate) use spectrum::{Spectrum, phases_at};
+
+#[cfg(test)]
+mod tests;

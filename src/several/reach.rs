@@ -3,17 +3,20 @@
 use std::cmp::Ordering;
 use std::sync::OnceLock;
 
+use inari::Interval;
+
 use super::flight::SumFlight;
 use super::harmonics::{Harmonics, Phased, Sums};
-use crate::number::{Ball, up};
+use crate::number::interval::{ONE, between, within};
+use crate::number::{Ball, Enclosing, Number};
 
 /// Bounds of the sum of the harmonics, `E/d`, at all times.
 #[derive(Debug)]
 pub(crate) struct Band {
-    /// The sum of the amplitudes.
-    coarse: f64,
+    /// By the sum of the amplitudes.
+    coarse: Interval,
     /// Over a common period, to about [`TIGHT`], once it was needed.
-    tight: OnceLock<(f64, f64)>,
+    tight: OnceLock<Interval>,
     period: Option<u64>,
 }
 
@@ -28,31 +31,27 @@ const MOST_PARTS: usize = 1 << 18;
 impl Band {
     pub fn new(harmonics: &Harmonics<Ball>, period: Option<u64>) -> Self {
         let period = period.filter(|period| *period <= LONGEST_PERIOD);
-        Self { coarse: harmonics.rates.shift, tight: OnceLock::new(), period }
-    }
-
-    fn coarse(&self) -> (f64, f64) {
-        (-self.coarse, self.coarse)
+        Self { coarse: within(harmonics.rates.shift), tight: OnceLock::new(), period }
     }
 
     /// The extrema, where there is a common period.
-    fn tight(&self, harmonics: &Harmonics<Ball>) -> (f64, f64) {
+    pub(super) fn tight(&self, harmonics: &Harmonics<Ball>) -> Interval {
         *self.tight.get_or_init(|| match self.period {
-            None => self.coarse(),
-            Some(period) => (-greatest(harmonics, period, -1.0), greatest(harmonics, period, 1.0)),
+            None => self.coarse,
+            Some(period) => between(-greatest(harmonics, period, -1.0), greatest(harmonics, period, 1.0)),
         })
     }
 }
 
 /// An upper bound of `sign` times the sum of the harmonics over their common period: branch and prune.
 fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
+    let bend = within(0.5 * harmonics.rates.second);
     let see = |from: f64, width: f64| {
         let middle = from + 0.5 * width;
         let turns = middle.round(); // exact: below 4096
         let Sums { sine, cosine, .. } = harmonics.sums(turns as i64, &Ball::exact(middle - turns)); // exact: below 4096
-        let (low, high) = sine.signed_bounds(sign);
-        let half = 0.5 * width;
-        (low, up(high + up(half * up(cosine.mag() + up(0.5 * harmonics.rates.second * half)))))
+        let (here, step) = (Interval::from(sine).signed(sign), within(0.5 * width));
+        (here.inf(), (here + step * (Interval::from(cosine) + bend * step)).sup())
     };
     let width = 1.0 / PARTS as f64; // exact: a power of two
     // exact: below 2^15
@@ -73,14 +72,6 @@ fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
         }
     }
     bound
-}
-
-impl Ball {
-    /// Bounds of `sign` times it.
-    fn signed_bounds(self, sign: f64) -> (f64, f64) {
-        let (low, high) = Phased::bounds(&self);
-        if sign < 0.0 { (-high, -low) } else { (low, high) }
-    }
 }
 
 /// From when on a flight cannot come back to the wall it drifts away from, and until when it cannot reach the other.
@@ -104,49 +95,21 @@ impl<'b> Reach<'b> {
     pub fn jump<N: Phased>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.asked += 1;
         if self.asked == 1 || self.asked == PATIENCE {
-            let band = if self.asked == 1 { self.band.coarse() } else { self.band.tight(self.harmonics) };
-            self.window = window(flight.offset.bounds(), flight.drift.bounds(), band);
+            let band = if self.asked == 1 { self.band.coarse } else { self.band.tight(self.harmonics) };
+            self.window = window(flight.offset.interval() - band, flight.drift.interval());
         }
         self.window.and_then(|(from, until)| (now >= from && until > now).then_some(until))
     }
 }
 
-/// The window between leaving one wall for good and coming near the other: `z = offset + drift h - sum`, the sum in `band`.
-fn window((low, high): (f64, f64), drift: (f64, f64), (least, most): (f64, f64)) -> Option<(f64, f64)> {
-    let (behind, ahead, slowest, fastest) = match (drift.0.partial_cmp(&0.0), drift.1.partial_cmp(&0.0)) {
-        (Some(Ordering::Greater), _) => (most - low, (1.0 - high) + least, drift.0, drift.1),
-        (_, Some(Ordering::Less)) => ((high - least) - 1.0, low - most, -drift.1, -drift.0),
-        _ => return None,
+/// The window between leaving one wall for good and coming near the other: at `h` the height is in `held + drift h`.
+pub(super) fn window(held: Interval, drift: Interval) -> Option<(f64, f64)> {
+    let (room, speed) = match drift.certain_sign()? {
+        Ordering::Greater => (held, drift),
+        Ordering::Less => (ONE - held, -drift),
+        Ordering::Equal => return None,
     };
-    // Differences of numbers of the order of a gap and of the band.
-    let size = 8.0 * f64::EPSILON * (1.0 + low.abs() + high.abs() + least.abs() + most.abs());
-    let (from, until) = (up(up(behind + size) / slowest), ((ahead - size) / fastest) * (1.0 - 4.0 * f64::EPSILON));
+    let (from, until) = ((-room / speed).sup(), ((ONE - room) / speed).inf());
     // H6: not before the start; no NaN, as `until` is finite
     (until > 0.0 && until.is_finite()).then_some((from.max(0.0), until))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::several::Spectrum;
-    use crate::{Excitation, Harmonic, ImpactPair};
-
-    #[test]
-    fn the_band_holds_the_sum_and_is_tight() {
-        let value = |text: &str| text.parse().unwrap();
-        for (second, phase) in [("3*pi", "0"), ("3*pi", "1"), ("5*pi/7", "2"), ("41*pi/200", "-1")] {
-            let terms = [("0.3", "pi", "0.4"), ("0.2", second, phase)];
-            let terms = terms.map(|(a, w, tau)| Harmonic::new(value(a), value(w), value(tau)).unwrap());
-            let pair = ImpactPair::new(Excitation::new(terms.to_vec()).unwrap(), value("1"), value("1")).unwrap();
-            let spectrum = Spectrum::new(&pair, &0.into()).unwrap().unwrap();
-            let harmonics = Harmonics::<Ball>::new(&spectrum, 53);
-            let (low, high) = Band::new(&harmonics, spectrum.period).tight(&harmonics);
-            let points = 4000 * spectrum.period.unwrap();
-            let sum = |i: u64| harmonics.sums((i / 4000) as i64, &Ball::exact((i % 4000) as f64 / 4000.0)).sine.mid();
-            let (least, most) = (0..points).map(sum).fold((1.0f64, -1.0f64), |(a, b), x| (a.min(x), b.max(x)));
-            assert!(low <= least && most <= high, "{second}");
-            // Between points a 4000th of a turn apart the sum rises by (2 pi/8000)^2/2 of its amplitudes at most.
-            assert!(least - low < 4e-7 && high - most < 4e-7, "{second}: {low} {least} {most} {high}");
-        }
-    }
 }

@@ -6,12 +6,14 @@
 
 use std::sync::Arc;
 
+use inari::Interval;
+
 use super::flight::Instant;
-use super::harmonics::{Harmonics, Phased, magnitude};
+use super::harmonics::{Harmonics, Phased};
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
-use crate::number::interval::between;
-use crate::number::{Ball, UNIT, is_positive, up};
+use crate::number::interval::{between, point, within};
+use crate::number::{Ball, is_positive};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::Wall;
@@ -29,24 +31,21 @@ pub(crate) fn accumulation(
     velocity: Ball,
 ) -> Option<f64> {
     let (speed, rebound) = (velocity.mag(), restitution.mag());
-    let (least, most) = pressure(harmonics, wall, turns, &phase).bounds();
-    if !is_positive(least) {
+    let pressed = pressure(harmonics, wall, turns, &phase).interval();
+    if !is_positive(pressed.inf()) {
         return None;
     }
     // H7: exactly at rest
     if speed == 0.0 {
         return Some(0.0);
     }
-    // Twice what the pressure now would take.
-    let window = up(up(4.0 * speed) / (least * (1.0 - rebound)).next_down());
-    let rates = &harmonics.rates;
-    let jerk = magnitude(&harmonics.jerk(turns, &phase));
-    let change = up(rates.third.min(up(jerk + up(rates.fourth * window))) * window); // H7: the smaller of two bounds
-    let (least, most) = ((least - change).next_down(), up(most + change));
-    if !(is_positive(1.0 - rebound) && is_positive(least)) {
-        return None;
-    }
-    duration(speed, rebound, between(least, most), window)
+    // Twice what the pressure now would take. Any window will do that the sum fits into.
+    let window = 4.0 * speed / (pressed.inf() * (1.0 - rebound));
+    let (rates, ahead) = (&harmonics.rates, between(0.0, window));
+    let jerk = within(harmonics.jerk(turns, &phase).interval().mag());
+    // H7: the smaller of two bounds
+    let change = (jerk + within(rates.fourth) * ahead).intersection(within(rates.third)) * ahead;
+    duration(speed, rebound, pressed + change, window)
 }
 
 /// `-z''`, told from the wall.
@@ -64,8 +63,8 @@ pub(crate) struct Zero {
     near: f64,
     reach: f64,
     least: f64,
-    /// Bounds the change of that slope.
-    fourth: f64,
+    /// Holds the change of that slope a turn.
+    bend: Interval,
 }
 
 /// Steps of the search at most.
@@ -97,7 +96,7 @@ pub(crate) fn release(
 }
 
 /// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
-fn first_zero<N: Phased>(
+pub(super) fn first_zero<N: Phased>(
     spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<N>,
     wall: Wall,
@@ -105,43 +104,42 @@ fn first_zero<N: Phased>(
     phase: N,
 ) -> Option<Zero> {
     let fourth = harmonics.rates.fourth;
-    let slope = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).bounds();
-    let value = |at: &Instant<N>| pressure(harmonics, wall, turns + at.turns, &at.rest);
+    let bend = within(fourth);
+    let slope_at = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).interval();
+    let value_at = |at: &Instant<N>| pressure(harmonics, wall, turns + at.turns, &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
     // The pressure that begins here is growing for so long.
-    let (low, _) = slope(&at);
-    if value(&at).bounds().0 <= 0.0 && low > 0.0 {
+    let low = slope_at(&at).inf();
+    if value_at(&at).bounds().0 <= 0.0 && low > 0.0 {
         at = at.later(&at.rest.like(low / fourth));
     }
     for _ in 0..STEPS {
-        let ((p, _), (low, high)) = (value(&at).bounds(), slope(&at));
+        let (value, slope) = (value_at(&at).interval(), slope_at(&at));
+        let (p, low) = (value.inf(), slope.inf());
         if !is_positive(p) {
             return None;
         }
         let ahead = p / -low;
         // Falling all the way to a zero a little farther than Newton's step: it is the first.
-        if low < 0.0 && high + 2.0 * up(fourth * ahead) < 0.0 {
-            let zero = bracket(harmonics, &value, &slope, at.later(&at.rest.like(ahead)))?;
-            let (wall, from) = (wall, at.clone());
-            let (instant, reach, least) = zero;
-            let time = up(instant.since(&from) + reach);
+        if low < 0.0 && slope.sup() + 2.0 * fourth * ahead < 0.0 {
+            let (zero, reach, least) = bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead)))?;
+            let time = point(zero.since(&at)) + point(reach);
             // Lemma H8 looks ahead only.
-            if from.since(&instant) < reach && high + up(fourth * time) < 0.0 {
-                let near = instant.rest.bounds();
-                let middle = 0.5 * (near.0 + near.1);
-                let reach = up(reach + (near.1 - near.0) + UNIT * middle.abs());
-                let turns = turns::later(turns, instant.turns)?;
+            if at.since(&zero) < reach && (slope + bend * time).sup() < 0.0 {
+                let rest = zero.rest.interval();
+                let reach = (point(reach) + point(rest.wid())).sup();
+                let turns = turns::later(turns, zero.turns)?;
                 // Lemma H8: within `reach` of the rounded place, which is within as much of the zero.
-                let least = Some((least - up(2.0 * fourth * reach)).next_down()).filter(|least| is_positive(*least))?;
-                let spectrum = spectrum.clone();
-                return Some(Zero { spectrum, wall, turns, near: middle, reach, least, fourth });
+                let least = (point(least) + bend * point(2.0 * reach)).inf();
+                let zero = Zero { spectrum: spectrum.clone(), wall, turns, near: rest.mid(), reach, least, bend };
+                return is_positive(least).then_some(zero);
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;
         let next = at.later(&at.rest.like(step));
-        let time = next.since(&at);
-        let size = p + time * (low.abs() + time * fourth);
-        if !(is_positive(time) && is_positive(p + time * (low - 0.5 * fourth * time) - 16.0 * UNIT * size)) {
+        let time = point(next.since(&at));
+        let least = value + time * (slope + within(0.5 * fourth) * time);
+        if !(is_positive(time.inf()) && is_positive(least.inf())) {
             return None;
         }
         at = next;
@@ -149,26 +147,23 @@ fn first_zero<N: Phased>(
     None
 }
 
-/// A zero near a time: the time, within how much of it the zero lies, and the least slope there.
+/// A zero near a time: the time, within how much of it the zero lies, and the least slope there; slopes change by `bend` a turn.
 fn bracket<N: Phased>(
-    harmonics: &Harmonics<N>,
-    value: &impl Fn(&Instant<N>) -> N,
-    slope: &impl Fn(&Instant<N>) -> (f64, f64),
+    bend: Interval,
+    value_at: &impl Fn(&Instant<N>) -> N,
+    slope_at: &impl Fn(&Instant<N>) -> Interval,
     near: Instant<N>,
 ) -> Option<(Instant<N>, f64, f64)> {
     let mut at = near;
     let mut before = f64::INFINITY;
     for _ in 0..STEPS {
-        let p = value(&at);
-        let (low, high) = p.bounds();
-        let back = p.ratio_to(&at.rest.like(0.5 * (slope(&at).0 + slope(&at).1)))?;
-        let size = back.bounds().0.abs();
-        if (low <= 0.0 && high >= 0.0) || !is_positive(0.75 * before - size) {
-            let error = low.abs().max(high.abs()); // B2: the farther end
-            let steepness = -slope(&at).1;
-            let widest = up(2.0 * error / steepness);
-            let least = (steepness - up(harmonics.rates.fourth * widest)).next_down();
-            let reach = up(error / least);
+        let (p, slope) = (value_at(&at), slope_at(&at));
+        let back = p.ratio_to(&at.rest.like(slope.mid()))?;
+        let (value, size) = (p.interval(), back.bounds().0.abs());
+        if value.contains(0.0) || !is_positive(0.75 * before - size) {
+            let widest = 2.0 * value.mag() / -slope.sup();
+            let least = (-slope + bend * point(widest)).inf();
+            let reach = (point(value.mag()) / point(least)).sup();
             return (least > 0.0 && reach <= widest).then_some((at, reach, least));
         }
         (at, before) = (at.later(&-back), size);
@@ -226,14 +221,13 @@ impl Zero {
     /// The whole turns of `later`, told as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         let period = i64::try_from(self.spectrum.period?).ok()?;
-        let apart = later.near - self.near;
+        let apart = point(later.near) - point(self.near);
         // exact: -1, 0 or 1, as half a turn is told in two ways
-        let whole = apart.round();
+        let whole = apart.mid().round();
         let turns = later.turns + whole as i64; // N1: one turn more
-        let between = (apart - whole).abs() + UNIT;
-        let hull = up(between + self.reach + later.reach);
-        let is_one = self.least - up(2.0 * self.fourth * hull) > 0.0;
-        let overlap = between <= 2.0 * UNIT + self.reach + later.reach;
+        let (apart, reaches) = ((apart - point(whole)).abs(), point(self.reach) + point(later.reach));
+        let is_one = (point(self.least) + self.bend * (apart + reaches)).inf() > 0.0;
+        let overlap = apart.inf() <= reaches.sup();
         (self.wall == later.wall && (turns - self.turns) % period == 0 && overlap && is_one).then_some(turns)
     }
 }

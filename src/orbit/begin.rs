@@ -1,0 +1,113 @@
+//! Where an orbit begins, and again after each release.
+
+use std::cmp::Ordering;
+
+use super::aside::Aside;
+use super::given::Given;
+#[cfg(feature = "multiprecision")]
+use super::raise::Raise;
+use super::shadowed::Near;
+use super::width::Width;
+use super::{Arithmetic, Asked, Clock, Cursor, Engine, Orbit, Settings, Start};
+use crate::clock::Phase;
+use crate::exact::Exact;
+use crate::pair::{ImpactPair, too_large};
+use crate::{Error, Scene, rest};
+
+impl Orbit {
+    /// The orbit of `pair` from `start`.
+    ///
+    /// # Errors
+    /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
+    /// asked for.
+    pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
+        let shown = match settings.arithmetic {
+            Arithmetic::Bits(bits) => bits,
+            // Of log2(10) bits a digit, and a few more.
+            _ => settings.digits.saturating_mul(10) / 3 + 64, // shown
+        };
+        let clock = Clock::new(pair, start.time(), shown)?;
+        let given = Given::new(pair, start, &clock)?;
+        let reduced = *given.shaken.pair();
+        let origin = given.origin_ball().map_err(|error| match error.key() {
+            Some("start.velocity") => too_large("start.velocity", start.velocity()),
+            _ => error,
+        })?;
+        let until = settings.until.as_ref().map(|time| until(&clock, start, time)).transpose()?;
+        let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
+        let is_point = pair.is_point() && start.is_point();
+        let (motion, arithmetic) = match settings.arithmetic {
+            Arithmetic::Shadow => {
+                let (motion, regular) = given.shaken.clone().shadow(&origin, settings.impacts);
+                match regular.is_some_and(|impacts| Self::is_regular(pair, start, &settings, impacts)) {
+                    true => (given.motion(Arithmetic::Interval)?, Arithmetic::Interval),
+                    false => (motion, Arithmetic::Shadow),
+                }
+            }
+            arithmetic => (given.motion(arithmetic)?, arithmetic),
+        };
+        let starts = motion.starts();
+        let near = starts.map(|starts| Near::new(&clock, start, origin.turns, starts, starts.1 == origin.velocity));
+        let (phase, velocity) = starts.unwrap_or((origin.phase, origin.velocity));
+        let (wall, turns) = (origin.wall(), origin.turns);
+        let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
+        let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
+        let patience = given.shaken.patience(widths[0].linear);
+        let engine = Engine {
+            given,
+            pair: reduced,
+            motion,
+            arithmetic,
+            is_point,
+            #[cfg(feature = "multiprecision")]
+            raise: None,
+            bits: 0,
+            haste: rest::haste(&reduced),
+            patience,
+        };
+        let mut orbit = Self {
+            clock,
+            asked: Asked { settings, until, widths, shown },
+            engine,
+            start: cursor,
+            cursor,
+            listed: 0,
+            first_wide: None,
+            aside: Aside { near, ..Aside::default() },
+            outcome: None,
+        };
+        orbit.look_ahead();
+        Ok(orbit)
+    }
+
+    /// The orbit of a scene; what is wrong with it is told with its line.
+    ///
+    /// # Errors
+    /// As [`Orbit::new`].
+    pub fn of(scene: &Scene, settings: Settings) -> Result<Self, Error> {
+        Self::new(scene.pair(), scene.start(), settings.clone()).map_err(|error| scene.located(error, &settings))
+    }
+
+    /// What there is to know of a new start.
+    pub(super) fn look_ahead(&mut self) {
+        #[cfg(feature = "multiprecision")]
+        if self.engine.arithmetic == Arithmetic::Auto {
+            let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
+            let settings = Settings { impacts: left, ..self.asked.settings.clone() };
+            self.engine.raise =
+                Some(Raise::new(self.engine.given.clone(), self.start.turns, self.asked.until, &settings));
+        }
+        let is_float = self.asked.settings.arithmetic == Arithmetic::Float;
+        self.aside.still = self.engine.given.shaken.still(&self.engine.given.origin).filter(|_| !is_float);
+        self.aside.is_due |= self.aside.still.is_some();
+    }
+}
+
+/// When to stop: not before the start.
+fn until(clock: &Clock, start: &Start, time: &Exact) -> Result<Phase, Error> {
+    if time.compare(start.time()) == Some(Ordering::Less) {
+        let accepted = format!("must be at least start.time, {}", start.time());
+        return Err(Error::range("run.until", time, &accepted));
+    }
+    clock.phase_of("run.until", time)
+}

@@ -1,0 +1,89 @@
+//! What an orbit says of its events in the units of the scene.
+
+use inari::Interval;
+
+use super::event::finite;
+use super::{Graze, Impact, Orbit, Release, Rest};
+use crate::exact::Enclosure;
+use crate::number::Ball;
+use crate::number::interval::enclosing;
+use crate::switch_plane::{SwitchPoint, absolute};
+
+impl Orbit {
+    /// The bounds of an impact's time \[time\] and velocity \[length/time\].
+    pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
+        let (phase, velocity) = impact.enclosures();
+        (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
+    }
+
+    /// The same bounds as intervals of doubles, for whoever computes with such.
+    ///
+    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`].
+    ///
+    /// ```
+    /// use impact_pair::Scene;
+    /// use impact_pair::orbit::Orbit;
+    /// use impact_pair::inari::{Interval, const_interval};
+    /// let scene = Scene::parse(r#"
+    ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+    ///     pair = { gap = 9.42497, restitution = 0.5 }
+    ///     start = { time = 0, wall = "left", velocity = -12.56636 }
+    /// "#)?;
+    /// let mut orbit = Orbit::of(&scene, scene.settings())?;
+    /// let mut before = const_interval!(0.0, 0.0);
+    /// while let Some(impact) = orbit.next() {
+    ///     let (time, velocity): (Interval, Interval) = orbit.intervals(&impact);
+    ///     let frequency = (time - before).recip();
+    ///     assert!(before.strict_precedes(time) && frequency.wid() < 1e-5 && !velocity.contains(0.0));
+    ///     before = time;
+    /// }
+    /// # Ok::<(), impact_pair::Error>(())
+    /// ```
+    pub fn intervals(&self, impact: &Impact) -> (Interval, Interval) {
+        let (time, velocity) = self.bounds(impact);
+        (enclosing(&time), enclosing(&velocity))
+    }
+
+    /// The impact as a point of its switch-plane. **Equations** (18)-(23)
+    pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
+        let shaking = self.shaking(impact.turns, impact.phase);
+        let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
+        let (time, relative_velocity) = impact.enclosures();
+        SwitchPoint {
+            wall: impact.wall,
+            time: self.clock.time_in_period(&time),
+            relative_velocity: self.clock.velocity(&relative_velocity),
+            displacement: self.clock.length(&finite(displacement)),
+            absolute_velocity: self.clock.velocity(&finite(velocity)),
+        }
+    }
+
+    /// `E/d` and `E'` in gaps a turn.
+    pub(super) fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
+        let [shift, speed, _] = self.engine.given.shaken.displacement(turns, phase);
+        (shift, speed)
+    }
+
+    /// When a rest begins \[time\].
+    pub fn rest_time(&self, rest: &Rest) -> Enclosure {
+        self.clock.time(rest.turns, &rest.phase)
+    }
+
+    /// When a wall may be grazed \[time\].
+    pub fn graze_time(&self, graze: &Graze) -> Enclosure {
+        self.exact_time(graze.turns, &graze.phase)
+    }
+
+    /// When a release happens \[time\], as exactly as it can be shown.
+    pub fn release_time(&self, release: &Release) -> Enclosure {
+        self.exact_time(release.turns, &release.phase)
+    }
+
+    /// The time of a phase, itself exact where that is.
+    fn exact_time(&self, turns: i64, phase: &Enclosure) -> Enclosure {
+        match phase.mid_rad() {
+            (exact, 0.0) => self.clock.time_of(turns, exact),
+            _ => self.clock.time(turns, phase),
+        }
+    }
+}
