@@ -158,6 +158,12 @@ impl Clock {
         turns.sub(&whole, self.shown).mul(&self.period, self.shown)
     }
 
+    /// Encloses a time \[time\] given in turns.
+    #[cfg(feature = "multiprecision")]
+    pub(crate) fn duration(&self, turns: &Enclosure) -> Enclosure {
+        turns.mul(&self.period, self.shown)
+    }
+
     /// Encloses a length \[length\] given in gaps.
     pub fn length(&self, length: &Enclosure) -> Enclosure {
         length.mul(&self.gap, self.shown)

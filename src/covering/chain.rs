@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Ending;
-use super::node::{Landing, Link, Node};
+use super::node::{Axes, Landing, Link, Node};
 use super::proposal::{Point, farthest, length, plan};
 use super::start::Segment;
 use crate::contact::Undecided;
@@ -36,11 +36,26 @@ pub(crate) trait Covering: std::fmt::Debug + Send {
     fn expands(&self) -> bool;
 }
 
+/// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
+pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
+    /// The first axis of the chain's first link is the curve's.
+    fn axes(&self) -> Axes;
+
+    /// The phases and the velocities of the starts within `a`.
+    fn starts(&self, a: f64) -> (Ball, Ball);
+
+    /// Proves that all of the starts within `a` come to one wall, so many turns later, transversally.
+    fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
+
+    /// The start on a wall itself, and its phases under several harmonics where they are known exactly.
+    fn on_wall(&self) -> Option<((Wall, i64, Ball, Ball), &[Exact])>;
+}
+
 #[derive(Debug)]
-pub(crate) struct Chain<S: Flying> {
+pub(crate) struct Chain<S: Flying, B> {
     shaken: Arc<S>,
-    segment: Segment<S::Waves<Ball>>,
-    /// Half the length of the segment of starts.
+    beginning: B,
+    /// Half the length of the curve of starts.
     reach: f64,
     /// The first one has been handed out, but for a chain that has not begun.
     points: Vec<Point>,
@@ -52,14 +67,21 @@ pub(crate) struct Chain<S: Flying> {
     ending: Option<Ending>,
 }
 
-impl<S: Flying> Chain<S> {
+impl<S: Flying> Chain<S, Segment<S::Waves<Ball>>> {
     /// The chain from an origin, of as many nodes as are asked for; without end where none are told.
-    pub fn new(shaken: Arc<S>, origin: Origin<Ball>, nodes: Option<u64>) -> Self {
+    pub fn from_origin(shaken: Arc<S>, origin: Origin<Ball>, nodes: Option<u64>) -> Self {
         let segment = Segment::new(&*shaken, origin);
+        Self::new(shaken, segment, nodes)
+    }
+}
+
+impl<S: Flying, B: Beginning<S>> Chain<S, B> {
+    /// The same from any beginning.
+    pub fn new(shaken: Arc<S>, beginning: B, nodes: Option<u64>) -> Self {
         let left = nodes.and_then(|nodes| usize::try_from(nodes).ok()).unwrap_or(usize::MAX); // exact: more are not counted
         let mut chain = Self {
             shaken,
-            segment,
+            beginning,
             reach: 0.0,
             points: Vec::new(),
             is_begun: false,
@@ -70,8 +92,8 @@ impl<S: Flying> Chain<S> {
         match chain.first() {
             Ok(first) => chain.points.push(first),
             Err(undecided) => {
-                let phases = chain.segment.phases();
-                let is_rest = chain.segment.on_wall().is_some_and(|state| chain.comes_to_rest(state, phases));
+                let start = chain.beginning.on_wall();
+                let is_rest = start.is_some_and(|(state, phases)| chain.comes_to_rest(state, phases));
                 chain.ending = Some(if is_rest { Ending::Rest } else { Ending::Undecided(undecided) });
             }
         }
@@ -87,15 +109,21 @@ impl<S: Flying> Chain<S> {
     }
 
     /// The first impact of the given start itself.
-    fn first(&self) -> Result<Point, Undecided> {
-        let landing = self.segment.land(&*self.shaken, 0.0)?;
-        Ok(Point::at(&landing, self.segment.axes.scale, self.stretched(&landing)))
+    fn first(&mut self) -> Result<Point, Undecided> {
+        let landing = self.beginning.land(&self.shaken, 0.0)?;
+        Ok(Point::at(&landing, self.beginning.axes().scale, self.stretched(&landing)))
     }
 
-    /// The image of the segment's direction, scaled.
+    /// What the chain begins with.
+    #[cfg(feature = "multiprecision")]
+    pub fn beginning(&self) -> &B {
+        &self.beginning
+    }
+
+    /// The image of the curve's direction, scaled.
     fn stretched(&self, landing: &Landing) -> [f64; 2] {
         let [[a, b], [c, d]] = landing.jacobian.jacobian().map(|row| row.map(Ball::mid));
-        let ([x, y], scale) = (self.segment.axes.unstable, self.segment.axes.scale);
+        let Axes { unstable: [x, y], scale, .. } = self.beginning.axes();
         [a * x + b * scale * y, c / scale * x + d * y]
     }
 
@@ -132,13 +160,13 @@ impl<S: Flying> Chain<S> {
         Ok(())
     }
 
-    /// Proves the link from the segment of starts.
+    /// Proves the link from the curve of starts.
     fn begin(&mut self) -> Result<(), Option<Undecided>> {
-        let given = self.segment.land(&*self.shaken, 0.0)?;
+        let given = self.beginning.land(&self.shaken, 0.0)?;
         let reach = self.points[0].covering_side(length(self.stretched(&given)));
-        let landing = self.segment.land(&*self.shaken, reach)?;
+        let landing = self.beginning.land(&self.shaken, reach)?;
         let next = &mut self.points[0].node;
-        link([reach, 0.0], Link::new(&self.segment.axes, &landing, next), next).ok_or(None)?;
+        link([reach, 0.0], Link::new(&self.beginning.axes(), &landing, next), next).ok_or(None)?;
         self.reach = reach;
         Ok(())
     }
@@ -196,9 +224,9 @@ fn link(sides: [f64; 2], link: Option<Link>, next: &mut Node) -> Option<()> {
     link.covers(sides, next.sides).then_some(())
 }
 
-impl<S: Flying> Covering for Chain<S> {
+impl<S: Flying, B: Beginning<S>> Covering for Chain<S, B> {
     fn starts(&self) -> (Ball, Ball) {
-        self.segment.starts(self.reach)
+        self.beginning.starts(self.reach)
     }
 
     fn advance(&mut self) -> Vec<Node> {

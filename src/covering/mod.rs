@@ -8,7 +8,7 @@
 pub(crate) mod chain;
 pub(crate) mod node;
 mod proposal;
-mod start;
+pub(crate) mod start;
 #[cfg(test)]
 mod tests;
 
@@ -100,8 +100,8 @@ impl Shadow {
         let origin = either.origin(pair, start, &clock)?.map(ball)?;
         let turns = origin.turns;
         let mut chain: Box<dyn Covering> = match either {
-            Either::One(one) => Box::new(Chain::new(one, origin, None)),
-            Either::Several(several) => Box::new(Chain::new(several, origin, None)),
+            Either::One(one) => Box::new(Chain::from_origin(one, origin, None)),
+            Either::Several(several) => Box::new(Chain::from_origin(several, origin, None)),
         };
         let nodes = chain.advance().into_iter();
         Ok(Self { clock, turns, chain, nodes, listed: 0 })

@@ -1,5 +1,6 @@
 //! The segment of starts that a chain begins with: Lemma F3 of `docs/proofs.md`.
 
+use super::chain::Beginning;
 use super::node::{Axes, Landing};
 use crate::contact::{SetContact, Undecided};
 use crate::exact::Exact;
@@ -15,8 +16,8 @@ pub(crate) struct Segment<W> {
     origin: Origin<Ball>,
     /// At the start, where they are known better than by the phase.
     waves: Option<W>,
-    pub is_of_times: bool,
-    pub axes: Axes,
+    is_of_times: bool,
+    axes: Axes,
 }
 
 impl<W> Segment<W> {
@@ -29,28 +30,27 @@ impl<W> Segment<W> {
         let waves = shaken.waves(&origin.phases, &origin.phase, f64::MANTISSA_DIGITS).filter(|_| !is_of_times);
         Self { origin, waves, is_of_times, axes }
     }
+}
 
-    /// The phases and the velocities of the starts within `a`.
-    pub fn starts(&self, a: f64) -> (Ball, Ball) {
+impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
+    fn axes(&self) -> Axes {
+        self.axes
+    }
+
+    fn starts(&self, a: f64) -> (Ball, Ball) {
         let Origin { phase, velocity, .. } = self.origin;
         let apart = a * self.axes.scale;
         if self.is_of_times { (phase.widened(a), velocity) } else { (phase, velocity.widened(apart)) }
     }
 
-    /// The start as it is given, on a wall.
-    pub fn on_wall(&self) -> Option<(Wall, i64, Ball, Ball)> {
+    fn on_wall(&self) -> Option<((Wall, i64, Ball, Ball), &[Exact])> {
         let Origin { turns, phase, velocity, .. } = self.origin;
-        self.origin.wall().map(|wall| (wall, turns, phase, velocity))
+        self.origin.wall().map(|wall| ((wall, turns, phase, velocity), &*self.origin.phases))
     }
 
-    /// The exact phases of several harmonics at the start.
-    pub fn phases(&self) -> &[Exact] {
-        &self.origin.phases
-    }
-
-    /// Proves that all flights from the starts within `a` land on one wall, so many turns later, transversally.
-    pub fn land<S: Flying<Waves<Ball> = W>>(&self, shaken: &S, a: f64) -> Result<Landing, Undecided> {
+    fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided> {
         let turns = self.origin.turns;
+        let starts = |a| Beginning::<S>::starts(self, a);
         let first = |(phase, velocity)| {
             let launch = match &self.origin.place {
                 Location::Wall(wall) => {
@@ -60,14 +60,14 @@ impl<W> Segment<W> {
             };
             shaken.first_contact(launch, self.waves.as_ref())
         };
-        let (all, swings) = first(self.starts(a))?;
-        let (given, _) = first(self.starts(0.0))?;
+        let (all, swings) = first(starts(a))?;
+        let (given, _) = first(starts(0.0))?;
         // F3: inside the gap the velocity is that of the flight, as after an impact with e = -1.
         let restitution = match self.origin.place {
             Location::Wall(_) => shaken.pair().restitution,
             Location::Inside(_) => Ball::from_f64(-1.0),
         };
-        let velocities = [self.starts(a).1, all.velocity];
+        let velocities = [starts(a).1, all.velocity];
         let jacobian = Sheared::between(restitution, all.time, swings, velocities).ok_or(Undecided::width(&all))?;
         let image = SetContact { phase: given.phase, velocity: given.velocity, slope: Ball::exact(0.0), all: given };
         Landing::new(turns, &image, jacobian)

@@ -70,7 +70,7 @@ proptest! {
 fn the_document_has_the_words_of_the_schema_in_their_order() {
     let (document, _) = document(&scene("1", "wall = \"left\", velocity = -12.56636"), Arithmetic::Auto);
     let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>().join(" ");
-    assert_eq!(keys(&document), "schema program scene certified arithmetic outcome events");
+    assert_eq!(keys(&document), "schema program scene certified claim arithmetic outcome events");
     assert_eq!(keys(&document["events"][0]), "event index mapping wall time velocity");
     assert_eq!(document["schema"], "impact-pair/orbit/1");
     assert_eq!(document["outcome"], json!({"kind": "impacts-reached", "message": "100 impacts", "impacts": 100}));

@@ -4,14 +4,19 @@ use std::cmp::Ordering;
 
 use super::aside::Aside;
 use super::given::Given;
+use super::motion::Motion;
 #[cfg(feature = "multiprecision")]
 use super::raise::Raise;
 use super::shadowed::Near;
+#[cfg(feature = "multiprecision")]
+use super::splice::Splice;
 use super::width::Width;
 use super::{Arithmetic, Asked, Clock, Cursor, Engine, Orbit, Settings, Start};
 use crate::clock::Phase;
 use crate::exact::Exact;
+use crate::number::Ball;
 use crate::pair::{ImpactPair, too_large};
+use crate::shaken::Origin;
 use crate::{Error, Scene, rest};
 
 impl Orbit {
@@ -36,19 +41,16 @@ impl Orbit {
         let until = settings.until.as_ref().map(|time| until(&clock, start, time)).transpose()?;
         let speed = if reduced.beta.mid() > 0.0 { reduced.beta.mid() - reduced.beta.rad() } else { 1.0 };
         let is_point = pair.is_point() && start.is_point();
-        let (motion, arithmetic) = match settings.arithmetic {
-            Arithmetic::Shadow => {
-                let (motion, regular) = given.shaken.clone().shadow(&origin, settings.impacts);
-                match regular.is_some_and(|impacts| Self::is_regular(pair, start, &settings, impacts)) {
-                    true => (given.motion(Arithmetic::Interval)?, Arithmetic::Interval),
-                    false => (motion, Arithmetic::Shadow),
-                }
-            }
-            arithmetic => (given.motion(arithmetic)?, arithmetic),
+        let motion = match settings.arithmetic {
+            Arithmetic::Shadow => shadowed(&given, &origin, (pair, start, &clock), &settings)?,
+            arithmetic => given.motion(arithmetic)?,
         };
-        let starts = motion.starts();
-        let near = starts.map(|starts| Near::new(&clock, start, origin.turns, starts, starts.1 == origin.velocity));
-        let (phase, velocity) = starts.unwrap_or((origin.phase, origin.velocity));
+        let near = Near::new(&clock, start, &origin, &*motion);
+        let arithmetic = match settings.arithmetic {
+            Arithmetic::Shadow if near.is_none() => Arithmetic::Interval,
+            arithmetic => arithmetic,
+        };
+        let (phase, velocity) = motion.starts().unwrap_or((origin.phase, origin.velocity));
         let (wall, turns) = (origin.wall(), origin.turns);
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
@@ -100,6 +102,39 @@ impl Orbit {
         let is_float = self.asked.settings.arithmetic == Arithmetic::Float;
         self.aside.still = self.engine.given.shaken.still(&self.engine.given.origin).filter(|_| !is_float);
         self.aside.is_due |= self.aside.still.is_some();
+    }
+}
+
+/// The motion of an orbit near the given one; from the exact start where nothing expands, or no chain begins.
+fn shadowed(
+    given: &Given,
+    origin: &Origin<Ball>,
+    (pair, start, clock): (&ImpactPair, &Start, &Clock),
+    settings: &Settings,
+) -> Result<Box<dyn Motion>, Error> {
+    let shaken = || given.shaken.clone();
+    let Some((motion, regular)) = shaken().shadow(origin, settings.impacts) else {
+        return given.motion(Arithmetic::Interval);
+    };
+    if regular.is_some_and(|impacts| Orbit::is_regular(pair, start, settings, impacts)) {
+        return given.motion(Arithmetic::Interval);
+    }
+    // Of fewer impacts all are proved by precision but the last one.
+    let spliced = settings.impacts.map_or(settings.splice, |impacts| impacts.min(settings.splice)); // exact: as many as are asked for
+    if spliced == 0 {
+        return Ok(motion);
+    }
+    #[cfg(feature = "multiprecision")]
+    {
+        let reduced = *given.shaken.pair();
+        let splice = Splice::new((pair, start, clock), (&reduced, origin.clone()), spliced, settings.max_bits)?;
+        let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
+        shaken().spliced(origin, splice, left).ok_or_else(|| Splice::refused(spliced))
+    }
+    #[cfg(not(feature = "multiprecision"))]
+    {
+        let _ = clock;
+        Err(Error::out_of_range(Some("splice"), format!("splice is {spliced}, but this build has no multiprecision")))
     }
 }
 

@@ -9,6 +9,8 @@ use super::plan::Plan;
 #[cfg(feature = "multiprecision")]
 use super::precise::PreciseMotion;
 use super::shadowed::ShadowMotion;
+#[cfg(feature = "multiprecision")]
+use super::splice::Splice;
 use super::textbook::TextbookMotion;
 use super::{Arithmetic, Start};
 use crate::Error;
@@ -34,8 +36,12 @@ pub(super) trait Motions: Shaken {
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
     /// In doubles, certified.
     fn interval(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
-    /// Near the given one, for as many impacts as are told; and after how many it does not expand, if it does not.
-    fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> (Box<dyn Motion>, Option<u64>);
+    /// Near the given one, for as many impacts as are told, and after how many it does not expand, if it does not; `None` where no
+    /// chain begins.
+    fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
+    /// The same after what is proved by precision.
+    #[cfg(feature = "multiprecision")]
+    fn spliced(self: Arc<Self>, origin: &Origin<Ball>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
     /// In as many bits as planned.
     #[cfg(feature = "multiprecision")]
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion>;
@@ -50,8 +56,13 @@ impl<S: Flying> Motions for S {
         Box::new(IntervalMotion::new(self, origin))
     }
 
-    fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> (Box<dyn Motion>, Option<u64>) {
+    fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
         ShadowMotion::from(self, origin, impacts)
+    }
+
+    #[cfg(feature = "multiprecision")]
+    fn spliced(self: Arc<Self>, origin: &Origin<Ball>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
+        ShadowMotion::spliced(self, origin, splice, left)
     }
 
     #[cfg(feature = "multiprecision")]

@@ -19,6 +19,8 @@ mod recurrence;
 mod set;
 mod shadowed;
 mod shortfall;
+#[cfg(feature = "multiprecision")]
+mod splice;
 mod textbook;
 mod units;
 mod watch;
@@ -46,7 +48,6 @@ use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
 use raise::Raise;
-use shadowed::Near;
 use width::Width;
 
 /// Bits beyond those of the digits asked for that `auto` spends on a decision: what they do not tell is a graze, or `Undecided`.

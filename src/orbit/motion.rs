@@ -28,6 +28,11 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
+    /// The times and the velocities of these starts more narrowly than in doubles, in the units of the scene, if they are known so.
+    fn start_bounds(&self) -> Option<(Enclosure, Enclosure)> {
+        None
+    }
+
     /// The bits that the first impact is computed with.
     fn bits(&self) -> u32 {
         f64::MANTISSA_DIGITS

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{Cursor, Impact, Orbit, Rest};
 use crate::exact::Enclosure;
-use crate::mapping::jacobian_between;
+use crate::mapping::Sheared;
 use crate::number::{Ball, Enclosing};
 use crate::turns::in_radians;
 
@@ -32,9 +32,26 @@ impl Orbit {
     ///
     /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later one may be a graze.
     pub fn jacobian(&self, from: &Impact, to: &Impact) -> Option<[[Ball; 2]; 2]> {
+        self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
+    }
+
+    /// The same in two parts, from an impact or from the start.
+    #[cfg(feature = "multiprecision")]
+    pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
+        if let Some(from) = from {
+            return self.passage(self.engine.pair.restitution, from, to);
+        }
+        let Cursor { index, wall, turns, phase, velocity, .. } = self.start;
+        // F3: inside the gap the velocity is that of the flight, as after an impact with e = -1.
+        let restitution = if wall.is_some() { self.engine.pair.restitution } else { Ball::exact(-1.0) };
+        let start = Impact { index, mapping: None, wall: to.wall, turns, phase, velocity, precise: None };
+        self.passage(restitution, &start, to)
+    }
+
+    /// What (A.7) says of a flight between two states.
+    fn passage(&self, restitution: Ball, from: &Impact, to: &Impact) -> Option<Sheared<Ball>> {
         let swings = [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
-        let time = self.turns_between(from, to);
-        jacobian_between(self.engine.pair.restitution, time, swings, [from.velocity, to.velocity])
+        Sheared::between(restitution, self.turns_between(from, to), swings, [from.velocity, to.velocity])
     }
 
     /// The start as impact number 0, when it is on a wall; for an orbit that has not been advanced.

@@ -12,14 +12,17 @@ use super::event::finite;
 #[cfg(feature = "multiprecision")]
 use super::motion::Passed;
 use super::motion::{IntervalMotion, Motion};
-use super::{Arithmetic, Orbit, Outcome, Settings, Start};
+#[cfg(feature = "multiprecision")]
+use super::splice::Splice;
+use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
 use crate::clock::Clock;
 use crate::contact::{Contact, Undecided};
-use crate::covering::chain::{AHEAD, Chain, Covering};
+use crate::covering::chain::{AHEAD, Beginning, Chain, Covering};
 use crate::covering::node::Node;
+use crate::covering::start::Segment;
 use crate::exact::Enclosure;
 use crate::number::Ball;
-use crate::pair::ImpactPair;
+use crate::pair::{ImpactPair, Wall};
 use crate::shaken::{Flying, Location, Origin};
 
 /// Bits that show what the start has in common with the given one.
@@ -27,9 +30,13 @@ const START_BITS: u32 = 160;
 
 /// One impact after another of a shadowed orbit.
 #[derive(Debug)]
-pub(super) struct ShadowMotion<S: Flying> {
+pub(super) struct ShadowMotion<S: Flying, B> {
     shaken: Arc<S>,
-    chain: Chain<S>,
+    /// The impacts before the first node, where they are proved by precision, and the bounds of the last one handed out.
+    before: IntoIter<Impact>,
+    precise: Option<Box<(Enclosure, Enclosure)>>,
+    start_bounds: Option<(Enclosure, Enclosure)>,
+    chain: Chain<S, B>,
     nodes: IntoIter<Node>,
     /// The last node handed out; its turns and phase, or those of the start.
     last: Option<Node>,
@@ -77,25 +84,71 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// The starts at these phases and velocities, of which one or the other is that of the given start.
-    pub fn new(clock: &Clock, start: &Start, turns: i64, (phase, velocity): (Ball, Ball), is_of_times: bool) -> Self {
-        let (time, velocity) = match is_of_times {
-            true => (clock.time(turns, &finite(phase)), start.velocity().enclose(START_BITS)),
+    /// The starts of a motion near the one from `start`; either their time or their velocity is that of the given start.
+    pub fn new(clock: &Clock, start: &Start, origin: &Origin<Ball>, motion: &dyn Motion) -> Option<Self> {
+        let (phase, velocity) = motion.starts()?;
+        let in_doubles = || match velocity == origin.velocity {
+            true => (clock.time(origin.turns, &finite(phase)), start.velocity().enclose(START_BITS)),
             false => (start.time().enclose(START_BITS), clock.velocity(&finite(velocity))),
         };
-        Self { time, velocity, nearness: Nearness::default() }
+        let (time, velocity) = motion.start_bounds().unwrap_or_else(in_doubles);
+        Some(Self { time, velocity, nearness: Nearness::default() })
     }
 }
 
-impl<S: Flying> ShadowMotion<S> {
+impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
     /// The motion from an origin, for as many impacts as are told, and how many impacts of it show that nothing expands any more, if
-    /// they do.
-    pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> (Box<dyn Motion>, Option<u64>) {
-        let mut chain = Chain::new(shaken.clone(), origin.clone(), impacts);
+    /// they do; `None` where no chain begins.
+    pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
+        let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
         let nodes = chain.advance();
         let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64);
-        let at = (origin.turns, origin.phase);
-        (Box::new(Self { shaken, chain, nodes: nodes.into_iter(), last: None, at, set: None }), regular)
+        Some((Box::new(Self::of(shaken, origin, chain, nodes)?), regular))
+    }
+}
+
+#[cfg(feature = "multiprecision")]
+impl<S: Flying> ShadowMotion<S, Splice> {
+    /// The same after impacts that are proved by precision.
+    pub fn spliced(
+        shaken: Arc<S>,
+        origin: &Origin<Ball>,
+        splice: Splice,
+        left: Option<u64>,
+    ) -> Option<Box<dyn Motion>> {
+        let mut chain = Chain::new(shaken.clone(), splice, left);
+        let nodes = chain.advance();
+        let (before, near) = chain.beginning().proved()?;
+        let (before, start_bounds) = (before.to_vec().into_iter(), Some(near.clone()));
+        Some(Box::new(Self { before, start_bounds, ..Self::of(shaken, origin, chain, nodes)? }))
+    }
+}
+
+impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
+    /// The motion along a chain that has begun; `None` where it has not.
+    fn of(shaken: Arc<S>, origin: &Origin<Ball>, chain: Chain<S, B>, nodes: Vec<Node>) -> Option<Self> {
+        let (at, is_begun) = ((origin.turns, origin.phase), !nodes.is_empty());
+        let (before, nodes) = (Vec::new().into_iter(), nodes.into_iter());
+        is_begun.then_some(Self {
+            shaken,
+            before,
+            precise: None,
+            start_bounds: None,
+            chain,
+            nodes,
+            last: None,
+            at,
+            set: None,
+        })
+    }
+
+    /// Goes on to a state: what leads there from the last one.
+    #[inline(always)]
+    fn passed(&mut self, wall: Wall, turns: i64, phase: Ball, velocity: Ball) -> Contact<Ball> {
+        let passed = (turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 turns
+        let time = Ball::exact(passed) + (phase - self.at.1);
+        self.at = (turns, phase);
+        Contact { wall, turns: passed, phase, time, velocity }
     }
 
     /// The set of the last node's box. Lemma F5
@@ -109,11 +162,16 @@ impl<S: Flying> ShadowMotion<S> {
     }
 }
 
-impl<S: Flying> Motion for ShadowMotion<S> {
+impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided> {
         if let Some(set) = &mut self.set {
             return set.next_contact();
         }
+        if let Some(Impact { wall, turns, phase, velocity, precise, .. }) = self.before.next() {
+            self.precise = precise;
+            return Ok(self.passed(wall, turns, phase, velocity));
+        }
+        self.precise = None;
         if self.nodes.as_slice().is_empty() {
             self.nodes = self.chain.advance().into_iter();
         }
@@ -121,15 +179,20 @@ impl<S: Flying> Motion for ShadowMotion<S> {
             self.set = self.hand_over();
             return self.set.as_mut().ok_or(Undecided::endless())?.next_contact();
         };
-        let (phase, velocity) = (node.phases(), node.velocities());
-        let turns = (node.turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 turns
-        let time = Ball::exact(turns) + (phase - self.at.1);
-        (self.last, self.at) = (Some(node), (node.turns, phase));
-        Ok(Contact { wall: node.wall, turns, phase, time, velocity })
+        self.last = Some(node);
+        Ok(self.passed(node.wall, node.turns, node.phases(), node.velocities()))
     }
 
     fn starts(&self) -> Option<(Ball, Ball)> {
         Some(self.chain.starts())
+    }
+
+    fn start_bounds(&self) -> Option<(Enclosure, Enclosure)> {
+        self.start_bounds.clone()
+    }
+
+    fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
+        self.precise.as_deref().cloned()
     }
 
     #[cfg(feature = "multiprecision")]
