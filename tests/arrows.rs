@@ -30,6 +30,7 @@ const ROOMS: [(&str, &[&str]); 22] = [
             "pair",
             "clock",
             "mapping",
+            "covering",
             "switch_plane",
             "flight",
             "rest",

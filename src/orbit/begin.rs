@@ -50,7 +50,7 @@ impl Orbit {
             Arithmetic::Shadow if near.is_none() => Arithmetic::Interval,
             arithmetic => arithmetic,
         };
-        let (phase, velocity) = motion.starts().unwrap_or((origin.phase, origin.velocity));
+        let (phase, velocity) = motion.starts().unwrap_or((origin.phase, origin.velocity)); // F2: where it is no other
         let (wall, turns) = (origin.wall(), origin.turns);
         let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];

@@ -102,7 +102,7 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
     pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
         let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
         let nodes = chain.advance();
-        let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64);
+        let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64); // proposes: what to claim
         Some((Box::new(Self::of(shaken, origin, chain, nodes)?), regular))
     }
 }
@@ -220,15 +220,15 @@ const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - FRACTION;
 
 impl Default for Nearness {
     fn default() -> Self {
-        Self { counts: vec![0; (f64::INFINITY.to_bits() >> SHIFT) as usize + 1], impacts: 0, most: 0.0 }
+        Self { counts: vec![0; (f64::INFINITY.to_bits() >> SHIFT) as usize + 1], impacts: 0, most: 0.0 } // exact: below 2^16
     }
 }
 
 impl Nearness {
     pub fn keep(&mut self, radius: f64) {
-        self.counts[(radius.to_bits() >> SHIFT) as usize] += 1; // N: radii are not negative
+        self.counts[(radius.to_bits() >> SHIFT) as usize] += 1; // exact: radii are not negative
         self.impacts += 1;
-        self.most = self.most.max(radius);
+        self.most = self.most.max(radius); // exact: one of the two
     }
 
     /// The median and the greatest, rounded up; `None` without impacts.
@@ -238,7 +238,7 @@ impl Nearness {
             left = left.saturating_sub(*count); // exact: what is left of it
             left == 0
         })?;
-        let median = f64::from_bits((size as u64 + 1) << SHIFT); // N: the size above this one
+        let median = f64::from_bits((size as u64 + 1) << SHIFT); // exact: the size above this one
         (self.impacts > 0).then_some([median.min(self.most), self.most]) // exact: no impact is farther
     }
 }

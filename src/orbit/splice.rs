@@ -148,6 +148,7 @@ fn fly(orbit: &mut Orbit, count: u64, is_of_times: bool) -> Option<Flown> {
     let jacobian = Sheared { time, slope, velocity };
     let Impact { wall, turns, phase, velocity, .. } = *impacts.last()?;
     let landing = Landing { wall, turns, phase, velocity, slope: Ball::exact(0.0), jacobian };
+    // exact: a length
     (impacts.len() as u64 == count).then_some(Flown { impacts, landing, exponent: column.exponent })
 }
 
@@ -213,6 +214,7 @@ impl<S: Flying> Beginning<S> for Splice {
     fn land(&mut self, _: &S, a: f64) -> Result<Landing, Undecided> {
         let given = self.given.landing;
         if a == 0.0 {
+            // F6: the image of the given start itself
             return Ok(given);
         }
         let flown = self.starts_within(a).and_then(|(start, near)| Some((self.fly_from(&start)?, near)));

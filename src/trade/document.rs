@@ -66,6 +66,7 @@ fn asked(rung: Rung) -> RungAsked {
         Rung::Float => ("float".to_owned(), None),
         Rung::Interval => ("interval".to_owned(), None),
         Rung::Inari => ("inari".to_owned(), None),
+        Rung::Shadow => ("shadow".to_owned(), None),
         Rung::Bits(bits) => (bits.to_string(), None),
         Rung::Auto(digits) => ("auto".to_owned(), Some(digits)),
     };

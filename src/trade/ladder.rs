@@ -18,6 +18,8 @@ pub enum Rung {
     Interval,
     /// The textbook's method.
     Inari,
+    /// Of one true orbit near the given one.
+    Shadow,
     /// Certified in so many bits.
     Bits(u32),
     /// Certified to so many digits.
@@ -32,6 +34,7 @@ impl Rung {
             Self::Float => settings(Arithmetic::Float),
             Self::Interval => settings(Arithmetic::Interval),
             Self::Inari => settings(Arithmetic::Inari),
+            Self::Shadow => settings(Arithmetic::Shadow),
             Self::Bits(bits) => settings(Arithmetic::Bits(bits)),
             Self::Auto(digits) => Settings { digits, ..settings(Arithmetic::Auto) },
         }
@@ -44,6 +47,7 @@ impl fmt::Display for Rung {
             Self::Float => "float".to_owned(),
             Self::Interval => "interval".to_owned(),
             Self::Inari => "inari".to_owned(),
+            Self::Shadow => "shadow".to_owned(),
             Self::Bits(bits) => format!("{bits} bits"),
             Self::Auto(digits) => format!("auto, {digits} digits"),
         })
@@ -78,14 +82,15 @@ impl Ladder {
         self.next = match self.next {
             Some(Rung::Float) => Some(Rung::Interval),
             Some(Rung::Interval) if self.textbook => Some(Rung::Inari),
-            Some(Rung::Interval | Rung::Inari) if cfg!(feature = "multiprecision") => Some(Rung::Bits(*BITS.start())),
+            Some(Rung::Interval | Rung::Inari) => Some(Rung::Shadow),
+            Some(Rung::Shadow) if cfg!(feature = "multiprecision") => Some(Rung::Bits(*BITS.start())),
             Some(Rung::Bits(bits)) => {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);
                 let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
                 double.filter(|_| self.idle < PATIENCE).map(Rung::Bits).or(auto)
             }
-            Some(Rung::Interval | Rung::Inari) => auto,
+            Some(Rung::Shadow) => auto,
             Some(Rung::Auto(digits)) => DIGITS.into_iter().find(|&more| more > digits).map(Rung::Auto),
             None => None,
         };
@@ -112,23 +117,24 @@ mod tests {
     #[test]
     fn bits_double_until_all_impacts_are_reached() {
         let names = rungs(1_000_000, |bits| u64::from(bits / 4).min(100));
-        assert_eq!(names[..3], ["float", "interval", "inari"]);
-        assert_eq!(names[3..7], ["64 bits", "128 bits", "256 bits", "512 bits"]);
-        assert_eq!(names[7..10], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
-        assert_eq!(names[10..], ["auto, 30 digits", "auto, 100 digits"]);
+        assert_eq!(names[..4], ["float", "interval", "inari", "shadow"]);
+        assert_eq!(names[4..8], ["64 bits", "128 bits", "256 bits", "512 bits"]);
+        assert_eq!(names[8..11], ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits"]);
+        assert_eq!(names[11..], ["auto, 30 digits", "auto, 100 digits"]);
     }
 
     #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_that_bring_nothing_twice_are_the_last() {
-        assert_eq!(rungs(1_000_000, |_| 20)[3..7], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(1_000_000, |_| 0)[3..6], ["64 bits", "128 bits", "auto, 3 digits"]);
-        assert_eq!(rungs(200, |_| 20)[3..6], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(1_000_000, |_| 20)[4..8], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(1_000_000, |_| 0)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
+        assert_eq!(rungs(200, |_| 20)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
     }
 
     #[cfg(not(feature = "multiprecision"))]
     #[test]
     fn doubles_have_no_rungs_of_bits() {
-        assert_eq!(rungs(1_000_000, |_| 0)[..4], ["float", "interval", "inari", "auto, 3 digits"]);
+        let names = ["float", "interval", "inari", "shadow", "auto, 3 digits"];
+        assert_eq!(rungs(1_000_000, |_| 0)[..5], names);
     }
 }
