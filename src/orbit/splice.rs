@@ -213,8 +213,8 @@ impl<S: Flying> Beginning<S> for Splice {
 
     fn land(&mut self, _: &S, a: f64) -> Result<Landing, Undecided> {
         let given = self.given.landing;
+        // F6: the image of the given start itself
         if a == 0.0 {
-            // F6: the image of the given start itself
             return Ok(given);
         }
         let flown = self.starts_within(a).and_then(|(start, near)| Some((self.fly_from(&start)?, near)));
