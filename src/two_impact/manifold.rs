@@ -1,7 +1,8 @@
 //! The curves of figures 10 and 11: `A_N` over W or over v, with the parts that are physical and those that are stable.
 //!
 //! On all of them `sin th0`, first contacts and stability depend on `x = d W/|v|` alone (Lemma W8), so the marks between
-//! which they do not change are known, and what is said of a part holds for every point of it.
+//! which they do not change are known, and what is said of a part holds for every point of it. Bounds are in the bits of the
+//! digits asked for, as doubles are not.
 
 use std::cmp::Ordering;
 
