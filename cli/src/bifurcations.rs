@@ -1,6 +1,6 @@
 //! `impact-pair bifurcations SCENE --word WORD --cycles N --over KEY=LO..HI`: folds, pitchforks, doublings, grazes, proved.
 
-use std::io::{self, Write};
+use std::fmt::Write;
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
@@ -10,7 +10,7 @@ use impact_pair::periodic::bifurcation::{Diagram, End, Key, Kind, Over, survey};
 
 use crate::Answer;
 use crate::arguments::{BifurcationArguments, PeriodicFormat};
-use crate::heading;
+use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{goes_on, interruption};
 use crate::scene;
@@ -22,28 +22,22 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     // From here on Ctrl-C keeps what is proved.
     interruption();
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
-    let mut out = Output::open(arguments.output.as_deref())?;
+    let out = Output::open(arguments.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on).with_context(named)?;
-    let write = "cannot write the output";
-    match arguments.format {
-        PeriodicFormat::Table => table(&mut out, &scene, &diagram).context(write)?,
+    let text = match arguments.format {
+        PeriodicFormat::Table => table(&scene, &diagram)?,
         PeriodicFormat::Json => {
             let document = document::bifurcations(scene.start(), (word, cycles), &diagram).with_context(named)?;
-            writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
+            serde_json::to_string(&document)? + "\n"
         }
-    }
-    let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
-    out.commit()?;
-    if !diagram.is_certified() && !arguments.quiet && !said_already {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{}", conclusion(&diagram));
-    }
-    Ok(if diagram.is_certified() { Answer::Complete } else { Answer::Incomplete })
+    };
+    let open = (!diagram.is_certified()).then(|| conclusion(&diagram));
+    out.answer(&text, open, (arguments.quiet, arguments.format == PeriodicFormat::Table))
 }
 
-fn table(out: &mut impl Write, scene: &Scene, diagram: &Diagram) -> Result<()> {
-    heading::write(out, scene)?;
+fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
+    let mut out = heading(scene);
     let Over { key, low, high } = diagram.over();
     writeln!(out, "over {} from {low} to {high}\n", key.name())?;
     if !diagram.points.is_empty() {
@@ -88,7 +82,7 @@ fn table(out: &mut impl Write, scene: &Scene, diagram: &Diagram) -> Result<()> {
         )?;
     }
     writeln!(out, "\n{}", conclusion(diagram))?;
-    Ok(())
+    Ok(out)
 }
 
 /// Why a branch ends, in words.

@@ -8,6 +8,8 @@ use anyhow::{Context, Result};
 use impact_pair_plot::picture::encoded;
 use tempfile::NamedTempFile;
 
+use crate::Answer;
+
 /// A writer that has to be [committed](Output::commit).
 pub enum Output {
     /// Line by line, so that pipes see every event as it comes.
@@ -70,6 +72,16 @@ impl Output {
         self.commit()
     }
 
+    /// Writes all of an answer; what it leaves open is said on stderr as well, unless it stands in a table on stdout.
+    pub fn answer(mut self, text: &str, open: Option<String>, (quiet, is_table): (bool, bool)) -> Result<Answer> {
+        let is_said = is_table && self.is_stdout();
+        self.write_all(text.as_bytes()).context("cannot write the output")?;
+        self.commit()?;
+        let Some(open) = open else { return Ok(Answer::Complete) };
+        note(quiet || is_said, &open);
+        Ok(Answer::Incomplete)
+    }
+
     /// Ends the output; only now does a file appear.
     pub fn commit(mut self) -> Result<()> {
         self.flush().context("cannot write the output")?;
@@ -91,6 +103,14 @@ impl Output {
             Self::Special(file) => file,
             Self::File { draft, .. } => draft,
         }
+    }
+}
+
+/// Says something on stderr.
+pub fn note(is_silent: bool, text: &str) {
+    if !is_silent {
+        // Nobody may be listening.
+        let _ = writeln!(io::stderr(), "{text}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! `impact-pair periodic SCENE --word WORD --cycles N`: the periodic orbits of a word, proved.
 
-use std::io::{self, IsTerminal, Write};
+use std::fmt::{self, Write};
+use std::io::{self, IsTerminal};
 use std::sync::atomic::Ordering;
 
 use anyhow::{Context, Result};
@@ -11,7 +12,7 @@ use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, 
 
 use crate::Answer;
 use crate::arguments::{PeriodicArguments, PeriodicFormat};
-use crate::heading;
+use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{Progress, interruption};
 use crate::scene;
@@ -22,7 +23,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
     let units = Units::new(problem.pair()).with_context(named)?;
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
-    let mut out = Output::open(arguments.output.as_deref())?;
+    let out = Output::open(arguments.output.as_deref())?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
     // From here on Ctrl-C keeps what is proved.
     let interrupted = interruption();
@@ -37,25 +38,16 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         false => problem.find_while(start, precision, || !interrupted.load(Ordering::Relaxed)),
     };
     progress.clear();
-    let write = "cannot write the output";
-    match arguments.format {
-        PeriodicFormat::Table => table(&mut out, &scene, &problem, &units, &census).context(write)?,
-        PeriodicFormat::Json => {
-            let document = units.document(&problem, start, &census);
-            writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?;
-        }
-    }
-    let said_already = arguments.format == PeriodicFormat::Table && out.is_stdout();
-    out.commit()?;
-    if !census.is_certified() && !arguments.quiet && !said_already {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{}", conclusion(&census));
-    }
-    Ok(if census.is_certified() { Answer::Complete } else { Answer::Incomplete })
+    let text = match arguments.format {
+        PeriodicFormat::Table => table(&scene, &problem, &units, &census)?,
+        PeriodicFormat::Json => serde_json::to_string(&units.document(&problem, start, &census))? + "\n",
+    };
+    let open = (!census.is_certified()).then(|| conclusion(&census));
+    out.answer(&text, open, (arguments.quiet, arguments.format == PeriodicFormat::Table))
 }
 
-fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> io::Result<()> {
-    heading::write(out, scene)?;
+fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {
+    let mut out = heading(scene);
     let cycles = problem.chain().cycles();
     writeln!(out, "word {} in {cycles} cycle{}", problem.word(), if cycles == 1 { "" } else { "s" })?;
     for (i, found) in census.orbits.iter().enumerate() {
@@ -73,7 +65,8 @@ fn table(out: &mut impl Write, scene: &Scene, problem: &Problem, units: &Units, 
             writeln!(out, "  {:5}  {cycle}{turn}{phase:31}  {velocity}", impact.wall.name())?;
         }
     }
-    writeln!(out, "\n{}", conclusion(census))
+    writeln!(out, "\n{}", conclusion(census))?;
+    Ok(out)
 }
 
 /// What is proved of an orbit, in words.

@@ -7,7 +7,7 @@ use impact_pair::certificate::{Certificate, ClaimKind};
 
 use crate::Answer;
 use crate::arguments::ProveArguments;
-use crate::output::Output;
+use crate::output::{Output, note};
 use crate::progress::Progress;
 use crate::scene;
 
@@ -31,13 +31,8 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
         out.write_all(theorem.text.as_bytes()).context("cannot write the output")?;
         out.commit()?;
     }
-    if !arguments.quiet {
-        let said =
-            if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
-        let why = stop
-            .map_or(String::new(), |finding| format!("; {}", certificate.described(finding.event, &finding.message)));
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{said}{why}");
-    }
+    let said = if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
+    let why = stop.map(|finding| format!("; {}", certificate.described(finding.event, &finding.message)));
+    note(arguments.quiet, &(said + &why.unwrap_or_default()));
     Ok(if stop.is_none() { Answer::Complete } else { Answer::Incomplete })
 }

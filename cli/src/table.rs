@@ -8,10 +8,10 @@ use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 
 use crate::ending::Ending;
-use crate::heading;
+use crate::heading::heading;
 
 pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {
-    heading::write(out, scene)?;
+    out.write_all(heading(scene).as_bytes())?;
     let bits = if let Arithmetic::Bits(_) = settings.arithmetic { " bits" } else { "" };
     let arithmetic = format!("{}{bits}", settings.arithmetic);
     if is_certified(settings.arithmetic) {

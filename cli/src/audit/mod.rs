@@ -3,7 +3,7 @@
 pub mod arguments;
 mod table;
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::audit::{Audit, read};
@@ -29,7 +29,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
 
     // From here on Ctrl-C keeps what is certified.
     interruption();
-    let mut out = Output::open(arguments.output.as_deref())?;
+    let out = Output::open(arguments.output.as_deref())?;
     let visible = !arguments.quiet && io::stderr().is_terminal();
     let progress = Progress::new(Some(rows.len() as u64), visible);
     let audit = Audit::of(&scene, rows, &arguments.asked(), &progress).map_err(|error| match error.key() {
@@ -43,12 +43,6 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
         AuditFormat::Table => table::table(&audit, &named(), arguments.all),
         AuditFormat::Json => format!("{}\n", one_a_line(&audit.document(), &["events"])),
     };
-    let said_already = arguments.format == AuditFormat::Table && out.is_stdout();
-    out.write_all(text.as_bytes()).context("cannot write the output")?;
-    out.commit()?;
-    if !audit.is_agreed() && !arguments.quiet && !said_already {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{}", audit.conclusion());
-    }
-    Ok(if audit.is_agreed() { Answer::Complete } else { Answer::Incomplete })
+    let open = (!audit.is_agreed()).then(|| audit.conclusion().to_string());
+    out.answer(&text, open, (arguments.quiet, arguments.format == AuditFormat::Table))
 }

@@ -6,16 +6,14 @@ use impact_pair::audit::{Audit, Finding, Parting, Reason, Site, SiteKind, Verdic
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::scales::Unit;
 
-use crate::heading;
+use crate::heading::heading;
 
 /// Events that disagree and are shown; of a chaotic list thousands may follow.
 const SHOWN: usize = 10;
 
 /// The table with every event, or with the first ones that disagree.
 pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
-    let mut heading = Vec::new();
-    heading::write(&mut heading, audit.scene).expect("memory can be written to");
-    let mut lines = vec![String::from_utf8(heading).expect("texts of the scene").trim_end().to_owned()];
+    let mut lines = vec![heading(audit.scene).trim_end().to_owned()];
     lines.push(format!("list: {name}, {}", listed(audit)));
     lines.push(format!(
         "tolerance: {} of 2 pi/W in time, of {} in velocity\n",

@@ -3,7 +3,7 @@
 pub mod arguments;
 mod table;
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 
 use anyhow::{Context, Result, bail};
 use impact_pair::certificate::document::one_a_line;
@@ -28,7 +28,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
 
     // From here on Ctrl-C keeps what is measured.
     interruption();
-    let mut out = Output::open(output)?;
+    let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
     let visible = !arguments.quiet && io::stderr().is_terminal();
     let progress = Progress::new(asked.impacts, visible);
@@ -39,15 +39,10 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
         TradeFormat::Table => table::table(&trade),
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
     };
-    out.write_all(text.as_bytes()).context("cannot write the output")?;
-    out.commit()?;
+    let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in rung {rung}"));
+    let answer = out.answer(&text, open, (arguments.quiet, false))?;
     if let (Some(picture), Some(path)) = (picture, plot) {
         picture.draw(path, || impact_pair_plot::trade::svg(&trade))?;
     }
-    let Some(rung) = trade.interrupted else { return Ok(Answer::Complete) };
-    if !arguments.quiet {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "interrupted in rung {rung}");
-    }
-    Ok(Answer::Incomplete)
+    Ok(answer)
 }

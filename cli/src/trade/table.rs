@@ -1,20 +1,15 @@
 //! The table for people: a line a rung, then what became of `float`.
 
-use std::io::Write;
-
 use impact_pair::document::counted;
 use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
 
-use crate::heading;
+use crate::heading::heading;
 
 const TIMES: &str =
     "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: and their exact bounds in the units of the scene";
 
 pub fn table(trade: &Trade<'_>) -> String {
-    let mut head = Vec::new();
-    heading::write(&mut head, trade.scene).expect("memory takes all");
-    write!(head, "asked for: {}\n\n", trade.goal()).expect("memory takes all");
-    let mut lines = vec![names()];
+    let mut lines = vec![format!("{}asked for: {}\n", heading(trade.scene), trade.goal()), names()];
     lines.extend(trade.rungs.iter().map(row));
     lines.push(format!("\n{TIMES}"));
     let speed = trade.units.speed;
@@ -26,7 +21,7 @@ pub fn table(trade: &Trade<'_>) -> String {
     if let Some(rung) = trade.interrupted {
         lines.push(format!("\ninterrupted in rung {rung}"));
     }
-    String::from_utf8(head).expect("it is text") + &lines.join("\n") + "\n"
+    lines.join("\n") + "\n"
 }
 
 /// The names of the columns, in two lines.

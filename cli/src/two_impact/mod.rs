@@ -5,7 +5,6 @@ mod csv;
 mod table;
 
 use std::cell::Cell;
-use std::io::{self, Write};
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
@@ -20,18 +19,11 @@ use crate::output::Output;
 use crate::progress::goes_on;
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
-use impact_pair_plot::picture::encoded;
 
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let scene = scene::read(&arguments.scene)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
-    scene::keep(&arguments.scene, arguments.output.as_deref())?;
-    scene::keep(&arguments.scene, arguments.plot.as_deref())?;
-    if let (Some(output), Some(plot)) = (&arguments.output, &arguments.plot)
-        && (output == plot || scene::is_same_file(output, plot))
-    {
-        bail!("cannot write {}: --output and --plot name the same file", plot.display());
-    }
+    scene::keep_apart(&[&arguments.scene], arguments.output.as_deref(), arguments.plot.as_deref())?;
     let named = || scene::name(&arguments.scene);
     match &arguments.manifold {
         Some(range) => draw_manifold(arguments, &scene, range, digits).with_context(named),
@@ -76,17 +68,10 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
         }
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
-    let mut out = Output::open(arguments.output.as_deref())?;
-    out.write_all(text.as_bytes()).context("cannot write the output")?;
-    out.commit()?;
-    let is_complete = answers.iter().all(|answer| answer.is_complete);
-    let is_shown = arguments.format == TwoImpactFormat::Table && arguments.output.is_none();
-    if !is_complete && !arguments.quiet && !is_shown {
-        // Nobody may be listening.
-        let _ =
-            writeln!(io::stderr(), "not all that was asked is decided: see what is undecided or null in the output");
-    }
-    Ok(if is_complete { Exit::Complete } else { Exit::Incomplete })
+    let open = "not all that was asked is decided: see what is undecided or null in the output";
+    let open = answers.iter().any(|answer| !answer.is_complete).then(|| open.to_owned());
+    let is_table = arguments.format == TwoImpactFormat::Table;
+    Output::open(arguments.output.as_deref())?.answer(&text, open, (arguments.quiet, is_table))
 }
 
 fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &ManifoldRange, digits: u32) -> Result<Exit> {
@@ -107,7 +92,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         interrupted.set(!goes_on());
         !interrupted.get()
     };
-    let mut out = Output::open(arguments.output.as_deref())?;
+    let out = Output::open(arguments.output.as_deref())?;
     let mut curves: Vec<Manifold> = cycles
         .filter(|n| is_one || n % 2 == 1)
         .take_while(|_| goes_on())
@@ -123,18 +108,10 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
-    out.write_all(text.as_bytes()).context("cannot write the output")?;
-    out.commit()?;
+    let open = interrupted.then(|| "interrupted: all points that are there are proved, others are left".to_owned());
+    let answer = out.answer(&text, open, (arguments.quiet, false))?;
     if let Some(path) = arguments.plot.as_ref().filter(|_| !curves.is_empty()) {
-        let mut picture = Output::open(Some(path))?;
-        let failed = || format!("cannot draw {}", path.display());
-        let svg = impact_pair_plot::two_impact::svg(scene, axis, &curves).with_context(failed)?;
-        picture.write_all(&encoded(svg, path).with_context(failed)?).with_context(failed)?;
-        picture.commit()?;
+        Output::open(Some(path))?.draw(path, || impact_pair_plot::two_impact::svg(scene, axis, &curves))?;
     }
-    if interrupted && !arguments.quiet {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "interrupted: all points that are there are proved, others are left");
-    }
-    Ok(if interrupted { Exit::Incomplete } else { Exit::Complete })
+    Ok(answer)
 }
