@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
-use impact_pair::document;
+use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::periodic::bifurcation::{Diagram, End, Key, Kind, Over, survey};
 
@@ -12,6 +12,7 @@ use crate::Answer;
 use crate::arguments::{BifurcationArguments, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::Output;
+use crate::periodic::{physical, symmetric};
 use crate::progress::{goes_on, interruption};
 use crate::scene;
 
@@ -45,20 +46,14 @@ fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
     }
     for point in &diagram.points {
         let (parameter, _) = diagram.in_units(point)?;
-        let symmetric = match point.symmetric {
-            Some(true) => "symmetric",
-            Some(false) => "not symmetric",
-            None => "undecided whether symmetric",
-        };
-        let physical = match point.orbit.as_ref().and_then(|orbit| orbit.physical) {
-            _ if point.kind == Kind::Graze => "",
-            Some(true) => ", physical",
-            Some(false) => ", not physical: a wall is touched earlier",
-            None => ", undecided whether physical",
-        };
+        let mut proved = symmetric(point.symmetric).to_owned();
+        if point.kind != Kind::Graze {
+            proved += ", ";
+            proved += physical(point.orbit.as_ref().and_then(|orbit| orbit.physical));
+        }
         let (kind, impacts) = (point.kind.name(), point.impacts.len());
         let digits = decimal_digits(&parameter);
-        writeln!(out, "{kind:16} {impacts:7} {:6}  {digits:36} {symmetric}{physical}", point.cycles)?;
+        writeln!(out, "{kind:16} {impacts:7} {:6}  {digits:36} {proved}", point.cycles)?;
     }
     for branch in &diagram.branches {
         let symmetric = if branch.symmetric { ", symmetric" } else { "" };
@@ -101,8 +96,7 @@ fn conclusion(diagram: &Diagram) -> String {
     if diagram.over().key == Key::Frequency {
         return "certified: nothing bifurcates over the frequency: only A/d and e matter, W is the unit of time".into();
     }
-    let count = diagram.points.len();
-    let points = format!("{count} bifurcation{} proved", if count == 1 { "" } else { "s" });
+    let points = format!("{} proved", counted(diagram.points.len(), "bifurcation"));
     if diagram.interrupted {
         return format!(
             "interrupted: {points} until then; branches are left that were not followed, or not to their ends"

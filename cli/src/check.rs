@@ -1,6 +1,6 @@
 //! `impact-pair check CERTIFICATE`: every claim of a JSON document, proved again by another route.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 
 use anyhow::{Context, Result};
 use impact_pair::certificate::{Claims, Verdict};
@@ -13,29 +13,25 @@ use crate::scene;
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let path = &arguments.certificate;
     let claims = Claims::parse(&scene::text(path)?).with_context(|| scene::name(path))?;
-    let visible = !arguments.quiet && io::stderr().is_terminal();
-    let progress = Progress::new(Some(claims.count() as u64), visible);
+    let progress = Progress::new(Some(claims.count() as u64), !arguments.quiet);
     // From here on Ctrl-C keeps what is proved.
     let stop = Some(interruption());
     let verdict = claims.check_until(&arguments.effort(), stop, |event| progress.reach(event as u64));
     let verdict = verdict.with_context(|| scene::name(path))?;
     progress.clear();
-    let (said, answer) = match &verdict {
+    let mut said = match &verdict {
         Verdict::Confirmed { bits, pieces } => {
             let pieces = if *pieces == 1 { String::new() } else { format!(", the data cut into {pieces} sets") };
-            (format!("confirmed: {}, in {bits} bits{pieces}", claims.all()), Answer::Complete)
+            format!("confirmed: {}, in {bits} bits{pieces}", claims.all())
         }
-        Verdict::Refuted(finding) => (format!("refuted: {}", claims.described(finding)), Answer::Incomplete),
-        Verdict::Undecided(finding) => (format!("undecided: {}", claims.described(finding)), Answer::Incomplete),
-        Verdict::Interrupted { events } => {
-            (format!("interrupted: {} confirmed", claims.first(*events)), Answer::Incomplete)
-        }
+        Verdict::Refuted(finding) => format!("refuted: {}", claims.described(finding)),
+        Verdict::Undecided(finding) => format!("undecided: {}", claims.described(finding)),
+        Verdict::Interrupted { events } => format!("interrupted: {} confirmed", claims.first(*events)),
     };
-    let mut out = io::stdout();
-    writeln!(out, "{said}").context("cannot write to stdout")?;
     let unjudged = claims.unjudged();
     if !unjudged.is_empty() {
-        writeln!(out, "not checked: {}", unjudged.join(", ")).context("cannot write to stdout")?;
+        said += &format!("\nnot checked: {}", unjudged.join(", "));
     }
-    Ok(answer)
+    writeln!(io::stdout(), "{said}").context("cannot write to stdout")?;
+    Ok(if let Verdict::Confirmed { .. } = verdict { Answer::Complete } else { Answer::Incomplete })
 }

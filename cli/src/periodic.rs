@@ -1,12 +1,11 @@
 //! `impact-pair periodic SCENE --word WORD --cycles N`: the periodic orbits of a word, proved.
 
 use std::fmt::{self, Write};
-use std::io::{self, IsTerminal};
 use std::sync::atomic::Ordering;
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
-use impact_pair::document::Units;
+use impact_pair::document::{Units, counted};
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, Searched};
 
@@ -27,8 +26,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let (start, precision) = (scene.start(), arguments.precision(&scene));
     // From here on Ctrl-C keeps what is proved.
     let interrupted = interruption();
-    let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
-    let progress = Progress::search(visible && arguments.all);
+    let progress = Progress::search(arguments.all && !arguments.quiet && !out.is_terminal());
     let goes_on = |searched: Searched| {
         progress.searched(searched);
         !interrupted.load(Ordering::Relaxed)
@@ -49,7 +47,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
 fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     let cycles = problem.chain().cycles();
-    writeln!(out, "word {} in {cycles} cycle{}", problem.word(), if cycles == 1 { "" } else { "s" })?;
+    writeln!(out, "word {} in {}", problem.word(), counted(cycles, "cycle"))?;
     for (i, found) in census.orbits.iter().enumerate() {
         writeln!(out, "\norbit {}: {}", i + 1, described(found))?;
         let [large, small] = found.eigenvalues.each_ref().map(shown);
@@ -69,18 +67,27 @@ fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Re
     Ok(out)
 }
 
-/// What is proved of an orbit, in words.
-fn described(orbit: &PeriodicOrbit) -> String {
-    let physical = match orbit.physical {
+/// Whether an orbit is one of the ball's, in words.
+pub fn physical(known: Option<bool>) -> &'static str {
+    match known {
         Some(true) => "physical",
         Some(false) => "not physical: a wall is touched earlier",
         None => "undecided whether physical",
-    };
-    let symmetric = match orbit.symmetric {
+    }
+}
+
+/// Whether an orbit is its own mirror image, in words.
+pub fn symmetric(known: Option<bool>) -> &'static str {
+    match known {
         Some(true) => "symmetric",
         Some(false) => "not symmetric",
         None => "undecided whether symmetric",
-    };
+    }
+}
+
+/// What is proved of an orbit, in words.
+fn described(orbit: &PeriodicOrbit) -> String {
+    let (physical, symmetric) = (physical(orbit.physical), symmetric(orbit.symmetric));
     let repeats = match orbit.repeats {
         Some(1) => String::new(),
         Some(times) => format!(", a shorter orbit run through {times} times"),
@@ -103,21 +110,21 @@ fn shown(value: &Eigenvalue) -> String {
     if is_zero(&value.im) { re } else { format!("{re} + {} i", decimal_digits(&value.im)) }
 }
 
+/// How many orbits there are.
+pub fn orbits(count: usize) -> String {
+    if count == 0 { "no orbit".to_owned() } else { counted(count, "orbit") }
+}
+
 /// The last line: how much of what was asked is proved.
 fn conclusion(census: &Census) -> String {
-    let orbits = match census.orbits.len() {
-        0 => "no orbit".to_owned(),
-        1 => "1 orbit".to_owned(),
-        count => format!("{count} orbits"),
-    };
+    let orbits = orbits(census.orbits.len());
     let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
         (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit".to_owned(),
         (true, ..) => "there is no other physical one".to_owned(),
         (false, true, _) if census.is_family => {
             return "not certified: with A = 0 and e = 1 the orbits are a family, one at each phase, and none is isolated".to_owned();
         }
-        (false, true, 1) => "1 part of the state space may hold others".to_owned(),
-        (false, true, open) => format!("{open} parts of the state space may hold others"),
+        (false, true, open) => format!("{} of the state space may hold others", counted(open, "part")),
         (false, false, _) => "others are not excluded (try --all)".to_owned(),
     };
     let open = census.orbits.iter().filter(|orbit| !orbit.is_decided()).count();

@@ -1,6 +1,6 @@
 //! `impact-pair prove CERTIFICATE`: an orbit JSON as a theorem for Coq.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::Write;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::certificate::{Certificate, ClaimKind};
@@ -21,8 +21,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     }
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.output.as_deref())?;
-    let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
-    let progress = Progress::new(Some(wanted.min(listed) as u64), visible);
+    let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.quiet && !out.is_terminal());
     let theorem =
         certificate.prove(wanted, |impact| progress.reach(impact as u64)).with_context(|| scene::name(path))?;
     progress.clear();

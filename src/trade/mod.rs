@@ -69,7 +69,7 @@ impl<'s> Trade<'s> {
     /// # Panics
     /// When neither impacts nor a time are asked for: no orbit goes on for ever.
     pub fn goal(&self) -> String {
-        let impacts = self.asked.impacts.map(counted);
+        let impacts = self.asked.impacts.map(|impacts| counted(impacts, "impact"));
         let until = self.asked.until.as_ref().map(|until| format!("t = {until}"));
         match (impacts, until) {
             (Some(impacts), Some(until)) => format!("{impacts}, or up to {until}"),

@@ -3,8 +3,6 @@
 pub mod arguments;
 mod table;
 
-use std::io::{self, IsTerminal};
-
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::audit::{Audit, read};
 use impact_pair::certificate::document::one_a_line;
@@ -30,8 +28,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     // From here on Ctrl-C keeps what is certified.
     interruption();
     let out = Output::open(arguments.output.as_deref())?;
-    let visible = !arguments.quiet && io::stderr().is_terminal();
-    let progress = Progress::new(Some(rows.len() as u64), visible);
+    let progress = Progress::new(Some(rows.len() as u64), !arguments.quiet);
     let audit = Audit::of(&scene, rows, &arguments.asked(), &progress).map_err(|error| match error.key() {
         Some("until") => anyhow!("--{error}"),
         _ if error.is_list() => Error::from(error).context(named()),

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use impact_pair::audit::{Audit, Finding, Parting, Reason, Site, SiteKind, Verdict};
+use impact_pair::document::counted;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::scales::Unit;
 
@@ -46,8 +47,7 @@ fn listed(audit: &Audit<'_>) -> String {
         0 => String::new(),
         n => format!("; {n} later ones left out"),
     };
-    let rows = audit.rows.len();
-    format!("{rows} row{}, {with}{left_out}", if rows == 1 { "" } else { "s" })
+    format!("{}, {with}{left_out}", counted(audit.rows.len(), "row"))
 }
 
 /// What the table lists: all, or the first ones that disagree or are undecided and the one where the list leaves the

@@ -3,8 +3,6 @@
 pub mod arguments;
 mod table;
 
-use std::io::{self, IsTerminal};
-
 use anyhow::{Context, Result, bail};
 use impact_pair::certificate::document::one_a_line;
 use impact_pair::orbit::Orbit;
@@ -30,8 +28,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     interruption();
     let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
-    let visible = !arguments.quiet && io::stderr().is_terminal();
-    let progress = Progress::new(asked.impacts, visible);
+    let progress = Progress::new(asked.impacts, !arguments.quiet);
     let trade = Trade::of(&scene, asked, &progress).with_context(|| scene::name(&arguments.scene))?;
     progress.clear();
 

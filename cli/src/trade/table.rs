@@ -78,8 +78,11 @@ fn significant(x: f64) -> String {
 
 /// What is known of the errors of `float` and its so many impacts.
 fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
-    let mut lines =
-        vec![format!("\ntrue errors of float, judged by {truth} on {} of {}:", judgement.judged, counted(impacts))];
+    let mut lines = vec![format!(
+        "\ntrue errors of float, judged by {truth} on {} of {}:",
+        judgement.judged,
+        counted(impacts, "impact")
+    )];
     let mut say = |what: &str, answer: String| lines.push(format!("  {what:38}{answer}"));
     if judgement.judged > 0 {
         let largest =

@@ -6,6 +6,8 @@ use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::pair::Wall;
 use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part, Stability, Unknown};
 
+use crate::periodic::orbits;
+
 /// The bits that eigenvalues are shown to.
 const FEW: u32 = 24;
 
@@ -32,11 +34,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
 
 /// How many there are, and whether these are all.
 fn said(answer: &Answer) -> String {
-    let count = match answer.orbits.len() {
-        0 => "no orbit".to_owned(),
-        1 => "1 orbit".to_owned(),
-        n => format!("{n} orbits"),
-    };
+    let count = orbits(answer.orbits.len());
     if answer.is_exhaustive { format!("{count}, proved to be all") } else { count }
 }
 

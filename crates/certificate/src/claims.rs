@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Deserializer, Value};
 
-use crate::document::{BIFURCATION_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA};
+use crate::document::{BIFURCATION_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, counted};
 use crate::{
     BifurcationCertificate, Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, SweepCertificate, Verdict,
 };
@@ -216,8 +216,4 @@ impl Certificate {
         };
         format!("{claim}: {message}")
     }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }

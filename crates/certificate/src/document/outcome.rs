@@ -1,5 +1,7 @@
 //! How an orbit ended: what is claimed beyond the events, in fields, and in words that follow from the fields.
 
+use std::fmt::Display;
+
 use impact_pair_exact::{Enclosure, Exact, decimal_digits};
 use impact_pair_model::{Period, Wall, Word};
 use serde::{Deserialize, Serialize};
@@ -87,7 +89,7 @@ impl OutcomeDocument {
     /// The line in words; `None` where the kind is not known, or a field is missing.
     pub fn words(&self) -> Option<String> {
         let impacts = self.impacts?;
-        let (so_far, after) = (format!("{}{}", counted(impacts), self.shadowed()), after(impacts));
+        let (so_far, after) = (format!("{}{}", counted(impacts, "impact"), self.shadowed()), after(impacts));
         Some(match self.kind.as_str() {
             "impacts-reached" => so_far,
             "time-reached" => {
@@ -145,9 +147,10 @@ fn shown(from: &Decimal, to: &Decimal) -> String {
     decimal_digits(&Enclosure::hull(&from, &to))
 }
 
-/// So many impacts, in words.
-pub fn counted(impacts: u64) -> String {
-    if impacts == 1 { "1 impact".into() } else { format!("{impacts} impacts") }
+/// So many of a thing, in words.
+pub fn counted<N: Display + PartialEq + From<u8>>(count: N, what: &str) -> String {
+    let plural = if count == N::from(1) { "" } else { "s" };
+    format!("{count} {what}{plural}")
 }
 
 fn after(impacts: u64) -> String {
@@ -156,7 +159,7 @@ fn after(impacts: u64) -> String {
 
 fn every(impacts: u64, cycles: u64) -> String {
     let cycles = if cycles == 1 { "cycle".into() } else { format!("{cycles} cycles") };
-    format!("{} every {cycles}", counted(impacts))
+    format!("{} every {cycles}", counted(impacts, "impact"))
 }
 
 /// What a reason means.
