@@ -1,9 +1,7 @@
 //! The bifurcation JSON, read back: what it claims of its points, as exact fractions.
 
-use serde_json::Value;
-
 use super::attraction::{Bounds, ClaimedOrbit};
-use crate::document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place};
+use crate::document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
@@ -99,13 +97,8 @@ impl BifurcationCertificate {
     /// # Errors
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let value: Value = serde_json::from_str(text)
-            .map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
-        let whole = Place::whole(&value);
-        let schema = whole.get("schema")?;
-        if schema.read::<String>()? != BIFURCATION_SCHEMA {
-            return Err(schema.refused(&format!("accepted is \"{BIFURCATION_SCHEMA}\"")));
-        }
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, BIFURCATION_SCHEMA)?;
         let document: BifurcationDocument = whole.read()?;
         let over = Parameter::of(&whole.get("over")?.get("key")?)?;
         let places = whole.get("points")?.list()?;

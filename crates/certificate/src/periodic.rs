@@ -1,9 +1,7 @@
 //! The periodic JSON, read back: what it claims of its orbits, as exact fractions.
 
-use serde_json::Value;
-
 use super::attraction::ClaimedOrbit;
-use crate::document::{PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument};
+use crate::document::{PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
@@ -26,13 +24,8 @@ impl PeriodicCertificate {
     /// # Errors
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let value: Value = serde_json::from_str(text)
-            .map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
-        let whole = Place::whole(&value);
-        let schema = whole.get("schema")?;
-        if schema.read::<String>()? != PERIODIC_SCHEMA {
-            return Err(schema.refused(&format!("accepted is \"{PERIODIC_SCHEMA}\"")));
-        }
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, PERIODIC_SCHEMA)?;
         let is_two_impact = whole.get("solved_for").is_ok();
         let (document, mut unjudged) = if is_two_impact {
             let document: TwoImpactDocument = whole.read()?;

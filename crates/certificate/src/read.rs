@@ -2,9 +2,8 @@
 //!
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
-use crate::document::{EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument};
+use crate::document::{EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, values};
 use num_rational::BigRational;
-use serde_json::{Deserializer, Value};
 
 use super::attraction::Attraction;
 use impact_pair_model::Error;
@@ -64,16 +63,8 @@ impl Certificate {
     /// # Errors
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let values: Result<Vec<Value>, _> = Deserializer::from_str(text).into_iter().collect();
-        let values = values.map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
-        let [head, rest @ ..] = values.as_slice() else {
-            return Err(Error::certificate("no JSON: the text is empty".into()));
-        };
-        let head = Place::whole(head);
-        let schema = head.get("schema")?;
-        if schema.read::<String>()? != ORBIT_SCHEMA {
-            return Err(schema.refused(&format!("accepted is \"{ORBIT_SCHEMA}\"")));
-        }
+        let values = values(text)?;
+        let (head, rest) = (Place::of_schema(&values[0], ORBIT_SCHEMA)?, &values[1..]);
         let certified = head.get("certified")?;
         if !certified.read::<bool>()? {
             return Err(certified.refused("only a certified orbit claims anything: accepted is true"));

@@ -2,12 +2,10 @@
 
 use std::cmp::Ordering;
 
-use serde_json::{Deserializer, Value};
-
 use super::attraction::Bounds;
 use crate::document::{
     ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepHead, SweepImpact,
-    SweepRecord, Written,
+    SweepRecord, Written, values,
 };
 use impact_pair_exact::{Exact, ExactError};
 use impact_pair_model::{Error, ImpactPair, Start, Wall};
@@ -71,16 +69,8 @@ impl SweepCertificate {
     /// # Errors
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let values: Result<Vec<Value>, _> = Deserializer::from_str(text).into_iter().collect();
-        let values = values.map_err(|error| Error::certificate(format!("no JSON: {error}")).because(error))?;
-        let [head, records @ ..] = values.as_slice() else {
-            return Err(Error::certificate("no JSON: the text is empty".into()));
-        };
-        let place = Place::whole(head);
-        let schema = place.get("schema")?;
-        if schema.read::<String>()? != SWEEP_SCHEMA {
-            return Err(schema.refused(&format!("accepted is \"{SWEEP_SCHEMA}\"")));
-        }
+        let values = values(text)?;
+        let (place, records) = (Place::of_schema(&values[0], SWEEP_SCHEMA)?, &values[1..]);
         let head: SweepHead = place.read()?;
         if !head.certified {
             return Err(place.get("certified")?.refused("only a certified sweep claims anything: accepted is true"));

@@ -114,8 +114,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Signs, then a number, `pi`, a function call or parentheses, then perhaps a power.
-    fn operand(&mut self) -> Result<Exact, ParseError> {
+    /// Any number of signs: where they begin, and whether they are minus in all.
+    fn signs(&mut self) -> (usize, bool) {
         let start = self.skip_space();
         let mut negative = false;
         while let Some(sign @ (b'+' | b'-')) = self.peek() {
@@ -123,6 +123,12 @@ impl Reader<'_> {
             self.at += 1;
             self.skip_space();
         }
+        (start, negative)
+    }
+
+    /// Signs, then a number, `pi`, a function call or parentheses, then perhaps a power.
+    fn operand(&mut self) -> Result<Exact, ParseError> {
+        let (start, negative) = self.signs();
         let at = self.at;
         let function = match self.peek() {
             Some(b'(') => None,
@@ -172,13 +178,7 @@ impl Reader<'_> {
 
     /// An integer exponent: digits, perhaps signed, in parentheses, or itself with an exponent (`2^3^2` is `2^9`).
     fn exponent(&mut self) -> Result<i64, ParseError> {
-        let start = self.skip_space();
-        let mut negative = false;
-        while let Some(sign @ (b'+' | b'-')) = self.peek() {
-            negative ^= sign == b'-';
-            self.at += 1;
-            self.skip_space();
-        }
+        let (start, negative) = self.signs();
         let mut value = if self.peek() == Some(b'(') {
             self.open()?;
             let value = self.exponent()?;

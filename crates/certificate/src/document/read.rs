@@ -3,7 +3,7 @@
 use impact_pair_model::Error;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Map, Value};
+use serde_json::{Deserializer, Map, Value};
 use serde_path_to_error::{Path, Segment};
 
 /// A value of a document that knows where it stands.
@@ -13,10 +13,33 @@ pub struct Place<'j> {
     value: &'j Value,
 }
 
+/// The value of a text.
+pub(crate) fn value(text: &str) -> Result<Value, Error> {
+    serde_json::from_str(text).map_err(no_json)
+}
+
+/// The values of a text, at least one: JSON Lines are several.
+pub(crate) fn values(text: &str) -> Result<Vec<Value>, Error> {
+    let values: Vec<Value> = Deserializer::from_str(text).into_iter().collect::<Result<_, _>>().map_err(no_json)?;
+    if values.is_empty() { Err(Error::certificate("no JSON: the text is empty".into())) } else { Ok(values) }
+}
+
+fn no_json(error: serde_json::Error) -> Error {
+    Error::certificate(format!("no JSON: {error}")).because(error)
+}
+
 impl<'j> Place<'j> {
     /// The whole document.
     pub fn whole(value: &'j Value) -> Self {
         Self { key: String::new(), value }
+    }
+
+    /// The whole document, which must be of this schema.
+    pub(crate) fn of_schema(value: &'j Value, accepted: &str) -> Result<Self, Error> {
+        let whole = Self::whole(value);
+        let schema = whole.get("schema")?;
+        let is_other = schema.read::<String>()? != accepted;
+        if is_other { Err(schema.refused(&format!("accepted is \"{accepted}\""))) } else { Ok(whole) }
     }
 
     /// A value that stands at a key.
