@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use num_bigint::BigInt;
 
-use super::super::chained::{Chained, One};
+use super::super::chain::Leg;
+use super::super::chained::{Chained, Moment, One};
 use super::super::shaking::Shaking;
 use super::jet::Jet;
 use crate::exact::Exact;
@@ -17,7 +18,7 @@ use crate::shaken::{Several, Sum};
 pub(super) enum Unknown {
     /// `A_k/d` of one harmonic.
     Ratio(usize),
-    /// `A/d` of the fastest harmonic, and with it, in proportion, those of all.
+    /// `A/d` of the largest harmonic, and with it, in proportion, those of all.
     Ratios,
     /// `e`
     Restitution,
@@ -33,14 +34,15 @@ pub(super) trait Varied: Chained {
     fn is_point(&self, unknown: Unknown) -> bool;
 
     /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
-    /// fastest.
+    /// largest.
     fn at<N: Turning>(base: &Self::In<N>, unknown: Unknown, value: N) -> Self::In<N>;
 
     /// The same parameters with constants for jets.
     fn jets<N: Turning>(base: &Self::In<N>) -> Self::In<Jet<N>>;
 
-    /// Phases inside a flight of this drift and time at which it is as fast as the box. It proposes.
-    fn summits(floats: &Self::In<f64>, drift: f64, start: f64, time: f64) -> Vec<f64>;
+    /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then. It
+    /// proposes.
+    fn summits(floats: &Self::In<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)>;
 }
 
 /// The parameters that do not vary, in one arithmetic.
@@ -94,17 +96,17 @@ impl Varied for One {
     }
 
     /// Where `cos th` is the drift over the greatest speed of the box.
-    fn summits(pair: &Reduced<f64>, drift: f64, start: f64, time: f64) -> Vec<f64> {
-        let q = drift / pair.beta;
-        if q.abs() > 1.0 || time > MOST_TURNS {
+    fn summits(pair: &Reduced<f64>, flight: &Leg<f64>, from: &(f64, f64), start: f64) -> Vec<(f64, f64)> {
+        let q = flight.drift / pair.beta;
+        if q.abs() > 1.0 || flight.time > MOST_TURNS {
             return Vec::new();
         }
         let a = q.acos() / TAU;
-        let end = start + time;
+        let end = start + flight.time;
         let first = (start - 1.0).floor() as i64; // proposes
         let last = (end + 1.0).ceil() as i64; // proposes
         let all = (first..=last).flat_map(|n| [n as f64 - a, n as f64 + a]); // proposes
-        all.filter(|&s| s > start && s < end).collect()
+        all.filter(|&s| s > start && s < end).map(|s| (s, pair.alpha * ((TAU * s).sin() - from.0))).collect()
     }
 }
 
@@ -147,22 +149,23 @@ impl Varied for Several {
     }
 
     /// Where the velocity changes its sign, seen from piece to piece.
-    fn summits(sum: &Sum<f64>, drift: f64, start: f64, time: f64) -> Vec<f64> {
-        if time > MOST_TURNS {
+    fn summits(sum: &Sum<f64>, flight: &Leg<f64>, from: &Moment<Self, f64>, start: f64) -> Vec<(f64, f64)> {
+        if flight.time > MOST_TURNS {
             return Vec::new();
         }
-        let velocity = |s: f64| sum.relative(&drift, &sum.moment(0.0, &s));
-        let count = (PIECES * time).ceil() + 1.0; // proposes
-        let at = |i: u32| start + time * f64::from(i) / count;
-        let halved = |[low, high]: [f64; 2]| {
-            let rises = velocity(low) < 0.0;
-            let [low, high] = (0..HALVINGS).fold([low, high], |[low, high], _| {
+        let velocity = |s: f64| sum.relative(&flight.drift, &sum.moment(0.0, &s));
+        let count = (PIECES * flight.time).ceil() + 1.0; // proposes
+        let ends = (0..=count as u32).map(|i| start + flight.time * f64::from(i) / count); // proposes
+        let known: Vec<(f64, f64)> = ends.map(|s| (s, velocity(s))).collect();
+        let halved = |ends: &[(f64, f64)]| {
+            let rises = ends[0].1 < 0.0;
+            let [low, high] = (0..HALVINGS).fold([ends[0].0, ends[1].0], |[low, high], _| {
                 let middle = 0.5 * (low + high);
                 if (velocity(middle) < 0.0) == rises { [middle, high] } else { [low, middle] }
             });
             0.5 * (low + high)
         };
-        let pieces = (0..count as u32).map(|i| [at(i), at(i + 1)]); // proposes
-        pieces.filter(|ends| velocity(ends[0]) * velocity(ends[1]) < 0.0).map(halved).collect()
+        let changes = known.windows(2).filter(|ends| ends[0].1 * ends[1].1 < 0.0).map(halved);
+        changes.map(|s| (s, sum.way(from, &sum.moment(0.0, &s), 0.0))).collect()
     }
 }

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use super::family::Unknown;
 use crate::Error;
 use crate::exact::{Enclosure, Exact, ExactError};
+use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, ball, within};
 use crate::scene::Key;
 
@@ -106,11 +107,18 @@ impl Parameter {
     /// A pair that has all but what varies, told as [`Varied::at`](super::family::Varied::at) takes it.
     ///
     /// # Errors
-    /// When the amplitude of the fastest of several harmonics may be 0.
+    /// When the amplitude of the largest of several harmonics may be 0.
     pub fn base(&self) -> Result<ImpactPair, Error> {
-        let amplitude = self.pair.excitation().reference().amplitude();
         let is_one = self.pair.excitation().only().is_some();
-        self.pair_at(if self.over.key == Key::Gap && !is_one { amplitude.clone() } else { self.over.high.clone() })
+        let value = if self.over.key == Key::Gap && !is_one { self.largest() } else { &self.over.high };
+        self.pair_at(value.clone())
+    }
+
+    /// The largest amplitude, about.
+    fn largest(&self) -> &Exact {
+        let size = |x: &Exact| x.enclose(64).mid_rad().0;
+        let amplitudes = self.pair.excitation().harmonics().iter().map(Harmonic::amplitude);
+        amplitudes.max_by(|a, b| size(a).total_cmp(&size(b))).expect("an excitation has a term")
     }
 
     /// What varies without units at a value of the parameter.
@@ -118,11 +126,10 @@ impl Parameter {
     /// # Errors
     /// When it is beyond what exact expressions hold.
     pub fn without_units(&self, value: &Exact) -> Result<Exact, Error> {
-        let amplitude = self.pair.excitation().reference().amplitude();
         let ratio = || match (self.over.key, &self.others) {
             (Key::Amplitude(_), None) => value.checked_div(self.pair.gap()),
             (Key::Amplitude(_), Some(others)) => value.checked_add(others)?.checked_div(self.pair.gap()),
-            (Key::Gap, _) => amplitude.checked_div(value),
+            (Key::Gap, _) => self.largest().checked_div(value),
             _ => Ok(value.clone()),
         };
         within(self.place(), value, ratio())
@@ -133,12 +140,11 @@ impl Parameter {
     /// # Errors
     /// When it is beyond what exact expressions hold, or not in its range.
     pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
-        let amplitude = self.pair.excitation().reference().amplitude();
         let value = |ratio: &Exact| -> Result<Exact, ExactError> {
             match (self.over.key, &self.others) {
                 (Key::Amplitude(_), None) => ratio.checked_mul(self.pair.gap()),
                 (Key::Amplitude(_), Some(others)) => ratio.checked_mul(self.pair.gap())?.checked_sub(others),
-                (Key::Gap, _) => amplitude.checked_div(ratio),
+                (Key::Gap, _) => self.largest().checked_div(ratio),
                 _ => Ok(ratio.clone()),
             }
         };
@@ -174,7 +180,7 @@ impl Parameter {
         let of = |value: &Exact| value.enclose(80).mid_rad().0;
         let [a, b] = ends.map(|x| match self.over.key {
             Key::Amplitude(_) => x * of(self.pair.gap()) - self.others.as_ref().map_or(0.0, of),
-            Key::Gap => of(self.pair.excitation().reference().amplitude()) / x,
+            Key::Gap => of(self.largest()) / x,
             _ => x,
         });
         [a.min(b), a.max(b)] // shown

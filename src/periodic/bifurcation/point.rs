@@ -34,7 +34,7 @@ impl Kind {
 pub struct Point {
     /// Which one.
     pub kind: Kind,
-    /// `A/d` of the harmonic that varies, of the fastest where `d` does, or `e`: exactly one such point of the branch lies in here
+    /// `A/d` of the harmonic that varies, of the largest where `d` does, or `e`: exactly one such point of the branch lies in here
     /// with this orbit.
     pub parameter: Enclosure,
     /// The word of its orbit, which is longer than the asked one on the branches of a cascade.

@@ -4,7 +4,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::shaking::Shaking;
 use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::system::{Curve, System};
@@ -139,12 +138,9 @@ impl Tests {
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
         let mut room = Nearest { distance: f64::INFINITY, leg: 0, wall: Wall::Left, phase: 0.0 };
         for (i, leg) in legs.legs.iter().enumerate().take(ring.unknowns()) {
-            let height = |s: f64| {
-                let start = -chain.walls()[i].sign() / 2.0;
-                start + leg.drift * (s - lifted[i]) - pair.way(&legs.waves[i], &pair.moment(0.0, &s), 0.0)
-            };
-            for s in S::summits(&pair, leg.drift, lifted[i], leg.time) {
-                let y = height(s);
+            let height = -chain.walls()[i].sign() / 2.0;
+            for (s, shift) in S::summits(&pair, leg, &legs.waves[i], lifted[i]) {
+                let y = height + leg.drift * (s - lifted[i]) - shift;
                 let (distance, wall) = (0.5 - y.abs(), if y > 0.0 { Wall::Right } else { Wall::Left });
                 if distance < room.distance {
                     room = Nearest { distance, leg: i, wall, phase: s };
