@@ -17,7 +17,7 @@ use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
 use super::target::{MOST_BITS, Target, narrowest};
 use super::walk::compare;
-use super::{Effort, Finding, Verdict};
+use super::{Effort, Finding, Verdict, one_by_one};
 use crate::attraction::Bounds;
 use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
@@ -41,29 +41,18 @@ impl BifurcationCertificate {
         &self,
         effort: &Effort,
         stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
+        progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
         let budget = Budget::new(0, effort.parts, stop);
-        let mut most = 0;
         let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message)));
         }
-        for (event, point) in self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze) {
-            budget.add(effort.work);
-            match point.judged(self, &budget) {
-                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: event }),
-                Err(Doubt::Open(message)) => return Ok(Verdict::Undecided(Finding { event, message })),
-                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
-                Ok(bits) => {
-                    most = most.max(bits); // exact: what is shown
-                    progress(event + 1);
-                }
-            }
-        }
-        Ok(match self.checked() {
-            0 => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
-            _ => Verdict::Confirmed { bits: most, pieces: 1 },
+        let points = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
+        Ok(match one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), progress) {
+            Ok(0) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(verdict) => verdict,
         })
     }
 }
