@@ -9,7 +9,6 @@ use num_bigint::BigInt;
 use super::super::chain::Chain;
 use super::super::chained::One;
 use super::super::several::repetition;
-use super::super::shaking::Repetition;
 use super::claim::{Setting, prove};
 use super::diagram::{Branch, Diagram, End, Unproved, Wanted};
 use super::family::{Family, Varied};
@@ -77,7 +76,7 @@ pub fn survey(
     let base = parameter.base()?;
     match Several::new(&base, &BigInt::ZERO)? {
         None => {
-            let chain = Chain::under(Repetition::TURN, word, cycles)?;
+            let chain = Chain::new(word, cycles)?;
             survey_under(&One::of(&base)?, (&chain, &parameter), start, wanted, goes_on)
         }
         Some(several) => {
@@ -94,10 +93,10 @@ fn survey_under<S: Varied>(
     wanted: &Wanted,
     goes_on: impl Fn() -> bool,
 ) -> Result<Diagram, Error> {
-    let range = parameter.ends()?;
     let diagram = Diagram::new(parameter.clone());
     // Lemma T7: on one wall there is none.
     let Some(unknown) = parameter.unknown.filter(|_| chain.crosses()) else { return Ok(diagram) };
+    let range = parameter.ends()?;
     let setting = Setting { unknown, base, parameter };
     let interrupted = Cell::new(false);
     let goes_on = || {

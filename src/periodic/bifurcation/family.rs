@@ -8,7 +8,6 @@ use super::super::chain::Leg;
 use super::super::chained::{Chained, Moment, One};
 use super::super::shaking::Shaking;
 use super::jet::Jet;
-use crate::exact::Exact;
 use crate::pair::{ImpactPair, Reduced};
 use crate::several::{Harmonics, Partial, Rates, Turning};
 use crate::shaken::{Several, Sum};
@@ -118,7 +117,7 @@ impl Varied for Several {
     #[cfg(feature = "multiprecision")]
     fn is_point(&self, _: Unknown) -> bool {
         let of_terms = self.spectrum.terms.iter().flat_map(|term| [&term.alpha, &term.ratio, &term.shift]);
-        of_terms.chain([&self.spectrum.restitution]).all(Exact::is_point)
+        of_terms.chain([&self.spectrum.restitution]).all(|x| x.is_point())
     }
 
     fn at<N: Turning>(base: &Sum<N>, unknown: Unknown, value: N) -> Sum<N> {
