@@ -120,6 +120,7 @@ fn word_of(walls: &[Wall]) -> Option<Word> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::periodic::shaking::Repetition;
 
     fn chain(word: &str, cycles: u32) -> Chain {
         Chain::new(&word.parse().unwrap(), cycles).unwrap()
@@ -131,6 +132,23 @@ mod tests {
         assert!(Ring::mirrored(&chain("RL", 2)).is_none() && Ring::mirrored(&chain("RRL", 1)).is_none());
         assert_eq!(Ring::repeated(&chain("RLRL", 2)), Some(Ring::whole(chain("RL", 1))));
         assert_eq!(Ring::whole(chain("RL", 1)).doubled(), Some(Ring::whole(chain("RLRL", 2))));
+    }
+
+    /// Harmonics 1 and 2 have no mirror; 1 and 3 have one half of their three turns later.
+    #[test]
+    fn only_odd_harmonics_fold_and_halves_are_whole_periods() {
+        let under = |turns, is_odd, word: &str, cycles| {
+            Chain::under(Repetition { turns, is_odd }, &word.parse().unwrap(), cycles).unwrap()
+        };
+        assert!(
+            Ring::mirrored(&under(2, false, "RL", 2)).is_none() && Ring::mirrored(&under(1, false, "RL", 1)).is_none()
+        );
+        let odd = Ring::mirrored(&under(3, true, "RL", 3)).unwrap();
+        assert_eq!(odd.lift(&[0.25]), [0.25, 1.75]);
+        assert!(Ring::mirrored(&under(3, true, "RL", 6)).is_none());
+        assert_eq!(odd.doubled(), Some(Ring::whole(under(3, true, "RL", 3))));
+        assert!(Ring::repeated(&under(2, false, "RLRL", 2)).is_none());
+        assert_eq!(Ring::repeated(&under(2, false, "RLRL", 4)), Some(Ring::whole(under(2, false, "RL", 2))));
     }
 
     #[test]
