@@ -6,8 +6,9 @@ mod tolerances;
 use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Point, Wanted, survey};
-use impact_pair::periodic::{Precision, Problem, Stability};
-use impact_pair::{Harmonic, ImpactPair, Scene};
+use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
+use impact_pair::scene::{Key, Term};
+use impact_pair::{Error, Harmonic, ImpactPair, Scene};
 use tolerances::{CLOSED_FORM, QUOTIENT};
 
 const SCENE: &str = r#"
@@ -93,15 +94,141 @@ fn over_the_gap_the_same_points_come_in_the_other_order() {
     assert_abs_diff_eq!(gap.mid_rad().0, 1.040_795_48, epsilon = QUOTIENT);
 }
 
-#[test]
-fn branches_under_several_harmonics_are_refused_in_one_line() {
-    let scene = Scene::parse(include_str!("../scenes/square-wave.toml")).unwrap();
-    for over in ["amplitude=1..2", "gap=1..2", "restitution=0.1..0.2", "frequency=1..2"] {
-        let wanted = Wanted { over: over.parse().unwrap(), doublings: 0, precision: Precision::default() };
-        let error = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 5), &wanted, || true).unwrap_err();
-        let said = error.to_string();
-        assert!(said.contains("has 3 harmonics") && said.contains("sweep --over amplitude.K"), "{said}");
+/// The scene with other terms (amplitudes, frequencies, phases), and what is found of it.
+fn under(terms: [&str; 3], cycles: u32, over: &str, doublings: u32) -> Result<Diagram, Error> {
+    let [amplitude, frequency, phase] = terms;
+    let lists = format!("amplitude = [{amplitude}], frequency = [{frequency}], phase = [{phase}]");
+    let scene = Scene::parse(&SCENE.replace("amplitude = 0.36, frequency = \"pi\", phase = 0", &lists)).unwrap();
+    let precision = Precision { digits: 20, ..Precision::default() };
+    let wanted = Wanted { over: over.parse()?, doublings, precision };
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &wanted, || true)
+}
+
+/// Bounds of one number.
+fn assert_are_the_same(several: &Diagram, one: &Diagram) {
+    assert_eq!(kinds(several), kinds(one));
+    assert!(several.is_certified() && one.is_certified() && !one.points.is_empty());
+    for (several_point, point) in several.points.iter().zip(&one.points) {
+        let [a, b] =
+            [(several, several_point), (one, point)].map(|(diagram, point)| diagram.in_units(point).unwrap().0);
+        assert!(a.intersection(&b).is_some() && width(&a) < 1e-19, "{a:?} {b:?}");
+        assert_eq!(several_point.symmetric, point.symmetric);
+        let [a, b] = [several_point, point].map(|point| point.orbit.as_ref().and_then(|orbit| orbit.physical));
+        assert_eq!((a, a.is_some()), (b, several_point.kind != Kind::Graze));
     }
+}
+
+/// `A sin(W t + pi/3) + A sin(W t - pi/3) = A sin W t`.
+#[test]
+fn one_harmonic_in_two_terms_has_the_same_bifurcations() {
+    let terms = ["0.36, 0.36", "\"pi\", \"pi\"", "\"pi/3\", \"-pi/3\""];
+    for over in ["gap=0.77..1.1", "restitution=0.55..0.9"] {
+        assert_are_the_same(&under(terms, 1, over, 1).unwrap(), &diagram(over, 1));
+    }
+    // Terms in step are one harmonic, of which one part varies.
+    let parts = under(["0.1, 0.1", "\"pi\", \"pi\"", "0, \"2*pi\""], 1, "amplitude.2=0.2..0.37", 1).unwrap();
+    let whole = diagram("amplitude=0.3..0.47", 1);
+    assert_eq!(kinds(&parts), kinds(&whole));
+    for (part, whole) in parts.points.iter().zip(&whole.points) {
+        assert!(part.parameter.intersection(&whole.parameter).is_some());
+        let (amplitude, _) = parts.in_units(part).unwrap();
+        let both = amplitude.add(&Exact::parse("0.1").unwrap().enclose(100), 100);
+        assert!(both.intersection(&whole.parameter).is_some() && width(&amplitude) < 1e-19);
+    }
+}
+
+/// A third harmonic of `10^-30` moves the bifurcations of the closed forms by less than `10^-22`, and a fifth without amplitude by
+/// nothing; the range of its own amplitude may begin where it is none.
+#[test]
+fn a_harmonic_that_hardly_moves_the_box_hardly_moves_the_bifurcations() {
+    let terms = ["0.36, \"1e-30\", 0", "\"pi\", \"3*pi\", \"5*pi\"", "0, 1, 2"];
+    let several = under(terms, 3, "amplitude.1=0.03..0.47", 1).unwrap();
+    let one = diagram("amplitude=0.03..0.47", 1);
+    assert_eq!(kinds(&several), kinds(&one));
+    assert_eq!(kinds(&one).len(), 3);
+    for (a, b) in several.points.iter().zip(&one.points) {
+        assert!(width(&a.parameter.sub(&b.parameter, 200).hull(&Enclosure::point(Dyadic::zero()))) < 1e-20);
+        assert_eq!((a.cycles, a.symmetric), (3 * b.cycles, b.symmetric));
+    }
+    let own = under(terms, 15, "amplitude.3=0..1e-9", 0).unwrap();
+    assert!(own.points.is_empty() && own.is_certified() && own.branches.iter().any(|branch| branch.symmetric));
+}
+
+/// Of two tones: orbits beside a fold are two or none, those beside a doubling and a pitchfork change their stability.
+#[test]
+fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
+    // Even and odd multiples of the common frequency: only the odd ones have a mirror.
+    for (second, cycles, phase, found) in [
+        ("2*pi", 2, "0, 0", [Kind::Fold, Kind::PeriodDoubling].as_slice()),
+        ("3*pi", 3, "0, 0.4", &[Kind::Fold, Kind::Pitchfork, Kind::PeriodDoubling]),
+    ] {
+        let frequency = format!("\"pi\", \"{second}\"");
+        let terms = ["0.36, 0.02", &frequency, phase];
+        let diagram = under(terms, cycles, "amplitude.2=0.001..0.075", 2).unwrap();
+        let amplitudes = under(terms, cycles, "amplitude.1=0.03..0.06", 1).unwrap();
+        let mut seen = Vec::new();
+        for (diagram, key) in [(&diagram, Term::new(2)), (&amplitudes, Term::new(1))] {
+            for point in diagram.points.iter().filter(|point| point.kind != Kind::Graze) {
+                let orbit = point.orbit.as_ref().unwrap();
+                assert_eq!(orbit.physical, Some(true));
+                let (at, _) = point.parameter.mid_rad();
+                let beside = |off: f64| {
+                    let value = Exact::from_f64(at + off).unwrap();
+                    let pair = diagram.pair().with(Key::Amplitude(key), value).unwrap();
+                    let problem = Problem::new(&pair, &point.word, point.cycles).unwrap();
+                    let near: Vec<f64> = point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect();
+                    // The two beside a fold are apart like the root of the way to it.
+                    let guesses = (-40..=40).map(|k| {
+                        let moved =
+                            near.iter().enumerate().map(|(i, u)| u + 5e-5 * f64::from(k) * f64::from(i as u8 % 2));
+                        moved.collect::<Vec<f64>>()
+                    });
+                    let mut orbits: Vec<PeriodicOrbit> = Vec::new();
+                    for found in guesses.filter_map(|guess| problem.prove(&guess, Precision::default())) {
+                        let phase = found.phases()[0].mid();
+                        let is_near = (phase - near[0]).abs() < 0.01;
+                        let is_known = |known: &PeriodicOrbit| (known.phases()[0].mid() - phase).abs() < 1e-9;
+                        if is_near && !orbits.iter().any(is_known) {
+                            orbits.push(found);
+                        }
+                    }
+                    orbits
+                };
+                let [before, after] = [beside(-1e-7), beside(1e-7)];
+                let symmetric = |orbits: &[PeriodicOrbit]| -> Vec<Stability> {
+                    let them = orbits.iter().filter(|orbit| orbit.symmetric == point.symmetric);
+                    them.map(|orbit| orbit.stability).collect()
+                };
+                let sides = [symmetric(&before), symmetric(&after)];
+                match point.kind {
+                    Kind::Fold => {
+                        assert!(sides.contains(&Vec::new()) && sides.iter().any(|side| side.len() == 2), "{sides:?}")
+                    }
+                    _ => assert!(
+                        sides.iter().all(|side| side.len() == 1) && sides[0] != sides[1],
+                        "{:?} {sides:?}",
+                        point.kind
+                    ),
+                }
+                seen.push(point.kind);
+            }
+        }
+        assert!(found.iter().all(|kind| seen.contains(kind)), "{seen:?}");
+        assert_eq!(seen.contains(&Kind::Pitchfork), cycles == 3);
+    }
+}
+
+#[test]
+fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
+    let (waves, phases) = ("\"pi\", \"3*pi\"", "0, 0");
+    let said = |terms, cycles, over| under(terms, cycles, over, 0).unwrap_err().to_string();
+    assert!(said(["1, 1", waves, phases], 3, "frequency.1=3..4").contains("under which nothing is periodic"));
+    assert!(said(["1, 1", waves, phases], 3, "amplitude=0.1..0.2").contains("accepted are amplitude.1 to amplitude.2"));
+    assert!(said(["1, 1", waves, phases], 2, "gap=1..2").contains("must be a multiple of 3"));
+    let incommensurate = said(["1, 1", "1, \"sqrt(2)\"", phases], 2, "gap=1..2");
+    assert!(incommensurate.contains("ratios are proved to be fractions"), "{incommensurate}");
+    let open = said(["1, 1", waves, "\"[0, 0.1]\", 0"], 3, "amplitude.1=0.1..0.2");
+    assert!(open.contains("whose frequency and phase are no intervals"), "{open}");
 }
 
 /// What is kept when a survey is ended early is among what the whole one proves, and it is not called all.

@@ -10,14 +10,20 @@ use impact_pair::periodic::bifurcation::{Wanted, survey};
 use serde_json::{Value, json};
 
 fn bifurcations(over: &str, doublings: u32, digits: u32) -> Value {
-    let scene = r#"
-        excitation = { amplitude = 0.36, frequency = "pi", phase = 0.25 }
-        pair = { gap = 1, restitution = 0.8 }
-        start = { time = 0, wall = "left", velocity = -1 }"#;
-    let scene = Scene::parse(scene).unwrap();
+    under("amplitude = 0.36, frequency = \"pi\", phase = 0.25", 1, over, (doublings, digits))
+}
+
+fn under(excitation: &str, cycles: u32, over: &str, (doublings, digits): (u32, u32)) -> Value {
+    let scene = format!(
+        r#"
+        excitation = {{ {excitation} }}
+        pair = {{ gap = 1, restitution = 0.8 }}
+        start = {{ time = 0, wall = "left", velocity = -1 }}"#
+    );
+    let scene = Scene::parse(&scene).unwrap();
     let precision = Precision { digits, ..Precision::default() };
     let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
-    let asked = (&"RL".parse().unwrap(), 1);
+    let asked = (&"RL".parse().unwrap(), cycles);
     let diagram = survey(scene.pair(), scene.start(), asked, &wanted, || true).unwrap();
     json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
 }
@@ -69,8 +75,39 @@ fn r17_folds_pitchforks_and_doublings_are_confirmed() {
 fn r17_no_bifurcation_that_is_changed_is_confirmed() {
     let document = bifurcations("amplitude=0.03..0.48", 1, 12);
     assert_eq!(kinds(&document), ["fold", "pitchfork", "period-doubling"]);
+    assert_eq!(spoiled(&document, ("/scene/excitation/frequency/0", "3.1416")), 3 * (2 * 9 + 2 + 7 + 6));
+}
+
+/// Those of two tones, with and without a mirror, over each parameter; and those of terms in step, of which one is varied.
+#[test]
+fn bifurcations_of_several_harmonics_are_confirmed_and_none_that_is_changed() {
+    let [even, odd] = [("2*pi", "0.25"), ("3*pi", "0")].map(|(second, phase)| {
+        format!("amplitude = [0.36, 0.02], frequency = [\"pi\", \"{second}\"], phase = [{phase}, 0.4]")
+    });
+    for (excitation, cycles, over) in [
+        (&even, 2, "amplitude.1=0.03..0.06"),
+        (&even, 2, "restitution=0.55..0.6"),
+        (&odd, 3, "amplitude.2=0..0.06"),
+        (&odd, 3, "gap=0.77..0.9"),
+    ] {
+        let document = under(excitation, cycles, over, (1, 9));
+        assert!(!kinds(&document).is_empty(), "{over}");
+        assert_confirmed(&document);
+    }
+    let step = "amplitude = [0.1, 0.1], frequency = [\"pi\", \"pi\"], phase = [0.25, 0.25]";
+    let document = under(step, 1, "amplitude.2=0.2..0.3", (0, 9));
+    assert_eq!(kinds(&document), ["pitchfork"]);
+    assert_confirmed(&document);
+    assert!(claims(&document).unjudged().contains(&"scene.excitation.amplitude[1]".to_owned()));
+    let document = under(&odd, 3, "amplitude.1=0.03..0.05", (0, 12));
+    assert_eq!(kinds(&document), ["fold"]);
+    assert_eq!(spoiled(&document, ("/scene/excitation/amplitude/1", "0.020001")), 2 * 9 + 2 + 7 + 6);
+}
+
+/// Judges documents in which one thing is changed, point by point; how many.
+fn spoiled(document: &Value, (path, value): (&str, &str)) -> u32 {
     let mut tried = 0;
-    for (i, kind) in kinds(&document).into_iter().enumerate() {
+    for (i, kind) in kinds(document).into_iter().enumerate() {
         // Each point alone, so that what is wrong stands alone.
         let mut alone = document.clone();
         alone["points"] = json!([document["points"][i]]);
@@ -100,7 +137,7 @@ fn r17_no_bifurcation_that_is_changed_is_confirmed() {
             ("/orbit/physical", json!(false)),
             ("/orbit/stability", json!("stable")),
             ("/orbit/stability", json!("unstable")),
-            ("/cycles", json!(3)),
+            ("/cycles", json!(6)),
             ("/doublings", json!(4)),
             ("/word", json!("P1 P2")),
         ] {
@@ -117,11 +154,23 @@ fn r17_no_bifurcation_that_is_changed_is_confirmed() {
         }
         judge("/scene/gap", json!("1.00001"));
         judge("/scene/restitution", json!("0.80001"));
-        judge("/scene/excitation/frequency/0", json!("3.1416"));
+        judge(path, json!(value));
         judge("/over/key", json!("pair.gap"));
+        judge("/over/key", json!("pair.restitution"));
         judge("/cycles", json!(2));
     }
-    assert_eq!(tried, 3 * (2 * 9 + 2 + 7 + 5));
+    tried
+}
+
+/// What varies with the gap does not with the frequency.
+#[test]
+fn no_bifurcation_over_the_frequency_is_confirmed() {
+    let mut document = bifurcations("pair.gap=1.02..1.1", 0, 9);
+    assert_confirmed(&document);
+    document["over"]["key"] = json!("excitation.frequency");
+    assert!(matches!(verdict(&document), Verdict::Refuted(_)));
+    document["over"]["key"] = json!("gap");
+    assert!(Claims::parse(&document.to_string()).is_err());
 }
 
 #[test]

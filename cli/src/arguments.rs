@@ -210,11 +210,14 @@ const BIFURCATION_HELP: &str = "\
 Examples:
   impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over amplitude=0.3..0.499
   impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over gap=1.02..1.1
+  impact-pair bifurcations scenes/square-wave.toml --word RL --cycles 5 --over amplitude.2=0..2
 
 Orbits of the word are looked for at values spread over the range; their branches are followed through folds, and so are \
 those that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly one such bifurcation \
-lies in its bounds. That there are no others is not proved. Only A/d and e matter: over frequency nothing bifurcates. Of one harmonic; \
-under several sweep --over amplitude.K=... shows attractors over a parameter.
+lies in its bounds. That there are no others is not proved. Only A/d and e matter: over frequency nothing bifurcates.
+
+Of several terms --over amplitude.K=... is the amplitude of term K, from 1; their frequencies must be commensurate, and N whole common \
+periods in cycles of the fastest. Pitchforks come only where each harmonic is its own opposite half a common period later.
 
 Exit code: 0 each change that was met is proved as narrowly as asked; 1 some is not, a branch was lost, or it was interrupted \
 (the output still holds all that is certified); 2 usage, bad input, I/O.";
@@ -229,7 +232,7 @@ pub struct BifurcationArguments {
     /// The cycles 2 pi/W that the word takes
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
-    /// The parameter and its range: amplitude, gap, restitution or frequency
+    /// The parameter and its range: amplitude (of several terms amplitude.K), gap, restitution or frequency
     #[arg(long, value_name = "KEY=LO..HI")]
     over: Over,
     /// Doublings of the period after which new branches are followed no further

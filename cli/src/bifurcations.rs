@@ -6,7 +6,8 @@ use anyhow::{Context, Result};
 use impact_pair::Scene;
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
-use impact_pair::periodic::bifurcation::{Diagram, End, Key, Kind, Over, survey};
+use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Over, survey};
+use impact_pair::scene::Key;
 
 use crate::Answer;
 use crate::arguments::{BifurcationArguments, PeriodicFormat};
@@ -40,9 +41,9 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
 fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
     let mut out = heading(scene);
     let Over { key, low, high } = diagram.over();
-    writeln!(out, "over {} from {low} to {high}\n", key.name())?;
+    writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     if !diagram.points.is_empty() {
-        writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.name())?;
+        writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.place())?;
     }
     for point in &diagram.points {
         let (parameter, _) = diagram.in_units(point)?;
@@ -93,7 +94,7 @@ fn end(end: End) -> &'static str {
 
 /// The last line: how much of what was asked is proved.
 fn conclusion(diagram: &Diagram) -> String {
-    if diagram.over().key == Key::Frequency {
+    if matches!(diagram.over().key, Key::Frequency(_)) {
         return "certified: nothing bifurcates over the frequency: only A/d and e matter, W is the unit of time".into();
     }
     let points = format!("{} proved", counted(diagram.points.len(), "bifurcation"));

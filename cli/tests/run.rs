@@ -56,6 +56,10 @@ snapshots! {
         "--over", "frequency=1..2"]);
     bifurcations_over_no_parameter: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
         "--over", "phase=1..2"]);
+    bifurcations_of_several_harmonics: program(&["bifurcations", "scenes/square-wave.toml", "--word", "RL", "--cycles", "5",
+        "--over", "amplitude.2=0..2", "--doublings", "1"]);
+    bifurcations_over_one_of_several_frequencies: program(&["bifurcations", "scenes/square-wave.toml", "--word", "RL",
+        "--cycles", "5", "--over", "frequency.1=3..4"]);
     arguments_of_bifurcations: program(&["bifurcations", "--help"]);
     figure_14_ends_where_the_digits_do: run(&["scenes/figure-14.toml", "--max-bits", "64", "--format", "csv"]);
     figure_14_ends_where_the_digits_do_quietly:

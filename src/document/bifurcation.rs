@@ -27,7 +27,7 @@ pub fn bifurcations(
         scene: SceneDocument::new(diagram.pair(), start),
         word: word.to_string(),
         cycles,
-        over: ParameterRange { key: key.name().to_owned(), low: low.into(), high: high.into() },
+        over: ParameterRange { key: key.place(), low: low.into(), high: high.into() },
         exhaustive: false,
         certified: diagram.is_certified(),
         interrupted: diagram.interrupted,
@@ -44,7 +44,7 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
         Some(orbit) => periodic_orbit(&units.measured(orbit)),
         // Where an impact is the graze the Jacobian has no bound.
         None => PeriodicOrbitDocument {
-            impacts: point.impacts.iter().map(|impact| units.impact(impact, (point.bits, 1))).collect(),
+            impacts: point.impacts.iter().map(|impact| units.impact(impact, (point.bits, point.period))).collect(),
             unique: true,
             symmetric: point.symmetric,
             stability: "undecided".to_owned(),

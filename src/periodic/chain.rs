@@ -79,6 +79,14 @@ impl Chain {
         Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles, repetition })
     }
 
+    /// Another word under the same excitation.
+    ///
+    /// # Errors
+    /// Those of [`under`](Self::under).
+    pub fn another(&self, word: &Word, cycles: u32) -> Result<Self, Error> {
+        Self::under(self.repetition, word, cycles)
+    }
+
     /// The wall of each impact, in time order.
     pub fn walls(&self) -> &[Wall] {
         &self.walls

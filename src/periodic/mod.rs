@@ -122,9 +122,7 @@ impl Problem {
     /// common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let Some(several) = Several::new(pair, &BigInt::ZERO)? else {
-            let exact = Reduced::exact(pair)?;
-            let reduced = exact.enclosed()?;
-            let one = One::new(exact, reduced);
+            let one = One::of(pair)?;
             return Ok(Self {
                 impact_pair: pair.clone(),
                 word: word.clone(),

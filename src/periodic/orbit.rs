@@ -147,12 +147,9 @@ impl<N: Enclosing> Finding<N> {
         bits: u32,
         is_narrow: bool,
     ) -> Option<PeriodicOrbit> {
-        let period = BigRational::from_integer(chain.period().into());
-        let first = self.proved.at[0].as_enclosure()?.inf().to_rational();
-        let turns = (first / &period).floor() * period; // exact: a whole number
         // More than the ends of these balls have.
         let room = bits + 160;
-        let turns = Enclosure::from_rational(&turns, room);
+        let turns = whole_periods(chain, &self.proved.at[0].as_enclosure()?, room);
         let impact = |i: usize| {
             Some(PeriodicImpact {
                 wall: chain.walls()[i],
@@ -182,6 +179,13 @@ impl<N: Enclosing> Finding<N> {
             },
         })
     }
+}
+
+/// The turns up to the common period in which the first impact is.
+pub(super) fn whole_periods(chain: &Chain, first: &Enclosure, bits: u32) -> Enclosure {
+    let period = BigRational::from_integer(chain.period().into());
+    let turns = (first.inf().to_rational() / &period).floor() * period; // exact: a whole number
+    Enclosure::from_rational(&turns, bits)
 }
 
 /// A ball of doubles inside the ball, so that what holds no second orbit still holds none (Lemma T6); where there is no room for

@@ -10,7 +10,7 @@ use crate::flight::Launch;
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
 use crate::pair::ImpactPair;
-use crate::several::{Doubt, Partial, Phased, Spectrum};
+use crate::several::{Doubt, Partial, Phased, Spectrum, Turning};
 use crate::shaken::{Several, Sum};
 
 /// When the harmonics of a pair repeat.

@@ -12,14 +12,20 @@ use crate::number::{Ball, LARGEST_RATE, Wave, is_positive, up};
 use crate::number::{MpBall, Number};
 use crate::pair::{ImpactPair, too_large};
 
-/// A number in which flights under several harmonics are computed.
-pub(crate) trait Phased: Wave + std::fmt::Debug + Send {
+/// A number in which the box under several harmonics is computed.
+pub(crate) trait Turning: Wave + std::fmt::Debug + Send {
     /// The phase of a harmonic as a function of whole turns of the fastest.
     type Counter: Clone + std::fmt::Debug + Send + Sync;
-    /// The counter of phases `ratio n + shift`.
-    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> Self::Counter;
     /// `ratio n + shift`, less whole turns.
     fn phase_at(counter: &Self::Counter, turns: i64) -> Self;
+    /// A number near it, to nearest.
+    fn middle(&self) -> f64;
+}
+
+/// A number in which flights under several harmonics are computed.
+pub(crate) trait Phased: Turning {
+    /// The counter of phases `ratio n + shift`.
+    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> Self::Counter;
     /// Encloses an exact number; a double takes the nearest.
     fn enclose(x: &Exact, bits: u32) -> Self;
     /// A lower and an upper bound.
@@ -97,15 +103,22 @@ impl Ticks {
     }
 }
 
-impl Phased for f64 {
+impl Turning for f64 {
     type Counter = Ticks;
 
-    fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
-        Ticks::new(ratio, shift)
-    }
     #[inline]
     fn phase_at(counter: &Ticks, turns: i64) -> f64 {
         counter.phase(turns)
+    }
+    #[inline]
+    fn middle(&self) -> f64 {
+        *self
+    }
+}
+
+impl Phased for f64 {
+    fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
+        Ticks::new(ratio, shift)
     }
     fn enclose(x: &Exact, _: u32) -> f64 {
         x.enclose(64).mid_rad().0
@@ -137,15 +150,22 @@ impl Phased for f64 {
     }
 }
 
-impl Phased for Ball {
+impl Turning for Ball {
     type Counter = Ticks;
 
-    fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
-        Ticks::new(ratio, shift)
-    }
     #[inline]
     fn phase_at(counter: &Ticks, turns: i64) -> Ball {
         Ball::new(counter.phase(turns), counter.error(turns))
+    }
+    #[inline]
+    fn middle(&self) -> f64 {
+        middle(self)
+    }
+}
+
+impl Phased for Ball {
+    fn counter(ratio: &Exact, shift: &Exact, _: u32) -> Ticks {
+        Ticks::new(ratio, shift)
     }
     fn enclose(x: &Exact, _: u32) -> Ball {
         Ball::of(x)
@@ -185,19 +205,26 @@ impl Phased for Ball {
 const TURN_BITS: u32 = 64;
 
 #[cfg(feature = "multiprecision")]
-impl Phased for MpBall {
+impl Turning for MpBall {
     type Counter = (MpBall, MpBall);
 
-    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
-        let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);
-        (wide(ratio), wide(shift))
-    }
     fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
         let turns = MpBall::exact(rug::Float::with_val(TURN_BITS, turns));
         let phase = turns.mul_add(ratio.clone(), shift.clone());
         let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of turns
         let bits = phase.bits() - TURN_BITS;
         (phase - whole).rounded(bits)
+    }
+    fn middle(&self) -> f64 {
+        middle(self)
+    }
+}
+
+#[cfg(feature = "multiprecision")]
+impl Phased for MpBall {
+    fn counter(ratio: &Exact, shift: &Exact, bits: u32) -> (MpBall, MpBall) {
+        let wide = |x: &Exact| enclosing(x, bits + TURN_BITS);
+        (wide(ratio), wide(shift))
     }
     fn enclose(x: &Exact, bits: u32) -> MpBall {
         enclosing(x, bits)
@@ -233,6 +260,12 @@ pub(super) fn enclosing(x: &Exact, bits: u32) -> MpBall {
     MpBall::enclosing(&x.enclose(bits + 8), bits)
 }
 
+/// Half way between the bounds, to nearest.
+fn middle<N: Phased>(x: &N) -> f64 {
+    let (low, high) = x.bounds();
+    0.5 * (low + high)
+}
+
 /// An upper bound of the absolute values.
 pub(super) fn magnitude<N: Phased>(x: &N) -> f64 {
     let (low, high) = x.bounds();
@@ -241,14 +274,14 @@ pub(super) fn magnitude<N: Phased>(x: &N) -> f64 {
 
 /// The harmonics in an arithmetic.
 #[derive(Clone, Debug)]
-pub(crate) struct Harmonics<N: Phased> {
+pub(crate) struct Harmonics<N: Turning> {
     pub terms: Vec<Partial<N>>,
     pub rates: Rates,
 }
 
 /// One of them.
 #[derive(Clone, Debug)]
-pub(crate) struct Partial<N: Phased> {
+pub(crate) struct Partial<N: Turning> {
     /// `A_k / d`
     pub alpha: N,
     /// `2 pi alpha W_k / W`: its greatest speed, in gaps a turn.
@@ -292,7 +325,7 @@ pub(crate) struct Added<N> {
     pub acceleration: N,
 }
 
-impl<N: Phased> Sums<N> {
+impl<N: Turning> Sums<N> {
     #[inline]
     fn of<'h>(waves: impl Iterator<Item = (&'h Partial<N>, (N, N))>) -> Self
     where
@@ -314,13 +347,22 @@ impl<N: Phased> Harmonics<N> {
     pub fn new(spectrum: &Spectrum, bits: u32) -> Self {
         let partial = |term: &Term| {
             let (alpha, ratio) = (N::enclose(&term.alpha, bits), N::enclose(&term.ratio, bits));
-            let beta = alpha.clone() * ratio.clone() * alpha.turn();
-            let swing = beta.clone() * ratio.clone() * alpha.turn();
-            Partial { alpha, beta, swing, ratio, counter: N::counter(&term.ratio, &term.shift, bits) }
+            Partial::new(alpha, ratio, N::counter(&term.ratio, &term.shift, bits))
         };
         Self { terms: spectrum.terms.iter().map(partial).collect(), rates: Rates::new(spectrum) }
     }
+}
 
+impl<N: Turning> Partial<N> {
+    /// The harmonic of this size and these phases.
+    pub fn new(alpha: N, ratio: N, counter: N::Counter) -> Self {
+        let beta = alpha.clone() * ratio.clone() * alpha.turn();
+        let swing = beta.clone() * ratio.clone() * alpha.turn();
+        Self { alpha, beta, swing, ratio, counter }
+    }
+}
+
+impl<N: Turning> Harmonics<N> {
     /// Sine and cosine of each harmonic, `rest` after a number of whole turns.
     pub fn waves<'h>(&'h self, turns: i64, rest: &'h N) -> impl Iterator<Item = (&'h Partial<N>, (N, N))> {
         self.terms.iter().map(move |term| {
@@ -399,6 +441,10 @@ impl Harmonics<MpBall> {
 }
 
 impl Rates {
+    /// Of harmonics that are not asked for theirs.
+    pub const UNKNOWN: Self =
+        Self { shift: f64::INFINITY, second: f64::INFINITY, third: f64::INFINITY, fourth: f64::INFINITY };
+
     fn new(spectrum: &Spectrum) -> Self {
         let magnitude = |x: Enclosure| x.mag().to_f64_up();
         let mut rates = Self { shift: 0.0, second: 0.0, third: 0.0, fourth: 0.0 };

@@ -20,7 +20,7 @@ pub(crate) use flight::Instant;
 pub(crate) use flight::SumFlight;
 #[cfg(feature = "multiprecision")]
 pub(crate) use graze::pass;
-pub(crate) use harmonics::{Harmonics, Partial, Phased, Sums};
+pub(crate) use harmonics::{Harmonics, Partial, Phased, Rates, Sums, Turning};
 pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};

@@ -30,7 +30,7 @@ use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
 use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
-use crate::several::{Phased, phases_at};
+use crate::several::{Phased, Turning, phases_at};
 pub(crate) use one::One;
 pub(crate) use origin::{Location, Origin, Released};
 pub(crate) use several::Several;
@@ -74,7 +74,7 @@ pub(crate) trait Shaken: Debug + Send + Sync {
 /// First contacts.
 pub(crate) trait Flying: Shaken + Sized + 'static {
     /// The parameters in an arithmetic.
-    type In<N: Phased>: Shaking<N> + Debug + Send;
+    type In<N: Turning>: Shaking<N> + Clone + Debug + Send;
     /// Sines and cosines at the start of a flight.
     type Waves<N: Phased>: Debug + Send;
 
@@ -174,11 +174,7 @@ impl Either {
     /// When a value is beyond what exact expressions or doubles hold.
     pub fn new(pair: &ImpactPair, clock: &Clock) -> Result<Self, Error> {
         Ok(match Several::new(pair, clock.origin())? {
-            None => {
-                let exact = Reduced::exact(pair)?;
-                let reduced = exact.enclosed()?;
-                Self::One(Arc::new(One::new(exact, reduced)))
-            }
+            None => Self::One(Arc::new(One::of(pair)?)),
             Some(several) => Self::Several(Arc::new(several)),
         })
     }

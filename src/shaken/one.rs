@@ -4,6 +4,7 @@ use super::shaking::Shaking;
 #[cfg(feature = "multiprecision")]
 use super::{Arrival, Flights, Precisely};
 use super::{Flying, Origin, Released, Shaken, Still};
+use crate::Error;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Passed, Refined, Start, isolate_first, pass};
 use crate::contact::{
@@ -17,9 +18,9 @@ use crate::number::{Ball, Kernel, Number, UNIT, Wave, kernel};
 use crate::number::{Magnitude, MpBall};
 #[cfg(feature = "multiprecision")]
 use crate::pair::Inward;
-use crate::pair::{Reduced, Wall};
+use crate::pair::{ImpactPair, Reduced, Wall};
 use crate::rest::{Pressed, accumulation};
-use crate::several::Phased;
+use crate::several::{Phased, Turning};
 use crate::turns;
 
 /// A pair that is shaken by one harmonic, equation (9).
@@ -32,6 +33,16 @@ pub(crate) struct One {
 impl One {
     pub fn new(exact: Reduced<Exact>, pair: Reduced<Ball>) -> Self {
         Self { exact, court: Court::new(pair) }
+    }
+
+    /// What shakes a pair of one harmonic.
+    ///
+    /// # Errors
+    /// When a value is beyond what exact expressions or doubles hold, or there are several harmonics.
+    pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
+        let exact = Reduced::exact(pair)?;
+        let reduced = exact.enclosed()?;
+        Ok(Self::new(exact, reduced))
     }
 
     /// Whether no parameter is an interval of values.
@@ -88,7 +99,7 @@ impl Shaken for One {
 }
 
 impl Flying for One {
-    type In<N: Phased> = Reduced<N>;
+    type In<N: Turning> = Reduced<N>;
     type Waves<N: Phased> = (N, N);
 
     fn floats(&self) -> &Reduced<f64> {

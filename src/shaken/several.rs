@@ -23,7 +23,9 @@ use crate::number::{LEAST_BITS, Magnitude, MpBall};
 use crate::pair::{ImpactPair, Inward, Reduced, Wall, ball, within};
 #[cfg(feature = "multiprecision")]
 use crate::several::pass;
-use crate::several::{Band, Doubt, Found, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, accumulation, release};
+use crate::several::{
+    Band, Doubt, Found, Harmonics, Phased, Reach, Scan, Spectrum, SumFlight, Turning, accumulation, release,
+};
 
 /// A pair that is shaken by several harmonics, equation (1).
 #[derive(Clone, Debug)]
@@ -151,7 +153,7 @@ impl Shaken for Several {
 }
 
 impl Flying for Several {
-    type In<N: Phased> = Sum<N>;
+    type In<N: Turning> = Sum<N>;
     type Waves<N: Phased> = Vec<(N, N)>;
 
     fn floats(&self) -> &Sum<f64> {

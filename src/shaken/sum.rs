@@ -1,11 +1,11 @@
 //! The box under several harmonics at one time, as chains of impacts see it: Lemmas H10, H11 of `docs/proofs.md`.
 
 use super::shaking::{Hop, Shaking};
-use crate::several::{Harmonics, Phased, Sums};
+use crate::several::{Harmonics, Sums, Turning};
 
 /// The harmonics and the restitution.
 #[derive(Clone, Debug)]
-pub(crate) struct Sum<N: Phased> {
+pub(crate) struct Sum<N: Turning> {
     pub harmonics: Harmonics<N>,
     pub restitution: N,
 }
@@ -18,7 +18,7 @@ pub(crate) struct Moment<N> {
     sums: Sums<N>,
 }
 
-impl<N: Phased> Shaking<N> for Sum<N> {
+impl<N: Turning> Shaking<N> for Sum<N> {
     type Moment = Moment<N>;
 
     fn restitution(&self) -> &N {
@@ -26,8 +26,7 @@ impl<N: Phased> Shaking<N> for Sum<N> {
     }
 
     fn moment(&self, turns: f64, rest: &N) -> Moment<N> {
-        let (low, high) = rest.bounds();
-        let whole = (0.5 * (low + high)).floor(); // H11: any whole number of turns
+        let whole = rest.middle().floor(); // H11: any whole number of turns
         let rest = rest.clone() - N::from_f64(whole);
         // H11: whole, polished phases are below 2^40
         let each: Vec<_> = self.harmonics.waves((turns + whole) as i64, &rest).map(|(_, wave)| wave).collect();

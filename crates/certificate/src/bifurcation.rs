@@ -3,6 +3,7 @@
 use super::attraction::{Bounds, ClaimedOrbit};
 use crate::document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
 use impact_pair_exact::Exact;
+use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
 /// What a bifurcation JSON claims.
@@ -10,7 +11,7 @@ use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 pub struct BifurcationCertificate {
     pair: ImpactPair,
     start: Start,
-    over: Parameter,
+    over: Key,
     points: Vec<ClaimedPoint>,
     /// Why it contradicts itself.
     contradiction: Option<String>,
@@ -37,35 +38,28 @@ pub(super) enum Kind {
 }
 
 /// What varies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Parameter {
-    Amplitude,
-    Gap,
-    Restitution,
-    /// Over which nothing changes.
-    Frequency,
+fn parameter(place: &Place<'_>) -> Result<Key, Error> {
+    let text = place.read::<String>()?;
+    let key = text.parse().ok().filter(|key: &Key| key.place() == text);
+    key.filter(|key| matches!(key, Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution)).ok_or_else(
+        || {
+            place.refused(
+                "accepted are excitation.amplitude, .frequency, of a term .amplitude.K, pair.gap and .restitution",
+            )
+        },
+    )
 }
 
-impl Parameter {
-    fn of(place: &Place<'_>) -> Result<Self, Error> {
-        match place.read::<String>()?.as_str() {
-            "excitation.amplitude" => Ok(Self::Amplitude),
-            "pair.gap" => Ok(Self::Gap),
-            "pair.restitution" => Ok(Self::Restitution),
-            "excitation.frequency" => Ok(Self::Frequency),
-            _ => Err(place.refused("accepted are excitation.amplitude, .frequency, pair.gap and .restitution")),
-        }
-    }
-
-    /// Where its own value stands in the scene; it only names the scene.
-    fn place(self) -> &'static str {
-        match self {
-            Self::Amplitude => "scene.excitation.amplitude",
-            Self::Gap => "scene.gap",
-            Self::Restitution => "scene.restitution",
-            Self::Frequency => "scene.excitation.frequency",
-        }
-    }
+/// Where the parameter's own value stands in the scene; it only names the scene.
+fn own_value(key: Key) -> String {
+    let place = match key {
+        Key::Amplitude(_) => "excitation.amplitude",
+        Key::Frequency(_) => "excitation.frequency",
+        Key::Restitution => "restitution",
+        _ => "gap",
+    };
+    let number = key.term().map_or_else(String::new, |term| format!("[{}]", term.get() - 1));
+    format!("scene.{place}{number}")
 }
 
 impl ClaimedPoint {
@@ -100,12 +94,14 @@ impl BifurcationCertificate {
         let value = value(text)?;
         let whole = Place::of_schema(&value, BIFURCATION_SCHEMA)?;
         let document: BifurcationDocument = whole.read()?;
-        let over = Parameter::of(&whole.get("over")?.get("key")?)?;
+        let over = parameter(&whole.get("over")?.get("key")?)?;
         let places = whole.get("points")?.list()?;
         let points = document.points.iter().zip(&places).map(|(point, place)| ClaimedPoint::of(point, place));
         let points: Vec<ClaimedPoint> = points.collect::<Result<_, _>>()?;
         let mut unjudged = whole.unread::<BifurcationDocument>()?;
-        unjudged.extend(["program", "scene.start", "over.low", "over.high", over.place()].map(str::to_owned));
+        unjudged.extend(
+            ["program", "scene.start", "over.low", "over.high"].map(str::to_owned).into_iter().chain([own_value(over)]),
+        );
         unjudged.extend((!document.branches.is_empty()).then(|| "branches".to_owned()));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
@@ -135,7 +131,7 @@ impl BifurcationCertificate {
         &self.start
     }
 
-    pub(super) fn over(&self) -> Parameter {
+    pub(super) fn over(&self) -> Key {
         self.over
     }
 

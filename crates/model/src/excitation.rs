@@ -80,6 +80,17 @@ impl Excitation {
         }
     }
 
+    /// Of a term that moves the box, the number from 0 of its harmonic, and the amplitude of the other terms of that, if there are some;
+    /// `None` where intervals leave open which one it is, or the amplitude is beyond what exact expressions hold.
+    pub fn harmonic_of(&self, term: &Harmonic) -> Option<(usize, Option<Exact>)> {
+        let number = match self.only() {
+            Some(_) => 0,
+            None => self.harmonics.iter().position(|harmonic| are_in_step(harmonic, term))?,
+        };
+        let others = self.harmonics[number].amplitude().checked_sub(term.amplitude()).ok()?;
+        Some((number, (others.sign() != Some(Ordering::Equal)).then_some(others)))
+    }
+
     /// Whether no parameter is an interval of values.
     pub fn is_point(&self) -> bool {
         self.terms.iter().all(Harmonic::is_point)

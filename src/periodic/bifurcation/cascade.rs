@@ -4,21 +4,27 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
+use num_bigint::BigInt;
+
 use super::super::chain::Chain;
+use super::super::chained::One;
+use super::super::several::repetition;
 use super::claim::{Setting, prove};
 use super::diagram::{Branch, Diagram, End, Unproved, Wanted};
+use super::family::{Family, Varied};
 use super::follow::{Change, Path, Stop, follow};
-use super::over::Key;
+use super::over::Parameter;
 use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::starts::{is_same, seeds};
-use super::system::Family;
 use super::trace::{Station, correct, null_vector, tangent};
 use super::tube::is_one_curve;
 use crate::Error;
 use crate::exact::Dyadic;
 use crate::mapping::Word;
-use crate::pair::{ImpactPair, Reduced};
+use crate::pair::ImpactPair;
+use crate::scene::Key;
+use crate::shaken::Several;
 use impact_pair_model::Start;
 
 /// A branch to be followed.
@@ -39,10 +45,11 @@ const ENTER: f64 = 1e-3;
 const REAL: f64 = 1e-6;
 
 /// The survey as it goes on.
-struct Survey<'w> {
+struct Survey<'w, S: Varied> {
     wanted: &'w Wanted,
-    setting: Setting,
-    floats: Family<f64>,
+    chain: &'w Chain,
+    setting: Setting<'w, S>,
+    floats: Family<S, f64>,
     range: [f64; 2],
     followed: Vec<(Ring, Path)>,
     leads: VecDeque<Lead>,
@@ -56,7 +63,8 @@ struct Survey<'w> {
 /// what was found until then is kept.
 ///
 /// # Errors
-/// When the word is not closed, the cycles are too many, or the range is not one of the parameter's.
+/// When the word is not closed, the cycles are too many, or the range is not one of the parameter's. Under several harmonics also when
+/// their frequencies are not proved to be commensurate, the cycles are no multiple of the common period, or a frequency varies.
 pub fn survey(
     pair: &ImpactPair,
     start: &Start,
@@ -64,13 +72,32 @@ pub fn survey(
     wanted: &Wanted,
     goes_on: impl Fn() -> bool,
 ) -> Result<Diagram, Error> {
-    let chain = Chain::new(word, cycles)?;
-    for end in [&wanted.over.low, &wanted.over.high] {
-        Reduced::exact(&wanted.over.pair_at(pair, end.clone())?)?.enclosed()?;
+    let parameter = Parameter::new(pair, &wanted.over)?;
+    let base = parameter.base()?;
+    match Several::new(&base, &BigInt::ZERO)? {
+        None => {
+            let chain = Chain::new(word, cycles)?;
+            survey_under(&One::of(&base)?, (&chain, &parameter), start, wanted, goes_on)
+        }
+        Some(several) => {
+            let chain = Chain::under(repetition(&base, &several.spectrum)?, word, cycles)?;
+            survey_under(&several, (&chain, &parameter), start, wanted, goes_on)
+        }
     }
-    let Some(setting) = wanted.over.setting(pair)? else { return Ok(Diagram::new(pair, &wanted.over)) };
-    let floats = setting.floats();
-    let range = wanted.over.ends(pair)?;
+}
+
+fn survey_under<S: Varied>(
+    base: &S,
+    (chain, parameter): (&Chain, &Parameter),
+    start: &Start,
+    wanted: &Wanted,
+    goes_on: impl Fn() -> bool,
+) -> Result<Diagram, Error> {
+    let diagram = Diagram::new(parameter.clone());
+    // Lemma T7: on one wall there is none.
+    let Some(unknown) = parameter.unknown.filter(|_| chain.crosses()) else { return Ok(diagram) };
+    let range = parameter.ends()?;
+    let setting = Setting { unknown, base, parameter };
     let interrupted = Cell::new(false);
     let goes_on = || {
         interrupted.set(interrupted.get() || !goes_on());
@@ -78,19 +105,16 @@ pub fn survey(
     };
     let mut survey = Survey {
         wanted,
+        chain,
+        floats: setting.floats(),
         setting,
-        floats,
         range,
         followed: Vec::new(),
         leads: VecDeque::new(),
-        diagram: Diagram::new(pair, &wanted.over),
+        diagram,
         goes_on: &goes_on,
     };
-    if !chain.crosses() {
-        // Lemma T7: on one wall there is none.
-        return Ok(survey.diagram);
-    }
-    for seed in seeds(&chain, (pair, start), wanted, &goes_on)? {
+    for seed in seeds::<S>(chain, (parameter, start), &goes_on)? {
         survey.sow(&seed.ring, seed.x);
         survey.follow_leads();
     }
@@ -106,7 +130,7 @@ fn compare(a: &Point, b: &Point, key: Key) -> Ordering {
     if key == Key::Gap { order.reverse() } else { order }
 }
 
-impl Survey<'_> {
+impl<S: Varied> Survey<'_, S> {
     /// Takes up the branch through an orbit, unless it is followed already or the orbit is none of a motion.
     fn sow(&mut self, ring: &Ring, x: Vec<f64>) {
         let mut along = vec![0.0; x.len()];
@@ -231,7 +255,7 @@ impl Survey<'_> {
             known.kind == point.kind
                 && known.word == point.word
                 && known.parameter.intersection(&point.parameter).is_some()
-                && is_same_orbit(known, &point)
+                && is_same_orbit(self.chain, known, &point)
         };
         if !self.diagram.points.iter().any(is_known) {
             self.diagram.points.push(point);
@@ -285,8 +309,8 @@ fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
     Some((half, x))
 }
 
-/// Whether two points with one parameter show one orbit, or mirror images, as far as doubles tell.
-fn is_same_orbit(one: &Point, other: &Point) -> bool {
+/// Whether two points with one parameter show one orbit, or mirror images, as far as doubles tell; `chain` is of their excitation.
+fn is_same_orbit(chain: &Chain, one: &Point, other: &Point) -> bool {
     let phases = |point: &Point| -> Vec<f64> { point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect() };
-    Chain::new(&one.word, one.cycles).is_ok_and(|chain| is_same(&chain, &phases(one), &phases(other)))
+    chain.another(&one.word, one.cycles).is_ok_and(|chain| is_same(&chain, &phases(one), &phases(other)))
 }

@@ -3,55 +3,59 @@
 use std::cmp::Ordering;
 
 use super::super::Precision;
+use super::super::chain::{Chain, Legs};
+use super::super::chained::Moment;
 use super::super::equations::flights;
 use super::super::krawczyk::{self, Effort, LARGEST, Proved, widest};
-use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit};
-use super::super::physical;
+use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
+use super::super::shaking::Shaking;
+use super::family::{Family, Unknown, Varied};
 use super::follow::Change;
+use super::over::Parameter;
 use super::point::{Kind, Point};
 use super::ring::Ring;
 use super::solve::newton;
-use super::system::{Critical, Family, Graze, Posed, System, Unknown, Vanishing};
+use super::system::{Critical, Graze, Posed, System, Vanishing};
 use super::trace::null_vector;
-use crate::contact::Court;
 #[cfg(feature = "multiprecision")]
 use crate::exact::working_bits;
-use crate::exact::{Enclosure, Exact};
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
 use crate::number::{Ball, Enclosing};
-use crate::pair::{Inward, Reduced};
+use crate::pair::Inward;
+use crate::several::Turning;
 
-/// The parameters of a family, exactly.
-#[derive(Clone, Debug)]
-pub(super) struct Setting {
+/// What varies, and the parameters that do not.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Setting<'s, S> {
     pub unknown: Unknown,
-    /// The one of `alpha` and `e` that does not vary.
-    pub fixed: Exact,
+    /// See [`Varied::at`].
+    pub base: &'s S,
+    pub parameter: &'s Parameter,
 }
 
-impl Setting {
+impl<S: Varied> Setting<'_, S> {
     /// In floats.
-    pub fn floats(&self) -> Family<f64> {
-        Family { unknown: self.unknown, fixed: self.doubles().fixed.mid() }
+    pub fn floats(&self) -> Family<S, f64> {
+        Family { unknown: self.unknown, base: self.base.floats().clone() }
     }
 
     /// In doubles.
-    pub fn doubles(&self) -> Family<Ball> {
-        Family { unknown: self.unknown, fixed: Ball::of(&self.fixed) }
+    pub fn doubles(&self) -> Family<S, Ball> {
+        Family { unknown: self.unknown, base: self.base.balls().clone() }
     }
 
     /// In so many bits.
     #[cfg(feature = "multiprecision")]
-    pub fn balls(&self, bits: u32) -> Family<MpBall> {
-        Family { unknown: self.unknown, fixed: MpBall::enclosing(&self.fixed.enclose(bits + 8), bits) }
+    pub fn balls(&self, bits: u32) -> Family<S, MpBall> {
+        Family { unknown: self.unknown, base: self.base.precise(bits) }
     }
 }
 
 /// Proves the bifurcation that a change of sign near `x` suggests. Lemmas Y3-Y5
-pub(super) fn prove(
-    setting: &Setting,
+pub(super) fn prove<S: Varied>(
+    setting: &Setting<'_, S>,
     ring: &Ring,
     (change, x): (Change, &[f64]),
     precision: Precision,
@@ -82,25 +86,25 @@ pub(super) fn prove(
 /// What else a system's zero has to satisfy.
 pub(super) trait Condition: System {
     /// Whether what the equations leave open is as it has to be, proved.
-    fn holds<N: Enclosing>(&self, pair: &Reduced<N>, x: &[N], phases: &[N]) -> bool;
+    fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool;
 }
 
 impl Condition for Critical<'_> {
     /// `e > 0`, for Lemma Y2; velocities that are not 0 are asked for with the orbit.
-    fn holds<N: Enclosing>(&self, pair: &Reduced<N>, _: &[N], _: &[N]) -> bool {
-        pair.restitution.certain_sign() == Some(Ordering::Greater)
+    fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, _: &[N], _: &[N]) -> bool {
+        pair.restitution().certain_sign() == Some(Ordering::Greater)
     }
 }
 
 impl Condition for Vanishing<'_> {
-    fn holds<N: Enclosing>(&self, _: &Reduced<N>, _: &[N], _: &[N]) -> bool {
+    fn holds<N: Enclosing, B: Shaking<N>>(&self, _: &B, _: &[N], _: &[N]) -> bool {
         true
     }
 }
 
 impl Condition for Graze<'_> {
     /// The touch lies inside its flight, and the ball comes from inside the gap: it is bent away from the wall. Lemma Y5
-    fn holds<N: Enclosing>(&self, _: &Reduced<N>, x: &[N], phases: &[N]) -> bool {
+    fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, x: &[N], phases: &[N]) -> bool {
         let at = &x[x.len() - 2];
         let chain = self.ring.chain();
         let next = match self.leg + 1 {
@@ -108,7 +112,7 @@ impl Condition for Graze<'_> {
             i => phases[i].clone(),
         };
         let is_later = |a: &N, b: &N| (a.clone() - b.clone()).certain_sign() == Some(Ordering::Greater);
-        let bend = self.wall.inward(at.wave().0);
+        let bend = self.wall.inward(pair.swing(&pair.moment(0.0, at)));
         is_later(at, &phases[self.leg]) && is_later(&next, at) && bend.certain_sign() == Some(Ordering::Greater)
     }
 }
@@ -127,15 +131,15 @@ const EXTENDED_BITS: u32 = 16;
 const MOST_PRECISIONS: u32 = 3;
 
 /// A zero to prove, and what it then is.
-struct Claim<'s, S> {
-    setting: &'s Setting,
+struct Claim<'s, E, S> {
+    setting: &'s Setting<'s, S>,
     ring: &'s Ring,
     kind: Kind,
-    system: S,
+    system: E,
     precision: Precision,
 }
 
-impl<S: Condition> Claim<'_, S> {
+impl<E: Condition, S: Varied> Claim<'_, E, S> {
     /// In doubles first, then in as many bits as the digits take.
     fn prove(&self, guess: Vec<f64>) -> Option<Point> {
         let floats = self.setting.floats();
@@ -147,7 +151,7 @@ impl<S: Condition> Claim<'_, S> {
         let zero = self.certify(&family, &inverse, doubles, (bits, LARGEST));
         // What doubles prove is the largest domain; where they prove none, it is smaller than they can tell.
         let largest = zero.as_ref().map_or(SMALL, |zero| zero.domain[0].rad());
-        let best = zero.and_then(|zero| self.point(&family, &zero, bits, court_in_doubles));
+        let best = zero.and_then(|zero| self.point(&family, &zero, bits, S::is_physical));
         match best {
             Some(point) if point.is_narrow && point.is_decided() => Some(point),
             best => self.prove_precisely(&inverse, (&guess, largest), best),
@@ -155,9 +159,9 @@ impl<S: Condition> Claim<'_, S> {
     }
 
     /// Proves the zero near a guess in an arithmetic of so many bits; the largest domain that is tried has the radius `largest`.
-    fn certify<N: Enclosing>(
+    fn certify<N: Enclosing + Turning>(
         &self,
-        family: &Family<N>,
+        family: &Family<S, N>,
         inverse: &Preconditioner,
         guess: Vec<N>,
         (bits, largest): (u32, f64),
@@ -183,11 +187,13 @@ impl<S: Condition> Claim<'_, S> {
             }
             let balls: Vec<MpBall> = guess.iter().map(|&x| MpBall::from_f64_bits(x, bits)).collect();
             let family = self.setting.balls(bits);
-            let found = self
-                .certify(&family, inverse, balls, (bits, largest))
-                .and_then(|zero| self.point(&family, &zero, bits, court_in_balls));
+            let found = self.certify(&family, inverse, balls, (bits, largest)).and_then(|zero| {
+                self.point(&family, &zero, bits, |shaken, chain, phases, legs| {
+                    shaken.is_physical_precisely(&shaken.precise(bits), chain, phases, legs)
+                })
+            });
             best = found.or(best);
-            if best.as_ref().is_some_and(|point| point.is_narrow) || !self.setting.fixed.is_point() {
+            if best.as_ref().is_some_and(|point| point.is_narrow) || !self.setting.base.is_point(self.setting.unknown) {
                 break;
             }
             bits *= 2;
@@ -202,35 +208,34 @@ impl<S: Condition> Claim<'_, S> {
     }
 
     /// What a proved zero is.
-    fn point<N: Enclosing>(
+    fn point<N: Enclosing + Turning>(
         &self,
-        family: &Family<N>,
+        family: &Family<S, N>,
         zero: &Proved<N>,
         bits: u32,
-        is_physical: impl Fn(&Ring, &Reduced<N>, &[N]) -> Option<bool>,
+        is_physical: impl Fn(&S, &Chain, &[N], &Legs<N, Moment<S, N>>) -> Option<bool>,
     ) -> Option<Point> {
         let (ring, chain) = (self.ring, self.ring.chain());
         let p = zero.at.last()?;
         let phases = ring.lift(&zero.at[..ring.unknowns()]);
-        let pair = family.pair(p.clone());
-        let legs = flights(chain, &pair, &phases)?;
-        if !self.system.holds(&pair, &zero.at, &phases) {
+        let shaking = family.pair(p.clone());
+        let legs = flights(chain, &shaking, &phases)?;
+        if !self.system.holds(&shaking, &zero.at, &phases) {
             return None;
         }
         // Radii may be far smaller than this arithmetic's unit where nothing is rounded.
         let parameter = p.as_enclosure()?.rounded(bits + 64);
-        let ends = [parameter.inf(), parameter.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        let restitution = match self.setting.unknown {
-            Unknown::Ratio => self.setting.fixed.clone(),
-            Unknown::Restitution => Exact::interval(&ends[0], &ends[1]).ok()?,
-        };
+        let (_, pair) = self.setting.parameter.in_units(&parameter, bits).ok()?;
+        let shaken = S::of(&pair)?;
         let velocities: Vec<N> = legs.legs.iter().map(|leg| leg.before.clone()).collect();
-        let is_narrow = self.is_narrow(&zero.at, &pair, &velocities);
+        let is_narrow = self.is_narrow(&zero.at, shaken.speed(), &velocities);
         // The phases prove that views are apart; the domain of an extended system proves no two of them to be one.
         let proved = Proved { at: phases.clone(), domain: phases.clone() };
-        let physical = |phases: &[N]| if self.kind == Kind::Graze { None } else { is_physical(ring, &pair, phases) };
-        let orbit = Finding::new(chain, &pair, proved, |phases, _| physical(phases))
-            .and_then(|finding| finding.finish(chain, &restitution, bits, is_narrow));
+        let orbit = Finding::new(chain, &shaking, proved, |phases, legs| match self.kind {
+            Kind::Graze => None,
+            _ => is_physical(&shaken, chain, phases, legs),
+        })
+        .and_then(|finding| finding.finish(chain, pair.restitution(), bits, is_narrow));
         // Lemma Y2 wants velocities that are not 0, and so does the Jacobian.
         if self.kind != Kind::Graze && orbit.is_none() {
             return None;
@@ -238,8 +243,7 @@ impl<S: Condition> Claim<'_, S> {
         let symmetric = if ring.is_mirrored() { Some(true) } else { orbit.as_ref().and_then(|orbit| orbit.symmetric) };
         let orbit = orbit.map(|orbit| PeriodicOrbit { symmetric, ..orbit });
         let room = bits + 160;
-        // exact: a whole number
-        let turns = Enclosure::from_rational(&phases[0].as_enclosure()?.inf().to_rational().floor(), room);
+        let turns = whole_periods(chain, &phases[0].as_enclosure()?, room);
         let impact = |i: usize| {
             Some(PeriodicImpact {
                 wall: chain.walls()[i],
@@ -252,6 +256,7 @@ impl<S: Condition> Claim<'_, S> {
             parameter,
             word: ring.word(),
             cycles: chain.cycles(),
+            period: chain.period(),
             impacts: (0..chain.impacts()).map(impact).collect::<Option<_>>()?,
             symmetric,
             orbit,
@@ -262,23 +267,11 @@ impl<S: Condition> Claim<'_, S> {
     }
 
     /// Whether the widths are those asked for: the parameter's relative to itself.
-    fn is_narrow<N: Enclosing>(&self, at: &[N], pair: &Reduced<N>, velocities: &[N]) -> bool {
+    fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
         let asked = self.precision.log2_width() - 1.0;
         let size = |x: &N| x.as_ball().mid().abs().log2();
         let (phases, p) = (&at[..self.ring.unknowns()], &at[at.len() - 1]);
-        widest(phases) <= asked && p.log2_radius() <= asked + size(p) && widest(velocities) <= asked + size(&pair.beta)
+        widest(phases) <= asked && p.log2_radius() <= asked + size(p) && widest(velocities) <= asked + speed.log2()
     }
-}
-
-fn court_in_doubles(ring: &Ring, pair: &Reduced<Ball>, phases: &[Ball]) -> Option<bool> {
-    let legs = ring.chain().legs(pair, phases)?;
-    physical::is_physical(&Court::new(*pair), ring.chain(), phases, &legs)
-}
-
-#[cfg(feature = "multiprecision")]
-fn court_in_balls(ring: &Ring, pair: &Reduced<MpBall>, phases: &[MpBall]) -> Option<bool> {
-    let legs = ring.chain().legs(pair, phases)?;
-    let court = Court::new(pair.map(Enclosing::as_ball));
-    physical::is_physical_precisely(&court, pair, ring.chain(), phases, &legs)
 }

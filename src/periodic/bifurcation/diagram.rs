@@ -1,7 +1,7 @@
 //! What is asked of the branches of a word, and what is found.
 
 use super::super::Precision;
-use super::over::Over;
+use super::over::{Over, Parameter};
 use super::point::{Kind, Point};
 use crate::Error;
 use crate::exact::Enclosure;
@@ -24,7 +24,7 @@ pub struct Wanted {
 pub struct Unproved {
     /// What it may be.
     pub kind: Kind,
-    /// Near which value of `A/d` or `e`; nothing is certain about it.
+    /// Near which value of what [`Point::parameter`] encloses; nothing is certain about it.
     pub near: f64,
     /// The word that was followed.
     pub word: Word,
@@ -54,7 +54,7 @@ pub struct Branch {
     pub cycles: u32,
     /// Whether they are their own mirror images.
     pub symmetric: bool,
-    /// Least and greatest `A/d` or `e`, about.
+    /// Least and greatest value of what [`Point::parameter`] encloses, about.
     pub range: [f64; 2],
     /// Its ends.
     pub ends: [End; 2],
@@ -65,8 +65,7 @@ pub struct Branch {
 /// What is found along the branches of a word.
 #[derive(Clone, Debug)]
 pub struct Diagram {
-    pair: ImpactPair,
-    over: Over,
+    pub(super) parameter: Parameter,
     /// The bifurcations proved, in the order of the parameter.
     pub points: Vec<Point>,
     /// Where something changes sign but nothing could be proved.
@@ -78,20 +77,19 @@ pub struct Diagram {
 }
 
 impl Diagram {
-    /// An empty one, of a pair over a parameter.
-    pub(super) fn new(pair: &ImpactPair, over: &Over) -> Self {
-        let (pair, over) = (pair.clone(), over.clone());
-        Self { pair, over, points: Vec::new(), unproved: Vec::new(), branches: Vec::new(), interrupted: false }
+    /// An empty one over a parameter.
+    pub(super) fn new(parameter: Parameter) -> Self {
+        Self { parameter, points: Vec::new(), unproved: Vec::new(), branches: Vec::new(), interrupted: false }
     }
 
     /// The pair; the parameter's own value in it is not used.
     pub fn pair(&self) -> &ImpactPair {
-        &self.pair
+        &self.parameter.pair
     }
 
     /// The parameter and its range.
     pub fn over(&self) -> &Over {
-        &self.over
+        &self.parameter.over
     }
 
     /// The parameter of a point in the units of the scene, and the pair with it.
@@ -99,12 +97,12 @@ impl Diagram {
     /// # Errors
     /// When it is beyond what exact expressions hold.
     pub fn in_units(&self, point: &Point) -> Result<(Enclosure, ImpactPair), Error> {
-        point.in_units(&self.over, &self.pair)
+        self.parameter.in_units(&point.parameter, point.bits)
     }
 
-    /// About what these values of `A/d` or `e` are in the units of the scene, the smaller one first.
+    /// About what these values without units are in the units of the scene, the smaller one first.
     pub fn range_f64(&self, ends: [f64; 2]) -> [f64; 2] {
-        self.over.range_f64(&self.pair, ends)
+        self.parameter.range_f64(ends)
     }
 
     /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to

@@ -2,8 +2,8 @@
 
 // Labels: proposes throughout.
 
+use super::family::{Family, Varied};
 use super::ring::Ring;
-use super::system::Family;
 use super::trace::{Nearest, Station, Tests, correct};
 
 /// What may happen on a branch.
@@ -60,9 +60,9 @@ const HALVINGS: u32 = 24;
 const TOGETHER: f64 = 1e-3;
 
 /// Follows the branch from a station the way of its tangent, for as long as `goes_on` says so.
-pub(super) fn follow(
+pub(super) fn follow<S: Varied>(
     ring: &Ring,
-    family: &Family<f64>,
+    family: &Family<S, f64>,
     (start, first): (Station, f64),
     [low, high]: [f64; 2],
     goes_on: &dyn Fn() -> bool,
@@ -106,7 +106,7 @@ pub(super) fn follow(
 }
 
 /// A step along the branch, and the cosine of the angle it turns by.
-fn advance(ring: &Ring, family: &Family<f64>, from: &Station, size: f64) -> Option<(Station, f64)> {
+fn advance<S: Varied>(ring: &Ring, family: &Family<S, f64>, from: &Station, size: f64) -> Option<(Station, f64)> {
     let guess: Vec<f64> = from.x.iter().zip(&from.tangent).map(|(x, t)| size.mul_add(*t, *x)).collect();
     let x = correct(ring, family, &guess, &from.tangent)?;
     let next = Station::new(ring, family, x, &from.tangent)?;
@@ -115,7 +115,13 @@ fn advance(ring: &Ring, family: &Family<f64>, from: &Station, size: f64) -> Opti
 }
 
 /// Notes what changes sign between two stations; whether the branch ends there.
-fn note(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, changes: &mut Vec<(Change, Vec<f64>)>) -> bool {
+fn note<S: Varied>(
+    ring: &Ring,
+    family: &Family<S, f64>,
+    a: &Station,
+    b: &Station,
+    changes: &mut Vec<(Change, Vec<f64>)>,
+) -> bool {
     let room = |tests: &Tests| tests.room.distance;
     let speed = |tests: &Tests| tests.arrival.0;
     if speed(&b.tests) <= 0.0 {
@@ -146,7 +152,13 @@ fn note(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, changes: &m
 }
 
 /// Where a test changes sign between two stations, by halving and secants.
-fn locate(ring: &Ring, family: &Family<f64>, a: &Station, b: &Station, test: impl Fn(&Tests) -> f64) -> Station {
+fn locate<S: Varied>(
+    ring: &Ring,
+    family: &Family<S, f64>,
+    a: &Station,
+    b: &Station,
+    test: impl Fn(&Tests) -> f64,
+) -> Station {
     let (mut a, mut b) = (a.clone(), b.clone());
     for i in 0..HALVINGS {
         let (at_a, at_b) = (test(&a.tests), test(&b.tests));

@@ -4,6 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::kernel::Departure;
 use crate::number::{Number, Wave};
+use crate::several::Turning;
 
 /// `x` and `dx`; over balls, of every member, by the rules of differentiation.
 #[derive(Clone, Copy, Debug)]
@@ -104,6 +105,18 @@ impl<N: Wave> Wave for Jet<N> {
             excess: Self { value: excess, slope: by_excess },
             sine: Self { value: sine, slope: by_sine },
         })
+    }
+}
+
+impl<N: Turning> Turning for Jet<N> {
+    type Counter = N::Counter;
+
+    fn phase_at(counter: &N::Counter, turns: i64) -> Self {
+        Self::constant(N::phase_at(counter, turns))
+    }
+
+    fn middle(&self) -> f64 {
+        self.value.middle()
     }
 }
 

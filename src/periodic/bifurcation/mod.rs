@@ -3,11 +3,13 @@
 //! Floats follow each branch by pseudo-arclength (`follow`) and note where an eigenvalue passes 1 or -1 or a wall is
 //! touched; there the extended system (`system`) with the parameter among its unknowns is solved (`solve`) and its zero
 //! proved by Krawczyk's operator (`claim`). At an eigenvalue -1 the branch that leaves is followed as well: a
-//! symmetric orbit's pitchfork is the doubling of half its period. Lemmas Y1-Y5 are in `docs/proofs.md`.
+//! symmetric orbit's pitchfork is the doubling of half its period. Under several harmonics with a common period all that is the
+//! same (`family`). Lemmas Y1-Y7 are in `docs/proofs.md`.
 
 mod cascade;
 mod claim;
 mod diagram;
+mod family;
 mod follow;
 mod jet;
 mod over;
@@ -21,5 +23,5 @@ mod tube;
 
 pub use cascade::survey;
 pub use diagram::{Branch, Diagram, End, Unproved, Wanted};
-pub use over::{Key, Over};
+pub use over::Over;
 pub use point::{Kind, Point};

@@ -2,51 +2,27 @@
 
 use std::str::FromStr;
 
-use super::claim::Setting;
-use super::system::Unknown;
+use super::family::Unknown;
 use crate::Error;
-use crate::exact::Exact;
+use crate::exact::{Enclosure, Exact, ExactError};
 use crate::excitation::Harmonic;
-use crate::pair::{ImpactPair, Reduced, within};
-
-/// A parameter of the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Key {
-    /// `A`
-    Amplitude,
-    /// `d`
-    Gap,
-    /// `e`
-    Restitution,
-    /// `W`: nothing bifurcates over it, since only `A/d` and `e` matter (Lemma R1).
-    Frequency,
-}
-
-impl Key {
-    /// The name in the scene file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Amplitude => "excitation.amplitude",
-            Self::Gap => "pair.gap",
-            Self::Restitution => "pair.restitution",
-            Self::Frequency => "excitation.frequency",
-        }
-    }
-}
+use crate::pair::{ImpactPair, ball, within};
+use crate::scene::Key;
 
 /// A parameter and the values it takes: `KEY=LO..HI`.
 ///
 /// ```
-/// use impact_pair::periodic::bifurcation::{Key, Over};
+/// use impact_pair::periodic::bifurcation::Over;
+/// use impact_pair::scene::Key;
 /// let over: Over = "amplitude=0.3..0.5".parse()?;
-/// assert_eq!((over.key, over.low.text().as_str()), (Key::Amplitude, "0.3"));
+/// assert_eq!((over.key, over.low.text().as_str()), (Key::Amplitude(None), "0.3"));
 /// assert_eq!("pair.gap=2..3".parse::<Over>()?.key, Key::Gap);
 /// assert!("gap=3..2".parse::<Over>().is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Over {
-    /// The parameter.
+    /// The parameter: an amplitude, the gap, the restitution, or a frequency, over which nothing bifurcates (Lemma R1).
     pub key: Key,
     /// Its least value.
     pub low: Exact,
@@ -54,12 +30,9 @@ pub struct Over {
     pub high: Exact,
 }
 
-/// What is not known of several harmonics, and what is.
-const ONE_HARMONIC: &str =
-    "a branch of orbits over a parameter (sweep --over amplitude.K=... shows attractors over it)";
-
-pub(super) fn not_a_range(text: &str) -> Error {
-    let accepted = "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency";
+fn not_a_range(text: &str) -> Error {
+    let accepted =
+        "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; of several terms amplitude.K";
     Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}"))
 }
 
@@ -69,85 +42,157 @@ impl FromStr for Over {
     fn from_str(text: &str) -> Result<Self, Error> {
         let parse = || {
             let (name, range) = text.split_once('=')?;
-            let keys = [Key::Amplitude, Key::Gap, Key::Restitution, Key::Frequency];
-            let is_named = |key: &Key| key.name() == name || key.name().split_once('.').is_some_and(|(_, k)| k == name);
-            let key = keys.into_iter().find(is_named)?;
+            let key: Key = name.parse().ok()?;
+            let is_followed = matches!(key, Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution);
             let (low, high) = range.split_once("..")?;
             let end = |text: &str| Exact::parse(text).ok().filter(Exact::is_point);
             let (low, high) = (end(low)?, end(high)?);
-            low.compare(&high)?.is_lt().then_some(Self { key, low, high })
+            (is_followed && low.compare(&high)?.is_lt()).then_some(Self { key, low, high })
         };
         parse().ok_or_else(|| not_a_range(text))
     }
 }
 
-impl Over {
-    /// The pair with the parameter at this value.
+/// A parameter of a pair, in the units of the scene and without units.
+#[derive(Clone, Debug)]
+pub(super) struct Parameter {
+    pub pair: ImpactPair,
+    pub over: Over,
+    /// What varies without units; `None` where nothing does.
+    pub unknown: Option<Unknown>,
+    /// What other terms add to an amplitude.
+    others: Option<Exact>,
+}
+
+impl Parameter {
+    /// The parameter of a pair.
+    ///
+    /// # Errors
+    /// When an end of the range is not in that of the parameter, it is none of the pair, or no branch goes on over it.
+    pub fn new(pair: &ImpactPair, over: &Over) -> Result<Self, Error> {
+        pair.with(over.key, over.low.clone())?;
+        let high = pair.with(over.key, over.high.clone())?;
+        let mut others = None;
+        let unknown = match over.key {
+            Key::Amplitude(_) => {
+                let harmonic = high.harmonic_of(over.key)?;
+                others = harmonic.1;
+                Some(Unknown::Ratio(harmonic.0))
+            }
+            Key::Gap => Some(Unknown::Ratios),
+            Key::Restitution => Some(Unknown::Restitution),
+            _ if high.excitation().only().is_some() => None,
+            key => return Err(not_periodic(key)),
+        };
+        Ok(Self { pair: pair.clone(), over: over.clone(), unknown, others })
+    }
+
+    /// Where the scene file has it, or the list of its terms.
+    fn place(&self) -> &'static str {
+        match self.over.key {
+            Key::Gap => "pair.gap",
+            Key::Restitution => "pair.restitution",
+            _ => "excitation.amplitude",
+        }
+    }
+
+    /// The pair at a value of the parameter.
     ///
     /// # Errors
     /// When the value is not in its range.
-    pub(super) fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
-        let old = pair.harmonic(ONE_HARMONIC)?;
-        let (mut amplitude, mut frequency) = (old.amplitude().clone(), old.frequency().clone());
-        let (mut gap, mut restitution) = (pair.gap().clone(), pair.restitution().clone());
-        match self.key {
-            Key::Amplitude => amplitude = value,
-            Key::Gap => gap = value,
-            Key::Restitution => restitution = value,
-            Key::Frequency => frequency = value,
-        }
-        ImpactPair::new(Harmonic::new(amplitude, frequency, old.phase().clone())?, gap, restitution)
+    pub fn pair_at(&self, value: Exact) -> Result<ImpactPair, Error> {
+        self.pair.with(self.over.key, value)
     }
 
-    /// What varies without units, and what does not; `None` where nothing does.
+    /// A pair that has all but what varies, told as [`Varied::at`](super::family::Varied::at) takes it.
     ///
     /// # Errors
-    /// When `A/d` is beyond what exact expressions hold.
-    pub(super) fn setting(&self, pair: &ImpactPair) -> Result<Option<Setting>, Error> {
-        let reduced = Reduced::exact(pair)?;
-        Ok(match self.key {
-            Key::Amplitude | Key::Gap => Some(Setting { unknown: Unknown::Ratio, fixed: reduced.restitution }),
-            Key::Restitution => Some(Setting { unknown: Unknown::Restitution, fixed: reduced.alpha }),
-            Key::Frequency => None,
-        })
+    /// When the amplitude of the largest of several harmonics may be 0.
+    pub fn base(&self) -> Result<ImpactPair, Error> {
+        let is_one = self.pair.excitation().only().is_some();
+        let value = if self.over.key == Key::Gap && !is_one { self.largest() } else { &self.over.high };
+        self.pair_at(value.clone())
     }
 
-    /// The parameter in the units of the scene, from `A/d` or `e`.
+    /// The largest amplitude, about.
+    fn largest(&self) -> &Exact {
+        let size = |x: &Exact| x.enclose(64).mid_rad().0;
+        let amplitudes = self.pair.excitation().harmonics().iter().map(Harmonic::amplitude);
+        amplitudes.max_by(|a, b| size(a).total_cmp(&size(b))).expect("an excitation has a term")
+    }
+
+    /// What varies without units at a value of the parameter.
     ///
     /// # Errors
     /// When it is beyond what exact expressions hold.
-    pub(super) fn in_units(&self, pair: &ImpactPair, value: &Exact) -> Result<Exact, Error> {
-        match self.key {
-            Key::Amplitude => within("pair.gap", pair.gap(), value.checked_mul(pair.gap())),
-            Key::Gap => {
-                let amplitude = pair.excitation().reference().amplitude();
-                within("excitation.amplitude", amplitude, amplitude.checked_div(value))
+    pub fn without_units(&self, value: &Exact) -> Result<Exact, Error> {
+        let ratio = || match (self.over.key, &self.others) {
+            (Key::Amplitude(_), None) => value.checked_div(self.pair.gap()),
+            (Key::Amplitude(_), Some(others)) => value.checked_add(others)?.checked_div(self.pair.gap()),
+            (Key::Gap, _) => self.largest().checked_div(value),
+            _ => Ok(value.clone()),
+        };
+        within(self.place(), value, ratio())
+    }
+
+    /// The parameter from what varies without units, as far as the ends of a ball tell, and the pair with it.
+    ///
+    /// # Errors
+    /// When it is beyond what exact expressions hold, or not in its range.
+    pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
+        let value = |ratio: &Exact| -> Result<Exact, ExactError> {
+            match (self.over.key, &self.others) {
+                (Key::Amplitude(_), None) => ratio.checked_mul(self.pair.gap()),
+                (Key::Amplitude(_), Some(others)) => ratio.checked_mul(self.pair.gap())?.checked_sub(others),
+                (Key::Gap, _) => self.largest().checked_div(ratio),
+                _ => Ok(ratio.clone()),
             }
-            Key::Restitution | Key::Frequency => Ok(value.clone()),
-        }
+        };
+        let place = self.place();
+        let ends = [ratio.inf(), ratio.sup()].map(|end| Exact::from_rational(end.to_rational()));
+        let [a, b] = ends.map(|end| within(place, &end, value(&end)));
+        let room = bits + 64;
+        let hull = a?.enclose(room).hull(&b?.enclose(room));
+        let [low, high] = [hull.inf(), hull.sup()].map(|end| Exact::from_rational(end.to_rational()));
+        let all = within(place, &low, Exact::interval(&low, &high));
+        Ok((hull, self.pair_at(all?)?))
+    }
+
+    /// What varies without units, in doubles.
+    ///
+    /// # Errors
+    /// When it is beyond doubles.
+    pub fn in_doubles(&self, value: &Exact) -> Result<f64, Error> {
+        Ok(ball(self.place(), &self.without_units(value)?)?.mid())
     }
 
     /// The ends of the range without units, in doubles, the smaller one first.
     ///
     /// # Errors
     /// When one is beyond doubles.
-    pub(super) fn ends(&self, pair: &ImpactPair) -> Result<[f64; 2], Error> {
-        let end = |value: &Exact| {
-            let reduced = Reduced::exact(&self.pair_at(pair, value.clone())?)?.enclosed()?;
-            Ok(if self.key == Key::Restitution { reduced.restitution.mid() } else { reduced.alpha.mid() })
-        };
-        let (a, b) = (end(&self.low)?, end(&self.high)?);
+    pub fn ends(&self) -> Result<[f64; 2], Error> {
+        let (a, b) = (self.in_doubles(&self.over.low)?, self.in_doubles(&self.over.high)?);
         Ok([a.min(b), a.max(b)]) // proposes
     }
 
     /// See [`Diagram::range_f64`](super::Diagram::range_f64).
-    pub(super) fn range_f64(&self, pair: &ImpactPair, ends: [f64; 2]) -> [f64; 2] {
+    pub fn range_f64(&self, ends: [f64; 2]) -> [f64; 2] {
         let of = |value: &Exact| value.enclose(80).mid_rad().0;
-        let [a, b] = ends.map(|x| match self.key {
-            Key::Amplitude => x * of(pair.gap()),
-            Key::Gap => of(pair.excitation().reference().amplitude()) / x,
-            Key::Restitution | Key::Frequency => x,
+        let [a, b] = ends.map(|x| match self.over.key {
+            Key::Amplitude(_) => x * of(self.pair.gap()) - self.others.as_ref().map_or(0.0, of),
+            Key::Gap => of(self.largest()) / x,
+            _ => x,
         });
         [a.min(b), a.max(b)] // shown
     }
+}
+
+/// Next to each frequency lie others that have no common period with the rest (Lemma H11).
+fn not_periodic(key: Key) -> Error {
+    let why =
+        "between two frequencies lie those that have no common period with the others, under which nothing is periodic";
+    Error::out_of_range(
+        key.place().as_str(),
+        format!("the key is \"{key}\", but under several harmonics accepted are amplitude.K, gap, restitution: {why}"),
+    )
 }

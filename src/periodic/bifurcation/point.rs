@@ -1,11 +1,8 @@
 //! A bifurcation proved: its parameter and its orbit.
 
 use super::super::orbit::{PeriodicImpact, PeriodicOrbit};
-use super::over::{Over, not_a_range};
-use crate::Error;
-use crate::exact::{Enclosure, Exact};
+use crate::exact::Enclosure;
 use crate::mapping::Word;
-use crate::pair::ImpactPair;
 
 /// What happens to a branch at a point of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -37,12 +34,15 @@ impl Kind {
 pub struct Point {
     /// Which one.
     pub kind: Kind,
-    /// `A/d`, or `e` where that is what varies: exactly one such point of the branch lies in here with this orbit.
+    /// `A/d` of the harmonic that varies, of the largest where `d` does, or `e`: exactly one such point of the branch lies in here
+    /// with this orbit.
     pub parameter: Enclosure,
     /// The word of its orbit, which is longer than the asked one on the branches of a cascade.
     pub word: Word,
     /// The cycles of its orbit.
     pub cycles: u32,
+    /// Turns after which the excitation repeats: 1 under one harmonic.
+    pub period: u32,
     /// The impacts of the orbit.
     pub impacts: Vec<PeriodicImpact>,
     /// Whether the orbit is its own mirror image.
@@ -61,18 +61,5 @@ impl Point {
     /// Whether all that is said of it is proved; at a graze no more than that there is one.
     pub fn is_decided(&self) -> bool {
         self.kind == Kind::Graze || self.orbit.as_ref().is_some_and(|orbit| orbit.physical.is_some())
-    }
-
-    /// See [`Diagram::in_units`](super::Diagram::in_units).
-    pub(super) fn in_units(&self, over: &Over, pair: &ImpactPair) -> Result<(Enclosure, ImpactPair), Error> {
-        let ends = [self.parameter.inf(), self.parameter.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        let [a, b] = ends.map(|end| over.in_units(pair, &end));
-        let (a, b) = (a?, b?);
-        let room = self.bits + 64;
-        let hull = a.enclose(room).hull(&b.enclose(room));
-        let [low, high] = [hull.inf(), hull.sup()].map(|end| Exact::from_rational(end.to_rational()));
-        let value =
-            Exact::interval(&low, &high).map_err(|error| not_a_range(&format!("{low}..{high}")).because(error))?;
-        Ok((hull, over.pair_at(pair, value)?))
     }
 }

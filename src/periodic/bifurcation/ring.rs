@@ -1,13 +1,14 @@
 //! Chains that repeat or mirror themselves after half their impacts, told by that half: Lemma Y1.
 
 use super::super::chain::{Chain, Legs, Slopes};
+use super::super::shaking::Shaking;
 use crate::mapping::{Mapping, Word};
-use crate::number::{Number, Wave};
-use crate::pair::{Reduced, Wall};
+use crate::number::Number;
+use crate::pair::Wall;
 
 /// A chain of `k` impacts in `N` cycles with `m` unknowns: `m = k`, or `m = k/2` for the orbits that are their own mirror image.
 ///
-/// Then `u_{i+m} = u_i + N/2` with `N` odd, and only the first `m` impacts have equations of their own.
+/// Then `u_{i+m} = u_i + N/2` with `N` an odd number of common periods, and only the first `m` impacts have equations of their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Ring {
     chain: Chain,
@@ -24,7 +25,9 @@ impl Ring {
     pub fn mirrored(chain: &Chain) -> Option<Self> {
         let (walls, half) = (chain.walls(), chain.impacts() / 2);
         let folds = chain.impacts() == 2 * half && (0..half).all(|i| walls[i + half] == walls[i].other());
-        (folds && !chain.cycles().is_multiple_of(2)).then(|| Self { chain: chain.clone(), unknowns: half })
+        let periods = chain.cycles() / chain.period();
+        (folds && chain.mirror().is_some() && !periods.is_multiple_of(2))
+            .then(|| Self { chain: chain.clone(), unknowns: half })
     }
 
     /// The chain that this one runs through twice.
@@ -34,7 +37,7 @@ impl Ring {
         if !folds || !chain.cycles().is_multiple_of(2) {
             return None;
         }
-        Chain::new(&word_of(&walls[..half])?, chain.cycles() / 2).ok().map(Self::whole)
+        chain.another(&word_of(&walls[..half])?, chain.cycles() / 2).ok().map(Self::whole)
     }
 
     /// Where the branch that leaves at an eigenvalue -1 lives: all the orbits of the chain, or of it run through twice.
@@ -43,7 +46,7 @@ impl Ring {
             return Some(Self::whole(self.chain.clone()));
         }
         let walls = self.chain.walls().repeat(2);
-        Chain::new(&word_of(&walls)?, self.chain.cycles().checked_mul(2)?).ok().map(Self::whole)
+        self.chain.another(&word_of(&walls)?, self.chain.cycles().checked_mul(2)?).ok().map(Self::whole)
     }
 
     /// The rings whose doubled one this may be.
@@ -84,13 +87,13 @@ impl Ring {
     }
 
     /// All flights.
-    pub fn legs<N: Wave>(&self, pair: &Reduced<N>, phases: &[N]) -> Option<Legs<N>> {
-        self.chain.legs(pair, &self.lift(phases))
+    pub fn legs<N: Number, B: Shaking<N>>(&self, shaking: &B, phases: &[N]) -> Option<Legs<N, B::Moment>> {
+        self.chain.legs(shaking, &self.lift(phases))
     }
 
     /// `F_i` of the first `m` impacts. Lemma T1
-    pub fn residual<N: Wave>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Vec<N> {
-        let mut misses = self.chain.residual(pair, legs);
+    pub fn residual<N: Number, B: Shaking<N>>(&self, shaking: &B, legs: &Legs<N, B::Moment>) -> Vec<N> {
+        let mut misses = self.chain.residual(shaking, legs);
         misses.truncate(self.unknowns);
         misses
     }
@@ -117,6 +120,7 @@ fn word_of(walls: &[Wall]) -> Option<Word> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::periodic::shaking::Repetition;
 
     fn chain(word: &str, cycles: u32) -> Chain {
         Chain::new(&word.parse().unwrap(), cycles).unwrap()
@@ -128,6 +132,23 @@ mod tests {
         assert!(Ring::mirrored(&chain("RL", 2)).is_none() && Ring::mirrored(&chain("RRL", 1)).is_none());
         assert_eq!(Ring::repeated(&chain("RLRL", 2)), Some(Ring::whole(chain("RL", 1))));
         assert_eq!(Ring::whole(chain("RL", 1)).doubled(), Some(Ring::whole(chain("RLRL", 2))));
+    }
+
+    /// Harmonics 1 and 2 have no mirror; 1 and 3 have one half of their three turns later.
+    #[test]
+    fn only_odd_harmonics_fold_and_halves_are_whole_periods() {
+        let under = |turns, is_odd, word: &str, cycles| {
+            Chain::under(Repetition { turns, is_odd }, &word.parse().unwrap(), cycles).unwrap()
+        };
+        assert!(
+            Ring::mirrored(&under(2, false, "RL", 2)).is_none() && Ring::mirrored(&under(1, false, "RL", 1)).is_none()
+        );
+        let odd = Ring::mirrored(&under(3, true, "RL", 3)).unwrap();
+        assert_eq!(odd.lift(&[0.25]), [0.25, 1.75]);
+        assert!(Ring::mirrored(&under(3, true, "RL", 6)).is_none());
+        assert_eq!(odd.doubled(), Some(Ring::whole(under(3, true, "RL", 3))));
+        assert!(Ring::repeated(&under(2, false, "RLRL", 2)).is_none());
+        assert_eq!(Ring::repeated(&under(2, false, "RLRL", 4)), Some(Ring::whole(under(2, false, "RL", 2))));
     }
 
     #[test]

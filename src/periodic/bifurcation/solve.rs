@@ -3,13 +3,14 @@
 use nalgebra::DMatrix;
 
 use super::super::newton::settle;
-use super::system::{Family, System};
+use super::family::{Family, Varied};
+use super::system::System;
 
 /// Steps of Newton's iteration before a start is given up.
 const MOST_STEPS: usize = 30;
 
 /// An approximate zero from a guess; `None` where Newton's iteration does not settle near it.
-pub(super) fn newton<S: System>(system: &S, family: &Family<f64>, guess: Vec<f64>) -> Option<Vec<f64>> {
+pub(super) fn newton<S: Varied>(system: &impl System, family: &Family<S, f64>, guess: Vec<f64>) -> Option<Vec<f64>> {
     let mut x = guess;
     settle(MOST_STEPS, || {
         let values = system.values(family, &x)?;

@@ -3,15 +3,13 @@
 // Labels: proposes throughout.
 
 use super::super::chain::Chain;
-use super::super::chained::One;
 use super::super::guess::guesses;
 use super::super::identity::View;
-use super::diagram::Wanted;
-use super::over::{Key, Over};
+use super::family::Varied;
+use super::over::{Over, Parameter};
 use super::ring::Ring;
 use crate::Error;
 use crate::exact::Exact;
-use crate::pair::{ImpactPair, Reduced};
 use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
@@ -31,22 +29,19 @@ pub(super) struct Seed {
 ///
 /// # Errors
 /// When the range goes beyond what the parameter may be.
-pub(super) fn seeds(
+pub(super) fn seeds<S: Varied>(
     chain: &Chain,
-    (pair, start): (&ImpactPair, &Start),
-    wanted: &Wanted,
+    (parameter, start): (&Parameter, &Start),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Vec<Seed>, Error> {
     let mut found: Vec<Seed> = Vec::new();
-    for value in values(&wanted.over).into_iter().take_while(|_| goes_on()) {
-        let there = wanted.over.pair_at(pair, value)?;
-        let exact = Reduced::exact(&there)?;
-        let balls = exact.enclosed()?;
-        let one = One::new(exact, balls);
-        let reduced = one.court.centre;
-        let p = if wanted.over.key == Key::Restitution { reduced.restitution } else { reduced.alpha };
+    for value in values(&parameter.over).into_iter().take_while(|_| goes_on()) {
+        let p = parameter.in_doubles(&value)?;
+        let there = parameter.pair_at(value)?;
+        // Without one of its harmonics the excitation is another one.
+        let Some(shaken) = S::of(&there) else { continue };
         let from = found.len();
-        for phases in guesses(chain, &one, &there, start).take_while(|_| goes_on()) {
+        for phases in guesses(chain, &shaken, &there, start).take_while(|_| goes_on()) {
             let mut x = phases.clone();
             x.push(p);
             let is_new = |seed: &Seed| !is_same(chain, &seed.ring.lift(&seed.x[..seed.x.len() - 1]), &phases);
@@ -102,9 +97,10 @@ pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
         let moved = |i: usize| {
             let at = i + view.shift;
             one[at % count] + if at >= count { f64::from(chain.cycles()) } else { 0.0 }
-                - if view.mirrored { 0.5 } else { 0.0 }
+                - if view.mirrored { chain.mirror().unwrap_or(0.0) } else { 0.0 }
         };
-        let turns = (moved(0) - other[0]).round();
+        let period = f64::from(chain.period());
+        let turns = ((moved(0) - other[0]) / period).round() * period;
         (0..count).all(|i| (moved(i) - turns - other[i]).abs() < SAME)
     })
 }

@@ -3,43 +3,12 @@
 use nalgebra::{DMatrix, Scalar};
 
 use super::super::krawczyk::Equations;
+use super::super::shaking::Shaking;
+use super::family::{Family, Varied};
 use super::jet::Jet;
 use super::ring::Ring;
-use crate::number::{Number, Wave};
-use crate::pair::{Reduced, Wall};
-
-/// What varies along a branch, without units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unknown {
-    /// `alpha = A/d`
-    Ratio,
-    /// `e`
-    Restitution,
-}
-
-/// The parameters that do not vary.
-#[derive(Clone, Debug)]
-pub(super) struct Family<N> {
-    pub unknown: Unknown,
-    /// The other one of `alpha` and `e`.
-    pub fixed: N,
-}
-
-impl<N: Number> Family<N> {
-    /// The pair at a value of the unknown.
-    pub fn pair(&self, value: N) -> Reduced<N> {
-        let (alpha, restitution) = match self.unknown {
-            Unknown::Ratio => (value, self.fixed.clone()),
-            Unknown::Restitution => (self.fixed.clone(), value),
-        };
-        Reduced { beta: alpha.turn() * alpha.clone(), alpha, restitution }
-    }
-
-    /// The same with constants for jets.
-    fn jets(&self) -> Family<Jet<N>> {
-        Family { unknown: self.unknown, fixed: Jet::constant(self.fixed.clone()) }
-    }
-}
+use crate::pair::Wall;
+use crate::several::Turning;
 
 /// Equations in any arithmetic.
 pub(super) trait System {
@@ -47,10 +16,10 @@ pub(super) trait System {
     fn unknowns(&self) -> usize;
 
     /// What the equations miss at `x`; `None` where they may not be defined.
-    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>>;
+    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>>;
 
     /// The Jacobian matrix; over balls, enclosed for all their members.
-    fn jacobian<N: Wave + Scalar>(&self, family: &Family<N>, x: &[N]) -> Option<DMatrix<N>> {
+    fn jacobian<S: Varied, N: Turning + Scalar>(&self, family: &Family<S, N>, x: &[N]) -> Option<DMatrix<N>> {
         let family = family.jets();
         let along = |j: usize| -> Option<Vec<N>> {
             let lift = |(i, x): (usize, &N)| if i == j { Jet::variable(x.clone()) } else { Jet::constant(x.clone()) };
@@ -64,12 +33,12 @@ pub(super) trait System {
 }
 
 /// A system over a family in one arithmetic.
-pub(super) struct Posed<'s, S, N> {
-    pub system: &'s S,
-    pub family: &'s Family<N>,
+pub(super) struct Posed<'s, E, S: Varied, N: Turning> {
+    pub system: &'s E,
+    pub family: &'s Family<S, N>,
 }
 
-impl<S: System, N: Wave + Scalar> Equations<N> for Posed<'_, S, N> {
+impl<E: System, S: Varied, N: Turning + Scalar> Equations<N> for Posed<'_, E, S, N> {
     type Jacobian = DMatrix<N>;
 
     fn values(&self, x: &[N]) -> Option<Vec<N>> {
@@ -90,7 +59,7 @@ impl System for Curve<'_> {
         self.0.unknowns() + 1
     }
 
-    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, phases) = x.split_last()?;
         let pair = family.pair(p.clone());
         let legs = self.0.legs(&pair, phases)?;
@@ -112,7 +81,7 @@ impl System for Critical<'_> {
         2 * self.ring.unknowns() + 1
     }
 
-    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, rest) = x.split_last()?;
         let (phases, w) = rest.split_at(self.ring.unknowns());
         let pair = family.pair(p.clone());
@@ -140,20 +109,19 @@ impl System for Graze<'_> {
         self.ring.unknowns() + 2
     }
 
-    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, rest) = x.split_last()?;
         let (at, phases) = rest.split_last()?;
         let pair = family.pair(p.clone());
         let legs = self.ring.legs(&pair, phases)?;
         let mut values = self.ring.residual(&pair, &legs);
-        let (leg, (sin0, _)) = (&legs.legs[self.leg], legs.waves[self.leg].clone());
-        let (sin, cos) = at.wave();
+        let (leg, at_wall) = (&legs.legs[self.leg], pair.moment(0.0, at));
         let since = at.clone() - self.ring.lift(phases)[self.leg].clone();
         // In gaps from the wall that the flight leaves to the wall it touches.
-        let way = (self.ring.chain().walls()[self.leg].sign() - self.wall.sign()) / 2.0;
-        let wave = (-pair.alpha).mul_add(sin - sin0, N::from_f64(-way));
-        values.push(leg.drift.clone().mul_add(since, wave));
-        values.push((-pair.beta).mul_add(cos, leg.drift.clone()));
+        let displacement = (self.ring.chain().walls()[self.leg].sign() - self.wall.sign()) / 2.0;
+        let way = pair.way(&legs.waves[self.leg], &at_wall, displacement);
+        values.push(leg.drift.clone().mul_add(since, -way));
+        values.push(pair.relative(&leg.drift, &at_wall));
         Some(values)
     }
 }
@@ -170,7 +138,7 @@ impl System for Vanishing<'_> {
         self.ring.unknowns() + 1
     }
 
-    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let (p, phases) = x.split_last()?;
         let pair = family.pair(p.clone());
         let legs = self.ring.legs(&pair, phases)?;

@@ -4,8 +4,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::family::{Family, Varied};
 use super::ring::Ring;
-use super::system::{Curve, Family, System};
+use super::system::{Curve, System};
 use crate::pair::{Inward, Wall};
 
 /// A point of a branch: phases, then the parameter; and the unit tangent there.
@@ -40,13 +41,11 @@ pub(super) struct Nearest {
     pub phase: f64,
 }
 
-/// Extrema of a flight that are looked at.
-const MOST_EXTREMA: f64 = 64.0;
 /// Newton steps of a correction.
 const MOST_STEPS: usize = 8;
 
 /// Corrects `x` onto the branch, within the plane through it across `along`.
-pub(super) fn correct(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
+pub(super) fn correct<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
     let curve = Curve(ring);
     let (start, mut x) = (x.to_vec(), x.to_vec());
     for _ in 0..MOST_STEPS {
@@ -75,7 +74,7 @@ fn border(matrix: DMatrix<f64>, row: &[f64]) -> DMatrix<f64> {
 }
 
 /// The unit tangent at `x` that goes the way of `along`.
-pub(super) fn tangent(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
+pub(super) fn tangent<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], along: &[f64]) -> Option<Vec<f64>> {
     let matrix = border(Curve(ring).jacobian(family, x)?, along);
     let mut right = DVector::zeros(x.len());
     right[x.len() - 1] = 1.0;
@@ -84,7 +83,7 @@ pub(super) fn tangent(ring: &Ring, family: &Family<f64>, x: &[f64], along: &[f64
 }
 
 /// A vector that `F'_mu` all but annuls, of length 1.
-pub(super) fn null_vector(ring: &Ring, family: &Family<f64>, x: &[f64], mu: f64) -> Option<Vec<f64>> {
+pub(super) fn null_vector<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], mu: f64) -> Option<Vec<f64>> {
     let matrix = twisted_matrix(ring, family, x, mu)?;
     let svd = matrix.svd(false, true);
     let v = svd.v_t?;
@@ -93,7 +92,12 @@ pub(super) fn null_vector(ring: &Ring, family: &Family<f64>, x: &[f64], mu: f64)
 }
 
 /// `F'_mu`
-pub(super) fn twisted_matrix(ring: &Ring, family: &Family<f64>, x: &[f64], mu: f64) -> Option<DMatrix<f64>> {
+pub(super) fn twisted_matrix<S: Varied>(
+    ring: &Ring,
+    family: &Family<S, f64>,
+    x: &[f64],
+    mu: f64,
+) -> Option<DMatrix<f64>> {
     let (&p, phases) = x.split_last()?;
     let pair = family.pair(p);
     let slopes = ring.chain().slopes(&pair, &ring.legs(&pair, phases)?)?;
@@ -105,7 +109,7 @@ pub(super) fn twisted_matrix(ring: &Ring, family: &Family<f64>, x: &[f64], mu: f
 
 impl Station {
     /// The station at `x`.
-    pub fn new(ring: &Ring, family: &Family<f64>, x: Vec<f64>, along: &[f64]) -> Option<Self> {
+    pub fn new<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: Vec<f64>, along: &[f64]) -> Option<Self> {
         let tangent = tangent(ring, family, &x, along)?;
         let tests = Tests::new(ring, family, &x, &tangent)?;
         Some(Self { x, tangent, tests })
@@ -124,7 +128,7 @@ impl Station {
 }
 
 impl Tests {
-    fn new(ring: &Ring, family: &Family<f64>, x: &[f64], tangent: &[f64]) -> Option<Self> {
+    fn new<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: &[f64], tangent: &[f64]) -> Option<Self> {
         let (&p, phases) = x.split_last()?;
         let (pair, chain) = (family.pair(p), ring.chain());
         let legs = ring.legs(&pair, phases)?;
@@ -134,13 +138,9 @@ impl Tests {
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
         let mut room = Nearest { distance: f64::INFINITY, leg: 0, wall: Wall::Left, phase: 0.0 };
         for (i, leg) in legs.legs.iter().enumerate().take(ring.unknowns()) {
-            let height = |s: f64| {
-                let sin = (std::f64::consts::TAU * s).sin();
-                let start = -chain.walls()[i].sign() / 2.0;
-                start + leg.drift * (s - lifted[i]) - pair.alpha * (sin - legs.waves[i].0)
-            };
-            for s in extrema(leg.drift / pair.beta, lifted[i], leg.time) {
-                let y = height(s);
+            let height = -chain.walls()[i].sign() / 2.0;
+            for (s, shift) in S::summits(&pair, leg, &legs.waves[i], lifted[i]) {
+                let y = height + leg.drift * (s - lifted[i]) - shift;
                 let (distance, wall) = (0.5 - y.abs(), if y > 0.0 { Wall::Right } else { Wall::Left });
                 if distance < room.distance {
                     room = Nearest { distance, leg: i, wall, phase: s };
@@ -157,17 +157,4 @@ impl Tests {
 fn asymmetry(phases: &[f64], turns: f64) -> f64 {
     let half = phases.len() / 2;
     (0..half).map(|i| (phases[i + half] - phases[i] - turns).abs()).fold(0.0, f64::max)
-}
-
-/// The phases inside a flight at which `cos th = q`.
-fn extrema(q: f64, start: f64, time: f64) -> Vec<f64> {
-    if q.abs() > 1.0 || time > MOST_EXTREMA {
-        return Vec::new();
-    }
-    let a = q.acos() / std::f64::consts::TAU;
-    let end = start + time;
-    let first = (start - 1.0).floor() as i64;
-    let last = (end + 1.0).ceil() as i64;
-    let all = (first..=last).flat_map(|n| [n as f64 - a, n as f64 + a]);
-    all.filter(|&s| s > start && s < end).collect()
 }

@@ -3,10 +3,12 @@
 use super::super::equations::flights;
 use super::super::krawczyk::{image, is_inside};
 use super::super::precondition::Preconditioner;
+use super::family::{Family, Varied};
 use super::ring::Ring;
-use super::system::{Curve, Family, Posed, System};
+use super::system::{Curve, Posed, System};
 use super::trace::{Station, correct};
-use crate::number::{Ball, Enclosing, Number, Wave};
+use crate::number::{Ball, Enclosing, Number};
+use crate::several::Turning;
 
 /// The part of a branch between two planes: `F = 0`, `a (x - x0) = t`, for all `|t| <= tau`.
 struct Slab<'r> {
@@ -33,7 +35,7 @@ impl System for Slab<'_> {
     }
 
     /// With `t = 0`.
-    fn values<N: Wave>(&self, family: &Family<N>, x: &[N]) -> Option<Vec<N>> {
+    fn values<S: Varied, N: Turning>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         let mut values = Curve(self.ring).values(family, x)?;
         let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
         values.push(self.along.iter().zip(&self.centre).zip(x).fold(N::from_f64(0.0), add));
@@ -49,7 +51,13 @@ struct Proof {
 
 impl Slab<'_> {
     /// Krawczyk's image for all `t` of a ball.
-    fn image(&self, family: &Family<Ball>, inverse: &Preconditioner, x: &[Ball], t: Ball) -> Option<Vec<Ball>> {
+    fn image<S: Varied>(
+        &self,
+        family: &Family<S, Ball>,
+        inverse: &Preconditioner,
+        x: &[Ball],
+        t: Ball,
+    ) -> Option<Vec<Ball>> {
         let last = x.len() - 1;
         let moved = |(i, k): (usize, Ball)| Ball::exact(inverse.row(i)[last]) * t + k;
         let still = image(&Posed { system: self, family }, inverse, x)?;
@@ -57,7 +65,7 @@ impl Slab<'_> {
     }
 
     /// Proves the slab in a box that is widened until its image lies inside.
-    fn prove(&self, floats: &Family<f64>, family: &Family<Ball>) -> Option<Proof> {
+    fn prove<S: Varied>(&self, floats: &Family<S, f64>, family: &Family<S, Ball>) -> Option<Proof> {
         let inverse = Preconditioner::new(&self.jacobian(floats, &self.centre)?)?;
         let last = self.centre.len() - 1;
         let all = Ball::new(0.0, self.tau);
@@ -87,9 +95,9 @@ impl Slab<'_> {
 }
 
 /// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, while `goes_on` says so. Lemma Y6
-pub(super) fn is_one_curve(
+pub(super) fn is_one_curve<S: Varied>(
     ring: &Ring,
-    families: (&Family<f64>, &Family<Ball>),
+    families: (&Family<S, f64>, &Family<S, Ball>),
     stations: &[Station],
     goes_on: &dyn Fn() -> bool,
 ) -> bool {
@@ -98,9 +106,9 @@ pub(super) fn is_one_curve(
 }
 
 /// Proves the way between two points of the branch and glues it to what ends at `end`; halves it where that fails.
-fn bridge(
+fn bridge<S: Varied>(
     ring: &Ring,
-    families: (&Family<f64>, &Family<Ball>),
+    families: (&Family<S, f64>, &Family<S, Ball>),
     [a, b]: [&[f64]; 2],
     end: &mut Option<Vec<Ball>>,
     halvings: u32,

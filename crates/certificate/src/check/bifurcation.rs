@@ -6,6 +6,9 @@
 
 use std::sync::atomic::AtomicBool;
 
+use num_bigint::BigInt;
+use num_integer::Integer;
+
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::curve::{Cell, Curve, PARAMETER};
@@ -14,11 +17,12 @@ use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
 use super::target::{MOST_BITS, Target, narrowest};
 use super::walk::compare;
-use super::{Effort, Finding, Verdict};
+use super::{Effort, Finding, Verdict, one_by_one};
 use crate::attraction::Bounds;
-use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind, Parameter};
+use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::Error;
+use impact_pair_model::scene::Key;
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
 const INSIDE: i64 = 24;
@@ -32,55 +36,58 @@ impl BifurcationCertificate {
     /// one. `progress` is told the points judged so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// None: what is beyond exact expressions leaves a point undecided.
     pub fn check_until(
         &self,
         effort: &Effort,
         stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
+        progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
         let budget = Budget::new(0, effort.parts, stop);
-        let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
-        let mut most = 0;
         let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message)));
         }
-        for (event, point) in self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze) {
-            budget.add(effort.work);
-            match point.judged(&data, self.over()) {
-                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: event }),
-                Err(Doubt::Open(message)) => return Ok(Verdict::Undecided(Finding { event, message })),
-                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
-                Ok(bits) => {
-                    most = most.max(bits); // exact: what is shown
-                    progress(event + 1);
-                }
-            }
-        }
-        Ok(match self.checked() {
-            0 => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
-            _ => Verdict::Confirmed { bits: most, pieces: 1 },
+        let points = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
+        Ok(match one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), progress) {
+            Ok(0) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(verdict) => verdict,
         })
     }
 }
 
 impl ClaimedPoint {
     /// It is one, proved in so many bits. Another one that is found refutes nothing: there may be several.
-    fn judged(&self, data: &Data, over: Parameter) -> Result<u32, Doubt> {
+    fn judged(&self, certificate: &BifurcationCertificate, budget: &Budget) -> Result<u32, Doubt> {
         let open = |message: &str| Doubt::Open(message.into());
-        let target = Target::new(data, &self.word, self.cycles, &self.orbit)?;
-        if data.only().is_none() {
-            return Err(open("only bifurcations under one harmonic are checked"));
+        let over = certificate.over();
+        match over {
+            // Lemma R1
+            Key::Frequency(_) if certificate.pair().excitation().only().is_some() => {
+                return Err(Doubt::False("nothing bifurcates over the frequency".into()));
+            }
+            Key::Frequency(_) => return Err(open("under several harmonics nothing is known over a frequency")),
+            _ => {}
         }
+        // The parameter's own value in the scene may leave out its harmonic.
+        let reason = |error: Error| Doubt::Open(error.to_string());
+        let there = certificate.pair().with(over, Exact::from_rational(self.parameter[0].clone())).map_err(reason)?;
+        let data = Data::new(&there, certificate.start()).map_err(reason)?;
+        let data = Data { budget: budget.clone(), ..data };
+        let harmonic = match over {
+            Key::Amplitude(_) => there.harmonic_of(over).map_err(reason)?,
+            _ => (0, None),
+        };
+        let target = Target::new(&data, &self.word, self.cycles, &self.orbit)?;
         let is_symmetric = self.orbit.symmetric == Some(true);
         if self.kind == Kind::Pitchfork && !is_symmetric {
             return Err(Doubt::False("only a symmetric orbit has a pitchfork".into()));
         }
         let is_half = is_symmetric && self.kind != Kind::PeriodDoubling;
         let (walls, half) = (&target.walls, target.walls.len() / 2);
-        if is_half && !(self.cycles % 2 == 1 && walls.len() % 2 == 0 && (0..half).all(|i| walls[i] != walls[i + half]))
-        {
+        let is_mirrored = (BigInt::from(self.cycles) / &target.turns).is_odd() && data.has_mirror();
+        if is_half && !(is_mirrored && walls.len() % 2 == 0 && (0..half).all(|i| walls[i] != walls[i + half])) {
             return Err(Doubt::False("no orbit of the word is symmetric".into()));
         }
         let size = LARGEST.min(narrowest(self.bounds()).unwrap_or(0) - INSIDE); // proposes: a size to try
@@ -89,7 +96,7 @@ impl ClaimedPoint {
             .ok()
             .filter(|&bits| bits <= MOST_BITS)
             .ok_or_else(|| open("the bounds are too narrow"))?;
-        let found = self.found(&target, over, (bits, size, is_half));
+        let found = self.found(&target, (over, harmonic), (bits, size, is_half));
         found.map(|()| bits).map_err(|doubt| match doubt {
             Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
         })
@@ -104,7 +111,7 @@ impl ClaimedPoint {
     fn found(
         &self,
         target: &Target<'_>,
-        over: Parameter,
+        (over, harmonic): (Key, (usize, Option<Exact>)),
         (bits, size, is_half): (u32, i64, bool),
     ) -> Result<(), Doubt> {
         let open = |message: &str| Doubt::Open(message.into());
@@ -113,6 +120,7 @@ impl ClaimedPoint {
             target,
             frame: Frame::new(target.data, &Piece::default(), bits),
             over,
+            harmonic,
             is_half,
             mu: if self.kind == Kind::Fold { 1 } else { -1 },
             units: [0; 3],
@@ -145,7 +153,7 @@ impl ClaimedPoint {
         let value = curve.spanned(cell, PARAMETER);
         compare("parameter", &value.hull(), &self.parameter)?;
         let one = Real::int(1, value.centre.bits());
-        if !value.hull().is_positive() || curve.over == Parameter::Restitution && one.is_below(&value.hull()) {
+        if !value.hull().is_positive() || curve.over == Key::Restitution && one.is_below(&value.hull()) {
             return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
         }
         let image = curve.image(cell, false)?;
@@ -153,7 +161,7 @@ impl ClaimedPoint {
         let parameters = curve.parameters(value.clone());
         let frame = Frame { parameters, clock: curve.frame.clock.clone(), turn: curve.frame.turn.clone() };
         let mut data = curve.target.data.clone();
-        if curve.over == Parameter::Restitution {
+        if curve.over == Key::Restitution {
             let ends = value.hull().ends().map(|end| Exact::from_rational(end.mid().to_rational()));
             data.restitution = Exact::interval(&ends[0], &ends[1]).map_err(|error| Doubt::Open(error.to_string()))?;
         }

@@ -6,8 +6,8 @@ use super::frame::Frame;
 use super::round::{Matrix, along, determinant, inverse, times};
 use super::step::{Landing, Parameters};
 use super::target::Target;
-use crate::bifurcation::Parameter;
-use impact_pair_exact::{Dyadic, Real};
+use impact_pair_exact::{Dyadic, Exact, Real};
+use impact_pair_model::scene::Key;
 
 /// Phase \[rad\], velocity \[length/rad\] and the parameter.
 pub(super) type Point = [Real; 3];
@@ -29,7 +29,9 @@ const THIN: i64 = 8;
 pub(super) struct Curve<'t> {
     pub target: &'t Target<'t>,
     pub frame: Frame,
-    pub over: Parameter,
+    pub over: Key,
+    /// Of an amplitude, the number of its harmonic, and what other terms in step add to it.
+    pub harmonic: (usize, Option<Exact>),
     pub is_half: bool,
     /// The eigenvalue sought: 1 or -1.
     pub mu: i64,
@@ -86,9 +88,13 @@ impl Curve<'_> {
     pub fn parameters(&self, value: Affine) -> Parameters {
         let mut parameters = self.frame.parameters.clone();
         match self.over {
-            Parameter::Amplitude => parameters.terms[0].amplitude = value,
-            Parameter::Restitution => parameters.restitution = value,
-            Parameter::Gap | Parameter::Frequency => {
+            Key::Amplitude(_) => {
+                let others = self.harmonic.1.as_ref().map(|others| Real::of(others, self.bits()));
+                let value = others.iter().fold(value, |value, others| value.shifted(others));
+                parameters.terms[self.harmonic.0].amplitude = value;
+            }
+            Key::Restitution => parameters.restitution = value,
+            _ => {
                 let half = self.power(-1);
                 parameters.half_gap = Affine::of(value.centre.half(), &[(&half, &value)]);
             }

@@ -103,6 +103,38 @@ const FIRST_BITS: u32 = 192;
 /// graze.
 const ENOUGH_BITS: u32 = 4096;
 
+impl Doubt {
+    /// The verdict on a claim that it is about.
+    fn on(self, event: usize) -> Verdict {
+        match self {
+            Self::False(message) => Verdict::Refuted(Finding { event, message }),
+            Self::Open(message) => Verdict::Undecided(Finding { event, message }),
+        }
+    }
+}
+
+/// Judges claims one after another, each with so much work; the bits that it took, or the verdict on the first that is not confirmed.
+fn one_by_one<C>(
+    claims: impl Iterator<Item = (usize, C)>,
+    (budget, work): (&Budget, u64),
+    mut judge: impl FnMut(C) -> Result<u32, Doubt>,
+    mut progress: impl FnMut(usize),
+) -> Result<u32, Verdict> {
+    let mut most = 0;
+    for (event, claim) in claims {
+        budget.add(work);
+        match judge(claim) {
+            Err(Doubt::Open(_)) if budget.is_stopped() => return Err(Verdict::Interrupted { events: event }),
+            Err(doubt) => return Err(doubt.on(event)),
+            Ok(bits) => {
+                most = most.max(bits); // exact: what is shown
+                progress(event + 1);
+            }
+        }
+    }
+    Ok(most)
+}
+
 impl Certificate {
     /// Proves every claim again, or says which one is not true or not proved. `progress` is told the events confirmed so far.
     ///
@@ -167,7 +199,7 @@ impl Certificate {
             let Err(doubt) = walk.all(&mut confirmed) else { continue };
             let event = walk.event;
             match walk.widest_datum() {
-                _ if matches!(doubt, Doubt::False(_)) || data.budget.is_spent() => return self.doubted(doubt, event),
+                _ if matches!(doubt, Doubt::False(_)) || data.budget.is_spent() => return doubt.on(event),
                 Some(datum) if cut < effort.pieces => {
                     pieces.extend(piece.halves(datum));
                     cut += 1;
@@ -178,7 +210,7 @@ impl Certificate {
                     // proposes: the bits to try
                     let is_enough = bits >= ENOUGH_BITS.max(4 * stuck.1) || bits >= effort.bits;
                     if widest.is_some() || is_enough {
-                        return self.doubted(doubt, event);
+                        return doubt.on(event);
                     }
                     // proposes
                     bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(effort.bits);
@@ -189,14 +221,7 @@ impl Certificate {
         data.budget.add(effort.work);
         match self.attracts(data, effort.pieces) {
             Ok(()) => Verdict::Confirmed { bits, pieces: cut },
-            Err(doubt) => self.doubted(doubt, self.events().len()),
-        }
-    }
-
-    fn doubted(&self, doubt: Doubt, event: usize) -> Verdict {
-        match doubt {
-            Doubt::False(message) => Verdict::Refuted(Finding { event, message }),
-            Doubt::Open(message) => Verdict::Undecided(Finding { event, message }),
+            Err(doubt) => doubt.on(self.events().len()),
         }
     }
 

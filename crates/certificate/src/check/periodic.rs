@@ -13,7 +13,7 @@ use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::round::Round;
 use super::target::{BITS, Target};
-use super::{Effort, Finding, Verdict};
+use super::{Effort, Verdict, one_by_one};
 use crate::periodic::PeriodicCertificate;
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
@@ -29,25 +29,17 @@ impl PeriodicCertificate {
         &self,
         effort: &Effort,
         stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
+        progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
         let budget = Budget::new(0, effort.parts, stop);
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
-        for (event, claim) in self.orbits().iter().enumerate() {
-            budget.add(effort.work);
-            let target = Target::new(&data, self.word(), self.cycles(), claim);
-            match target.and_then(|target| target.is_an_orbit(effort.pieces)) {
-                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: event }),
-                Err(Doubt::Open(message)) => return Ok(Verdict::Undecided(Finding { event, message })),
-                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
-                Ok(()) => progress(event + 1),
-            }
-        }
-        Ok(match self.whole() {
-            Ok(()) => Verdict::Confirmed { bits: BITS, pieces: 1 },
-            Err(Doubt::False(message)) => Verdict::Refuted(Finding { event: self.orbits().len(), message }),
-            Err(Doubt::Open(message)) => Verdict::Undecided(Finding { event: self.orbits().len(), message }),
-        })
+        let judge = |claim| {
+            let target = Target::new(&data, self.word(), self.cycles(), claim)?;
+            target.is_an_orbit(effort.pieces).map(|()| BITS)
+        };
+        let each = one_by_one(self.orbits().iter().enumerate(), (&budget, effort.work), judge, progress);
+        let whole = |_| self.whole().map_err(|doubt| doubt.on(self.orbits().len()));
+        Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }
 
     /// What is said of all orbits together.

@@ -44,7 +44,7 @@ pub struct BifurcationDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ParameterRange {
-    /// `amplitude`, `gap`, `restitution` or `frequency`.
+    /// `excitation.amplitude`, of several terms with a number, `excitation.frequency`, `pair.gap` or `pair.restitution`.
     pub key: String,
     /// Its lower end.
     pub low: Written,

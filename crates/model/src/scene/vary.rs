@@ -62,6 +62,22 @@ impl Key {
         Self::StartVelocity,
     ];
 
+    /// Where it stands in the scene file: `pair.gap`, `excitation.amplitude.2`.
+    ///
+    /// ```
+    /// use impact_pair_model::scene::Key;
+    /// assert_eq!("amplitude.2".parse::<Key>()?.place(), "excitation.amplitude.2");
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
+    pub fn place(self) -> String {
+        let table = match self {
+            Self::Amplitude(_) | Self::Frequency(_) | Self::Phase(_) => "excitation.",
+            Self::Gap | Self::Restitution => "pair.",
+            Self::StartTime | Self::StartPhase | Self::StartPosition | Self::StartVelocity => "",
+        };
+        format!("{table}{self}")
+    }
+
     /// Its name without the number of a term.
     fn name(self) -> &'static str {
         match self {
@@ -171,17 +187,10 @@ impl Scene {
     }
 
     fn set(&mut self, key: Key, value: Exact) -> Result<(), Error> {
-        let mut excitation = self.pair.excitation().clone();
-        let (mut gap, mut restitution) = (self.pair.gap().clone(), self.pair.restitution().clone());
         match key {
-            Key::Amplitude(term) | Key::Frequency(term) | Key::Phase(term) => {
-                excitation = varied(&excitation, key, term, value)?;
-            }
-            Key::Gap => gap = value,
-            Key::Restitution => restitution = value,
             Key::StartTime => self.start.time = value,
             Key::StartPhase => {
-                let fastest = excitation.reference();
+                let fastest = self.pair.excitation().reference();
                 let time = value.checked_sub(fastest.phase()).and_then(|since| since.checked_div(fastest.frequency()));
                 self.start.time = within("start.phase", &value, time)?;
             }
@@ -190,8 +199,8 @@ impl Scene {
                 Place::Inside(position) => *position = value,
                 Place::Wall(_) => return Err(Error::range("start.position", &value, ON_A_WALL)),
             },
+            _ => self.pair = self.pair.with(key, value)?,
         }
-        self.pair = ImpactPair::new(excitation, gap, restitution)?;
         Ok(())
     }
 
@@ -202,6 +211,39 @@ impl Scene {
             Place::Wall(wall) => Start::on_wall(time, wall, velocity),
             Place::Inside(position) => Start::inside(&self.pair, time, position, velocity),
         }
+    }
+}
+
+impl ImpactPair {
+    /// The pair with another value of one of its parameters: the same for a key of the start.
+    ///
+    /// # Errors
+    /// When the value is not in its range, or it is that of a harmonic and there are several or no term has its number.
+    pub fn with(&self, key: Key, value: Exact) -> Result<Self, Error> {
+        let (mut excitation, mut gap, mut restitution) =
+            (self.excitation().clone(), self.gap().clone(), self.restitution().clone());
+        match key {
+            Key::Amplitude(term) | Key::Frequency(term) | Key::Phase(term) => {
+                excitation = varied(&excitation, key, term, value)?;
+            }
+            Key::Gap => gap = value,
+            Key::Restitution => restitution = value,
+            Key::StartTime | Key::StartPhase | Key::StartPosition | Key::StartVelocity => {}
+        }
+        Self::new(excitation, gap, restitution)
+    }
+
+    /// Of a pair with an amplitude that moves the box, the number of its harmonic and what other terms add to it: see
+    /// [`Excitation::harmonic_of`].
+    ///
+    /// # Errors
+    /// When intervals leave open which harmonic it is.
+    pub fn harmonic_of(&self, key: Key) -> Result<(usize, Option<Exact>), Error> {
+        let excitation = self.excitation();
+        let number = key.term().map_or(0, |number| usize::from(number.get()) - 1);
+        let harmonic = excitation.terms().get(number).and_then(|term| excitation.harmonic_of(term));
+        let accepted = "accepted is that of a term whose frequency and phase are no intervals";
+        harmonic.ok_or_else(|| Error::out_of_range(None, format!("the key is \"{key}\", but {accepted}")))
     }
 }
 
