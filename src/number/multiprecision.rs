@@ -8,6 +8,7 @@
 //! radii of Lemma B2 with this in place of `UNIT |m|` enclose.
 
 mod arithmetic;
+mod sine;
 
 use std::cmp::Ordering;
 
@@ -18,7 +19,7 @@ use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
 use super::kernel::Departure;
-use super::{Ball, Enclosing, Magnitude, Number, Wave, up};
+use super::{ABOVE_TURN, Ball, Enclosing, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
 /// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
@@ -202,6 +203,11 @@ impl MpBall {
             let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize]; // exact: 0 to 3
             return (Self::from_f64(at(0)), Self::from_f64(at(1)));
         }
+        if let Some(found) = sine::sin_cos(&self.mid, self.bits()) {
+            // Their slopes are at most 2 pi.
+            let turned = Magnitude::new(ABOVE_TURN, 0) * self.rad;
+            return found.map(|(mid, error)| Self { mid, rad: turned + error }).into();
+        }
         let angle = self.turn().times(self);
         let bits = self.bits();
         let (mut sin, mut cos) = (Float::new(bits), Float::new(bits));
@@ -213,9 +219,12 @@ impl MpBall {
 
     /// How many quarter turns it is, when it is exactly so many, and a few at most.
     fn quarter(&self) -> Option<i32> {
-        let quarters = Float::with_val(self.bits(), &self.mid * 4u32);
-        let is_one = self.rad.is_zero() && quarters.is_integer() && quarters.clone().abs() <= 8u32;
-        is_one.then(|| quarters.to_f64() as i32) // exact: at most 8 in size
+        if !self.rad.is_zero() {
+            return None;
+        }
+        let quarters = 4.0 * self.mid.to_f64();
+        let is_one = quarters.abs() <= 8.0 && quarters.fract() == 0.0 && self.mid == quarters / 4.0; // exact: a power of two
+        is_one.then_some(quarters as i32) // exact: at most 8 in size
     }
 
     /// Encloses `acos(q) / (2 pi)` for all `q` in the ball that lie in `[-1, 1]`.
