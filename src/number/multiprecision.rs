@@ -253,25 +253,37 @@ impl MpBall {
     /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than a 64th of
     /// the one two before, so what is left out is smaller than the last term taken.
     pub fn short_departure(&self) -> Option<Departure<Self>> {
+        // Relative to the excess, the smallest of them.
+        let size = Magnitude::new(ABOVE_TURN, 0) * self.mag();
+        self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
+    }
+
+    /// The same in so many bits that a few times `error` is added to the radii.
+    pub(crate) fn departure_within(&self, error: Magnitude) -> Option<Departure<Self>> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
-        let x = self.turn().times(self);
-        // Relative to the excess, the smallest of them.
+        // In as many bits as a number of that size is worth.
+        let worth = |x: &Self, size: Magnitude| {
+            let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
+            x.rounded((bits as u32).clamp(LEAST_BITS, x.bits().max(LEAST_BITS))) // M1: any number of bits
+        };
+        let h = worth(self, Magnitude::new(ABOVE_TURN, 0) * self.mag());
+        let x = h.turn().times(&h);
         let size = x.mag();
-        let floor = size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3);
         let (mut versine, mut excess) = (Self::from_f64(0.0), Self::from_f64(0.0));
         let mut term = x.clone();
         for n in 2u32.. {
             // x^n / n!
-            term = term.times(&x).divided(n);
+            let next = size * term.mag();
+            term = worth(&term, next).times(&worth(&x, next)).divided(n);
             let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
             if matches!(n % 4, 2 | 3) {
                 *sum += &term
             } else {
                 *sum -= &term
             }
-            if term.mag() <= floor {
+            if term.mag() <= error {
                 break;
             }
         }
