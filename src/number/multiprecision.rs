@@ -45,6 +45,9 @@ pub fn mpfr_version() -> String {
     format!("{VERSION_MAJOR}.{VERSION_MINOR}.{VERSION_PATCHLEVEL}")
 }
 
+/// Bits between a centre and its radius beyond which the sum of both is rounded.
+const MOST_SPREAD: u32 = 1 << 24;
+
 /// The least bits a centre has.
 pub const LEAST_BITS: u32 = 64;
 
@@ -185,16 +188,19 @@ impl MpBall {
 
     /// The ball as an interval; `None` when it has no bound.
     pub fn enclosure(&self) -> Option<Enclosure> {
-        let mid = dyadic_of(&self.mid);
-        let Some(exponent) = self.rad.exponent() else { return Some(Enclosure::point(mid)) };
-        let fraction = Dyadic::from_f64(self.rad.in_units_of(exponent))?;
-        let rad = Enclosure::point(fraction.scaled(exponent));
+        self.enclosure_in(u32::MAX)
+    }
+
+    /// The same, its ends rounded outward to so many bits at most.
+    pub(crate) fn enclosure_in(&self, bits: u32) -> Option<Enclosure> {
+        let rad = float_of_magnitude(self.rad)?;
         // Enough bits for all between the top of one and the bottom of the other.
-        let spread = mid.top().map_or(0, |top| (top - exponent).unsigned_abs());
-        // X1: any number of bits encloses
-        let bits = u32::try_from(spread).map_or(u32::MAX / 2, |spread| self.bits().max(spread) + 64);
-        let mid = Enclosure::point(mid);
-        Some(mid.sub(&rad, bits).hull(&mid.add(&rad, bits)))
+        let exponents = self.mid.get_exp().zip(rad.get_exp());
+        let spread = exponents.map_or(0, |(top, bottom)| top.abs_diff(bottom));
+        let bits = bits.min(self.bits().max(spread.min(MOST_SPREAD)) + 64); // X1: any number of bits encloses
+        let end = |(end, _): (Float, Ordering)| dyadic_of(&end);
+        let low = end(Float::with_val_round(bits, &self.mid - &rad, Round::Down));
+        Enclosure::new(low, end(Float::with_val_round(bits, &self.mid + &rad, Round::Up)))
     }
 
     /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter turns they are exact.
@@ -250,8 +256,8 @@ impl MpBall {
 
     /// Encloses versine, excess and sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.
     ///
-    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than a 64th of
-    /// the one two before, so what is left out is smaller than the last term taken.
+    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than
+    /// the one before, so what is left out of each sum is smaller than the first term that is left out of one.
     pub fn short_departure(&self) -> Option<Departure<Self>> {
         // Relative to the excess, the smallest of them.
         let size = Magnitude::new(ABOVE_TURN, 0) * self.mag();
@@ -263,31 +269,31 @@ impl MpBall {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
-        // In as many bits as a number of that size is worth.
-        let worth = |x: &Self, size: Magnitude| {
+        // A number of that size is worth so many bits.
+        let worth = |size: Magnitude| {
             let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
-            x.rounded((bits as u32).clamp(LEAST_BITS, x.bits().max(LEAST_BITS))) // M1: any number of bits
+            (bits as u32).clamp(LEAST_BITS, self.bits().max(LEAST_BITS)) // M1: any number of bits
         };
-        let h = worth(self, Magnitude::new(ABOVE_TURN, 0) * self.mag());
-        let x = h.turn().times(&h);
+        let bits = worth(Magnitude::new(ABOVE_TURN, 0) * self.mag());
+        let turn = Self { mid: Float::new(bits), rad: Magnitude::ZERO }.turn();
+        let x = turn.product(self, bits);
         let size = x.mag();
         let (mut versine, mut excess) = (Self::from_f64(0.0), Self::from_f64(0.0));
-        let mut term = x.clone();
+        // x^n / n! and a bound of it
+        let (mut term, mut left) = (x.clone(), size);
         for n in 2u32.. {
-            // x^n / n!
-            let next = size * term.mag();
-            term = worth(&term, next).times(&worth(&x, next)).divided(n);
+            left = (left * size).over(Magnitude::new(f64::from(n), 0));
+            if left <= error {
+                break;
+            }
+            term = term.product(&x, worth(left)).divided(n);
             let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
             if matches!(n % 4, 2 | 3) {
                 *sum += &term
             } else {
                 *sum -= &term
             }
-            if term.mag() <= error {
-                break;
-            }
         }
-        let left = term.mag();
         let (versine, excess) = (versine.widened(left), excess.widened(left));
         Some(Departure { versine, sine: x.minus(&excess), excess })
     }

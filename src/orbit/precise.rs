@@ -73,10 +73,10 @@ impl PreciseSet {
         (phase.rad().log2(), velocity.rad().log2())
     }
 
-    /// Phases and velocities as intervals.
-    pub fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
+    /// Phases and velocities as intervals, in so many bits at most.
+    pub fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
         let (phase, velocity) = self.balls();
-        Some((phase.enclosure()?, velocity.enclosure()?))
+        Some((phase.enclosure_in(bits)?, velocity.enclosure_in(bits)?))
     }
 
     /// The image of the shape, in a unit that suits it and the noise of the centre.
@@ -218,8 +218,8 @@ impl<S: Flying> Motion for PreciseMotion<S> {
         self.set().map(PreciseSet::log2_radii)
     }
 
-    fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
-        self.set().and_then(PreciseSet::enclosures)
+    fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
+        self.set()?.enclosures(bits)
     }
 }
 

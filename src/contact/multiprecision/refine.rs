@@ -44,12 +44,11 @@ impl Sight {
     fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
         let Self { residual, velocity, sin_cos: (sin, cos) } = self;
         let Departure { versine, sine, .. } = h.departure_within(Magnitude::power_of_two(-i64::from(sin.bits()) - 8))?;
-        let product = |x: &MpBall, small: &MpBall| x.rounded(small.bits().min(x.bits())).times(small); // M1: any number of bits
+        let product = |x: &MpBall, small: &MpBall| x.product(small, small.bits());
         let rise = product(&cos, &sine).minus(&product(&sin, &versine));
         let fall = product(&cos, &versine).plus(&product(&sin, &sine));
-        let h = h.rounded(sine.bits());
         Some(Self {
-            residual: residual.plus(&product(&flight.drift, &h)).minus(&product(&flight.alpha, &rise)),
+            residual: residual.plus(&flight.drift.product(h, sine.bits())).minus(&product(&flight.alpha, &rise)),
             velocity: velocity.plus(&product(&flight.beta, &fall)),
             sin_cos: (sin.plus(&rise), cos.minus(&fall)),
         })

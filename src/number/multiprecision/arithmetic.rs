@@ -49,8 +49,16 @@ impl MpBall {
     fn product_spread(&self, b: &Self) -> Magnitude {
         match (self.rad.is_zero(), b.rad.is_zero()) {
             (true, true) => Magnitude::ZERO,
-            _ => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
+            (true, false) => magnitude(&self.mid) * b.rad,
+            (false, true) => self.rad * magnitude(&b.mid),
+            (false, false) => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
         }
+    }
+
+    /// The product in so many bits.
+    pub(crate) fn product(&self, b: &Self, bits: u32) -> Self {
+        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
+        Self { mid, rad: self.product_spread(b) + error }
     }
 
     /// Gives the centre as many bits as `b` has, and no fewer than before; its value is the same.

@@ -4,6 +4,7 @@
 //! below `2^-8`, and later terms of the series need fewer limbs.
 
 use std::cell::RefCell;
+use std::mem::swap;
 
 use rug::float::{Constant, Round};
 use rug::{Assign, Float, Integer};
@@ -20,6 +21,8 @@ const ERROR: i64 = 4;
 const PARTS: i32 = 1 << 10;
 const QUARTER: i32 = PARTS / 4;
 const LIMB: u32 = 64;
+/// Bits from which on half a product is much cheaper than all of it.
+const LONG: u32 = 24 * LIMB;
 /// Bits beyond those asked for, at least.
 const GUARD: u32 = 16;
 
@@ -136,8 +139,7 @@ impl Series {
         powers[1].assign(&*spare);
         for i in 2..=columns as usize {
             let (below, above) = powers.split_at_mut(i);
-            above[0].assign(&below[i / 2] * &below[i - i / 2]);
-            above[0] >>= fine;
+            product(&mut above[0], &below[i / 2], &below[i - i / 2], fine);
         }
         // Bits that a row is not worth.
         let drowned = |row: u32| small * columns * row / LIMB * LIMB;
@@ -146,18 +148,24 @@ impl Series {
         sum.assign(0);
         for k in (0..terms).rev() {
             let column = k - row * columns;
-            spare.assign(&powers[column as usize] >> lost);
+            let power = match lost {
+                0 => &powers[column as usize],
+                _ => {
+                    spare.assign(&powers[column as usize] >> lost);
+                    &*spare
+                }
+            };
             if k.is_multiple_of(2) {
-                *sum += &*spare * factor;
+                *sum += power * factor;
             } else {
-                *sum -= &*spare * factor;
+                *sum -= power * factor;
             }
             if column == 0 && row > 0 {
                 row -= 1;
                 let less = drowned(row);
                 spare.assign(&powers[columns as usize] >> less);
-                *sum *= &*spare;
-                *sum >>= fine - lost;
+                product(cos, sum, spare, fine - lost);
+                swap(sum, cos);
                 lost = less;
             }
             factor = match factor.checked_mul(step(k)) {
@@ -169,13 +177,28 @@ impl Series {
             };
         }
         *sum /= factor;
-        sin.assign(&*x * &*sum);
-        *sin >>= fine;
+        product(sin, x, sum, fine);
         sum.assign(&powers[0] + &*sin);
         spare.assign(&powers[0] - &*sin);
         cos.assign(&*sum * &*spare);
         cos.sqrt_mut();
     }
+}
+
+/// The product in units of `2^shift`, within two of them.
+fn product(out: &mut Integer, a: &Integer, b: &Integer, shift: u32) {
+    let bits = a.significant_bits().min(b.significant_bits());
+    if bits < LONG {
+        out.assign(a * b);
+        *out >>= shift;
+        return;
+    }
+    // MPFR finds the upper half of a long product only.
+    let bits = (a.significant_bits() + b.significant_bits()).saturating_sub(shift) + 8; // M5: at least the bits of the result
+    let mut float = Float::with_val(bits, a);
+    float *= Float::with_val(bits, b);
+    let exponent = float.to_integer_exp_in_place(out).expect("a finite number");
+    *out >>= shift as i32 - exponent; // exact: at most 2^16 in size
 }
 
 /// `(2k + 1)! / (2k - 1)!`, and 1 for `k = 0`.
