@@ -76,6 +76,16 @@ fn half_unit(x: &Float) -> Magnitude {
     }
 }
 
+/// A power of two that `|x|` does not reach.
+#[inline]
+fn above(x: &Float) -> Magnitude {
+    match x.get_exp() {
+        Some(exponent) => Magnitude::power_of_two(i64::from(exponent)),
+        None if x.is_zero() => Magnitude::ZERO,
+        None => Magnitude::INFINITE,
+    }
+}
+
 /// `|x|` rounded up.
 #[inline]
 pub(crate) fn magnitude(x: &Float) -> Magnitude {
@@ -147,7 +157,9 @@ impl MpBall {
 
     /// Its sign, if that is certain.
     pub fn sign(&self) -> Option<Ordering> {
-        if self.rad.is_zero() {
+        // Far from 0, as mostly, the exponents tell.
+        let is_far = || self.mid.get_exp().zip(self.rad.exponent()).is_some_and(|(top, rad)| rad < i64::from(top) - 1);
+        if self.rad.is_zero() || is_far() {
             return self.mid.cmp0();
         }
         self.mig().and_then(|_| self.mid.cmp0())
@@ -357,7 +369,9 @@ fn float_of(x: &Dyadic) -> Float {
 fn dyadic_of(x: &Float) -> Dyadic {
     let Some((mantissa, exponent)) = x.to_integer_exp() else { return Dyadic::zero() };
     let sign = if mantissa.cmp0() == Ordering::Less { Sign::Minus } else { Sign::Plus };
-    Dyadic::new(BigInt::from_slice(sign, &mantissa.to_digits::<u32>(Order::Lsf)), i64::from(exponent))
+    let digits = mantissa.to_digits::<u64>(Order::Lsf);
+    let halves = digits.into_iter().flat_map(|digit| [digit as u32, (digit >> 32) as u32]); // exact: the halves
+    Dyadic::new(BigInt::new(sign, halves.collect()), i64::from(exponent))
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use rug::Float;
 use rug::float::{Constant, Round};
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 
-use super::{MpBall, error_of, magnitude, rounding};
+use super::{MpBall, above, error_of, magnitude, rounding};
 use crate::number::{Magnitude, Number};
 
 /// Results take the place of the left operand, where it has the bits: no memory is asked for.
@@ -55,10 +55,11 @@ impl MpBall {
         }
     }
 
-    /// The product in so many bits.
+    /// The product in so many bits; what the radii add is bounded within a factor of two.
     pub(crate) fn product(&self, b: &Self, bits: u32) -> Self {
         let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
-        Self { mid, rad: self.product_spread(b) + error }
+        let spread = |rad: Magnitude, of: Magnitude| if rad.is_zero() { rad } else { rad * of };
+        Self { mid, rad: spread(self.rad, above(&b.mid) + b.rad) + spread(b.rad, above(&self.mid)) + error }
     }
 
     /// Gives the centre as many bits as `b` has, and no fewer than before; its value is the same.

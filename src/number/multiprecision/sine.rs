@@ -88,7 +88,7 @@ impl Circle {
         self.parts.clear();
         for _ in 0..=QUARTER / 2 {
             self.parts.push(waves.clone().map(|wave| wave >> LIMB));
-            waves = rotated(&waves, &step).map(|wave| wave >> bits);
+            waves = rotated(&waves, &step, bits);
         }
     }
 
@@ -112,7 +112,7 @@ impl Circle {
         if part < 0 {
             sin = -sin;
         }
-        let [sin, cos] = rotated(&[sin, cos], &series.waves).map(|wave| wave >> fine);
+        let [sin, cos] = rotated(&[sin, cos], &series.waves, fine);
         match quarters.rem_euclid(4) {
             0 => [sin, cos],
             1 => [cos, -sin],
@@ -220,10 +220,12 @@ fn shape(small: u32, fine: u32) -> (u32, u32) {
     (terms, columns)
 }
 
-/// Sine and cosine of the sum of two angles, not yet rounded.
-fn rotated([a, b]: &[Integer; 2], [sin, cos]: &[Integer; 2]) -> [Integer; 2] {
-    let mut turned = [Integer::from(a * cos), Integer::from(b * cos)];
-    turned[0] += b * sin;
-    turned[1] -= a * sin;
-    turned
+/// Sine and cosine of the sum of two angles in units of `2^bits`, within four of them.
+fn rotated([a, b]: &[Integer; 2], [sin, cos]: &[Integer; 2], bits: u32) -> [Integer; 2] {
+    let part = |x: &Integer, y: &Integer| {
+        let mut out = Integer::new();
+        product(&mut out, x, y, bits);
+        out
+    };
+    [part(a, cos) + part(b, sin), part(b, cos) - part(a, sin)]
 }
