@@ -300,11 +300,7 @@ impl MpBall {
             }
             term = term.product(&x, worth(left)).divided(n);
             let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
-            if matches!(n % 4, 2 | 3) {
-                *sum += &term
-            } else {
-                *sum -= &term
-            }
+            if matches!(n % 4, 2 | 3) { *sum += &term } else { *sum -= &term }
         }
         let (versine, excess) = (versine.widened(left), excess.widened(left));
         Some(Departure { versine, sine: x.minus(&excess), excess })

@@ -43,7 +43,8 @@ impl Sight {
     /// What they give so long afterwards: the addition theorems, each product in as many bits as it is worth.
     fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
         let Self { residual, velocity, sin_cos: (sin, cos) } = self;
-        let Departure { versine, sine, .. } = h.departure_within(Magnitude::power_of_two(-i64::from(sin.bits()) - 8))?;
+        let Departure { versine, sine, .. } =
+            h.departure_within(Magnitude::power_of_two(-i64::from(sin.bits()) - 8))?;
         let product = |x: &MpBall, small: &MpBall| x.product(small, small.bits());
         let rise = product(&cos, &sine).minus(&product(&sin, &versine));
         let fall = product(&cos, &versine).plus(&product(&sin, &sine));
@@ -181,32 +182,41 @@ fn step(flight: &Flight<MpBall>, sight: &Sight) -> Option<Float> {
     let Some(size) = residual.get_exp() else { return Some(residual.clone()) };
     let size = f64::from(size) - f64::from(slope.get_exp()?);
     // Bits of a number of this size that the phase is worth.
-    let worth = |size: f64| ((f64::from(bits) + size) as u32).saturating_add(16).clamp(LEAST_BITS, bits); // proposes
-    let mut newton = Float::with_val(worth(size), residual / slope);
+    let worth =
+        |size: f64| ((f64::from(bits) + size) as u32).saturating_add(16).clamp(LEAST_BITS, bits.max(LEAST_BITS)); // proposes
+    let newton = Float::with_val(worth(size), residual / slope);
     let (beta, (sin, cos)) = (&flight.beta, &sight.sin_cos);
     let rough = {
-        let [n, slope, beta, sin, cos] = [&newton, slope, beta.mid(), sin.mid(), cos.mid()].map(Float::to_f64);
-        curvature(n, slope, beta, (sin, cos)).filter(|x| x.is_normal())
+        let [slope, beta, sin, cos] = [slope, beta.mid(), sin.mid(), cos.mid()].map(Float::to_f64);
+        bend(slope, beta, sin).and_then(|a| Some([a, twist(a, slope, beta, cos)?])).filter(|x| x[0].is_normal())
     };
-    // Corrections of the second order need half the bits, and may need no more than doubles have.
-    let half = rough.map_or(bits, |rough| worth(2.0 * size + rough.abs().log2()));
+    // Corrections of the second order need half the bits, of the third a quarter: maybe no more than doubles have.
+    let order = |n: f64, x: f64| worth(n * size + x.abs().log2());
+    let [half, quarter] = rough.map_or([bits, bits], |[a, b]| [order(2.0, a), order(3.0, b)]);
+    let coarse = |x: &Float, bits: u32| MpBall::exact(Float::with_val(bits, x));
     let square = Float::with_val(half, newton.square_ref());
-    newton += match rough {
-        Some(rough) if half == LEAST_BITS => square * rough,
+    let mut curvature = match rough {
+        Some([bend, _]) if half == LEAST_BITS => Float::with_val(half, bend),
+        _ => bend(coarse(slope, half), coarse(beta.mid(), half), coarse(sin.mid(), half))?.mid().clone(),
+    };
+    curvature += match rough {
+        Some([_, twist]) if quarter == LEAST_BITS => Float::with_val(quarter, &newton * twist),
         _ => {
-            let coarse = |x: &Float| MpBall::exact(Float::with_val(half, x));
-            let sin_cos = (coarse(sin.mid()), coarse(cos.mid()));
-            square * curvature(coarse(&newton), coarse(slope), coarse(beta.mid()), sin_cos)?.mid()
+            let [a, slope, beta, cos] = [&curvature, slope, beta.mid(), cos.mid()].map(|x| coarse(x, quarter));
+            Float::with_val(quarter, twist(a, slope, beta, cos)?.mid() * &newton)
         }
     };
-    Some(-newton)
+    Some(-(newton + curvature * square))
 }
 
-/// `A + (2 A^2 - B) n`
-fn curvature<N: Number>(n: N, slope: N, beta: N, (sin, cos): (N, N)) -> Option<N> {
-    let swing = beta.turn() * beta;
-    let jerk = (swing.turn() * swing.clone() * cos).checked_div(slope.clone() * N::from_f64(6.0))?;
-    let bend = (swing * sin).checked_div(slope * N::from_f64(2.0))?;
-    let square = bend.clone() * bend.clone();
-    Some((square.clone() + square - jerk).mul_add(n, bend))
+/// `A`
+fn bend<N: Number>(slope: N, beta: N, sin: N) -> Option<N> {
+    (beta.turn() * beta * sin).checked_div(slope * N::from_f64(2.0))
+}
+
+/// `2 A^2 - B`
+fn twist<N: Number>(bend: N, slope: N, beta: N, cos: N) -> Option<N> {
+    let jerk = (beta.turn() * beta.turn() * beta * cos).checked_div(slope * N::from_f64(6.0))?;
+    let square = bend.clone() * bend;
+    Some(square.clone() + square - jerk)
 }

@@ -10,6 +10,9 @@ use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 use super::{MpBall, above, error_of, magnitude, rounding};
 use crate::number::{Magnitude, Number};
 
+/// Bits from which on the upper half of a product costs much less than all of it, which a fused sum needs.
+pub(super) const LONG: u32 = 24 * 64;
+
 /// Results take the place of the left operand, where it has the bits: no memory is asked for.
 impl Add for MpBall {
     type Output = Self;
@@ -154,15 +157,23 @@ impl Number for MpBall {
     }
 
     fn mul_add_ref(&self, b: &Self, mut c: Self) -> Self {
-        let rad = self.product_spread(b) + c.rad;
         [self, b].into_iter().for_each(|x| c.grow(x));
+        if c.bits() >= LONG {
+            let product = self.product(b, c.bits());
+            return c.plus(&product);
+        }
+        let rad = self.product_spread(b) + c.rad;
         c.set(rad, |mid| mid.add_assign_round(&self.mid * &b.mid, Round::Nearest));
         c
     }
 
     fn mul_sub_ref(&self, b: &Self, mut c: Self) -> Self {
-        let rad = self.product_spread(b) + c.rad;
         [self, b].into_iter().for_each(|x| c.grow(x));
+        if c.bits() >= LONG {
+            let product = self.product(b, c.bits());
+            return c.minus(&product);
+        }
+        let rad = self.product_spread(b) + c.rad;
         c.set(rad, |mid| mid.sub_assign_round(&self.mid * &b.mid, Round::Nearest));
         c
     }

@@ -1,7 +1,7 @@
 //! Sine and cosine in fixed point: a table of the circle, a short series, a rotation.
 //!
 //! MPFR finds each of them from nothing. An orbit asks for thousands, so a table pays: what it leaves of the angle is
-//! below `2^-8`, and later terms of the series need fewer limbs.
+//! below `2^-8`, and later terms of the series need fewer limbs. Lemma M5 of `docs/proofs.md` has the bound.
 
 use std::cell::RefCell;
 use std::mem::swap;
@@ -9,6 +9,7 @@ use std::mem::swap;
 use rug::float::{Constant, Round};
 use rug::{Assign, Float, Integer};
 
+use super::arithmetic::LONG;
 use crate::number::Magnitude;
 
 /// Beyond these bits MPFR is the faster.
@@ -21,8 +22,6 @@ const ERROR: i64 = 4;
 const PARTS: i32 = 1 << 10;
 const QUARTER: i32 = PARTS / 4;
 const LIMB: u32 = 64;
-/// Bits from which on half a product is much cheaper than all of it.
-const LONG: u32 = 24 * LIMB;
 /// Bits beyond those asked for, at least.
 const GUARD: u32 = 16;
 
@@ -99,11 +98,10 @@ impl Circle {
         let part = (u.to_f64() * f64::from(PARTS)).round(); // M5: any whole number near
         // Exact: no bit of it is below the last one of `u`, and none above a part.
         let rest = Float::with_val(fine, u - part / f64::from(PARTS));
-        let Series { x, spare, .. } = series;
+        let Series { x, sum, spare, .. } = series;
         let exponent = rest.to_integer_exp_in_place(spare).expect("a finite number");
-        x.assign(&*turn >> coarser);
-        *x *= &*spare;
-        *x >>= exponent.unsigned_abs(); // M5: of a number below 1 it is negative
+        sum.assign(&*turn >> coarser);
+        product(x, sum, spare, exponent.unsigned_abs()); // M5: of a number below 1 it is negative
         series.sum(fine);
         let part = part as i32; // exact: at most 2^18 in size
         let quarters = (part + QUARTER / 2).div_euclid(QUARTER);
@@ -228,4 +226,63 @@ fn rotated([a, b]: &[Integer; 2], [sin, cos]: &[Integer; 2], bits: u32) -> [Inte
         out
     };
     [part(a, cos) + part(b, sin), part(b, cos) - part(a, sin)]
+}
+
+#[cfg(test)]
+mod tests {
+    //! Lemma M5 against MPFR's own sine and cosine, in more bits.
+
+    use super::*;
+    use crate::number::tests::powers;
+    use proptest::prelude::*;
+
+    /// Phases in all their bits, often next to the middle or the edge of a part, an eighth or a quarter, or tiny.
+    fn phases(bits: u32) -> impl Strategy<Value = Float> {
+        let edge = prop_oneof![
+            (-2080..2080i32).prop_map(|k| f64::from(k) / 2048.0),
+            (-32..32i32).prop_map(|k| f64::from(k) / 8.0)
+        ];
+        let off = prop_oneof![Just(0.0), powers(-300.0, -10.0), powers(-20.0, -2.0)];
+        let any = (any::<u64>(), any::<u64>(), -9..8i32).prop_map(move |(m, n, shift)| {
+            let m = Float::with_val(bits, m | 1) / n.max(1);
+            let exponent = m.get_exp().expect("not nothing");
+            m >> (exponent - shift)
+        });
+        let near = (edge, off, any::<bool>())
+            .prop_map(move |(edge, off, below)| Float::with_val(bits, edge) + if below { -off } else { off });
+        prop_oneof![near, any.clone(), any.prop_map(|x| x >> 400)]
+    }
+
+    fn in_doubt(found: &Float, true_one: &Float, error: Magnitude) -> bool {
+        let away = Float::with_val_round(64, found - true_one, Round::AwayZero).0;
+        super::super::magnitude(&away) > error
+    }
+
+    proptest! {
+        #[test]
+        fn both_are_within_their_bounds((u, bits) in prop_oneof![Just(53u32), Just(64), Just(128), 53..700u32, 1000..7000u32].prop_flat_map(|bits| (phases(bits), Just(bits)))) {
+            let own = bits + 700;
+            let angle = Float::with_val(own, Constant::Pi) * 2u32 * &u;
+            let (sin, cos) = angle.sin_cos(Float::new(own));
+            let fine = (bits + GUARD).next_multiple_of(LIMB);
+            let raw = CIRCLE.with_borrow_mut(|circle| {
+                circle.reach(fine);
+                circle.turned(&u, fine)
+            });
+            let found = sin_cos(&u, bits).expect("a near phase");
+            for ((mid, error), (raw, truth)) in found.iter().zip(raw.into_iter().zip([sin, cos])) {
+                prop_assert!(mid.prec() == bits && !in_doubt(mid, &truth, *error), "{u}: {mid} {error:?}");
+                let raw = Float::with_val(own, raw) >> fine;
+                prop_assert!(!in_doubt(&raw, &truth, Magnitude::power_of_two(ERROR - i64::from(fine))), "{u}: {raw}");
+                prop_assert!(*error <= Magnitude::new(1.01, -i64::from(bits) - 1), "{error:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_far_or_fine_is_left_to_others() {
+        assert!(sin_cos(&(Float::with_val(64, 3) << 200), 64).is_none());
+        assert!(sin_cos(&Float::with_val(64, 0.3), MOST_BITS + 1).is_none());
+        assert!(sin_cos(&Float::with_val(64, f64::NAN), 64).is_none());
+    }
 }
