@@ -132,10 +132,11 @@ impl Series {
         *spare >>= fine;
         let small = fine - spare.significant_bits();
         let (terms, columns) = shape(small, fine);
-        powers.resize_with(powers.len().max(columns as usize + 1), Integer::new); // M5: no fewer
+        let last = columns as usize; // exact: an index
+        powers.resize_with(powers.len().max(last + 1), Integer::new); // M5: no fewer
         powers[0].assign(Integer::u_pow_u(2, fine));
         powers[1].assign(&*spare);
-        for i in 2..=columns as usize {
+        for i in 2..=last {
             let (below, above) = powers.split_at_mut(i);
             product(&mut above[0], &below[i / 2], &below[i - i / 2], fine);
         }
@@ -146,13 +147,11 @@ impl Series {
         sum.assign(0);
         for k in (0..terms).rev() {
             let column = k - row * columns;
-            let power = match lost {
-                0 => &powers[column as usize],
-                _ => {
-                    spare.assign(&powers[column as usize] >> lost);
-                    &*spare
-                }
-            };
+            let mut power = &powers[column as usize]; // exact: an index
+            if lost > 0 {
+                spare.assign(power >> lost);
+                power = spare;
+            }
             if k.is_multiple_of(2) {
                 *sum += power * factor;
             } else {
@@ -161,7 +160,7 @@ impl Series {
             if column == 0 && row > 0 {
                 row -= 1;
                 let less = drowned(row);
-                spare.assign(&powers[columns as usize] >> less);
+                spare.assign(&powers[last] >> less);
                 product(cos, sum, spare, fine - lost);
                 swap(sum, cos);
                 lost = less;
@@ -185,14 +184,14 @@ impl Series {
 
 /// The product in units of `2^shift`, within two of them.
 fn product(out: &mut Integer, a: &Integer, b: &Integer, shift: u32) {
-    let bits = a.significant_bits().min(b.significant_bits());
-    if bits < LONG {
+    let sizes = [a, b].map(Integer::significant_bits);
+    if sizes.iter().any(|&bits| bits < LONG) {
         out.assign(a * b);
         *out >>= shift;
         return;
     }
     // MPFR finds the upper half of a long product only.
-    let bits = (a.significant_bits() + b.significant_bits()).saturating_sub(shift) + 8; // M5: at least the bits of the result
+    let bits = (sizes[0] + sizes[1]).saturating_sub(shift) + 8; // M5: at least the bits of the result
     let mut float = Float::with_val(bits, a);
     float *= Float::with_val(bits, b);
     let exponent = float.to_integer_exp_in_place(out).expect("a finite number");
