@@ -8,6 +8,7 @@
 //! radii of Lemma B2 with this in place of `UNIT |m|` enclose.
 
 mod arithmetic;
+mod sine;
 
 use std::cmp::Ordering;
 
@@ -18,7 +19,7 @@ use rug::integer::Order;
 use rug::{Assign, Float, Integer};
 
 use super::kernel::Departure;
-use super::{Ball, Enclosing, Magnitude, Number, Wave, up};
+use super::{ABOVE_TURN, Ball, Enclosing, Magnitude, Number, Wave, up};
 use crate::exact::{Dyadic, Enclosure};
 
 /// All real numbers within [`MpBall::rad`] of [`MpBall::mid`].
@@ -44,6 +45,9 @@ pub fn mpfr_version() -> String {
     format!("{VERSION_MAJOR}.{VERSION_MINOR}.{VERSION_PATCHLEVEL}")
 }
 
+/// Bits between a centre and its radius beyond which the sum of both is rounded.
+const MOST_SPREAD: u32 = 1 << 24;
+
 /// The least bits a centre has.
 pub const LEAST_BITS: u32 = 64;
 
@@ -68,6 +72,16 @@ fn error_of(mid: &Float, ordering: Ordering) -> Magnitude {
 fn half_unit(x: &Float) -> Magnitude {
     match x.get_exp() {
         Some(exponent) => Magnitude::power_of_two(i64::from(exponent) - i64::from(x.prec()) - 1),
+        None => Magnitude::INFINITE,
+    }
+}
+
+/// A power of two that `|x|` does not reach.
+#[inline]
+fn above(x: &Float) -> Magnitude {
+    match x.get_exp() {
+        Some(exponent) => Magnitude::power_of_two(i64::from(exponent)),
+        None if x.is_zero() => Magnitude::ZERO,
         None => Magnitude::INFINITE,
     }
 }
@@ -143,7 +157,9 @@ impl MpBall {
 
     /// Its sign, if that is certain.
     pub fn sign(&self) -> Option<Ordering> {
-        if self.rad.is_zero() {
+        // Far from 0, as mostly, the exponents tell.
+        let is_far = || self.mid.get_exp().zip(self.rad.exponent()).is_some_and(|(top, rad)| rad < i64::from(top) - 1);
+        if self.rad.is_zero() || is_far() {
             return self.mid.cmp0();
         }
         self.mig().and_then(|_| self.mid.cmp0())
@@ -184,16 +200,19 @@ impl MpBall {
 
     /// The ball as an interval; `None` when it has no bound.
     pub fn enclosure(&self) -> Option<Enclosure> {
-        let mid = dyadic_of(&self.mid);
-        let Some(exponent) = self.rad.exponent() else { return Some(Enclosure::point(mid)) };
-        let fraction = Dyadic::from_f64(self.rad.in_units_of(exponent))?;
-        let rad = Enclosure::point(fraction.scaled(exponent));
+        self.enclosure_in(u32::MAX)
+    }
+
+    /// The same, its ends rounded outward to so many bits at most.
+    pub(crate) fn enclosure_in(&self, bits: u32) -> Option<Enclosure> {
+        let rad = float_of_magnitude(self.rad)?;
         // Enough bits for all between the top of one and the bottom of the other.
-        let spread = mid.top().map_or(0, |top| (top - exponent).unsigned_abs());
-        // X1: any number of bits encloses
-        let bits = u32::try_from(spread).map_or(u32::MAX / 2, |spread| self.bits().max(spread) + 64);
-        let mid = Enclosure::point(mid);
-        Some(mid.sub(&rad, bits).hull(&mid.add(&rad, bits)))
+        let exponents = self.mid.get_exp().zip(rad.get_exp());
+        let spread = exponents.map_or(0, |(top, bottom)| top.abs_diff(bottom));
+        let bits = bits.min(self.bits().max(spread.min(MOST_SPREAD)) + 64); // X1: any number of bits encloses
+        let end = |(end, _): (Float, Ordering)| dyadic_of(&end);
+        let low = end(Float::with_val_round(bits, &self.mid - &rad, Round::Down));
+        Enclosure::new(low, end(Float::with_val_round(bits, &self.mid + &rad, Round::Up)))
     }
 
     /// Encloses `(sin 2 pi u, cos 2 pi u)` for all `u` in the ball; at quarter turns they are exact.
@@ -201,6 +220,11 @@ impl MpBall {
         if let Some(quarter) = self.quarter() {
             let at = |shift: i32| [0.0, 1.0, 0.0, -1.0][(quarter + shift).rem_euclid(4) as usize]; // exact: 0 to 3
             return (Self::from_f64(at(0)), Self::from_f64(at(1)));
+        }
+        if let Some(found) = sine::sin_cos(&self.mid, self.bits()) {
+            // Their slopes are at most 2 pi.
+            let turned = Magnitude::new(ABOVE_TURN, 0) * self.rad;
+            return found.map(|(mid, error)| Self { mid, rad: turned + error }).into();
         }
         let angle = self.turn().times(self);
         let bits = self.bits();
@@ -213,9 +237,12 @@ impl MpBall {
 
     /// How many quarter turns it is, when it is exactly so many, and a few at most.
     fn quarter(&self) -> Option<i32> {
-        let quarters = Float::with_val(self.bits(), &self.mid * 4u32);
-        let is_one = self.rad.is_zero() && quarters.is_integer() && quarters.clone().abs() <= 8u32;
-        is_one.then(|| quarters.to_f64() as i32) // exact: at most 8 in size
+        if !self.rad.is_zero() {
+            return None;
+        }
+        let quarters = 4.0 * self.mid.to_f64();
+        let is_one = quarters.abs() <= 8.0 && quarters.fract() == 0.0 && self.mid == quarters / 4.0; // exact: a power of two
+        is_one.then_some(quarters as i32) // exact: at most 8 in size
     }
 
     /// Encloses `acos(q) / (2 pi)` for all `q` in the ball that lie in `[-1, 1]`.
@@ -241,32 +268,40 @@ impl MpBall {
 
     /// Encloses versine, excess and sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.
     ///
-    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than a 64th of
-    /// the one two before, so what is left out is smaller than the last term taken.
+    /// **Lemma M2.** For `|x| <= 1/8` each term of the alternating series of versine and excess is less than
+    /// the one before, so what is left out of each sum is smaller than the first term that is left out of one.
     pub fn short_departure(&self) -> Option<Departure<Self>> {
+        // Relative to the excess, the smallest of them.
+        let size = Magnitude::new(ABOVE_TURN, 0) * self.mag();
+        self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
+    }
+
+    /// The same in so many bits that a few times `error` is added to the radii.
+    pub(crate) fn departure_within(&self, error: Magnitude) -> Option<Departure<Self>> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
-        let x = self.turn().times(self);
-        // Relative to the excess, the smallest of them.
+        // A number of that size is worth so many bits.
+        let worth = |size: Magnitude| {
+            let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
+            (bits as u32).clamp(LEAST_BITS, self.bits().max(LEAST_BITS)) // M1: any number of bits
+        };
+        let bits = worth(Magnitude::new(ABOVE_TURN, 0) * self.mag());
+        let turn = Self { mid: Float::new(bits), rad: Magnitude::ZERO }.turn();
+        let x = turn.product(self, bits);
         let size = x.mag();
-        let floor = size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3);
         let (mut versine, mut excess) = (Self::from_f64(0.0), Self::from_f64(0.0));
-        let mut term = x.clone();
+        // x^n / n! and a bound of it
+        let (mut term, mut left) = (x.clone(), size);
         for n in 2u32.. {
-            // x^n / n!
-            term = term.times(&x).divided(n);
-            let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
-            if matches!(n % 4, 2 | 3) {
-                *sum += &term
-            } else {
-                *sum -= &term
-            }
-            if term.mag() <= floor {
+            left = (left * size).over(Magnitude::new(f64::from(n), 0));
+            if left <= error {
                 break;
             }
+            term = term.product(&x, worth(left)).divided(n);
+            let sum = if n.is_multiple_of(2) { &mut versine } else { &mut excess };
+            if matches!(n % 4, 2 | 3) { *sum += &term } else { *sum -= &term }
         }
-        let left = term.mag();
         let (versine, excess) = (versine.widened(left), excess.widened(left));
         Some(Departure { versine, sine: x.minus(&excess), excess })
     }
@@ -330,7 +365,9 @@ fn float_of(x: &Dyadic) -> Float {
 fn dyadic_of(x: &Float) -> Dyadic {
     let Some((mantissa, exponent)) = x.to_integer_exp() else { return Dyadic::zero() };
     let sign = if mantissa.cmp0() == Ordering::Less { Sign::Minus } else { Sign::Plus };
-    Dyadic::new(BigInt::from_slice(sign, &mantissa.to_digits::<u32>(Order::Lsf)), i64::from(exponent))
+    let digits = mantissa.to_digits::<u64>(Order::Lsf);
+    let halves = digits.into_iter().flat_map(|digit| [digit as u32, (digit >> 32) as u32]); // exact: the halves
+    Dyadic::new(BigInt::new(sign, halves.collect()), i64::from(exponent))
 }
 
 #[cfg(test)]

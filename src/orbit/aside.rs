@@ -98,7 +98,7 @@ impl Orbit {
         let after = wall.inward(self.engine.pair.rebound_of(self.cursor.velocity));
         let is_still = self.engine.pair.beta == Ball::exact(0.0);
         let Cursor { turns, phase, index, .. } = self.cursor;
-        let phase = self.engine.motion.enclosures().map_or_else(|| finite(phase), |(phase, _)| phase);
+        let phase = self.engine.motion.enclosures(u32::MAX).map_or_else(|| finite(phase), |(phase, _)| phase);
         let is_exact = index == 0 && self.aside.near.is_none();
         let phases: &[Exact] = if is_exact { &self.engine.given.origin.phases } else { &[] };
         let time = match is_still {

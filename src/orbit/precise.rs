@@ -38,6 +38,8 @@ pub(super) struct PreciseMotion<S: Flying> {
     /// Whole turns of the last contact.
     turns: i64,
     states: States<PreciseSet, MpBall>,
+    /// Its phases and velocities in doubles, where they are known.
+    doubles: Option<[Ball; 2]>,
     /// At the start of the next flight, of the centre, where they are known.
     waves: Option<S::Waves<MpBall>>,
 }
@@ -67,16 +69,22 @@ impl PreciseSet {
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }
 
+    /// The same in doubles.
+    pub fn doubles(&self) -> [Ball; 2] {
+        let (phase, velocity) = self.balls();
+        [phase.to_ball(), velocity.to_ball()]
+    }
+
     /// `log2` of the radii of phases and velocities.
     pub fn log2_radii(&self) -> (f64, f64) {
         let (phase, velocity) = self.balls();
         (phase.rad().log2(), velocity.rad().log2())
     }
 
-    /// Phases and velocities as intervals.
-    pub fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
+    /// Phases and velocities as intervals, in so many bits at most.
+    pub fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
         let (phase, velocity) = self.balls();
-        Some((phase.enclosure()?, velocity.enclosure()?))
+        Some((phase.enclosure_in(bits)?, velocity.enclosure_in(bits)?))
     }
 
     /// The image of the shape, in a unit that suits it and the noise of the centre.
@@ -130,7 +138,7 @@ impl<S: Flying> PreciseMotion<S> {
             Location::Inside(height) => States::Inside { height: enclose(height), phase, velocity },
         };
         let parameters = shaken.precise(bits);
-        Self { shaken, parameters, plan, index: 0, turns: origin.turns, states, waves }
+        Self { shaken, parameters, plan, index: 0, turns: origin.turns, states, doubles: None, waves }
     }
 
     /// From a wall: **equations** (15), (A.1)-(A.7) over the set.
@@ -141,14 +149,13 @@ impl<S: Flying> PreciseMotion<S> {
             let after = -(parameters.restitution().clone() * before);
             Launch::from_wall(wall, self.turns, phase, after, is_release)
         };
-        let (phase, velocity) = set.balls();
-        let before = velocity.to_ball();
-        let flights = Flights {
-            all: rebound(phase, velocity),
-            centre: rebound(MpBall::exact(set.phase.clone()), MpBall::exact(set.velocity.clone())),
-            before,
-            waves: self.waves.as_ref(),
+        let all = || {
+            let (phase, velocity) = set.balls();
+            rebound(phase, velocity)
         };
+        let [phase, before] = self.doubles.unwrap_or_else(|| set.doubles());
+        let centre = rebound(MpBall::exact(set.phase.clone()), MpBall::exact(set.velocity.clone()));
+        let flights = Flights { all: &all, centre, wall, phase, before, waves: self.waves.as_ref() };
         let arrival = self.shaken.arrive(&parameters, flights, next_bits)?;
         let Arrival { contact, swings, phase, error, velocity, slope, waves } = arrival;
         let restitution = self.shaken.pair().restitution;
@@ -182,12 +189,13 @@ impl<S: Flying> Motion for PreciseMotion<S> {
         // Into [-1/2, 1/2], exactly (Sterbenz).
         let whole = set.phase.clone().round().to_f64(); // exact: within a few turns
         set.phase -= whole;
-        let (phase, velocity) = set.balls();
+        let [phase, velocity] = set.doubles();
+        self.doubles = Some([phase, velocity]);
         let turns = contact.turns + whole;
         self.index += 1;
         self.turns = turns::counted(self.turns, turns);
         (self.states, self.waves) = (States::Wall { wall: contact.wall, set, is_release: false }, waves);
-        Ok(Contact { turns, phase: phase.to_ball(), velocity: velocity.to_ball(), ..contact })
+        Ok(Contact { turns, phase, velocity, ..contact })
     }
 
     fn bits(&self) -> u32 {
@@ -218,8 +226,8 @@ impl<S: Flying> Motion for PreciseMotion<S> {
         self.set().map(PreciseSet::log2_radii)
     }
 
-    fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
-        self.set().and_then(PreciseSet::enclosures)
+    fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
+        self.set()?.enclosures(bits)
     }
 }
 

@@ -191,8 +191,8 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
         self.start_bounds.clone()
     }
 
-    fn enclosures(&self) -> Option<(Enclosure, Enclosure)> {
-        self.precise.as_deref().cloned()
+    fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
+        self.precise.as_deref().map(|(phase, velocity)| (phase.rounded(bits), velocity.rounded(bits)))
     }
 
     #[cfg(feature = "multiprecision")]

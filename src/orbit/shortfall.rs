@@ -52,10 +52,7 @@ impl Orbit {
         if fine && !in_full {
             return None;
         }
-        self.engine
-            .motion
-            .enclosures()
-            .map(|(phase, velocity)| (phase.rounded(self.asked.shown), velocity.rounded(self.asked.shown)))
+        self.engine.motion.enclosures(self.asked.shown)
     }
 
     /// The motion cannot go on: in more precision, or not at all.

@@ -202,9 +202,11 @@ pub(crate) struct Leaving {
 /// A set of flights that leave a wall.
 #[cfg(feature = "multiprecision")]
 pub(crate) struct Flights<'w, W> {
-    pub all: Launch<MpBall>,
+    pub all: &'w dyn Fn() -> Launch<MpBall>,
     pub centre: Launch<MpBall>,
-    /// The velocities before the impact, in doubles.
+    /// The wall they leave, their phases and velocities before the impact, in doubles.
+    pub wall: Wall,
+    pub phase: Ball,
     pub before: Ball,
     /// At the start of the centre.
     pub waves: Option<&'w W>,

@@ -183,15 +183,13 @@ impl Flying for One {
     fn arrive(
         &self,
         pair: &Reduced<MpBall>,
-        Flights { all, centre, before, waves }: Flights<'_, (MpBall, MpBall)>,
+        Flights { all, centre, wall, phase, before, waves }: Flights<'_, (MpBall, MpBall)>,
         bits: u32,
     ) -> Result<Arrival<(MpBall, MpBall)>, Undecided> {
-        let wall = all.wall.expect("flights that leave a wall");
         let doubles = &self.court.pair;
         let own = pair.restitution.bits();
         let rounded = |(sin, cos): &(MpBall, MpBall)| (sin.rounded(own), cos.rounded(own));
         let sin_cos = waves.map_or_else(|| rounded(&centre.phase.sin_cos()), rounded);
-        let phase = all.phase.to_ball();
         let start = Start {
             wall: Some(wall),
             height: Ball::exact(0.0),
@@ -199,7 +197,11 @@ impl Flying for One {
             velocity: wall.inward(doubles.rebound_of(before)),
         };
         let centre = Flight::of(pair, centre, sin_cos.clone());
-        let all = || Flight::of(pair, all.clone(), around(&sin_cos, &all.phase));
+        let all = || {
+            let all = all();
+            let sin_cos = around(&sin_cos, &all.phase);
+            Flight::of(pair, all, sin_cos)
+        };
         let isolated = isolate_first(&self.court, &start, all, &centre)?;
         let contact = isolated.contact(wall);
         let narrow = Undecided::precision(&contact);

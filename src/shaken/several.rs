@@ -231,7 +231,7 @@ impl Flying for Several {
         bits: u32,
     ) -> Result<Arrival<Vec<(MpBall, MpBall)>>, Undecided> {
         let centre = SumFlight::new(&sum.harmonics, centre, waves);
-        let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
+        let (isolated, at) = self.isolated(sum, &all(), &centre, waves, bits)?;
         let (phase, error, velocity) = isolated.told_at(&centre, &at, bits);
         let precise::Isolated { contact, swings, .. } = isolated;
         Ok(Arrival { contact, swings, phase, error, velocity, slope: swings[1], waves: None })

@@ -7,6 +7,7 @@
 //! quadruple the bits. Each needs one sine and cosine; the last one turns them by its own small step.
 
 use rug::Float;
+use rug::float::Round;
 
 use super::Isolated;
 use crate::contact::extrema::Target;
@@ -39,6 +40,21 @@ const MOST_TERMS: f64 = 48.0;
 const MOST_STEPS: u32 = 1 << 22;
 
 impl Sight {
+    /// What they give so long afterwards: the addition theorems, each product in as many bits as it is worth.
+    fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
+        let Self { residual, velocity, sin_cos: (sin, cos) } = self;
+        let Departure { versine, sine, .. } =
+            h.departure_within(Magnitude::power_of_two(-i64::from(sin.bits()) - 8))?;
+        let product = |x: &MpBall, small: &MpBall| x.product(small, small.bits());
+        let rise = product(&cos, &sine).minus(&product(&sin, &versine));
+        let fall = product(&cos, &versine).plus(&product(&sin, &sine));
+        Some(Self {
+            residual: residual.plus(&flight.drift.product(h, sine.bits())).minus(&product(&flight.alpha, &rise)),
+            velocity: velocity.plus(&product(&flight.beta, &fall)),
+            sin_cos: (sin.plus(&rise), cos.minus(&fall)),
+        })
+    }
+
     /// Whether the height is as near to 0 as the precision can tell.
     fn is_noise(&self) -> bool {
         let noise = self.residual.rad();
@@ -75,13 +91,12 @@ impl Isolated {
         let mut sight = self.look(flight, &at);
         let mut before = Magnitude::INFINITE;
         for _ in 0..MOST_STEPS {
-            let next = Float::with_val(bits, &at + step(flight, &sight)?);
+            let next = at.clone() + step(flight, &sight)?;
             let moved = MpBall::exact(next.clone()) - MpBall::exact(at);
-            let (sin, cos) = &sight.sin_cos;
-            sight = self.evaluate(flight, &next, turned((sin, cos), &moved.short_departure()?));
+            sight = sight.later(flight, &moved)?;
             let left = magnitude(sight.residual.mid());
             if sight.is_noise() || left >= before {
-                let error = self.error(&MpBall::exact(next.clone()), &sight)?;
+                let error = self.error(&next, Magnitude::ZERO, &sight)?;
                 return Some(Refined { at: next, error, velocity: sight.velocity, sin_cos: sight.sin_cos });
             }
             (at, before) = (next, left);
@@ -112,7 +127,7 @@ impl Isolated {
             let start = flight.phase.clone() - MpBall::from_f64(self.turns);
             let time = MpBall::exact(time);
             let phase = start.clone().plus(&time);
-            let error = self.error(&phase, &sight)? + phase.rad();
+            let error = self.error(phase.mid(), phase.rad(), &sight)? + phase.rad();
             // From the phase at that time to the phase that is kept.
             let at = Float::with_val(bits, phase.mid());
             let rest = MpBall::exact(at.clone()).minus(&start).minus(&time);
@@ -144,42 +159,64 @@ impl Isolated {
     }
 
     fn look(&self, flight: &Flight<MpBall>, at: &Float) -> Sight {
-        self.evaluate(flight, at, flight.wall.mirror(MpBall::exact(at.clone()).sin_cos()))
-    }
-
-    fn evaluate(&self, flight: &Flight<MpBall>, at: &Float, sin_cos: (MpBall, MpBall)) -> Sight {
-        let (height, turns) = (MpBall::from_f64(self.target.height()), MpBall::from_f64(self.turns));
-        let residual = flight.height_above(height, turns, MpBall::exact(at.clone()), sin_cos.0.clone());
+        let at = MpBall::exact(at.clone());
+        let sin_cos = flight.wall.mirror(at.sin_cos());
+        let (height, none) = (MpBall::from_f64(self.target.height()), MpBall::from_f64(0.0));
+        let phase = at.plus(&MpBall::from_f64(self.turns));
+        let residual = flight.height_above(height, none, phase, sin_cos.0.clone());
         Sight { residual, velocity: flight.velocity_at(sin_cos.1.clone()), sin_cos }
     }
 
-    /// Lemma M3.
-    fn error(&self, at: &MpBall, sight: &Sight) -> Option<Magnitude> {
-        let moved = MpBall::exact(self.at.clone()).minus(at);
-        (moved.mag() <= self.reach).then(|| sight.residual.mag().over(self.least))
+    /// Lemma M3, for a phase within `spread` of `at`.
+    fn error(&self, at: &Float, spread: Magnitude, sight: &Sight) -> Option<Magnitude> {
+        let moved = Float::with_val_round(LEAST_BITS, &self.at - at, Round::AwayZero).0;
+        (magnitude(&moved) + spread <= self.reach).then(|| sight.residual.mag().over(self.least))
     }
 }
 
 /// From a phase to the root beside it, with an error of the fourth order.
 ///
-/// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - A n^2 + (B - 2 A^2) n^3`, the inverted Taylor series.
+/// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - (A + (2 A^2 - B) n) n^2`, the inverted Taylor series.
 fn step(flight: &Flight<MpBall>, sight: &Sight) -> Option<Float> {
-    let velocity = sight.velocity.mid();
-    if velocity.is_zero() {
-        return None;
-    }
-    // Corrections of the second order need half the bits.
-    let half = flight.drift.bits() / 2 + LEAST_BITS;
-    let coarse = |x: &MpBall| MpBall::exact(Float::with_val(half, x.mid()));
-    let swing = coarse(&flight.beta.turn()).times(&coarse(&flight.beta));
-    let (sin, cos) = (coarse(&sight.sin_cos.0), coarse(&sight.sin_cos.1));
-    let newton = Float::with_val(flight.drift.bits(), sight.residual.mid() / velocity);
-    let n = Float::with_val(half, &newton);
-    let slope = Float::with_val(half, velocity);
-    let bend = Float::with_val(half, sin.times(&swing).mid() / &slope) / 2u32;
-    let jerk = Float::with_val(half, swing.turn().times(&swing).times(&cos).mid() / slope) / 6u32;
-    let square = Float::with_val(half, &n * &n);
-    let cubic = Float::with_val(half, jerk - Float::with_val(half, bend.square_ref()) * 2u32) * n;
-    let correction = Float::with_val(half, cubic - bend) * square;
-    Some(-(newton - correction))
+    let (residual, slope, bits) = (sight.residual.mid(), sight.velocity.mid(), flight.drift.bits());
+    let Some(size) = residual.get_exp() else { return Some(residual.clone()) };
+    let size = f64::from(size) - f64::from(slope.get_exp()?);
+    // Bits of a number of this size that the phase is worth.
+    let worth =
+        |size: f64| ((f64::from(bits) + size) as u32).saturating_add(16).clamp(LEAST_BITS, bits.max(LEAST_BITS)); // proposes
+    let newton = Float::with_val(worth(size), residual / slope);
+    let (beta, (sin, cos)) = (&flight.beta, &sight.sin_cos);
+    let rough = {
+        let [slope, beta, sin, cos] = [slope, beta.mid(), sin.mid(), cos.mid()].map(Float::to_f64);
+        bend(slope, beta, sin).and_then(|a| Some([a, twist(a, slope, beta, cos)?])).filter(|x| x[0].is_normal())
+    };
+    // Corrections of the second order need half the bits, of the third a quarter: maybe no more than doubles have.
+    let order = |n: f64, x: f64| worth(n * size + x.abs().log2());
+    let [half, quarter] = rough.map_or([bits, bits], |[a, b]| [order(2.0, a), order(3.0, b)]);
+    let coarse = |x: &Float, bits: u32| MpBall::exact(Float::with_val(bits, x));
+    let square = Float::with_val(half, newton.square_ref());
+    let mut curvature = match rough {
+        Some([bend, _]) if half == LEAST_BITS => Float::with_val(half, bend),
+        _ => bend(coarse(slope, half), coarse(beta.mid(), half), coarse(sin.mid(), half))?.mid().clone(),
+    };
+    curvature += match rough {
+        Some([_, twist]) if quarter == LEAST_BITS => Float::with_val(quarter, &newton * twist),
+        _ => {
+            let [a, slope, beta, cos] = [&curvature, slope, beta.mid(), cos.mid()].map(|x| coarse(x, quarter));
+            Float::with_val(quarter, twist(a, slope, beta, cos)?.mid() * &newton)
+        }
+    };
+    Some(-(newton + curvature * square))
+}
+
+/// `A`
+fn bend<N: Number>(slope: N, beta: N, sin: N) -> Option<N> {
+    (beta.turn() * beta * sin).checked_div(slope * N::from_f64(2.0))
+}
+
+/// `2 A^2 - B`
+fn twist<N: Number>(bend: N, slope: N, beta: N, cos: N) -> Option<N> {
+    let jerk = (beta.turn() * beta.turn() * beta * cos).checked_div(slope * N::from_f64(6.0))?;
+    let square = bend.clone() * bend;
+    Some(square.clone() + square - jerk)
 }

@@ -7,8 +7,11 @@ use rug::Float;
 use rug::float::{Constant, Round};
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 
-use super::{MpBall, error_of, magnitude, rounding};
+use super::{MpBall, above, error_of, magnitude, rounding};
 use crate::number::{Magnitude, Number};
+
+/// Bits from which on the upper half of a product costs much less than all of it, which a fused sum needs.
+pub(super) const LONG: u32 = 24 * 64;
 
 /// Results take the place of the left operand, where it has the bits: no memory is asked for.
 impl Add for MpBall {
@@ -49,8 +52,17 @@ impl MpBall {
     fn product_spread(&self, b: &Self) -> Magnitude {
         match (self.rad.is_zero(), b.rad.is_zero()) {
             (true, true) => Magnitude::ZERO,
-            _ => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
+            (true, false) => magnitude(&self.mid) * b.rad,
+            (false, true) => self.rad * magnitude(&b.mid),
+            (false, false) => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
         }
+    }
+
+    /// The product in so many bits; what the radii add is bounded within a factor of two.
+    pub(crate) fn product(&self, b: &Self, bits: u32) -> Self {
+        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
+        let spread = |rad: Magnitude, of: Magnitude| if rad.is_zero() { rad } else { rad * of };
+        Self { mid, rad: spread(self.rad, above(&b.mid) + b.rad) + spread(b.rad, above(&self.mid)) + error }
     }
 
     /// Gives the centre as many bits as `b` has, and no fewer than before; its value is the same.
@@ -145,15 +157,23 @@ impl Number for MpBall {
     }
 
     fn mul_add_ref(&self, b: &Self, mut c: Self) -> Self {
-        let rad = self.product_spread(b) + c.rad;
         [self, b].into_iter().for_each(|x| c.grow(x));
+        if c.bits() >= LONG {
+            let product = self.product(b, c.bits());
+            return c.plus(&product);
+        }
+        let rad = self.product_spread(b) + c.rad;
         c.set(rad, |mid| mid.add_assign_round(&self.mid * &b.mid, Round::Nearest));
         c
     }
 
     fn mul_sub_ref(&self, b: &Self, mut c: Self) -> Self {
-        let rad = self.product_spread(b) + c.rad;
         [self, b].into_iter().for_each(|x| c.grow(x));
+        if c.bits() >= LONG {
+            let product = self.product(b, c.bits());
+            return c.minus(&product);
+        }
+        let rad = self.product_spread(b) + c.rad;
         c.set(rad, |mid| mid.sub_assign_round(&self.mid * &b.mid, Round::Nearest));
         c
     }
