@@ -13,7 +13,9 @@ mod attraction;
 mod axes;
 mod basin;
 mod bifurcation;
+mod blocks;
 mod budget;
+mod chain;
 mod chatter;
 mod clock;
 mod contact;
@@ -25,9 +27,11 @@ mod frame;
 mod graze;
 mod outcome;
 mod periodic;
+mod pseudo;
 mod release;
 mod rest;
 mod round;
+mod shadow;
 mod shaking;
 mod step;
 mod still;
@@ -38,6 +42,7 @@ mod walk;
 use std::sync::atomic::AtomicBool;
 
 use super::{Certificate, ClaimKind};
+use crate::document::ClaimName;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
@@ -142,7 +147,11 @@ impl Certificate {
             progress(event);
         };
         let is_whole = data.is_point();
-        Ok(match self.judged(effort, &data, &mut progress) {
+        let verdict = match self.claim() {
+            ClaimName::ExactStart => self.judged(effort, &data, &mut progress),
+            ClaimName::Shadowed => self.shadowed(effort, stop, &data, &mut progress),
+        };
+        Ok(match verdict {
             Verdict::Undecided(_) if budget.is_stopped() => {
                 Verdict::Interrupted { events: if is_whole { reached } else { 0 } }
             }

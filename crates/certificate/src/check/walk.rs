@@ -130,6 +130,25 @@ impl<'c> Walk<'c> {
         mapping: Option<Mapping>,
         velocity: &[BigRational; 2],
     ) -> Result<(), Doubt> {
+        self.fits(claim, index, mapping, velocity)?;
+        let landing = self.land(claim.wall, &self.ahead(claim)?)?;
+        let time = self.clock.time(&landing.phase.hull());
+        let found = self.clock.velocity(&landing.velocity.hull());
+        self.departure = Departure::rebound(&self.parameters, &landing);
+        self.landing = Some(landing);
+        (self.impacts, self.last) = (self.impacts + 1, Some(claim.wall));
+        compare("time", &time, &claim.time)?;
+        compare("velocity", &found, velocity)
+    }
+
+    /// Whether an impact may be the next event, by its number, its mapping and the order of its bounds.
+    pub(super) fn fits(
+        &self,
+        claim: &Claim,
+        index: u64,
+        mapping: Option<Mapping>,
+        velocity: &[BigRational; 2],
+    ) -> Result<(), Doubt> {
         if self.rest.is_some() {
             return Err(Doubt::False("the ball lies on its wall until it is released".into()));
         }
@@ -150,14 +169,7 @@ impl<'c> Walk<'c> {
         if velocity[0] > velocity[1] {
             return Err(Doubt::False("the lower bound of the velocity is above the upper one".into()));
         }
-        let landing = self.land(claim.wall, &self.ahead(claim)?)?;
-        let time = self.clock.time(&landing.phase.hull());
-        let found = self.clock.velocity(&landing.velocity.hull());
-        self.departure = Departure::rebound(&self.parameters, &landing);
-        self.landing = Some(landing);
-        (self.impacts, self.last) = (self.impacts + 1, Some(claim.wall));
-        compare("time", &time, &claim.time)?;
-        compare("velocity", &found, velocity)
+        Ok(())
     }
 
     /// Where after the departure the claim says to look: in the middle of what of its bounds comes later.
