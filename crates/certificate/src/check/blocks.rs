@@ -25,8 +25,8 @@ pub(super) fn in_blocks<T: Send, E: Send>(
             let sender = sender.clone();
             scope.spawn(|| {
                 let sender = sender;
-                while let Some((number, block)) = Some(next.fetch_add(1, Ordering::Relaxed))
-                    .and_then(|number| Some((number, blocks.get(number)?)))
+                while let Some((number, block)) =
+                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|number| Some((number, blocks.get(number)?)))
                 {
                     let answer = answer(block.clone());
                     if answer.is_err() {

@@ -69,8 +69,7 @@ impl Course<'_> {
     /// The states of node `k`: with the exact time, or velocity, of the start for 0.
     pub fn states(&self, k: usize, node: &Node) -> [Affine; 2] {
         let side = |i: usize, j: usize| Real::point(exact(node.axes[j][i]).times(&exact(node.sides[j])), COLUMN_BITS);
-        let mut states =
-            [0, 1].map(|i| Affine::spanned(node.centre[i].clone(), 0, [side(i, 0), side(i, 1)]));
+        let mut states = [0, 1].map(|i| Affine::spanned(node.centre[i].clone(), 0, [side(i, 0), side(i, 1)]));
         if k == 0 {
             let (phase, velocity, _) = self.data.state(&Piece::default(), self.frame.turn.bits());
             if self.is_of_times { states[1] = velocity } else { states[0] = phase.less_centre() }

@@ -3,9 +3,9 @@
 //!
 //! Labels: proposes throughout.
 
+use super::affine::Affine;
 use super::chain::{Course, Node, Pair};
 use super::contact::{Doubt, newton};
-use super::affine::Affine;
 use super::frame::hull;
 use impact_pair_exact::{Dyadic, Real};
 
@@ -89,8 +89,9 @@ impl Course<'_> {
     }
 }
 
-/// Takes up what flights between points have shown, and leaves out the points after the one up to which they expand most.
-pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot]) {
+/// Takes up what flights between points have shown; unless `is_whole`, the points after the one up to which they expand most are left
+/// out.
+pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], is_whole: bool) {
     for (k, shot) in shots.iter().enumerate() {
         points[k].jacobian = shot.jacobian;
         points[k + 1].jump = shot.jump;
@@ -105,7 +106,9 @@ pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot]) {
             (most, farthest) = (grown, k + 1);
         }
     }
-    points.truncate(farthest + 1);
+    if !is_whole {
+        points.truncate(farthest + 1);
+    }
     let Some((last, before)) = points.split_last_mut().filter(|(_, before)| !before.is_empty()) else { return };
     let [u1, u2] = last.node.axes[0];
     last.node.axes[1] = [-u2, u1];
@@ -161,7 +164,8 @@ pub(super) fn plan(points: &mut [Point]) {
         let last = points.len() - 1;
         points[last].node.sides[0] = noises[last][0];
         for k in (0..last).rev() {
-            let needed = points[k + 1].node.sides[0] + NOISES * noises[k + 1][0] + links[k][0] * points[k].node.sides[1];
+            let needed =
+                points[k + 1].node.sides[0] + NOISES * noises[k + 1][0] + links[k][0] * points[k].node.sides[1];
             points[k].node.sides[0] = MARGIN * needed / points[k].growth[0];
         }
         for k in 0..last {

@@ -57,23 +57,28 @@ impl Certificate {
         let end = self.events().len();
         let answer = (|| {
             self.says_one_thing().map_err(|doubt| (end, doubt))?;
-            let near = self.ended().start.as_ref().ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
+            let near = self
+                .ended()
+                .start
+                .as_ref()
+                .ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
             let walk = Walk::new(self, data, &Piece::default(), FIRST_BITS);
             let is_of_times = data.wall.is_some() && walk.departure.velocity.hull().is_zero();
             let hits = self.events().iter().map_while(Hit::of).collect();
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, stop };
             shadow.fits(walk)?;
             shadow.starts_as_told().map_err(|doubt| (end, doubt))?;
-            shadow.is_as_near_as_told().map_err(|doubt| (end, doubt))?;
             if !data.is_point() {
                 return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
             }
-            shadow.answer(data, progress)?;
+            let bits = shadow.answer(data, progress)?;
+            shadow.is_as_near_as_told().map_err(|doubt| (end, doubt))?;
             data.budget.add(effort.work);
-            self.attracts(data, effort.pieces).map_err(|doubt| (end, doubt))
+            self.attracts(data, effort.pieces).map_err(|doubt| (end, doubt))?;
+            Ok(bits)
         })();
         match answer {
-            Ok(()) => Verdict::Confirmed { bits: FIRST_BITS, pieces: 1 },
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
             Err((event, Doubt::False(message))) => Verdict::Refuted(Finding { event, message }),
             Err((event, Doubt::Open(message))) => Verdict::Undecided(Finding { event, message }),
         }
@@ -91,20 +96,26 @@ impl Shadow<'_> {
         Ok(())
     }
 
-    /// The bounds of the start are bounds, and hold that of the scene's time and velocity that is not varied.
+    /// The bounds of the start are bounds, and hold the scene's start.
     fn starts_as_told(&self) -> Result<(), Doubt> {
         let [time, velocity] = self.bounds();
         if [&time, &velocity].iter().any(|[lower, upper]| lower > upper) {
             return Err(Doubt::False("a lower bound of the start is above the upper one".into()));
         }
         let start = self.certificate.start();
-        let (what, exact, bounds) =
-            if self.is_of_times { ("velocity", start.velocity(), velocity) } else { ("time", start.time(), time) };
-        match place(exact, &bounds) {
-            Beside::Inside => Ok(()),
-            Beside::Outside => Err(Doubt::False(format!("the start has not the scene's {what}"))),
-            Beside::Across => Err(Doubt::Open(format!("it is not proved that the start has the scene's {what}"))),
+        for (what, exact, bounds, is_varied) in [
+            ("time", start.time(), time, self.is_of_times),
+            ("velocity", start.velocity(), velocity, !self.is_of_times),
+        ] {
+            match place(exact, &bounds) {
+                Beside::Inside => {}
+                Beside::Outside if !is_varied => {
+                    return Err(Doubt::False(format!("the start has not the scene's {what}")));
+                }
+                _ => return Err(Doubt::Open(format!("the {what} of the start is not told around the scene's"))),
+            }
         }
+        Ok(())
     }
 
     /// Bounds of the start's time and velocity.
@@ -120,7 +131,8 @@ impl Shadow<'_> {
         widths.sort();
         let Some(widest) = widths.last() else { return Ok(()) };
         let frequency = Real::of(self.certificate.pair().excitation().reference().frequency(), FIRST_BITS);
-        let turns = frequency.over(&(Real::pi(FIRST_BITS) * 4)).ok_or_else(|| Doubt::Open("a turn is too short".into()))?;
+        let turns =
+            frequency.over(&(Real::pi(FIRST_BITS) * 4)).ok_or_else(|| Doubt::Open("a turn is too short".into()))?;
         let middle = &widths[(widths.len() - 1) / 2];
         for (what, width, told) in [("half of them are", middle, &told.median), ("one is", widest, &told.maximum)] {
             let half = Real::rational(width, FIRST_BITS) * &turns;
@@ -150,31 +162,43 @@ impl Shadow<'_> {
     ) -> Result<Vec<T>, Doubted> {
         let of_block = |block: Range<usize>| {
             self.under(bits, |course| {
-                block.map(|k| {
-                    let budget = &course.data.budget;
-                    if budget.is_stopped() {
-                        return Err((k, Doubt::Open("it is stopped".into())));
-                    }
-                    budget.allow(bits, course.data.tones.len());
-                    answer(course, k).map_err(|doubt| (k, doubt))
-                }).collect()
+                block
+                    .map(|k| {
+                        let budget = &course.data.budget;
+                        if budget.is_stopped() {
+                            return Err((k, Doubt::Open("it is stopped".into())));
+                        }
+                        budget.allow(bits, course.data.tones.len());
+                        answer(course, k).map_err(|doubt| (k, doubt))
+                    })
+                    .collect()
             })
         };
         in_blocks(flights, of_block, progress)
     }
 
-    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(), Doubted> {
-        let chained = self.chained(FIRST_BITS, progress);
-        let node = match chained {
-            Ok(node) => node,
-            Err(doubted) => return Err(self.refutes().err().unwrap_or(doubted)),
-        };
-        self.goes_on(data, node, progress)
+    /// The bits that confirm all events and the outcome.
+    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<u32, Doubted> {
+        // Where the motion ceases to expand, the chain may end before the next other event.
+        let chained = self.chained(true, progress).or_else(|_| self.chained(false, progress));
+        let last = chained.map_err(|doubted| self.refutes().err().unwrap_or(doubted))?;
+        let (mut bits, mut before) = (FIRST_BITS, None);
+        loop {
+            let Err((event, doubt)) = self.goes_on(data, last.as_ref(), bits, progress) else { return Ok(bits) };
+            // More of them help after a release, which does not depend on the start.
+            let is_stuck = before.is_some_and(|before| event <= before);
+            if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
+                return Err((event, doubt));
+            }
+            before = Some(event);
+            bits = self.certificate.more_bits(bits, event).min(self.effort.bits); // proposes
+        }
     }
 
-    /// The last impact of a chain of nodes, and its node; `None` where nothing expands.
-    fn chained(&self, bits: u32, progress: &mut impl FnMut(usize)) -> Result<Option<(usize, Node)>, Doubted> {
-        let nothing = |_: usize| {};
+    /// The last impact of a chain of nodes, and its node; `None` where there is none. Unless `is_whole` it ends where the motion has
+    /// expanded most, which may be at the start.
+    fn chained(&self, is_whole: bool, progress: &mut impl FnMut(usize)) -> Result<Option<(usize, Node)>, Doubted> {
+        let (bits, nothing) = (FIRST_BITS, |_: usize| {});
         let mut points = self.under(bits, |course| course.middles());
         let mut shots: Vec<Shot> = Vec::new();
         let mut before = f64::INFINITY;
@@ -183,7 +207,7 @@ impl Shadow<'_> {
                 course.shot(k, [&points[k], &points[k + 1]], shots.get(k).map(|shot| &shot.lasting))
             };
             shots = self.of_each(0..points.len() - 1, bits, shot, nothing)?;
-            take(&mut points, &shots);
+            take(&mut points, &shots, is_whole);
             if points.len() == 1 {
                 return Ok(None);
             }
@@ -199,9 +223,8 @@ impl Shadow<'_> {
         }
         plan(&mut points);
         self.starts_near(&points[0], bits).map_err(|doubt| (0, doubt))?;
-        let link = |course: &Course<'_>, k: usize| {
-            course.link(k, [&points[k].node, &points[k + 1].node], &shots[k].lasting)
-        };
+        let link =
+            |course: &Course<'_>, k: usize| course.link(k, [&points[k].node, &points[k + 1].node], &shots[k].lasting);
         self.of_each(0..points.len() - 1, bits, link, progress)?;
         Ok(points.pop().map(|last| (points.len(), last.node)))
     }
@@ -223,34 +246,24 @@ impl Shadow<'_> {
     }
 
     /// The events after the last node, and the outcome.
-    fn goes_on(&self, data: &Data, last: Option<(usize, Node)>, progress: &mut impl FnMut(usize)) -> Result<(), Doubted> {
-        let mut walk = Walk::new(self.certificate, data, &Piece::default(), FIRST_BITS);
-        let mut from = 0;
-        match last {
-            Some((impacts, node)) => {
-                from = impacts;
-                let [phase, velocity] = self.under(FIRST_BITS, |course| course.states(impacts, &node));
-                self.stand_at(&mut walk, impacts, Landing { wall: self.hits[impacts - 1].wall, phase, velocity });
-            }
-            None => {
-                let start = self.certificate.start();
-                let [time, velocity] = self.bounds();
-                let is_inside = |exact, bounds: &_| matches!(place(exact, bounds), Beside::Inside);
-                if !is_inside(start.time(), &time) || !is_inside(start.velocity(), &velocity) {
-                    return Err((0, Doubt::Open("the start is not proved to be in its bounds".into())));
-                }
-            }
+    fn goes_on(
+        &self,
+        data: &Data,
+        last: Option<&(usize, Node)>,
+        bits: u32,
+        progress: &mut impl FnMut(usize),
+    ) -> Result<(), Doubted> {
+        let mut walk = Walk::new(self.certificate, data, &Piece::default(), bits);
+        // Where there is no chain the start is the scene's.
+        if let Some((impacts, node)) = last {
+            let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
+            self.stand_at(&mut walk, *impacts, Landing { wall: self.hits[impacts - 1].wall, phase, velocity });
         }
-        for claim in &self.certificate.events()[from..] {
-            if data.budget.is_stopped() {
-                return Err((walk.event, Doubt::Open("it is stopped".into())));
-            }
-            walk.confirm(claim).map_err(|doubt| (walk.event, open(&doubt)))?;
-            walk.event += 1;
-            data.budget.allow(FIRST_BITS, data.tones.len());
-            progress(walk.event);
-        }
-        walk.outcome().map_err(|doubt| (walk.event, open(&doubt)))
+        let mut confirmed = |event| {
+            data.budget.allow(bits, data.tones.len());
+            progress(event);
+        };
+        walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))
     }
 
     /// A walk that has come to an impact, with these states before it.
@@ -264,22 +277,28 @@ impl Shadow<'_> {
     /// Whether a flight leads from no state within the bounds to any within the next ones: then no start has this orbit.
     fn refutes(&self) -> Result<(), Doubted> {
         let [time, velocity] = self.bounds();
-        let all = self.of_each(0..self.hits.len(), FIRST_BITS, |course, k| {
-            let Course { data, frame, .. } = course;
-            let mut walk = Walk::new(self.certificate, data, &Piece::default(), FIRST_BITS);
-            match k.checked_sub(1).map(|hit| &self.hits[hit]) {
-                Some(hit) => self.stand_at(&mut walk, k, frame.states(hit.wall, hit.time, hit.velocity)),
-                None => {
-                    // The wall does not matter inside the gap.
-                    let Landing { phase, velocity, .. } = frame.states(impact_pair_model::Wall::Left, &time, &velocity);
-                    walk.departure = course.departure(0, [phase, velocity]);
+        let all = self.of_each(
+            0..self.hits.len(),
+            FIRST_BITS,
+            |course, k| {
+                let Course { data, frame, .. } = course;
+                let mut walk = Walk::new(self.certificate, data, &Piece::default(), FIRST_BITS);
+                match k.checked_sub(1).map(|hit| &self.hits[hit]) {
+                    Some(hit) => self.stand_at(&mut walk, k, frame.states(hit.wall, hit.time, hit.velocity)),
+                    None => {
+                        // The wall does not matter inside the gap.
+                        let Landing { phase, velocity, .. } =
+                            frame.states(impact_pair_model::Wall::Left, &time, &velocity);
+                        walk.departure = course.departure(0, [phase, velocity]);
+                    }
                 }
-            }
-            match walk.confirm(&self.certificate.events()[k]) {
-                Err(doubt @ Doubt::False(_)) => Err(doubt),
-                _ => Ok(()),
-            }
-        }, |_| {});
+                match walk.confirm(&self.certificate.events()[k]) {
+                    Err(doubt @ Doubt::False(_)) => Err(doubt),
+                    _ => Ok(()),
+                }
+            },
+            |_| {},
+        );
         match all {
             Err(doubted @ (_, Doubt::False(_))) => Err(doubted),
             _ => Ok(()),

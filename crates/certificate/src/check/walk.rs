@@ -81,9 +81,9 @@ impl<'c> Walk<'c> {
         walk
     }
 
-    /// Confirms all claims, or stops at the first that is not.
+    /// Confirms all claims from the one in hand on, or stops at the first that is not.
     pub fn all(&mut self, progress: &mut impl FnMut(usize)) -> Result<(), Doubt> {
-        for claim in self.certificate.events() {
+        for claim in &self.certificate.events()[self.event..] {
             if self.data.budget.is_stopped() {
                 return Err(Doubt::Open("it is stopped".into()));
             }
