@@ -128,3 +128,68 @@ pub(super) fn open(doubt: &Doubt) -> Doubt {
 fn exact(x: f64) -> Dyadic {
     Dyadic::from_f64(x).unwrap_or_else(Dyadic::zero)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const BITS: u32 = 192;
+
+    fn real(x: f64) -> Real {
+        Real::point(exact(x), BITS)
+    }
+
+    /// `centre + columns q`
+    fn image(centre: Pair, columns: [Pair; 2]) -> Landing {
+        let [phase, velocity] =
+            [0, 1].map(|i| Affine::spanned(real(centre[i]), 0, [real(columns[0][i]), real(columns[1][i])]));
+        Landing { wall: Wall::Left, phase, velocity }
+    }
+
+    fn node(centre: Pair, axes: [Pair; 2], sides: Pair) -> Node {
+        Node { centre: centre.map(real), axes, sides }
+    }
+
+    #[test]
+    fn a_node_is_covered_up_to_its_sides() {
+        let next = node([5.0, 7.0], [[1.0, 0.0], [0.0, 1.0]], [1.0, 0.5]);
+        let covered = |centre, columns| covers(&image(centre, columns), &next);
+        let (far, wide) = ([3.0, 0.125], [0.25, 0.125]);
+        assert!(covered([5.0, 7.0], [far, wide]) && covered([5.0, 7.0], [far.map(|x| -x), wide]));
+        for off in [1.7, -1.7] {
+            assert!(covered([5.0 + off, 7.0], [far, wide]) && !covered([5.0 + 1.1 * off, 7.0], [far, wide]));
+        }
+        for off in [0.24, -0.24] {
+            assert!(covered([5.0, 7.0 + off], [far, wide]) && !covered([5.0, 7.0 + 1.1 * off], [far, wide]));
+        }
+        // Too short, too wide, along the other axis.
+        assert!(!covered([5.0, 7.0], [[1.2, 0.0], wide]) && !covered([5.0, 7.0], [far, [0.25, 0.5]]));
+        assert!(!covered([5.0, 7.0], [wide, far]) && !covered([5.0, 7.0], [[3.0, 0.5], wide]));
+        let flat = node([5.0, 7.0], [[1.0, 0.0], [1.0, 0.0]], [1.0, 0.5]);
+        assert!(!covers(&image([5.0, 7.0], [far, wide]), &flat));
+    }
+
+    proptest! {
+        /// What it says of the edges of a node and of all of it, in floats at points of them.
+        #[test]
+        fn edges_come_to_lie_beyond_edges(
+            centre in prop::array::uniform2(-1.0..1.0f64), far in prop::array::uniform2(-5.0..5.0f64), wide in prop::array::uniform2(-1.0..1.0f64),
+            angle in 0.0..6.3f64, between in 0.1..3.0f64, sides in prop::array::uniform2(-1.5..1.5f64), at in -1.0..1.0f64
+        ) {
+            let axes = [[angle.cos(), angle.sin()], [(angle + between).cos(), (angle + between).sin()]];
+            if covers(&image(centre, [far, wide]), &node([0.0; 2], axes, sides)) {
+                let [u, s] = axes;
+                let cross = |[a, b]: Pair, [x, y]: Pair| a * y - b * x;
+                let state = |q: Pair| [0, 1].map(|i| centre[i] + far[i] * q[0] + wide[i] * q[1]);
+                let along = |q| cross(state(q), s) / cross(u, s);
+                let beside = |q| cross(u, state(q)) / cross(u, s);
+                let [one, other] = [[-1.0, at], [1.0, at]].map(along);
+                prop_assert!(one.abs() > sides[0].abs() * (1.0 - 1e-12) && other.abs() > sides[0].abs() * (1.0 - 1e-12) && one * other <= 0.0);
+                for q in [[at, -1.0], [at, 1.0], [-1.0, at], [1.0, at]] {
+                    prop_assert!(beside(q).abs() <= sides[1].abs() * (1.0 + 1e-12) + 1e-12);
+                }
+            }
+        }
+    }
+}

@@ -5,7 +5,8 @@
 //! decided, no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
-//! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). A claim is confirmed when what is found lies inside
+//! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
+//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
 
 mod affine;
@@ -113,7 +114,8 @@ impl Certificate {
     ///
     /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
-    /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact.
+    /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact; half of one
+    /// of a shadowed orbit of any length, by as many threads as there are processors.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions hold.

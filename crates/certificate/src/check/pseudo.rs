@@ -4,8 +4,9 @@
 //! Labels: proposes throughout.
 
 use super::affine::Affine;
-use super::chain::{Course, Node, Pair};
+use super::chain::{Course, Hit, Node, Pair};
 use super::contact::{Doubt, newton};
+use super::data::Piece;
 use super::frame::hull;
 use impact_pair_exact::{Dyadic, Real};
 
@@ -45,9 +46,9 @@ impl Course<'_> {
     /// The start and the middles of the bounds.
     pub fn middles(&self) -> Vec<Point> {
         let bits = self.frame.turn.bits();
-        let (phase, velocity, _) = self.data.state(&super::data::Piece::default(), bits);
+        let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
         let start = [phase.less_centre().hull(), velocity.hull()];
-        let bounds = |hit: &super::chain::Hit<'_>| {
+        let bounds = |hit: &Hit<'_>| {
             [
                 hull(&hit.time.each_ref().map(|time| self.frame.clock.phase(time))),
                 hull(&hit.velocity.each_ref().map(|x| self.frame.clock.slowed(&Real::rational(x, bits)))),

@@ -27,6 +27,7 @@ use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::document::NearDocument;
 use crate::{Certificate, ClaimKind};
 use impact_pair_exact::{Exact, Real, compare_rational};
+use impact_pair_model::Wall;
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 8;
@@ -67,10 +68,10 @@ impl Certificate {
             let hits = self.events().iter().map_while(Hit::of).collect();
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, stop };
             shadow.fits(walk)?;
-            shadow.starts_as_told().map_err(|doubt| (end, doubt))?;
             if !data.is_point() {
                 return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
             }
+            shadow.starts_as_told().map_err(|doubt| (end, doubt))?;
             let bits = shadow.answer(data, progress)?;
             shadow.is_as_near_as_told().map_err(|doubt| (end, doubt))?;
             data.budget.add(effort.work);
@@ -181,7 +182,10 @@ impl Shadow<'_> {
     fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<u32, Doubted> {
         // Where the motion ceases to expand, the chain may end before the next other event.
         let chained = self.chained(true, progress).or_else(|_| self.chained(false, progress));
-        let last = chained.map_err(|doubted| self.refutes().err().unwrap_or(doubted))?;
+        let last = match chained {
+            Ok(last) => last,
+            Err(doubted) => return Err(self.refuted().unwrap_or_else(|| doubted)),
+        };
         let (mut bits, mut before) = (FIRST_BITS, None);
         loop {
             let Err((event, doubt)) = self.goes_on(data, last.as_ref(), bits, progress) else { return Ok(bits) };
@@ -274,8 +278,8 @@ impl Shadow<'_> {
         walk.landing = Some(landing);
     }
 
-    /// Whether a flight leads from no state within the bounds to any within the next ones: then no start has this orbit.
-    fn refutes(&self) -> Result<(), Doubted> {
+    /// A claim that is proved to be false: flights from no state within the bounds before lead into its own.
+    fn refuted(&self) -> Option<Doubted> {
         let [time, velocity] = self.bounds();
         let all = self.of_each(
             0..self.hits.len(),
@@ -287,8 +291,7 @@ impl Shadow<'_> {
                     Some(hit) => self.stand_at(&mut walk, k, frame.states(hit.wall, hit.time, hit.velocity)),
                     None => {
                         // The wall does not matter inside the gap.
-                        let Landing { phase, velocity, .. } =
-                            frame.states(impact_pair_model::Wall::Left, &time, &velocity);
+                        let Landing { phase, velocity, .. } = frame.states(Wall::Left, &time, &velocity);
                         walk.departure = course.departure(0, [phase, velocity]);
                     }
                 }
@@ -299,10 +302,7 @@ impl Shadow<'_> {
             },
             |_| {},
         );
-        match all {
-            Err(doubted @ (_, Doubt::False(_))) => Err(doubted),
-            _ => Ok(()),
-        }
+        all.err().filter(|doubted| matches!(doubted, (_, Doubt::False(_))))
     }
 }
 
