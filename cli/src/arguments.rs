@@ -287,6 +287,9 @@ Each flight is followed anew from the exact data of the certificate's own scene:
 arithmetic of integers whose precision rises until every claimed bound is decided. A claim is confirmed when what is \
 found lies inside its bounds, refuted when it lies outside. JSON Lines are read as well.
 
+Of a shadowed orbit (run --arithmetic shadow) it is proved that one start within the bounds told has all the impacts, each in its \
+box: link by link, by all processors.
+
 Of periodic and two-impact each orbit is found again: that there is one in its bounds, and no other, its stability, symmetry, and \
 whether a wall is touched earlier; not that there are no others elsewhere. Of bifurcations each fold, pitchfork and period doubling is \
 found again; not the grazes. Of a sweep the listed impacts are found again; not what becomes of them. Of manifolds nothing is \

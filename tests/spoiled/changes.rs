@@ -123,8 +123,9 @@ fn others(path: &[String], value: &Value) -> Vec<(String, Option<Value>)> {
 }
 
 /// Words of which each may stand for another.
-const WORDS: [&[&str]; 8] = [
+const WORDS: [&[&str]; 9] = [
     &["left", "right"],
+    &["exact start", "shadowed"],
     &["impact", "graze", "rest", "release"],
     &["P1", "P2", "P3", "P4"],
     &["impacts-reached", "time-reached", "periodic", "attracted", "rests-forever", "never-impacts", "undecided"],

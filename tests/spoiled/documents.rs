@@ -167,6 +167,26 @@ const SCENES: [(&str, &str, &str); 17] = [
     ),
 ];
 
+/// Chaotic ones: their velocities are varied, or times where the first one is 0.
+const SHADOWED: [(&str, &str); 2] = [
+    (
+        "shadowed",
+        r#"
+        excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+        pair = { gap = 9.42497, restitution = 0.5 }
+        start = { time = 0, wall = "left", velocity = -12.56636 }
+        run = { impacts = 8 }"#,
+    ),
+    (
+        "shadowed in time",
+        r#"
+        excitation = { amplitude = 10, frequency = "200*pi", phase = 1.047196 }
+        pair = { gap = 10, restitution = 0.8 }
+        start = { time = 0, wall = "left", velocity = 0 }
+        run = { impacts = 6 }"#,
+    ),
+];
+
 /// The orbit JSON of a scene, its impacts as narrow as `arithmetic` makes them.
 pub fn orbit(scene: &str, arithmetic: Arithmetic) -> Value {
     let scene = Scene::parse(scene).unwrap();
@@ -193,6 +213,11 @@ pub fn all() -> Vec<(String, Value)> {
         assert_eq!(document["outcome"]["kind"], *outcome, "{name}: {}", document["outcome"]);
         ((*name).to_owned(), document)
     });
+    let shadows = SHADOWED.map(|(name, scene)| {
+        let document = orbit(scene, Arithmetic::Shadow);
+        assert_eq!(document["claim"], "shadowed", "{name}");
+        (name.to_owned(), document)
+    });
     let scene = |amplitude: &str, frequency: &str, gap: &str, restitution: &str| {
         Scene::parse(&format!(
             "excitation = {{ amplitude = {amplitude}, frequency = {frequency}, phase = 0 }}\n\
@@ -208,6 +233,7 @@ pub fn all() -> Vec<(String, Value)> {
     let steep = of(&scene("4", "1", "2", "0.5"));
     let even = of(&scene("1", "1", "10.82", "0.5"));
     orbits
+        .chain(shadows)
         .chain([
             ("one stable, one not".to_owned(), periodic((&one.0, &one.1), &"P1 P2".parse().unwrap(), 1, 9)),
             ("five impacts".to_owned(), periodic((&unstable.0, &unstable.1), &"P4 P4 P1 P3 P2".parse().unwrap(), 1, 9)),

@@ -9,6 +9,7 @@
 
 mod changes;
 mod documents;
+mod shadow;
 mod truth;
 
 use impact_pair::certificate::{Claims, Effort, Verdict};

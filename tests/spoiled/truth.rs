@@ -9,7 +9,7 @@ use impact_pair::pair::Wall;
 use impact_pair::{ImpactPair, orbit::Start};
 use serde_json::Value;
 
-use crate::documents;
+use crate::{documents, shadow};
 
 /// Impacts that are computed beyond those that are claimed.
 const MORE: u64 = 2;
@@ -43,7 +43,7 @@ fn at_ends(value: &mut Value, end: usize) {
 }
 
 /// Whether bounds hold what is found, to about the 60 digits that it is found to.
-fn holds(claimed: &Value, found: &Value) -> bool {
+pub fn holds(claimed: &Value, found: &Value) -> bool {
     let number = |bounds: &Value, end: usize| bounds[end].as_str().and_then(|text| Exact::parse(text).ok());
     let order = |a: Option<Exact>, b: Option<Exact>| a.zip(b).and_then(|(a, b)| a.compare(&b));
     order(number(claimed, 0), number(found, 0)).is_some_and(std::cmp::Ordering::is_le)
@@ -56,6 +56,12 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
     let impacts = events.iter().filter(|event| event["event"] == "impact").count() as u64;
     let is_said = outcome.message.is_empty() || Some(&outcome.message) == outcome.words().as_ref();
     if outcome.impacts != Some(impacts) || !is_said {
+        return false;
+    }
+    if document["claim"] == "shadowed" {
+        return outcome.kind == "impacts-reached" && shadow::is_true(document, &outcome);
+    }
+    if outcome.start.is_some() || outcome.epsilon.is_some() {
         return false;
     }
     let until = outcome.until.as_ref().map(|until| until.0.clone());
@@ -109,7 +115,7 @@ fn listed(claimed: &[Value], found: &[Value]) -> Option<usize> {
     Some(at)
 }
 
-fn is_event(claimed: &Value, found: &Value) -> bool {
+pub fn is_event(claimed: &Value, found: &Value) -> bool {
     let same = ["event", "mapping", "wall", "skipped"].iter().all(|key| claimed[key] == found[key]);
     // A graze is told more widely by what has fewer bits, and an exact time by a point.
     let is_there = if claimed["event"] == "graze" {

@@ -2,7 +2,9 @@
 //!
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
-use crate::document::{EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, values};
+use crate::document::{
+    ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, values,
+};
 use num_rational::BigRational;
 
 use super::attraction::Attraction;
@@ -16,6 +18,7 @@ use impact_pair_model::{Period, Start};
 pub struct Certificate {
     pair: ImpactPair,
     start: Start,
+    claim: ClaimName,
     events: Vec<Claim>,
     ended: OutcomeDocument,
     attraction: Option<Attraction>,
@@ -70,11 +73,7 @@ impl Certificate {
             return Err(certified.refused("only a certified orbit claims anything: accepted is true"));
         }
         let (pair, start) = head.get("scene")?.read::<SceneDocument>()?.model()?;
-        if let Ok(claim) = head.get("claim")
-            && claim.read::<String>()? != "exact start"
-        {
-            return Err(claim.refused("only an orbit from its exact start is checked"));
-        }
+        let of_start = head.get("claim").map_or(Ok(ClaimName::default()), |claim| claim.read())?;
         let (events, end, lists) = match rest {
             [] => (head.get("events")?.list()?, head.clone(), &["outcome", "events"][..]),
             [events @ .., last] => {
@@ -105,14 +104,16 @@ impl Certificate {
             "attracted" => &["impacts", "word", "cycles", "from", "orbit"],
             _ => &["impacts"],
         };
-        required.iter().try_for_each(|key| outcome.get(key).map(|_| ()))?;
-        Ok(Self { pair, start, events: claims, attraction: Attraction::of(&ended, &outcome)?, ended, unjudged })
+        let near: &[&str] = if of_start == ClaimName::Shadowed { &["start"] } else { &[] };
+        required.iter().chain(near).try_for_each(|key| outcome.get(key).map(|_| ()))?;
+        let attraction = Attraction::of(&ended, &outcome)?;
+        Ok(Self { pair, start, claim: of_start, events: claims, attraction, ended, unjudged })
     }
 
     /// What claims nothing but a start.
     pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
-        let (events, ended) = (Vec::new(), OutcomeDocument::default());
-        Self { pair, start, events, ended, attraction: None, unjudged: Vec::new() }
+        let (claim, events, ended) = (ClaimName::default(), Vec::new(), OutcomeDocument::default());
+        Self { pair, start, claim, events, ended, attraction: None, unjudged: Vec::new() }
     }
 
     /// The impact pair.
@@ -123,6 +124,11 @@ impl Certificate {
     /// Where the orbit starts.
     pub fn start(&self) -> &Start {
         &self.start
+    }
+
+    /// Of which start the orbit is claimed to be.
+    pub fn claim(&self) -> ClaimName {
+        self.claim
     }
 
     /// The events, in order of time.

@@ -5,7 +5,8 @@
 //! decided, no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
-//! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). A claim is confirmed when what is found lies inside
+//! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
+//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
 
 mod affine;
@@ -13,7 +14,9 @@ mod attraction;
 mod axes;
 mod basin;
 mod bifurcation;
+mod blocks;
 mod budget;
+mod chain;
 mod chatter;
 mod clock;
 mod contact;
@@ -25,9 +28,11 @@ mod frame;
 mod graze;
 mod outcome;
 mod periodic;
+mod pseudo;
 mod release;
 mod rest;
 mod round;
+mod shadow;
 mod shaking;
 mod step;
 mod still;
@@ -38,6 +43,7 @@ mod walk;
 use std::sync::atomic::AtomicBool;
 
 use super::{Certificate, ClaimKind};
+use crate::document::ClaimName;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
@@ -140,7 +146,8 @@ impl Certificate {
     ///
     /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
-    /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact.
+    /// **Cost**: a few milliseconds an impact of a long chaotic orbit, whose bits it has to raise by about 1.7 an impact; half of one
+    /// of a shadowed orbit of any length, by as many threads as there are processors.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions hold.
@@ -174,7 +181,11 @@ impl Certificate {
             progress(event);
         };
         let is_whole = data.is_point();
-        Ok(match self.judged(effort, &data, &mut progress) {
+        let verdict = match self.claim() {
+            ClaimName::ExactStart => self.judged(effort, &data, &mut progress),
+            ClaimName::Shadowed => self.shadowed(effort, stop, &data, &mut progress),
+        };
+        Ok(match verdict {
             Verdict::Undecided(_) if budget.is_stopped() => {
                 Verdict::Interrupted { events: if is_whole { reached } else { 0 } }
             }

@@ -5,6 +5,7 @@ use super::contact::{Doubt, clear_throughout};
 use super::flight::Part;
 use super::rest::Rest;
 use super::walk::Walk;
+use crate::document::ClaimName;
 use crate::{Certificate, ClaimKind};
 use impact_pair_exact::Real;
 use impact_pair_model::Period;
@@ -28,6 +29,9 @@ impl Certificate {
             others.iter().find(|(_, is_there, kinds)| *is_there && !kinds.contains(&self.outcome()))
         {
             return Err(Doubt::False(format!("{} has no {key}", self.outcome())));
+        }
+        if self.claim() == ClaimName::ExactStart && (ended.start.is_some() || ended.epsilon.is_some()) {
+            return Err(Doubt::False("an orbit from its exact start is near no other".into()));
         }
         let listed = self.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count() as u64; // exact: a length
         if ended.impacts != Some(listed) {

@@ -81,9 +81,9 @@ impl<'c> Walk<'c> {
         walk
     }
 
-    /// Confirms all claims, or stops at the first that is not.
+    /// Confirms all claims from the one in hand on, or stops at the first that is not.
     pub fn all(&mut self, progress: &mut impl FnMut(usize)) -> Result<(), Doubt> {
-        for claim in self.certificate.events() {
+        for claim in &self.certificate.events()[self.event..] {
             if self.data.budget.is_stopped() {
                 return Err(Doubt::Open("it is stopped".into()));
             }
@@ -130,6 +130,25 @@ impl<'c> Walk<'c> {
         mapping: Option<Mapping>,
         velocity: &[BigRational; 2],
     ) -> Result<(), Doubt> {
+        self.fits(claim, index, mapping, velocity)?;
+        let landing = self.land(claim.wall, &self.ahead(claim)?)?;
+        let time = self.clock.time(&landing.phase.hull());
+        let found = self.clock.velocity(&landing.velocity.hull());
+        self.departure = Departure::rebound(&self.parameters, &landing);
+        self.landing = Some(landing);
+        (self.impacts, self.last) = (self.impacts + 1, Some(claim.wall));
+        compare("time", &time, &claim.time)?;
+        compare("velocity", &found, velocity)
+    }
+
+    /// Whether an impact may be the next event, by its number, its mapping and the order of its bounds.
+    pub(super) fn fits(
+        &self,
+        claim: &Claim,
+        index: u64,
+        mapping: Option<Mapping>,
+        velocity: &[BigRational; 2],
+    ) -> Result<(), Doubt> {
         if self.rest.is_some() {
             return Err(Doubt::False("the ball lies on its wall until it is released".into()));
         }
@@ -150,14 +169,7 @@ impl<'c> Walk<'c> {
         if velocity[0] > velocity[1] {
             return Err(Doubt::False("the lower bound of the velocity is above the upper one".into()));
         }
-        let landing = self.land(claim.wall, &self.ahead(claim)?)?;
-        let time = self.clock.time(&landing.phase.hull());
-        let found = self.clock.velocity(&landing.velocity.hull());
-        self.departure = Departure::rebound(&self.parameters, &landing);
-        self.landing = Some(landing);
-        (self.impacts, self.last) = (self.impacts + 1, Some(claim.wall));
-        compare("time", &time, &claim.time)?;
-        compare("velocity", &found, velocity)
+        Ok(())
     }
 
     /// Where after the departure the claim says to look: in the middle of what of its bounds comes later.

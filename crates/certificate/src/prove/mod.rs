@@ -12,6 +12,7 @@ mod text;
 
 use super::check::{Data, Doubt, Finding};
 use super::{Certificate, ClaimKind};
+use crate::document::ClaimName;
 use flights::{Flight, Origin, flights};
 use impact_pair_model::Error;
 use legs::{Box, Leg, excess, leg, start};
@@ -42,8 +43,13 @@ impl Certificate {
     /// `progress` is told the impacts computed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions or Coq's hold, or the box is not shaken.
+    /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
+        if self.claim() == ClaimName::Shadowed {
+            return Err(Error::certificate(
+                "claim \"shadowed\": a theorem is one of the orbit from its exact start".into(),
+            ));
+        }
         let data = Data::new(self.pair(), self.start())?;
         Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
         let is_point = data.is_point();

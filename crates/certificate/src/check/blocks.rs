@@ -1,0 +1,76 @@
+//! Answers to questions that have nothing to do with each other, found by several threads.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// Questions that a thread takes at a time. The work that these may cost is counted for them together, so that the answers are
+/// the same on every machine.
+const BLOCK: usize = 64;
+
+/// What `answer` says of all numbers of a range, in order, or the first thing that it could not; `progress` is told up to where
+/// there are answers.
+pub(super) fn in_blocks<T: Send, E: Send>(
+    all: Range<usize>,
+    answer: impl Fn(Range<usize>) -> Result<Vec<T>, E> + Sync,
+    mut progress: impl FnMut(usize),
+) -> Result<Vec<T>, E> {
+    let blocks: Vec<_> = all.clone().step_by(BLOCK).map(|from| from..all.end.min(from + BLOCK)).collect(); // exact: indices
+    let threads = thread::available_parallelism().map_or(1, |threads| threads.get()).min(blocks.len()); // proposes: how many
+    let (next, (sender, receiver)) = (AtomicUsize::new(0), mpsc::channel());
+    let mut answers: Vec<_> = blocks.iter().map(|_| None).collect();
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            let sender = sender.clone();
+            scope.spawn(|| {
+                let sender = sender;
+                while let Some((number, block)) =
+                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|number| Some((number, blocks.get(number)?)))
+                {
+                    let answer = answer(block.clone());
+                    if answer.is_err() {
+                        // Those before it are all begun.
+                        next.store(blocks.len(), Ordering::Relaxed);
+                    }
+                    if sender.send((number, answer)).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let mut known = 0;
+        for (number, answer) in receiver {
+            answers[number] = Some(answer);
+            while let Some(Some(Ok(_))) = answers.get(known) {
+                progress(blocks[known].end);
+                known += 1;
+            }
+        }
+    });
+    let answers: Result<Vec<Vec<T>>, E> = answers.into_iter().map_while(|answer| answer).collect();
+    Ok(answers?.into_iter().flatten().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn answers_come_in_order_up_to_the_first_that_fails(from in 0..300usize, count in 0..1000usize, fails in 0..2000usize) {
+            let all = from..from + count;
+            let answer = |block: Range<usize>| block.map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect();
+            let (mut told, mut last) = (Vec::new(), from);
+            let found = in_blocks(all.clone(), answer, |known| told.push(known));
+            prop_assert_eq!(&found, &all.clone().map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect());
+            for known in told {
+                prop_assert!(known > last && known <= all.end && (found.is_ok() || known <= fails));
+                last = known;
+            }
+            prop_assert!(found.is_err() || last == all.end.max(from));
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! States near an orbit, from the middles of claimed bounds, and nodes around them that may cover one another: Newton's iteration for
+//! all impacts at once, expanding parts backward from the last one, contracting ones forward from the start.
+//!
+//! Labels: proposes throughout.
+
+use super::affine::Affine;
+use super::chain::{Course, Hit, Node, Pair};
+use super::contact::{Doubt, newton};
+use super::data::Piece;
+use super::frame::hull;
+use impact_pair_exact::{Dyadic, Real};
+
+/// Bits that a flight between middles is found with.
+const GUESS_BITS: u32 = 64;
+/// Jumps are to be so many times smaller than the bounds, as a power of 2, and room is made for so large ones.
+const FINE: i32 = -40;
+/// What a node is wider than the least that covers the next one, and how many times the jump it makes room for.
+const MARGIN: f64 = 1.05;
+const NOISES: f64 = 2.0;
+/// Errors of products of floats, about.
+const ROUNDING: f64 = 1.0 / (1_u64 << 44) as f64;
+
+/// A state near an orbit: before an impact, or at the start.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub node: Node,
+    /// Half widths of the bounds.
+    size: Pair,
+    /// By rows, of the flight to the next one.
+    jacobian: [Pair; 2],
+    /// How many times that multiplies `u` and `s`.
+    growth: Pair,
+    /// How far the flight from the one before ends from here.
+    jump: Pair,
+}
+
+/// A flight from a state.
+pub(super) struct Shot {
+    pub lasting: Real,
+    jacobian: [Pair; 2],
+    /// How far it ends from the next state.
+    jump: Pair,
+}
+
+impl Course<'_> {
+    /// The start and the middles of the bounds.
+    pub fn middles(&self) -> Vec<Point> {
+        let bits = self.frame.turn.bits();
+        let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
+        let start = [phase.less_centre().hull(), velocity.hull()];
+        let bounds = |hit: &Hit<'_>| {
+            [
+                hull(&hit.time.each_ref().map(|time| self.frame.clock.phase(time))),
+                hull(&hit.velocity.each_ref().map(|x| self.frame.clock.slowed(&Real::rational(x, bits)))),
+            ]
+        };
+        let along = if self.is_of_times { [[1.0, 0.0], [0.0, 1.0]] } else { [[0.0, 1.0], [1.0, 0.0]] };
+        let point = |states: [Real; 2]| {
+            let size = states.each_ref().map(|x| (x.clone() - &x.middle()).enclosure().mag().to_f64_up());
+            let node = Node { centre: states.map(|x| Real::point(x.mid(), bits)), axes: along, sides: [0.0; 2] };
+            Point { node, size, jacobian: [[0.0; 2]; 2], growth: [1.0; 2], jump: [0.0; 2] }
+        };
+        [start].into_iter().chain(self.hits.iter().map(bounds)).map(point).collect()
+    }
+
+    /// The flight from point `k` to the next one.
+    pub fn shot(&self, k: usize, [point, next]: [&Point; 2], guess: Option<&Real>) -> Result<Shot, Doubt> {
+        let (bits, wall) = (self.frame.turn.bits(), self.hits[k].wall);
+        let departure = self.departure(k, point.node.centre.clone().map(Affine::fixed));
+        let flight = departure.flights(&self.frame.parameters.middle());
+        let ahead = || Real::point((next.node.centre[0].clone() - &point.node.centre[0]).mid(), GUESS_BITS);
+        let guess = guess.cloned().unwrap_or_else(ahead);
+        if !guess.is_positive() {
+            return Err(Doubt::Open("the time is too near".into()));
+        }
+        let h = newton(&flight, wall, &guess).at(bits);
+        let arrival = flight.slope(&h);
+        let ends = [point.node.centre[0].clone() + &h, arrival.clone()];
+        let jump = [0, 1].map(|i| (ends[i].clone() - &next.node.centre[i]).to_f64());
+        let e = match departure.start.wall {
+            Some(_) => self.frame.parameters.restitution.centre.to_f64(),
+            None => -1.0,
+        };
+        let accelerations = [flight.shaking.first_acceleration(), flight.curvature(&h)].map(|x| x.to_f64());
+        let [after, v, lasting] = [&flight.velocity, &arrival, &h].map(Real::to_f64);
+        // (A.7)
+        let (by_phase, by_velocity) = ((accelerations[0] * lasting + after) / v, e * lasting / v);
+        let of_velocity = [accelerations[1] * by_phase - accelerations[0], accelerations[1] * by_velocity - e];
+        Ok(Shot { lasting: Real::point(h.mid(), bits), jacobian: [[by_phase, by_velocity], of_velocity], jump })
+    }
+}
+
+/// Takes up what flights between points have shown; unless `is_whole`, the points after the one up to which they expand most are left
+/// out.
+pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], is_whole: bool) {
+    for (k, shot) in shots.iter().enumerate() {
+        points[k].jacobian = shot.jacobian;
+        points[k + 1].jump = shot.jump;
+    }
+    let (mut grown, mut most, mut farthest) = (0.0, 0.0, 0);
+    for k in 0..shots.len() {
+        let image = applied(points[k].jacobian, points[k].node.axes[0]);
+        points[k].growth[0] = image[0].hypot(image[1]);
+        points[k + 1].node.axes[0] = normalised(image);
+        grown += points[k].growth[0].ln();
+        if grown > most {
+            (most, farthest) = (grown, k + 1);
+        }
+    }
+    if !is_whole {
+        points.truncate(farthest + 1);
+    }
+    let Some((last, before)) = points.split_last_mut().filter(|(_, before)| !before.is_empty()) else { return };
+    let [u1, u2] = last.node.axes[0];
+    last.node.axes[1] = [-u2, u1];
+    let mut next = last.node.axes[1];
+    for point in before.iter_mut().rev() {
+        let [[a, b], [c, d]] = point.jacobian;
+        let image = applied([[d, -b], [-c, a]], next);
+        next = normalised(image);
+        point.node.axes[1] = next;
+        point.growth[1] = (a * d - b * c) / image[0].hypot(image[1]);
+    }
+}
+
+/// The number of the point with the greatest jump, and this as a multiple of the bounds.
+pub(super) fn worst(points: &[Point]) -> (usize, f64) {
+    let ratio = |point: &Point| (point.jump[0] / point.size[0]).abs().max((point.jump[1] / point.size[1]).abs());
+    let ratios = points.iter().enumerate().skip(1).map(|(k, point)| (k, ratio(point)));
+    // No number is the greatest.
+    ratios.fold((0, 0.0), |most, ratio| if ratio.1 <= most.1 { most } else { ratio })
+}
+
+/// Whether these jumps are small enough.
+pub(super) fn is_fine(ratio: f64) -> bool {
+    ratio < 2_f64.powi(FINE)
+}
+
+/// A step of Newton's iteration: the jumps go, but for what is of second order. `None` where it has no numbers.
+pub(super) fn improve(points: &mut [Point]) -> Option<()> {
+    let mut moves = vec![[0.0; 2]; points.len()];
+    for k in (0..points.len() - 1).rev() {
+        moves[k][0] = (moves[k + 1][0] - points[k + 1].split(points[k + 1].jump)[0]) / points[k].growth[0];
+    }
+    for k in 0..points.len() - 1 {
+        moves[k + 1][1] = moves[k][1] * points[k].growth[1] + points[k + 1].split(points[k + 1].jump)[1];
+    }
+    for (point, [xi, eta]) in points.iter_mut().zip(moves) {
+        let [u, s] = point.node.axes;
+        for i in 0..2 {
+            let centre = &point.node.centre[i];
+            let moved = centre.clone() + &Real::point(Dyadic::from_f64(xi * u[i] + eta * s[i])?, centre.bits());
+            point.node.centre[i] = Real::point(moved.mid(), moved.bits());
+        }
+    }
+    Some(())
+}
+
+/// Sides of nodes that may cover one another: expanding ones from the last one backward, the others forward.
+pub(super) fn plan(points: &mut [Point]) {
+    let links: Vec<_> = points.windows(2).map(|pair| pair[0].mixed(&pair[1])).collect();
+    let noises: Vec<_> = points.iter().map(Point::noise).collect();
+    // Once as if axes were exact, then with what they are off.
+    for _ in 0..2 {
+        let last = points.len() - 1;
+        points[last].node.sides[0] = noises[last][0];
+        for k in (0..last).rev() {
+            let needed =
+                points[k + 1].node.sides[0] + NOISES * noises[k + 1][0] + links[k][0] * points[k].node.sides[1];
+            points[k].node.sides[0] = MARGIN * needed / points[k].growth[0];
+        }
+        for k in 0..last {
+            let [a, b] = points[k].node.sides;
+            let needed = b * points[k].growth[1].abs() + links[k][1] * a + NOISES * noises[k + 1][1];
+            points[k + 1].node.sides[1] = MARGIN * needed;
+        }
+    }
+}
+
+impl Point {
+    /// The coordinates along `u` and `s`.
+    fn split(&self, x: Pair) -> Pair {
+        let [u, s] = self.node.axes;
+        [cross(x, s) / cross(u, s), cross(u, x) / cross(u, s)]
+    }
+
+    /// What is to be made room for, along `u` and `s`.
+    fn noise(&self) -> Pair {
+        let [u, s] = self.node.axes;
+        let [p, v] = [0, 1].map(|i| self.jump[i].abs() + self.size[i] * 2_f64.powi(FINE));
+        [s, u].map(|axis| ((axis[1] * p).abs() + (axis[0] * v).abs()) / cross(u, s).abs())
+    }
+
+    /// How much of `s` the flight to the next point may take along its `u`, and the other way round: roundings.
+    fn mixed(&self, next: &Self) -> Pair {
+        let absolute = |rows: [Pair; 2], [x, y]: Pair| rows.map(|[a, b]| (a * x).abs() + (b * y).abs());
+        let ([u, s], determinant) = (next.node.axes, cross(next.node.axes[0], next.node.axes[1]).abs());
+        let size = |image: Pair, axis: Pair| ((axis[1] * image[0]).abs() + (axis[0] * image[1]).abs()) / determinant;
+        let [far, wide] = self.node.axes.map(|axis| absolute(self.jacobian, axis));
+        [ROUNDING * size(wide, s), ROUNDING * size(far, u)]
+    }
+}
+
+fn cross([a, b]: Pair, [x, y]: Pair) -> f64 {
+    a * y - b * x
+}
+
+fn applied([[a, b], [c, d]]: [Pair; 2], [x, y]: Pair) -> Pair {
+    [a * x + b * y, c * x + d * y]
+}
+
+fn normalised([x, y]: Pair) -> Pair {
+    let length = x.hypot(y);
+    [x / length, y / length]
+}

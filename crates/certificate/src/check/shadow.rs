@@ -1,0 +1,325 @@
+//! An orbit near the given one: whether one start close by has all the impacts that are listed.
+//!
+//! The route (Lemma V10): the middles of the claimed bounds are made an orbit but for tiny jumps, by Newton's iteration over all
+//! impacts at once ([`pseudo`](super::pseudo)); nodes around its states, far smaller than the bounds, are proved to cover one another
+//! ([`chain`](super::chain)), each link alone, by several threads. From the last node on the events are followed as those of any set ([`walk`](super::walk)).
+
+use std::cmp::Ordering;
+use std::ops::Range;
+use std::sync::atomic::AtomicBool;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::blocks::in_blocks;
+use super::budget::Budget;
+use super::chain::{Course, Hit, Node, open};
+use super::clock::{Beside, beside};
+use super::contact::Doubt;
+use super::data::{Data, Piece};
+use super::frame::Frame;
+use super::pseudo::{Point, Shot, improve, is_fine, plan, take, worst};
+use super::step::{Departure, Landing};
+use super::walk::Walk;
+use super::{Effort, FIRST_BITS, Finding, Verdict};
+use crate::document::NearDocument;
+use crate::{Certificate, ClaimKind};
+use impact_pair_exact::{Exact, Real, compare_rational};
+use impact_pair_model::Wall;
+
+/// Steps of Newton's iteration.
+const STEPS: u32 = 8;
+
+/// A claim by its position among the events, and what is to be said of it.
+type Doubted = (usize, Doubt);
+
+/// A shadowed orbit and how much its check may take.
+struct Shadow<'c> {
+    certificate: &'c Certificate,
+    near: &'c NearDocument,
+    /// The impacts before any other event.
+    hits: Vec<Hit<'c>>,
+    is_of_times: bool,
+    effort: &'c Effort,
+    stop: Option<&'static AtomicBool>,
+}
+
+impl Certificate {
+    /// The verdict on all events and the outcome of a shadowed orbit.
+    pub(super) fn shadowed(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        data: &Data,
+        progress: &mut impl FnMut(usize),
+    ) -> Verdict {
+        let end = self.events().len();
+        let answer = (|| {
+            self.says_one_thing().map_err(|doubt| (end, doubt))?;
+            let near = self
+                .ended()
+                .start
+                .as_ref()
+                .ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
+            let walk = Walk::new(self, data, &Piece::default(), FIRST_BITS);
+            let is_of_times = data.wall.is_some() && walk.departure.velocity.hull().is_zero();
+            let hits = self.events().iter().map_while(Hit::of).collect();
+            let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, stop };
+            shadow.fits(walk)?;
+            if !data.is_point() {
+                return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
+            }
+            shadow.starts_as_told().map_err(|doubt| (end, doubt))?;
+            let bits = shadow.answer(data, progress)?;
+            shadow.is_as_near_as_told().map_err(|doubt| (end, doubt))?;
+            data.budget.add(effort.work);
+            self.attracts(data, effort.pieces).map_err(|doubt| (end, doubt))?;
+            Ok(bits)
+        })();
+        match answer {
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err((event, Doubt::False(message))) => Verdict::Refuted(Finding { event, message }),
+            Err((event, Doubt::Open(message))) => Verdict::Undecided(Finding { event, message }),
+        }
+    }
+}
+
+impl Shadow<'_> {
+    /// The impacts have their numbers and mappings.
+    fn fits(&self, mut walk: Walk<'_>) -> Result<(), Doubted> {
+        for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
+            let ClaimKind::Impact { index, mapping, velocity } = &claim.kind else { break };
+            walk.fits(claim, *index, *mapping, velocity).map_err(|doubt| (k, doubt))?;
+            (walk.impacts, walk.last) = (walk.impacts + 1, Some(claim.wall));
+        }
+        Ok(())
+    }
+
+    /// The bounds of the start are bounds, and hold the scene's start.
+    fn starts_as_told(&self) -> Result<(), Doubt> {
+        let [time, velocity] = self.bounds();
+        if [&time, &velocity].iter().any(|[lower, upper]| lower > upper) {
+            return Err(Doubt::False("a lower bound of the start is above the upper one".into()));
+        }
+        let start = self.certificate.start();
+        for (what, exact, bounds, is_varied) in [
+            ("time", start.time(), time, self.is_of_times),
+            ("velocity", start.velocity(), velocity, !self.is_of_times),
+        ] {
+            match place(exact, &bounds) {
+                Beside::Inside => {}
+                Beside::Outside if !is_varied => {
+                    return Err(Doubt::False(format!("the start has not the scene's {what}")));
+                }
+                _ => return Err(Doubt::Open(format!("the {what} of the start is not told around the scene's"))),
+            }
+        }
+        Ok(())
+    }
+
+    /// Bounds of the start's time and velocity.
+    fn bounds(&self) -> [[BigRational; 2]; 2] {
+        [&self.near.time, &self.near.velocity].map(|bounds| bounds.each_ref().map(|bound| bound.value()))
+    }
+
+    /// The bounds of the impacts are as narrow as is told, but for their last digits.
+    fn is_as_near_as_told(&self) -> Result<(), Doubt> {
+        let Some(told) = &self.certificate.ended().epsilon else { return Ok(()) };
+        let impacts = self.certificate.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
+        let mut widths: Vec<_> = impacts.map(|claim| narrowest(&claim.time)).collect();
+        widths.sort();
+        let Some(widest) = widths.last() else { return Ok(()) };
+        let frequency = Real::of(self.certificate.pair().excitation().reference().frequency(), FIRST_BITS);
+        let turns =
+            frequency.over(&(Real::pi(FIRST_BITS) * 4)).ok_or_else(|| Doubt::Open("a turn is too short".into()))?;
+        let middle = &widths[(widths.len() - 1) / 2];
+        for (what, width, told) in [("half of them are", middle, &told.median), ("one is", widest, &told.maximum)] {
+            let half = Real::rational(width, FIRST_BITS) * &turns;
+            if compare_rational(half.enclosure().sup(), &told.value()).is_gt() {
+                return Err(Doubt::Open(format!("the bounds are wider than is told: {what}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// The data and where impacts are, for a thread.
+    fn under<T>(&self, bits: u32, answer: impl FnOnce(&Course<'_>) -> T) -> T {
+        let Effort { work, parts, .. } = *self.effort;
+        let data = Data::new(self.certificate.pair(), self.certificate.start()).expect("they have been read before");
+        let data = Data { budget: Budget::new(work, parts, self.stop), ..data };
+        let frame = Frame::new(&data, &Piece::default(), bits);
+        answer(&Course { data: &data, frame, hits: &self.hits, is_of_times: self.is_of_times })
+    }
+
+    /// What `answer` says of each of the flights, or the first doubt, by several threads.
+    fn of_each<T: Send>(
+        &self,
+        flights: Range<usize>,
+        bits: u32,
+        answer: impl Fn(&Course<'_>, usize) -> Result<T, Doubt> + Sync,
+        progress: impl FnMut(usize),
+    ) -> Result<Vec<T>, Doubted> {
+        let of_block = |block: Range<usize>| {
+            self.under(bits, |course| {
+                block
+                    .map(|k| {
+                        let budget = &course.data.budget;
+                        if budget.is_stopped() {
+                            return Err((k, Doubt::Open("it is stopped".into())));
+                        }
+                        budget.allow(bits, course.data.tones.len());
+                        answer(course, k).map_err(|doubt| (k, doubt))
+                    })
+                    .collect()
+            })
+        };
+        in_blocks(flights, of_block, progress)
+    }
+
+    /// The bits that confirm all events and the outcome.
+    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<u32, Doubted> {
+        // Where the motion ceases to expand, the chain may end before the next other event.
+        let chained = self.chained(true, progress).or_else(|_| self.chained(false, progress));
+        let last = match chained {
+            Ok(last) => last,
+            Err(doubted) => return Err(self.refuted().unwrap_or_else(|| doubted)),
+        };
+        let (mut bits, mut before) = (FIRST_BITS, None);
+        loop {
+            let Err((event, doubt)) = self.goes_on(data, last.as_ref(), bits, progress) else { return Ok(bits) };
+            // More of them help after a release, which does not depend on the start.
+            let is_stuck = before.is_some_and(|before| event <= before);
+            if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
+                return Err((event, doubt));
+            }
+            before = Some(event);
+            bits = self.certificate.more_bits(bits, event).min(self.effort.bits); // proposes
+        }
+    }
+
+    /// The last impact of a chain of nodes, and its node; `None` where there is none. Unless `is_whole` it ends where the motion has
+    /// expanded most, which may be at the start.
+    fn chained(&self, is_whole: bool, progress: &mut impl FnMut(usize)) -> Result<Option<(usize, Node)>, Doubted> {
+        let (bits, nothing) = (FIRST_BITS, |_: usize| {});
+        let mut points = self.under(bits, |course| course.middles());
+        let mut shots: Vec<Shot> = Vec::new();
+        let mut before = f64::INFINITY;
+        for _ in 0..STEPS {
+            let shot = |course: &Course<'_>, k: usize| {
+                course.shot(k, [&points[k], &points[k + 1]], shots.get(k).map(|shot| &shot.lasting))
+            };
+            shots = self.of_each(0..points.len() - 1, bits, shot, nothing)?;
+            take(&mut points, &shots, is_whole);
+            if points.len() == 1 {
+                return Ok(None);
+            }
+            let (at, ratio) = worst(&points);
+            if is_fine(ratio) {
+                break;
+            }
+            if ratio.partial_cmp(&before) != Some(Ordering::Less) {
+                return Err((at - 1, Doubt::Open("no orbit is found near the bounds".into())));
+            }
+            before = ratio;
+            improve(&mut points).ok_or_else(|| (at - 1, Doubt::Open("no orbit is found near the bounds".into())))?;
+        }
+        plan(&mut points);
+        self.starts_near(&points[0], bits).map_err(|doubt| (0, doubt))?;
+        let link =
+            |course: &Course<'_>, k: usize| course.link(k, [&points[k].node, &points[k + 1].node], &shots[k].lasting);
+        self.of_each(0..points.len() - 1, bits, link, progress)?;
+        Ok(points.pop().map(|last| (points.len(), last.node)))
+    }
+
+    /// The first node lies in the bounds of the start.
+    fn starts_near(&self, first: &Point, bits: u32) -> Result<(), Doubt> {
+        let [phase, velocity] = self.under(bits, |course| course.states(0, &first.node)).map(|x| x.hull());
+        let bounds = self.bounds();
+        self.under(bits, |course| {
+            let (found, bounds) = match self.is_of_times {
+                true => (course.frame.clock.time(&phase), &bounds[0]),
+                false => (course.frame.clock.velocity(&velocity), &bounds[1]),
+            };
+            match beside(&found, bounds) {
+                Beside::Inside => Ok(()),
+                _ => Err(Doubt::Open("no start in its bounds is proved to have this orbit".into())),
+            }
+        })
+    }
+
+    /// The events after the last node, and the outcome.
+    fn goes_on(
+        &self,
+        data: &Data,
+        last: Option<&(usize, Node)>,
+        bits: u32,
+        progress: &mut impl FnMut(usize),
+    ) -> Result<(), Doubted> {
+        let mut walk = Walk::new(self.certificate, data, &Piece::default(), bits);
+        // Where there is no chain the start is the scene's.
+        if let Some((impacts, node)) = last {
+            let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
+            self.stand_at(&mut walk, *impacts, Landing { wall: self.hits[impacts - 1].wall, phase, velocity });
+        }
+        let mut confirmed = |event| {
+            data.budget.allow(bits, data.tones.len());
+            progress(event);
+        };
+        walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))
+    }
+
+    /// A walk that has come to an impact, with these states before it.
+    fn stand_at(&self, walk: &mut Walk<'_>, impacts: usize, landing: Landing) {
+        walk.departure = Departure::rebound(&walk.parameters, &landing);
+        walk.last = Some(landing.wall);
+        (walk.impacts, walk.event) = (impacts as u64, impacts); // exact: a length
+        walk.landing = Some(landing);
+    }
+
+    /// A claim that is proved to be false: flights from no state within the bounds before lead into its own.
+    fn refuted(&self) -> Option<Doubted> {
+        let [time, velocity] = self.bounds();
+        let all = self.of_each(
+            0..self.hits.len(),
+            FIRST_BITS,
+            |course, k| {
+                let Course { data, frame, .. } = course;
+                let mut walk = Walk::new(self.certificate, data, &Piece::default(), FIRST_BITS);
+                match k.checked_sub(1).map(|hit| &self.hits[hit]) {
+                    Some(hit) => self.stand_at(&mut walk, k, frame.states(hit.wall, hit.time, hit.velocity)),
+                    None => {
+                        // The wall does not matter inside the gap.
+                        let Landing { phase, velocity, .. } = frame.states(Wall::Left, &time, &velocity);
+                        walk.departure = course.departure(0, [phase, velocity]);
+                    }
+                }
+                match walk.confirm(&self.certificate.events()[k]) {
+                    Err(doubt @ Doubt::False(_)) => Err(doubt),
+                    _ => Ok(()),
+                }
+            },
+            |_| {},
+        );
+        all.err().filter(|doubted| matches!(doubted, (_, Doubt::False(_))))
+    }
+}
+
+/// Where an exact number lies beside bounds.
+fn place(exact: &Exact, bounds: &[BigRational; 2]) -> Beside {
+    match exact.as_rational() {
+        Some(x) if bounds[0] <= *x && *x <= bounds[1] => Beside::Inside,
+        Some(_) => Beside::Outside,
+        None => beside(&Real::of(exact, FIRST_BITS), bounds),
+    }
+}
+
+/// The width of bounds less a unit in the last place of each, which rounding outward may have added.
+fn narrowest([lower, upper]: &[BigRational; 2]) -> BigRational {
+    let mut places = BigInt::one();
+    while [lower, upper].iter().any(|bound| !places.is_multiple_of(bound.denom())) {
+        places *= 10;
+    }
+    upper - lower - BigRational::new(2.into(), places)
+}

@@ -1,0 +1,223 @@
+//! `check` of shadowed orbits: right ones are confirmed, spoiled ones never.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use impact_pair::Scene;
+use impact_pair::certificate::{Certificate, Effort, Verdict};
+use impact_pair::document;
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Arithmetic, Settings};
+use num_rational::BigRational;
+use serde_json::{Value, json};
+
+/// Two harmonics with a common period; a rest comes after 20 impacts, then chaos from a release, which takes more bits.
+const TWO: &str = r#"
+    excitation = { amplitude = [8, "1/3"], frequency = ["pi", "2*pi"], phase = [0, 0.7] }
+    pair = { gap = 9.42497, restitution = 0.5 }
+    start = { time = "sqrt(2)", wall = "left", velocity = -12.56636 }"#;
+const INSIDE: &str = r#"
+    excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+    pair = { gap = 9.42497, restitution = 0.5 }
+    start = { time = 0.1, position = 0.25, velocity = -12.56636 }"#;
+/// A chaotic transient that comes to rest after 56 impacts.
+const RESTING: &str = r#"
+    excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
+    pair = { gap = 40, restitution = 0.5 }
+    start = { time = 0, wall = "left", velocity = -5 }"#;
+
+fn figure(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// The orbit JSON of a scene in the shadow arithmetic.
+fn shadowed(scene: &str, impacts: u64) -> Value {
+    let scene = Scene::parse(scene).unwrap();
+    let settings =
+        Settings { arithmetic: Arithmetic::Shadow, impacts: Some(impacts), until: None, ..Settings::default() };
+    let document = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+    assert_eq!(document["claim"], "shadowed");
+    document
+}
+
+/// `None` where it is refused.
+fn verdict(document: &Value) -> Option<Verdict> {
+    Some(Certificate::parse(&document.to_string()).ok()?.check(|_| {}).unwrap())
+}
+
+fn is_confirmed(document: &Value) -> bool {
+    matches!(verdict(document), Some(Verdict::Confirmed { .. }))
+}
+
+#[test]
+fn shadowed_orbits_are_confirmed() {
+    let of = |name: &str, impacts| (name.to_owned(), shadowed(&figure(name), impacts));
+    let scene = |scene: &str, impacts| (scene.to_owned(), shadowed(scene, impacts));
+    let documents = [
+        of("figure-14", 1),
+        of("figure-14", 3000),
+        of("figure-16", 300),
+        of("figure-17", 300),
+        scene(TWO, 300),
+        scene(INSIDE, 100),
+        scene(RESTING, 80),
+    ];
+    for (name, document) in documents {
+        let found = verdict(&document);
+        assert!(matches!(found, Some(Verdict::Confirmed { .. })), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn all_events_up_to_a_time_are_listed() {
+    let scene = Scene::parse(&figure("figure-14")).unwrap();
+    let until = Some(Exact::from(50));
+    let settings = Settings { arithmetic: Arithmetic::Shadow, impacts: None, until, ..Settings::default() };
+    let mut document = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+    assert!(is_confirmed(&document), "{:?}", verdict(&document));
+    document["outcome"]["until"] = json!("52");
+    assert!(!is_confirmed(&document));
+}
+
+/// Bounds moved by so many of their widths, and stretched around their middle.
+fn moved(bounds: &Value, widths: [i64; 2], factor: [i64; 2]) -> Value {
+    let number = |end: usize| Exact::parse(bounds[end].as_str().unwrap()).unwrap().as_rational().unwrap().clone();
+    let fraction = |[p, q]: [i64; 2]| BigRational::new(p.into(), q.into());
+    let (width, middle) = (number(1) - number(0), (number(1) + number(0)) / fraction([2, 1]));
+    let half = &width * fraction(factor) / fraction([2, 1]);
+    let middle = middle + width * fraction(widths);
+    // All of them are decimals, and so are their fractions by these numbers.
+    let decimal = |x: BigRational| {
+        let digits = (x * BigRational::from_integer(num_bigint::BigInt::from(10).pow(40))).to_integer();
+        json!(format!("{digits}e-40"))
+    };
+    json!([decimal(&middle - &half), decimal(middle + half)])
+}
+
+const WHOLE: [i64; 2] = [1, 1];
+
+/// The document with another value at each of the paths, and no words that say something else.
+fn spoiled(document: &Value, changes: &[(String, Value)]) -> Value {
+    let mut copy = document.clone();
+    for (path, value) in changes {
+        *copy.pointer_mut(path).expect(path) = value.clone();
+    }
+    copy["outcome"]["message"] = json!("");
+    copy
+}
+
+/// The walls that an edit leaves, with their numbers and mappings.
+fn walls(document: &Value, edit: impl Fn(&mut Vec<Value>)) -> Value {
+    let mut copy = spoiled(document, &[]);
+    let start = copy["scene"]["start"]["wall"].as_str().unwrap().to_owned();
+    let events = copy["events"].as_array_mut().unwrap();
+    edit(events);
+    let (mut last, count) = (start, events.len());
+    for (i, event) in events.iter_mut().enumerate() {
+        let wall = event["wall"].as_str().unwrap().to_owned();
+        let mapping = match (last.as_str(), wall.as_str()) {
+            ("right", "left") => "P1",
+            ("left", "right") => "P2",
+            ("right", _) => "P3",
+            _ => "P4",
+        };
+        (event["mapping"], event["index"]) = (json!(mapping), json!(i + 1));
+        last = wall;
+    }
+    copy["outcome"]["impacts"] = json!(count);
+    copy
+}
+
+fn other(wall: &Value) -> Value {
+    json!(if wall == "left" { "right" } else { "left" })
+}
+
+#[test]
+fn what_is_spoiled_is_never_confirmed() {
+    for name in ["figure-14", "figure-16", "figure-17"] {
+        let document = shadowed(&figure(name), 100);
+        assert!(is_confirmed(&spoiled(&document, &[])), "{name}");
+        let mut all = Vec::new();
+        for k in [0, 1, 40, 90] {
+            for key in ["time", "velocity"] {
+                let path = format!("/events/{k}/{key}");
+                let bounds = &document.pointer(&path).unwrap();
+                for (widths, factor) in [([1, 1], WHOLE), ([-1, 1], WHOLE), ([3, 1], WHOLE), ([1, 2], [1, 10000])] {
+                    all.push(spoiled(&document, &[(path.clone(), moved(bounds, widths, factor))]));
+                }
+            }
+            let path = format!("/events/{k}/wall");
+            let wall = other(document.pointer(&path).unwrap());
+            all.push(spoiled(&document, &[(path, wall)]));
+            all.push(walls(&document, |events| events[k]["wall"] = other(&events[k]["wall"])));
+            all.push(walls(&document, |events| drop(events.remove(k))));
+            all.push(walls(&document, |events| events.insert(k, events[k].clone())));
+            all.push(spoiled(&document, &[(format!("/events/{k}/index"), json!(k + 2))]));
+        }
+        let at = |path: &str| document.pointer(path).unwrap();
+        let varied = if name == "figure-17" { "/outcome/start/time" } else { "/outcome/start/velocity" };
+        for widths in [[3, 1], [-3, 1], [3, 4]] {
+            all.push(spoiled(&document, &[(varied.into(), moved(at(varied), widths, WHOLE))]));
+        }
+        // A hundredth of the bounds, from the scene's start on, the orbit's start being on the other side of it in one of both.
+        let [below, above] = [-1, 1].map(|sign| moved(at(varied), [sign, 200], [1, 100]));
+        let are_both = [below, above].map(|bounds| is_confirmed(&spoiled(&document, &[(varied.into(), bounds)])));
+        assert_ne!(are_both, [true, true], "{name}");
+        for key in ["median", "maximum"] {
+            let path = format!("/outcome/epsilon/{key}");
+            let half: f64 = at(&path).as_str().unwrap().parse::<f64>().unwrap() / 2.0;
+            all.push(spoiled(&document, &[(path, json!(format!("{half:e}")))]));
+        }
+        all.push(spoiled(&document, &[("/claim".into(), json!("exact start"))]));
+        let mut exact = spoiled(&document, &[("/claim".into(), json!("exact start"))]);
+        let outcome = exact["outcome"].as_object_mut().unwrap();
+        let _ = (outcome.remove("start"), outcome.remove("epsilon"));
+        all.push(exact);
+        for path in ["/scene/gap", "/scene/restitution", "/scene/excitation/amplitude/0", "/scene/excitation/phase/0"] {
+            let near = format!("{} + 1e-6", at(path).as_str().unwrap());
+            all.push(spoiled(&document, &[(path.into(), json!(near))]));
+        }
+        for document in all {
+            let found = verdict(&document);
+            assert!(!matches!(found, Some(Verdict::Confirmed { .. })), "{name}: {found:?} {document}");
+        }
+    }
+}
+
+/// What no state within the bounds does is proved to be false; a bound that is only too narrow is not.
+#[test]
+fn what_no_start_does_is_refuted() {
+    let document = shadowed(&figure("figure-14"), 100);
+    let refuted = |document: &Value, event: usize| match verdict(document) {
+        Some(Verdict::Refuted(finding)) => assert_eq!(finding.event, event, "{}", finding.message),
+        found => panic!("{found:?}"),
+    };
+    refuted(&walls(&document, |events| drop(events.remove(40))), 40);
+    refuted(&walls(&document, |events| events.insert(40, events[40].clone())), 41);
+    refuted(&spoiled(&document, &[("/scene/gap".into(), json!("9.42498"))]), 0);
+    refuted(&spoiled(&document, &[("/events/70/mapping".into(), json!("P3"))]), 70);
+    let time = "/events/40/time";
+    let later = moved(document.pointer(time).unwrap(), [1, 1], WHOLE);
+    let found = verdict(&spoiled(&document, &[(time.into(), later)]));
+    assert!(matches!(found, Some(Verdict::Undecided(_) | Verdict::Refuted(_))), "{found:?}");
+}
+
+#[test]
+fn who_stops_a_check_keeps_the_links_that_are_proved() {
+    static STOP: AtomicBool = AtomicBool::new(false);
+    let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 2000).to_string()).unwrap();
+    let mut told = Vec::new();
+    let stop = |confirmed| {
+        told.push(confirmed);
+        STOP.store(confirmed >= 100, Ordering::Relaxed);
+    };
+    let found = certificate.check_until(&Effort::default(), Some(&STOP), stop).unwrap();
+    let Verdict::Interrupted { events } = found else { panic!("{found:?}") };
+    assert!((100..2000).contains(&events) && told.is_sorted(), "{events} {told:?}");
+}
+
+#[test]
+fn no_theorem_is_written_of_a_shadowed_orbit() {
+    let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 5).to_string()).unwrap();
+    let refused = certificate.prove(5, |_| {}).unwrap_err().to_string();
+    assert!(refused.contains("shadowed") && refused.contains("exact start"), "{refused}");
+}
