@@ -1,4 +1,4 @@
-"""What is to be judged, in seven parts, each a list of jobs; a job is judged in a process of its own."""
+"""What is to be judged, in eight parts, each a list of jobs; a job is judged in a process of its own."""
 from collections import Counter, namedtuple
 
 from compare import Disagreement, describe, judge, run_binary
@@ -11,6 +11,7 @@ from random_scenes import is_calm, scenes, toml
 from several_check import judge_untold, judge_written
 from several_corners import several_corners, untold_corners, written
 from several_scenes import several_scenes
+from shadow import chaotic_scenes, judge_shadow
 from straddling_scenes import straddling_scenes
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
@@ -23,16 +24,18 @@ Job = namedtuple("Job", "part name judge arguments scene")
 # How much of everything is judged; 200 impacts of a scene unless it says otherwise.
 Amount = namedtuple(
     "Amount", "figures long resting resting_impacts extremes extreme_impacts several several_impacts straddling "
-    "intervals",
+    "intervals shadowed",
 )
-FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40)
-QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 20, 8)
+FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40, 1000)
+QUICK = Amount(60, 0, 10, 100, 30, 30, 20, 30, 20, 8, 300)
 INTERVAL_IMPACTS = 20
 # Bits that tell 10^-60 from nothing, and end soon where nothing can be told.
 STRADDLING_BITS = 1024
 STRADDLING_WAYS = ["auto", "interval", "64", "128", "256"]
-SEVERAL, STRADDLING = "several harmonics", "straddling scenes"
-PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes"]
+SEVERAL, STRADDLING, SHADOWED = "several harmonics", "straddling scenes", "shadowed orbits"
+PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes", SHADOWED]
+# Impacts, and how many of them are proved by precision.
+SPLICED = 300, 200
 
 
 def way(number):
@@ -135,6 +138,13 @@ def judge_one_interval(scene, binary):
     return judge_interval_scene(scene, binary, INTERVAL_IMPACTS), ""
 
 
+def shadowed_jobs(impacts):
+    """Chaotic scenes from their start on, and after impacts that are proved by precision."""
+    for name, text, near in chaotic_scenes():
+        for count, splice, within in ((impacts, 0, "1e-9"), (*SPLICED, near)):
+            yield Job(SHADOWED, f"{name}, {count} impacts, splice {splice}", judge_shadow, (text, count, splice, within), text)
+
+
 def jobs(amount, seed, parts):
     """All jobs of the parts asked for."""
     found = list(figure_jobs(amount))
@@ -149,4 +159,5 @@ def jobs(amount, seed, parts):
         Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))
         for scene in interval_scenes(amount.intervals, seed)
     ]
+    found += shadowed_jobs(amount.shadowed)
     return [job for job in found if not parts or job.part in parts]

@@ -22,7 +22,8 @@ was also judged in its mirror image. Undecided are listings that impact-pair its
 or by the width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze, with a
 flight too long to follow part by part, or that never impact (followed for 100 periods): judged up to there, and not
 counted as proved after it. An untold graze is listed where the arithmetic of a straddling scene (doubles, 64, 128 or 256
-bits, or auto in at most 1,024) does not tell a touch from a miss: the proof tells, and what follows was judged with it."""
+bits, or auto in at most 1,024) does not tell a touch from a miss: the proof tells, and what follows was judged with it.
+A shadowed orbit is that of a start within the listed bounds, found and then proved."""
 
 
 def table(totals, columns, heading):
