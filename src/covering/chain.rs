@@ -36,6 +36,9 @@ pub(crate) trait Covering: std::fmt::Debug + Send {
     fn expands(&self) -> bool;
 }
 
+/// A state on a wall: whole turns, the rest of the phase, and the velocity before the impact.
+pub(crate) type OnWall = (Wall, i64, Ball, Ball);
+
 /// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
 pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     /// The first axis of the chain's first link is the curve's.
@@ -48,7 +51,7 @@ pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
 
     /// The start on a wall itself, and its phases under several harmonics where they are known exactly.
-    fn on_wall(&self) -> Option<((Wall, i64, Ball, Ball), &[Exact])>;
+    fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
 }
 
 #[derive(Debug)]
@@ -102,7 +105,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
 
     /// Whether a state comes to rest on its wall, after infinitely many impacts or none; `phases` are those of several harmonics,
     /// where they are known exactly. Lemmas Z1, H7
-    fn comes_to_rest(&self, (wall, turns, phase, before): (Wall, i64, Ball, Ball), phases: &[Exact]) -> bool {
+    fn comes_to_rest(&self, (wall, turns, phase, before): OnWall, phases: &[Exact]) -> bool {
         let after = wall.inward(self.shaken.pair().rebound_of(before));
         let time = |phase| self.shaken.accumulation(wall, turns, &phase, after, phases);
         phase.enclosure().and_then(time).is_some()

@@ -1,13 +1,12 @@
 //! The segment of starts that a chain begins with: Lemma F3 of `docs/proofs.md`.
 
-use super::chain::Beginning;
+use super::chain::{Beginning, OnWall};
 use super::node::{Axes, Landing};
 use crate::contact::{SetContact, Undecided};
 use crate::exact::Exact;
 use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Number};
-use crate::pair::Wall;
 use crate::shaken::{Flying, Location, Origin};
 
 /// Starts that differ from a given one in the velocity alone; in the time alone where no velocity is left after the impact.
@@ -43,7 +42,7 @@ impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
         if self.is_of_times { (phase.widened(a), velocity) } else { (phase, velocity.widened(apart)) }
     }
 
-    fn on_wall(&self) -> Option<((Wall, i64, Ball, Ball), &[Exact])> {
+    fn on_wall(&self) -> Option<(OnWall, &[Exact])> {
         let Origin { turns, phase, velocity, .. } = self.origin;
         self.origin.wall().map(|wall| ((wall, turns, phase, velocity), &*self.origin.phases))
     }

@@ -119,7 +119,7 @@ impl<S: Flying> ShadowMotion<S, Splice> {
         let mut chain = Chain::new(shaken.clone(), splice, left);
         let nodes = chain.advance();
         let (before, near) = chain.beginning().proved()?;
-        let (before, start_bounds) = (before.to_vec().into_iter(), Some(near.clone()));
+        let (before, start_bounds) = (Vec::from(before).into_iter(), Some(near.clone()));
         Some(Box::new(Self { before, start_bounds, ..Self::of(shaken, origin, chain, nodes)? }))
     }
 }

@@ -14,12 +14,12 @@ use super::{Arithmetic, Impact, Orbit, Progress, Settings, Start};
 use crate::Error;
 use crate::clock::Clock;
 use crate::contact::Undecided;
-use crate::covering::chain::Beginning;
+use crate::covering::chain::{Beginning, OnWall};
 use crate::covering::node::{Axes, Landing};
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Sheared;
 use crate::number::{Ball, Number, TINY, up};
-use crate::pair::{ImpactPair, Reduced, Wall};
+use crate::pair::{ImpactPair, Reduced};
 use crate::shaken::{Flying, Origin};
 use impact_pair_model::Place;
 
@@ -230,7 +230,7 @@ impl<S: Flying> Beginning<S> for Splice {
         Ok(Landing { jacobian, ..given })
     }
 
-    fn on_wall(&self) -> Option<((Wall, i64, Ball, Ball), &[Exact])> {
+    fn on_wall(&self) -> Option<(OnWall, &[Exact])> {
         None
     }
 }
