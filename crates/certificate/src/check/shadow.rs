@@ -203,7 +203,8 @@ impl Shadow<'_> {
         let chained = self.chained(true, bits, progress).or_else(|_| self.chained(false, bits, progress));
         let last = match chained {
             Ok(last) => last,
-            Err(doubted) => return Err(self.refuted().unwrap_or_else(|| doubted)),
+            // exact: where nothing is refuted, what is in doubt
+            Err(doubted) => return Err(self.refuted().unwrap_or(doubted)),
         };
         let mut before = None;
         loop {
