@@ -22,6 +22,7 @@ use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::pseudo::{Point, Shot, improve, is_fine, plan, take, worst};
 use super::step::{Departure, Landing};
+use super::target::narrowest;
 use super::walk::Walk;
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::document::NearDocument;
@@ -31,6 +32,8 @@ use impact_pair_model::Wall;
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 8;
+/// Bits below the narrowest bounds.
+const SPARE_BITS: i64 = 112;
 
 /// A claim by its position among the events, and what is to be said of it.
 type Doubted = (usize, Doubt);
@@ -128,7 +131,7 @@ impl Shadow<'_> {
     fn is_as_near_as_told(&self) -> Result<(), Doubt> {
         let Some(told) = &self.certificate.ended().epsilon else { return Ok(()) };
         let impacts = self.certificate.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
-        let mut widths: Vec<_> = impacts.map(|claim| narrowest(&claim.time)).collect();
+        let mut widths: Vec<_> = impacts.map(|claim| certain_width(&claim.time)).collect();
         widths.sort();
         let Some(widest) = widths.last() else { return Ok(()) };
         let frequency = Real::of(self.certificate.pair().excitation().reference().frequency(), FIRST_BITS);
@@ -142,6 +145,21 @@ impl Shadow<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Bits that nodes in the narrowest bounds are told with: the first impacts may have been proved by precision.
+    fn bits(&self) -> u32 {
+        let near = self.bounds();
+        let [times, velocities] = [0, 1].map(|i| {
+            let bounds = self.hits.iter().map(move |hit| [hit.time, hit.velocity][i]);
+            let bounds = bounds.chain((self.is_of_times == (i == 0)).then_some(&near[i]));
+            let top = |x: &BigRational| Real::rational(x, FIRST_BITS).enclosure().mag().top();
+            let largest = bounds.clone().flatten().filter_map(top).max();
+            largest.zip(narrowest(bounds)).map(|(largest, narrowest)| largest - narrowest)
+        });
+        let digits = times.max(velocities).map_or(0, |digits| digits + SPARE_BITS); // proposes
+        let bits = u32::try_from(digits).map_or(FIRST_BITS, |digits| digits.max(FIRST_BITS)); // proposes: bits to compute with
+        bits.min(self.effort.bits.max(FIRST_BITS)) // proposes
     }
 
     /// The data and where impacts are, for a thread.
@@ -181,12 +199,14 @@ impl Shadow<'_> {
     /// The bits that confirm all events and the outcome.
     fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<u32, Doubted> {
         // Where the motion ceases to expand, the chain may end before the next other event.
-        let chained = self.chained(true, progress).or_else(|_| self.chained(false, progress));
+        let mut bits = self.bits();
+        let chained = self.chained(true, bits, progress).or_else(|_| self.chained(false, bits, progress));
         let last = match chained {
             Ok(last) => last,
-            Err(doubted) => return Err(self.refuted().unwrap_or_else(|| doubted)),
+            // exact: where nothing is refuted, what is in doubt
+            Err(doubted) => return Err(self.refuted().unwrap_or(doubted)),
         };
-        let (mut bits, mut before) = (FIRST_BITS, None);
+        let mut before = None;
         loop {
             let Err((event, doubt)) = self.goes_on(data, last.as_ref(), bits, progress) else { return Ok(bits) };
             // More of them help after a release, which does not depend on the start.
@@ -201,8 +221,13 @@ impl Shadow<'_> {
 
     /// The last impact of a chain of nodes, and its node; `None` where there is none. Unless `is_whole` it ends where the motion has
     /// expanded most, which may be at the start.
-    fn chained(&self, is_whole: bool, progress: &mut impl FnMut(usize)) -> Result<Option<(usize, Node)>, Doubted> {
-        let (bits, nothing) = (FIRST_BITS, |_: usize| {});
+    fn chained(
+        &self,
+        is_whole: bool,
+        bits: u32,
+        progress: &mut impl FnMut(usize),
+    ) -> Result<Option<(usize, Node)>, Doubted> {
+        let nothing = |_: usize| {};
         let mut points = self.under(bits, |course| course.middles());
         let mut shots: Vec<Shot> = Vec::new();
         let mut before = f64::INFINITY;
@@ -316,7 +341,7 @@ fn place(exact: &Exact, bounds: &[BigRational; 2]) -> Beside {
 }
 
 /// The width of bounds less a unit in the last place of each, which rounding outward may have added.
-fn narrowest([lower, upper]: &[BigRational; 2]) -> BigRational {
+fn certain_width([lower, upper]: &[BigRational; 2]) -> BigRational {
     let mut places = BigInt::one();
     while [lower, upper].iter().any(|bound| !places.is_multiple_of(bound.denom())) {
         places *= 10;
