@@ -294,7 +294,9 @@ mod tests {
     fn what_is_chaotic_is_shadowed_and_nothing_else() {
         let follow = |name: &str, impacts: u64| {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
-            follow(&scene(name), &Asked { transient: 500, impacts, settings }, || true).unwrap().unwrap()
+            follow(&scene(name), &Asked { transient: 500, impacts, summary: false, settings }, || true)
+                .unwrap()
+                .unwrap()
         };
         let chaos = follow("figure-14", 20_000);
         assert!(chaos.shadow.is_some() && chaos.is_complete() && chaos.states.len() == 20_000);
