@@ -20,8 +20,8 @@
 //! `z = z'(0) h + alpha (cos th0 excess + sin th0 versine)`, where nothing cancels as `h -> 0`: `z/h` keeps
 //! its sign information down to flights of a billionth of a turn ([`Flight::hop_height`]).
 
-use crate::number::Number;
 use crate::number::kernel::Departure;
+use crate::number::{Number, UNIT};
 use crate::pair::{Inward, Reduced, Wall};
 
 /// Sine and cosine of a phase later by a departure: the addition theorems.
@@ -193,6 +193,19 @@ impl<N: Number> Flight<N> {
 }
 
 impl Flight<f64> {
+    /// Whether no extrema are expected: `|c| >= beta`.
+    #[inline(always)]
+    pub(crate) fn is_monotone(&self) -> bool {
+        self.drift.abs() >= self.beta
+    }
+
+    /// The time from the start to a phase and whole turns, and what rounding adds.
+    #[inline(always)]
+    pub(crate) fn elapsed(&self, turns: f64, at: f64) -> f64 {
+        // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
+        UNIT.mul_add(turns.abs(), (turns + (at - self.phase)).abs())
+    }
+
     /// The mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
     pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {

@@ -16,7 +16,7 @@ const ROOMS: [(&str, &[&str]); 22] = [
     ("switch_plane", &["number", "pair"]),
     ("flight", &["number", "pair"]),
     ("rest", &["number", "pair"]),
-    ("contact", &["number", "turns", "pair", "flight"]),
+    ("contact", &["number", "turns", "pair", "mapping", "flight"]),
     ("several", &["number", "turns", "pair", "excitation", "flight", "rest", "contact"]),
     ("shaken", &["number", "turns", "pair", "clock", "excitation", "mapping", "flight", "rest", "contact", "several"]),
     ("covering", &["number", "turns", "pair", "clock", "mapping", "flight", "contact", "shaken"]),

@@ -15,12 +15,13 @@ use serde_json::{Value, json};
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
-    let asked = Asked { transient: 3, impacts: 5, settings: Settings { digits: 6, ..Settings::default() } };
-    let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, false, None))];
+    let asked =
+        Asked { transient: 3, impacts: 5, summary: false, settings: Settings { digits: 6, ..Settings::default() } };
+    let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();
         let point = sweep::follow(&scene.with(&values).unwrap(), &asked, || true).unwrap().unwrap();
-        lines.push(json!(sweep::record(number, &values, &point, false)));
+        lines.push(json!(sweep::record(number, &values, &point)));
     }
     lines
 }

@@ -7,9 +7,9 @@ use std::cmp::Ordering;
 
 use super::bounds::{Bounds, HOP_SINE_ERROR, NARROW, Radii, SLACK, TAU};
 use super::extrema::{Extrema, Target};
-use super::solve::Iterate;
+use super::solve::{Iterate, look_near};
 use crate::flight::Flight;
-use crate::number::kernel::{self, ACOS_ERROR, Departure, SIN_COS_ERROR};
+use crate::number::kernel::{ACOS_ERROR, Departure, SIN_COS_ERROR};
 use crate::number::{Ball, Kernel, UNIT, binade, up};
 
 /// Where and when a flight arrives: exactly one root of the piece lies in there, for each start.
@@ -48,7 +48,13 @@ pub(crate) enum Doubt {
 }
 
 /// Flights from a wall up to this many turns are bracketed with the departure root divided out; it works to 1/8.
-const SHORT: f64 = 0.124;
+pub(super) const SHORT: f64 = 0.124;
+
+/// Whether the kernel takes a time, of a flight that ends near its start (Lemma K2).
+#[inline(always)]
+pub(super) fn is_near_time(time: f64) -> bool {
+    (4.909093465297727e-91..=0.125).contains(&time)
+}
 
 /// A root proved by Lemma C3.
 struct Root {
@@ -67,20 +73,28 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     #[inline(always)]
     pub fn bracket(&self, iterate: &Iterate) -> Option<Bracket> {
         let (flight, turns) = (self.flight, iterate.turns);
-        // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
-        let elapsed = UNIT.mul_add(turns.abs(), (turns + (iterate.at - flight.phase)).abs());
+        let elapsed = flight.elapsed(turns, iterate.at);
         if elapsed <= SHORT && self.is_on_wall() {
             return self.short_bracket(iterate.target, turns + (iterate.at - flight.phase) - iterate.step);
         }
+        let (bracket, is_proved) = self.long_bracket(iterate, elapsed);
+        is_proved.then_some(bracket)
+    }
+
+    /// A bracket `elapsed` turns after the start.
+    #[inline(always)]
+    pub fn long_bracket(&self, iterate: &Iterate, elapsed: f64) -> (Bracket, bool) {
+        let (flight, turns) = (self.flight, iterate.turns);
         let error = self.height(elapsed, turns, iterate.sin, iterate.residual);
         // One unit more than the kernel's for the rounding of the sine at the root.
         let sine_error = SIN_COS_ERROR + UNIT;
-        let Root { at, velocity, sin, rest } =
-            self.root(iterate, error, self.velocity(iterate.velocity), sine_error, self.pair.bend)?;
+        let (Root { at, velocity, sin, rest }, is_proved) =
+            self.root(iterate, error, self.velocity(iterate.velocity), sine_error, self.pair.bend);
         let time = turns + (at.mid() - flight.phase);
         let rounding = UNIT * (2.0 * time.abs() + turns.abs());
         let time = Ball::new(time, up(at.rad() + self.phase_radius() + rounding));
-        Some(Bracket { arrival: Arrival { target: iterate.target, turns, phase: at, time }, velocity, sin, rest })
+        let arrival = Arrival { target: iterate.target, turns, phase: at, time };
+        (Bracket { arrival, velocity, sin, rest }, is_proved)
     }
 
     /// A bracket around the end of a short flight from a wall, `time` after its start.
@@ -88,32 +102,35 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
     /// The departure root divided out, the errors are relative to the flight and not to a whole turn.
     #[inline(never)]
     fn short_bracket(self, target: Target, time: f64) -> Option<Bracket> {
-        if !(2f64.powi(-300)..=0.125).contains(&time) {
+        if !is_near_time(time) {
             return None;
         }
-        let departure = kernel::departure(time);
-        let residual = self.flight.hop_height(time, departure.versine, departure.excess) - target.height();
-        let velocity = self.flight.hop_velocity(departure.versine, departure.sine);
-        let (sin, cos) = self.flight.hop_sin_cos(&departure);
-        let step = residual / velocity;
-        let iterate = Iterate { target, turns: 0.0, at: time, residual, velocity, sin, cos, step };
+        let (iterate, departure) = look_near::<Kernel>(self.flight, target, time);
         self.hop_bracket(&iterate, &departure)
     }
 
     /// A bracket around the end of a hop (Lemma C3).
     #[inline(always)]
     pub fn hop_bracket(&self, iterate: &Iterate, departure: &Departure) -> Option<Bracket> {
+        let (bracket, is_proved) = self.near_bracket(iterate, departure);
+        is_proved.then_some(bracket)
+    }
+
+    /// The same, and whether it is proved.
+    #[inline(always)]
+    pub fn near_bracket(&self, iterate: &Iterate, departure: &Departure) -> (Bracket, bool) {
         let Departure { versine, excess, sine } = *departure;
         let error = self.hop_height(iterate.at, versine + excess, iterate.residual);
         let velocity_error = self.hop_velocity(versine + sine, iterate.velocity);
         let turned = TAU * self.radii.phase;
         let sine_error = HOP_SINE_ERROR + turned;
         let bend_error = self.pair.bend + self.pair.swing * turned;
-        let Root { at, velocity, sin, rest } = self.root(iterate, error, velocity_error, sine_error, bend_error)?;
+        let (Root { at, velocity, sin, rest }, is_proved) =
+            self.root(iterate, error, velocity_error, sine_error, bend_error);
         let phase = self.flight.phase + at.mid();
         let phase = Ball::new(phase, up(at.rad() + self.phase_radius() + UNIT * binade(phase)));
         let arrival = Arrival { target: iterate.target, turns: 0.0, phase, time: at };
-        Some(Bracket { arrival, velocity, sin, rest })
+        (Bracket { arrival, velocity, sin, rest }, is_proved)
     }
 
     /// Lemma C3: exactly one root near the end of the iterate's step, for every start.
@@ -128,7 +145,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         velocity_error: f64,
         sine_error: f64,
         bend_error: f64,
-    ) -> Option<Root> {
+    ) -> (Root, bool) {
         let pair = self.pair;
         let Iterate { target, at, residual, velocity, sin, cos, step, .. } = *iterate;
         // Within `reach` of the iterate z' differs from its computed value by the fraction `doubt` at most.
@@ -138,9 +155,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let curvature = if WIDE { pair.swing * (sin.abs() + sine_error + TAU * reach).min(1.0) } else { pair.swing };
         let doubt = SLACK * curvature.mul_add(reach, velocity_error) * inverse;
         let size = step.abs();
-        if !(doubt <= 0.49 && size <= reach && velocity * target.direction() > 0.0) {
-            return None;
-        }
+        let is_proved = (doubt <= 0.49) & (size <= reach) & (velocity * target.direction() > 0.0);
         // What z is at the end of the step, by Taylor's formula; the root is not farther than that over least |z'|.
         let bend = self.flight.acceleration_at(sin);
         let left = (0.5 * bend * step).mul_add(step, (-velocity).mul_add(step, residual)).abs();
@@ -155,23 +170,27 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         let rest = SLACK * (cubic.mul_add(distance, velocity_error) + UNIT * binade(velocity));
         let slope = SLACK * (2.0 * pair.jerk).mul_add(distance, curvature);
         let sine_radius = SLACK * (sine_error * distance.mul_add(7.0, 1.0) + TAU * radius + 20.0 * distance * distance);
-        Some(Root {
+        let root = Root {
             at: Ball::new(root, radius),
             // One more rounding, which the slack of both terms covers.
             velocity: Ball::new(velocity, slope.mul_add(radius, rest)),
             sin: Ball::new(sin, sine_radius),
             rest,
-        })
+        };
+        (root, is_proved)
     }
 
     /// Lemma C5: `z'` keeps its sign for ever, so the root of a monotone flight is the first contact.
     #[inline(always)]
     pub fn is_monotone(&self, arrival: &Arrival) -> Result<(), Doubt> {
+        if self.is_clearly_monotone() || self.is_release() { Ok(()) } else { self.is_nearly_monotone(*arrival) }
+    }
+
+    /// Lemma C5: the drift is greater than `beta`.
+    #[inline(always)]
+    pub fn is_clearly_monotone(&self) -> bool {
         let margin = self.flight.drift.abs() - self.flight.beta;
-        if margin > self.slope() + self.beta_radius() + 2.0 * UNIT * self.flight.drift.abs() {
-            return Ok(());
-        }
-        if self.is_release() { Ok(()) } else { self.is_nearly_monotone(*arrival) }
+        margin > self.slope() + self.beta_radius() + 2.0 * UNIT * self.flight.drift.abs()
     }
 
     /// Lemma C5: a start without velocity at exactly `sin th0 = 0`, where `z' = c (1 - cos(th1 - th0))`.
@@ -213,37 +232,54 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         self.is_on_first_piece(extrema, k, arrival, 0.0)
     }
 
+    /// The same where it is plain: no extremum has to be known more closely.
+    #[inline(always)]
+    pub fn is_plainly_first(&self, extrema: &Extrema, k: f64, arrival: &Arrival) -> bool {
+        let is_on_piece = self.is_narrow() & self.is_between(extrema, k, arrival, NARROW);
+        let (_, coarse) = self.extrema_errors(arrival, NARROW, 0.0);
+        let is_clear = extrema.is_on_first(k, arrival.target)
+            | extrema.are_inside(self.flight.drift, k, arrival.target, coarse).is_ok();
+        self.departure_is_certain(extrema.rising) & is_on_piece & is_clear
+    }
+
     /// Lemma C4: the extrema before the piece of the contact stay inside the gap, and the contact is on its piece.
     ///
     /// `clamped` is an additional error of the extrema's heights.
     #[inline(always)]
     fn is_on_first_piece(&self, extrema: &Extrema, k: f64, arrival: &Arrival, clamped: f64) -> Result<(), Doubt> {
-        let flight = self.flight;
         if !self.departure_is_certain(extrema.rising) {
             return Err(Doubt::Departure);
         }
-        // On its piece: later than the extremum before last of its kind, earlier than the last; the sign of z' is
-        // proved on the bracket.
-        let (first, _) = extrema.before(arrival.target);
-        let place = (arrival.turns - k) + ((arrival.phase.mid() - flight.phase) - first);
-        let is_between = |margin: f64| place > margin - 1.0 && place < -margin;
         let mut shift = NARROW;
-        if !(self.is_narrow() && is_between(up(NARROW + arrival.phase.rad()))) {
+        if !(self.is_narrow() && self.is_between(extrema, k, arrival, shift)) {
             shift = self.critical_phase();
-            if !is_between(up(shift + arrival.phase.rad())) {
+            if !self.is_between(extrema, k, arrival, shift) {
                 return Err(Doubt::Location);
             }
         }
-        // A piece that starts with the flight has no extremum before it.
-        let on_departure = extrema.rising == (arrival.target == Target::Far);
-        // C4: extremum 0 ends the first piece
-        if on_departure && k == 0.0 {
+        if extrema.is_on_first(k, arrival.target) {
             return Ok(());
         }
-        let error = self.extremum(arrival.time.mag() + shift) + clamped;
-        let coarse = SLACK * ACOS_ERROR.mul_add(flight.drift.abs(), error);
-        let clear = extrema.are_inside(flight.drift, k, arrival.target, coarse);
+        let (error, coarse) = self.extrema_errors(arrival, shift, clamped);
+        let clear = extrema.are_inside(self.flight.drift, k, arrival.target, coarse);
         if clear.is_ok() { clear } else { self.are_inside_refined(*extrema, k, arrival.target, error) }
+    }
+
+    /// Whether the contact is on its piece, where critical phases may be `shift` off: later than the extremum before last of its
+    /// kind, earlier than the last; the sign of `z'` is proved on the bracket.
+    #[inline(always)]
+    fn is_between(&self, extrema: &Extrema, k: f64, arrival: &Arrival, shift: f64) -> bool {
+        let (first, _) = extrema.before(arrival.target);
+        let place = (arrival.turns - k) + ((arrival.phase.mid() - self.flight.phase) - first);
+        let margin = up(shift + arrival.phase.rad());
+        place > margin - 1.0 && place < -margin
+    }
+
+    /// Errors of the extrema's heights at the computed critical phases, and as they are computed first.
+    #[inline(always)]
+    fn extrema_errors(&self, arrival: &Arrival, shift: f64, clamped: f64) -> (f64, f64) {
+        let error = self.extremum(arrival.time.mag() + shift) + clamped;
+        (error, SLACK * ACOS_ERROR.mul_add(self.flight.drift.abs(), error))
     }
 
     /// The same with the heights of the extrema taken at the computed critical phase (Lemma E2).
@@ -276,6 +312,13 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 }
 
 impl Extrema {
+    /// Whether the piece before extremum `k` starts with the flight, and has no extremum before it.
+    #[inline(always)]
+    fn is_on_first(&self, k: f64, target: Target) -> bool {
+        // C4: extremum 0 ends the first piece
+        self.rising == (target == Target::Far) && k == 0.0
+    }
+
     /// Whether the extrema that come before extremum `k` of the target's kind are `margin` inside the gap.
     ///
     /// Of this kind the one before `k` decides (the drift brings each nearer to the wall than the one before), of

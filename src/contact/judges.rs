@@ -6,9 +6,9 @@ use super::extrema::{Extrema, Target};
 use super::solve::{Iterate, Judge, NoProposal, propose};
 use super::{Contact, Reason, Undecided};
 use crate::flight::Flight;
-use crate::number::kernel::Departure;
-use crate::number::{Ball, Kernel, Number, UNIT, up};
-use crate::pair::{Inward, Wall};
+use crate::number::kernel::{Departure, SIN_COS_ERROR};
+use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, up};
+use crate::pair::{Inward, Reduced, Wall};
 
 impl Bracket {
     /// The contact, out of the mirrored frame of its flight.
@@ -87,6 +87,12 @@ pub(crate) fn first_contacts(
     let judges =
         Both { centre: Bounds::<false>::new(flight, margins, point), all: Bounds::<true>::new(flight, margins, all) };
     let (all, centre) = propose::<Kernel, _>(flight, &judges)?;
+    Ok(together(flight, margins, &all, &centre))
+}
+
+/// The contacts of a set, and `sin th1` over it, from the brackets of all its flights and of the one from its centre.
+#[inline(always)]
+pub(super) fn together(flight: &Flight<f64>, margins: &Margins, all: &Bracket, centre: &Bracket) -> (SetContact, Ball) {
     let beta = Ball::new(flight.beta, margins.beta_radius(flight.beta));
     let slope = beta.turn() * beta * centre.sin;
     // The stored phase is rounded, the velocity is that before the rounding (Lemma S4).
@@ -98,7 +104,15 @@ pub(crate) fn first_contacts(
         velocity: flight.wall.inward(Ball::new(centre.velocity.mid(), rest)),
         slope: flight.wall.inward(slope),
     };
-    Ok((contact, flight.wall.inward(all.sin)))
+    (contact, flight.wall.inward(all.sin))
+}
+
+/// `y''` at all starts of a set and at its contacts, from the computed sine of the centre's phase and that over the contacts.
+#[inline(always)]
+pub(crate) fn swings(pair: &Reduced<Ball>, phase: Ball, sin0: f64, sin1: Ball) -> [Ball; 2] {
+    let sin0 = Ball::exact(sin0).widened(SIN_COS_ERROR + ABOVE_TURN * phase.rad());
+    let swing = pair.beta.turn() * pair.beta;
+    [swing * sin0, swing * sin1]
 }
 
 /// Judges the flights of a set, and the one of its centre.

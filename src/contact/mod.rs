@@ -10,6 +10,7 @@ mod bounds;
 mod certify;
 mod extrema;
 mod judges;
+mod lanes;
 #[cfg(feature = "multiprecision")]
 pub(crate) mod multiprecision;
 mod solve;
@@ -18,13 +19,12 @@ mod tests;
 pub mod textbook;
 
 pub use bounds::{Margins, Radii};
-pub(crate) use judges::{SetContact, first_contacts};
+pub(crate) use judges::{SetContact, first_contacts, swings};
+pub use lanes::{Image, first_contacts_of, image_of, images_of};
 
 use bounds::Bounds;
 use judges::Unproved;
-use solve::propose;
-
-use std::cmp::Ordering;
+use solve::{is_phase, propose};
 
 use crate::flight::Flight;
 use crate::number::{Ball, Kernel, Trigonometry};
@@ -160,8 +160,7 @@ impl Court {
 /// ```
 #[inline]
 pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> Verdict<Contact<Ball>> {
-    // Lemma C4: mirroring a phase of at most 2 turns rounds by at most 2 UNIT; orbits count whole turns apart.
-    if flight.phase.abs().partial_cmp(&2.0) != Some(Ordering::Less) {
+    if !is_phase(flight.phase) {
         return Verdict::Undecided(Undecided::endless());
     }
     // exact: one phase for all starts

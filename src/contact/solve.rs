@@ -6,6 +6,8 @@
 
 // Labels: proposes throughout.
 
+use std::ops::RangeInclusive;
+
 use super::extrema::{Extrema, Piece, Target};
 use crate::flight::Flight;
 use crate::number::Trigonometry;
@@ -19,6 +21,14 @@ const MOST_HOP_STEPS: u32 = 8;
 
 /// Flights longer than this many turns are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
+
+/// Whether a phase is within 2 turns of 0.
+///
+/// Lemma C4: mirroring it rounds by at most 2 UNIT then; orbits count whole turns apart.
+#[inline(always)]
+pub(super) fn is_phase(phase: f64) -> bool {
+    phase.abs() < 2.0
+}
 
 /// The last iterate of the solver: where it stood, what it saw, and the step that leads to the root.
 #[derive(Clone, Copy, Debug)]
@@ -68,8 +78,15 @@ pub(crate) enum NoProposal {
 /// The first contact of `flight`, as far as doubles can tell, as `judge` sees it.
 #[inline(always)]
 pub(crate) fn propose<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J) -> J::Answer {
-    if flight.drift.abs() >= flight.beta {
-        return monotone::<T, J>(flight, judge);
+    if flight.is_monotone() {
+        if flight.drift == 0.0 {
+            return judge.nothing(NoProposal::NoDrift);
+        }
+        let (search, guess) = on_monotone(flight);
+        if guess > LONGEST_FLIGHT {
+            return judge.nothing(NoProposal::TooLong);
+        }
+        return judge.monotone(&refine::<T>(flight, search));
     }
     if flight.height == 0.0 && flight.sin <= 0.0 {
         if flight.velocity <= 0.0 {
@@ -88,16 +105,26 @@ pub(crate) fn propose<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J
     }
     match piece {
         Some(piece) if piece.k <= LONGEST_FLIGHT => {
-            judge.piece(&on_piece::<T>(flight, &extrema, piece), &extrema, piece.k)
+            judge.piece(&refine::<T>(flight, on_piece(flight, &extrema, piece)), &extrema, piece.k)
         }
         Some(_) => judge.nothing(NoProposal::TooLong),
         None => judge.nothing(NoProposal::NoDrift),
     }
 }
 
-/// The contact on a given piece of a flight that has extrema.
+/// Where a root is searched for: what [`refine`] narrows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Search {
+    pub target: Target,
+    pub turns: f64,
+    pub at: f64,
+    pub low: f64,
+    pub high: f64,
+}
+
+/// Where to search for the contact on a given piece of a flight that has extrema.
 #[inline(always)]
-fn on_piece<T: Trigonometry>(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) -> Iterate {
+pub(super) fn on_piece(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) -> Search {
     let target = piece.target;
     let (first, span) = extrema.before(target);
     // How far the extremum lies beyond the target, as a fraction of the rise or fall of the piece.
@@ -109,105 +136,136 @@ fn on_piece<T: Trigonometry>(flight: &Flight<f64>, extrema: &Extrema, piece: Pie
     let end = flight.phase + first;
     let guess = (-span).mul_add(inverse_smoothstep(fraction), end);
     let whole = whole_turns(guess);
-    let bracket = (end - span - whole, end - whole);
-    refine::<T>(flight, target, piece.k + whole, guess - whole, bracket)
+    Search { target, turns: piece.k + whole, at: guess - whole, low: end - span - whole, high: end - whole }
 }
 
-/// `z` is monotone: solve Kepler's equation, starting at the mean anomaly.
+/// `z` is monotone: solve Kepler's equation, starting at the mean anomaly; with it comes the guess of the time.
 #[inline(always)]
-fn monotone<T: Trigonometry, J: Judge>(flight: &Flight<f64>, judge: &J) -> J::Answer {
-    if flight.drift == 0.0 {
-        return judge.nothing(NoProposal::NoDrift);
-    }
+pub(super) fn on_monotone(flight: &Flight<f64>) -> (Search, f64) {
     let target = if flight.drift > 0.0 { Target::Far } else { Target::Near };
     // Where sin th1 = 0 would have it; the truth is at most alpha/|c| turns away, and not before the start.
     let base = flight.alpha.mul_add(flight.sin, flight.height - target.height());
     let mean = -base / flight.drift;
     let spread = flight.alpha / flight.drift.abs();
     let guess = mean.max(0.0);
-    if guess > LONGEST_FLIGHT {
-        return judge.nothing(NoProposal::TooLong);
-    }
     let long = whole_turns(guess);
     let near = flight.phase + (guess - long);
     let whole = whole_turns(near);
     let at = near - whole;
     let centre = at + (mean - guess);
-    judge.monotone(&refine::<T>(flight, target, long + whole, at, (centre - spread, centre + spread)))
+    (Search { target, turns: long + whole, at, low: centre - spread, high: centre + spread }, guess)
 }
 
-/// Halley steps from `at`, kept inside `bracket`, until the next one is as good as exact.
-#[inline(always)]
-fn refine<T: Trigonometry>(
-    flight: &Flight<f64>,
-    target: Target,
-    turns: f64,
-    mut at: f64,
-    bracket: (f64, f64),
-) -> Iterate {
-    let (mut low, mut high) = bracket;
-    let (height, direction) = (target.height(), target.direction());
-    // More than a quarter of the third derivative, 4 pi^2 beta at most.
-    let jerk = 10.0 * flight.beta;
-    let mut left = MOST_STEPS;
-    loop {
+impl Search {
+    /// What is seen here, and whether the next step is as good as exact.
+    #[inline(always)]
+    pub fn look<T: Trigonometry>(&self, flight: &Flight<f64>) -> (Iterate, bool) {
+        let Self { target, turns, at, .. } = *self;
         let (sin, cos) = flight.wall.mirror(T::sin_cos(at));
-        let residual = flight.height_above(height, turns, at, sin);
+        let residual = flight.height_above(target.height(), turns, at, sin);
         let velocity = flight.velocity_at(cos);
         let bend = 0.5 * flight.acceleration_at(sin);
         let square = velocity * velocity;
         let step = residual * velocity / bend.mul_add(-residual, square);
-        left -= 1;
+        // More than a quarter of the third derivative, 4 pi^2 beta at most.
+        let jerk = 10.0 * flight.beta;
         // The next error is about (bend^2/velocity^2 + jerk/velocity) step^3 at most: is that below 2^-57 turns?
         let cube = (step * step * step).abs();
         let error = cube * bend.mul_add(bend, jerk * velocity.abs());
-        if error <= 2f64.powi(-57) * square || left == 0 {
-            return Iterate { target, turns, at, residual, velocity, sin, cos, step };
-        }
-        if (residual > 0.0) == (direction > 0.0) {
-            high = at;
+        (Iterate { target, turns, at, residual, velocity, sin, cos, step }, error <= 2f64.powi(-57) * square)
+    }
+
+    /// The step from here, or half the bracket.
+    #[inline(always)]
+    pub fn advance(&mut self, iterate: &Iterate) {
+        let direction = self.target.direction();
+        if (iterate.residual > 0.0) == (direction > 0.0) {
+            self.high = self.at;
         } else {
-            low = at;
+            self.low = self.at;
         }
-        let next = at - step;
-        let next = if velocity * direction > 0.0 && low < next && next < high { next } else { 0.5 * (low + high) };
-        if next == at {
+        let next = self.at - iterate.step;
+        let is_inside = iterate.velocity * direction > 0.0 && self.low < next && next < self.high;
+        self.at = if is_inside { next } else { 0.5 * (self.low + self.high) };
+    }
+}
+
+/// Halley steps, kept inside the bracket, until the next one is as good as exact.
+#[inline(always)]
+fn refine<T: Trigonometry>(flight: &Flight<f64>, mut search: Search) -> Iterate {
+    let mut left = MOST_STEPS;
+    loop {
+        let (iterate, is_last) = search.look::<T>(flight);
+        left -= 1;
+        if is_last || left == 0 {
+            return iterate;
+        }
+        search.advance(&iterate);
+        if search.at == iterate.at {
             left = 1;
         }
-        at = next;
+    }
+}
+
+/// The guess is right for short hops; one of up to a sixteenth of a turn is found from it.
+const HOPS: RangeInclusive<f64> = 4.909093465297727e-91..=0.0625;
+
+/// How long a hop lasts if the acceleration stays what it is, where Newton steps from there lead to its end.
+#[inline(always)]
+pub(super) fn hop_guess(flight: &Flight<f64>) -> Option<f64> {
+    let guess = -2.0 * flight.velocity / flight.acceleration_at(flight.sin);
+    HOPS.contains(&guess).then_some(guess)
+}
+
+/// What is seen `at` turns after the start on a wall, at most an eighth: the departure root divided out.
+#[inline(always)]
+pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, at: f64) -> (Iterate, Departure) {
+    let departure = T::departure(at);
+    let (sin, cos) = flight.hop_sin_cos(&departure);
+    let residual = flight.hop_height(at, departure.versine, departure.excess) - target.height();
+    let velocity = flight.hop_velocity(departure.versine, departure.sine);
+    let step = residual / velocity;
+    (Iterate { target, turns: 0.0, at, residual, velocity, sin, cos, step }, departure)
+}
+
+impl Iterate {
+    /// Whether it is on a hop: falling, and pressed towards the wall.
+    #[inline(always)]
+    pub fn is_on_hop(&self) -> bool {
+        (self.velocity < 0.0) & (self.sin < 0.0)
+    }
+
+    /// Whether a hop's next Newton step is as good as exact: its error, relative to the time, is about `(step/time)^2`.
+    #[inline(always)]
+    pub fn is_last_of_hop(&self) -> bool {
+        self.step.abs() <= 2f64.powi(-28) * self.at
     }
 }
 
 /// A return to the wall within an eighth of a turn, while the wall-ward acceleration lasts.
 #[inline(always)]
 fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
-    let guess = -2.0 * flight.velocity / flight.acceleration_at(flight.sin);
-    // The guess is right for short hops; one of up to a sixteenth of a turn is found from it.
-    if !(2f64.powi(-300)..=0.0625).contains(&guess) {
-        return None;
-    }
-    let mut at = guess;
+    let mut at = hop_guess(flight)?;
     for _ in 0..MOST_HOP_STEPS {
-        let departure = T::departure(at);
-        let (sin, cos) = flight.hop_sin_cos(&departure);
-        let residual = flight.hop_height(at, departure.versine, departure.excess);
-        let velocity = flight.hop_velocity(departure.versine, departure.sine);
-        if velocity >= 0.0 || sin >= 0.0 {
+        let (iterate, departure) = look_near::<T>(flight, Target::Near, at);
+        if !iterate.is_on_hop() {
             return None;
         }
-        let step = residual / velocity;
-        // The next error, relative to the time, is about (step/time)^2.
-        if step.abs() <= 2f64.powi(-28) * at {
-            let iterate = Iterate { target: Target::Near, turns: 0.0, at, residual, velocity, sin, cos, step };
-            let reaches_far = flight.velocity * at >= 1.0;
-            return (!reaches_far).then_some((iterate, departure));
+        if iterate.is_last_of_hop() {
+            return (!reaches_far(flight, at)).then_some((iterate, departure));
         }
-        at -= step;
+        at -= iterate.step;
         if !(0.0..=0.125).contains(&at) {
             return None;
         }
     }
     None
+}
+
+/// Whether the far wall may be reached in that time.
+#[inline(always)]
+pub(super) fn reaches_far(flight: &Flight<f64>, time: f64) -> bool {
+    flight.velocity * time >= 1.0
 }
 
 /// The turns to take off a phase: none up to one turn, where the phase itself is as fine.

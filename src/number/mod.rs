@@ -21,10 +21,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::exact::Enclosure;
 
-#[cfg(feature = "multiprecision")]
-pub(crate) use ball::ABOVE_TURN;
 pub use ball::Ball;
-pub(crate) use ball::{LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
+pub(crate) use ball::{ABOVE_TURN, LARGEST_RATE, TINY, UNIT, binade, is_positive, up};
 use kernel::Departure;
 pub use logarithm::logarithm;
 #[cfg(feature = "multiprecision")]

@@ -8,7 +8,7 @@ use crate::Error;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Passed, Refined, Start, isolate_first, pass};
 use crate::contact::{
-    Contact, Court, Radii, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
+    Contact, Court, Radii, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts, swings,
 };
 use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
@@ -150,9 +150,7 @@ impl Flying for One {
         let point = Radii { velocity: centre.velocity.rad(), ..Radii::default() };
         let radii = Radii { phase: all.phase.rad(), velocity: all.velocity.rad(), ..point };
         let (contact, sin1) = first_contacts(&flight, margins, point, radii)?;
-        let sin0 = Ball::exact(sin_cos.0).widened(kernel::SIN_COS_ERROR + 6.3 * all.phase.rad());
-        let swing = pair.beta.turn() * pair.beta;
-        Ok((contact, [swing * sin0, swing * sin1]))
+        Ok((contact, swings(pair, all.phase, sin_cos.0, sin1)))
     }
 
     #[cfg(feature = "multiprecision")]

@@ -14,8 +14,8 @@ use crate::orbit::{Arithmetic, Outcome, Period};
 use crate::scene::Key;
 use crate::{Error, Scene};
 
-/// What a sweep is about; a `summary` leaves the impacts out, a shard is told by its number and of how many.
-pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Option<[u64; 2]>) -> SweepHead {
+/// What a sweep is about; a shard is told by its number and of how many.
+pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) -> SweepHead {
     let over = |axis: &Axis| SweepAxis {
         key: axis.key.to_string(),
         from: axis.low.text(),
@@ -35,7 +35,7 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, summary: bool, shard: Opt
         certified: is_certified(asked.settings.arithmetic),
         claim: (asked.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
         arithmetic: ArithmeticDocument::asked(&asked.settings),
-        summary,
+        summary: asked.summary,
         shard,
     }
 }
@@ -55,7 +55,7 @@ pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
 }
 
 /// What is certified at the point of this number and these values.
-pub fn record(number: u64, values: &[(Key, Exact)], point: &Point, summary: bool) -> SweepRecord {
+pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
     // Chaos is never claimed: what is not proved to be attracted is only that.
     let outcome = match &point.outcome {
         Outcome::ImpactsReached | Outcome::TimeReached => "not-attracted",
@@ -90,7 +90,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point, summary: bool
         impacts_per_cycle: point.impacts_per_cycle.map(extended),
         exponent: exponent(point.exponent),
         period,
-        states: if summary { Vec::new() } else { point.states.iter().map(impact).collect() },
+        states: point.states.iter().map(impact).collect(),
     }
 }
 

@@ -21,6 +21,8 @@ pub struct Asked {
     pub transient: u64,
     /// Impacts after them that are looked at.
     pub impacts: u64,
+    /// Only what is said of them all: they are not told one by one.
+    pub summary: bool,
     /// Digits and arithmetic; the impacts to stop after are the sum of both.
     pub settings: Settings,
 }
@@ -57,7 +59,7 @@ pub struct Attraction {
 /// What is certified at a point.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// The impacts after the transient.
+    /// The impacts after the transient; none in a summary.
     pub states: Vec<State>,
     /// All impacts that are certified, those of the transient among them.
     pub impacts: u64,
@@ -116,7 +118,7 @@ fn follow_in(
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
     let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
-    let mut window = Window::new(&orbit, asked.transient);
+    let mut window = Window::new(&orbit, asked);
     let mut last = None;
     let _ = orbit.follow(goes_on, |orbit, event| {
         window.follow(orbit, &event);
@@ -147,6 +149,7 @@ fn follow_in(
 struct Window {
     transient: u64,
     listed: u64,
+    summary: bool,
     states: Vec<State>,
     /// `None` during the transient.
     disturbance: Option<Disturbance>,
@@ -156,10 +159,10 @@ struct Window {
 }
 
 impl Window {
-    fn new(orbit: &Orbit, transient: u64) -> Self {
+    fn new(orbit: &Orbit, &Asked { transient, summary, .. }: &Asked) -> Self {
         let disturbance = (transient == 0).then(|| Disturbance::of(orbit));
         let ends = orbit.start_impact().filter(|_| transient == 0).map(|start| [start.clone(), start]);
-        Self { transient, listed: 0, states: Vec::new(), disturbance, ends, has_chatter: false }
+        Self { transient, listed: 0, summary, states: Vec::new(), disturbance, ends, has_chatter: false }
     }
 
     fn follow(&mut self, orbit: &Orbit, event: &Progress) {
@@ -174,7 +177,7 @@ impl Window {
         }
         if impact.index == self.transient {
             self.disturbance = Some(Disturbance::at(orbit, impact.clone()));
-        } else {
+        } else if !self.summary {
             let (phase, velocity) = (orbit.phase(impact), orbit.velocity(impact));
             self.states.push(State { index: impact.index, wall: impact.wall, phase, velocity });
         }
@@ -230,8 +233,25 @@ mod tests {
     }
 
     fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
-        let asked = Asked { transient, impacts, settings: Settings { digits: 6, ..Settings::default() } };
+        let asked =
+            Asked { transient, impacts, summary: false, settings: Settings { digits: 6, ..Settings::default() } };
         follow(scene, &asked, || true).unwrap().unwrap()
+    }
+
+    #[test]
+    fn a_summary_lacks_the_impacts_and_nothing_else() {
+        for name in ["figure-12", "chatter"] {
+            let (scene, values) = (scene(name), [(Key::StartPhase, "0".parse().unwrap())]);
+            let line = |summary| {
+                let settings = Settings { digits: 6, ..Settings::default() };
+                let asked = Asked { transient: 5, impacts: 40, summary, settings };
+                crate::sweep::record(0, &values, &follow(&scene, &asked, || true).unwrap().unwrap())
+            };
+            let (short, mut full) = (line(true), line(false));
+            assert_eq!((short.states.len(), full.states.len()), (0, 40));
+            full.states.clear();
+            assert_eq!(serde_json::to_string(&short).unwrap(), serde_json::to_string(&full).unwrap());
+        }
     }
 
     #[test]
@@ -274,7 +294,9 @@ mod tests {
     fn what_is_chaotic_is_shadowed_and_nothing_else() {
         let follow = |name: &str, impacts: u64| {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
-            follow(&scene(name), &Asked { transient: 500, impacts, settings }, || true).unwrap().unwrap()
+            follow(&scene(name), &Asked { transient: 500, impacts, summary: false, settings }, || true)
+                .unwrap()
+                .unwrap()
         };
         let chaos = follow("figure-14", 20_000);
         assert!(chaos.shadow.is_some() && chaos.is_complete() && chaos.states.len() == 20_000);
@@ -293,7 +315,7 @@ mod tests {
         assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));
         assert_eq!(chatter.states.len(), 60);
         let settings = Settings { arithmetic: Arithmetic::Interval, ..Settings::default() };
-        let asked = Asked { transient: 20, impacts: 500, settings };
+        let asked = Asked { transient: 20, impacts: 500, summary: false, settings };
         let chaos = follow(&scene("figure-14"), &asked, || true).unwrap().unwrap();
         assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);
         assert_eq!(chaos.states.len() as u64 + 20, chaos.impacts);

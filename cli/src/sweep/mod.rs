@@ -70,14 +70,14 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let arithmetic = arguments.arithmetic.unwrap_or(usual);
     let (digits, max_bits) = (arguments.digits, arguments.max_bits);
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
-    let asked = Asked { transient: arguments.transient, impacts: arguments.impacts, settings };
-    let head =
-        sweep::head(&scene, &grid, &asked, arguments.summary, arguments.shard.map(|shard| [shard.number, shard.of]));
+    let SweepArguments { transient, impacts, summary, .. } = *arguments;
+    let asked = Asked { transient, impacts, summary, settings };
+    let head = sweep::head(&scene, &grid, &asked, arguments.shard.map(|shard| [shard.number, shard.of]));
     let threads = match arguments.threads {
         Some(threads) => threads.into(),
         None => thread::available_parallelism().map_or(1, usize::from),
     };
-    let work = Work { scene: &scene, grid: &grid, asked: &asked, summary: arguments.summary, threads };
+    let work = Work { scene: &scene, grid: &grid, asked: &asked, threads };
     work.check().with_context(|| scene::name(path))?;
     // What cannot be written is refused now and not after hours.
     for output in [&arguments.output, &arguments.plot].into_iter().flatten() {

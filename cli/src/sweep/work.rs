@@ -21,7 +21,6 @@ pub struct Work<'w> {
     pub scene: &'w Scene,
     pub grid: &'w Grid,
     pub asked: &'w Asked,
-    pub summary: bool,
     pub threads: usize,
 }
 
@@ -57,7 +56,7 @@ impl Work<'_> {
         };
         let scene = self.scene.with(&values).with_context(named)?;
         let found = follow(&scene, self.asked, || !interrupted.load(Ordering::Relaxed)).with_context(named)?;
-        Ok(found.map(|found| record::line(&sweep::record(point, &values, &found, self.summary))))
+        Ok(found.map(|found| record::line(&sweep::record(point, &values, &found))))
     }
 
     /// Asks that all corners of the grid are scenes, before anything is computed.
