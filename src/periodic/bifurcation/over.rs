@@ -86,7 +86,7 @@ impl Over {
     ///
     /// # Errors
     /// When the value is not in its range.
-    pub(super) fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
+    pub fn pair_at(&self, pair: &ImpactPair, value: Exact) -> Result<ImpactPair, Error> {
         let old = pair.harmonic(ONE_HARMONIC)?;
         let (mut amplitude, mut frequency) = (old.amplitude().clone(), old.frequency().clone());
         let (mut gap, mut restitution) = (pair.gap().clone(), pair.restitution().clone());
