@@ -76,7 +76,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         PeriodicFormat::Json => writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?,
         PeriodicFormat::Table => {
             write!(out, "{}", heading(&scene)).context(write)?;
-            let entered = match document.entered {
+            let entered = match document.entered_at_impact {
                 Some(0) => "the scene's start and all impacts after it are in it".to_owned(),
                 Some(impact) => format!("of the scene's orbit impact {impact} and all later ones are in it"),
                 None => {
@@ -88,7 +88,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
                 out,
                 "\nregion of {} boxes, {} columns a cycle, {} rows a speed of A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
                  certified: no motion with an impact in it leaves it, comes to rest, or has chatter that ends;\n{entered}",
-                document.count,
+                document.boxes,
                 document.columns,
                 document.rows,
                 document::told(&document.flight_time),
@@ -101,5 +101,5 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?.draw(path, || impact_pair_plot::chaos::trap(&scene, &region))?;
     }
-    Ok(if document.entered.is_some() { Answer::Complete } else { Answer::Incomplete })
+    Ok(if document.entered_at_impact.is_some() { Answer::Complete } else { Answer::Incomplete })
 }

@@ -1,12 +1,17 @@
 //! The JSON of regions that the motion does not leave, and of chaos.
 
+use std::f64::consts::TAU;
+use std::iter;
+
+use num_traits::ToPrimitive;
+
 use impact_pair_certificate::document::{
-    BaseDocument, CHAOS_SCHEMA, ChaosDocument, Decimal, EntropyDocument, PROGRAM, ParameterRange, SceneDocument,
-    TRAP_SCHEMA, TrapDocument, WordDocument, bounds,
+    BaseDocument, CHAOS_SCHEMA, ChaosDocument, CornersDocument, Decimal, EntropyDocument, PROGRAM, ParameterRange,
+    SceneDocument, TRAP_SCHEMA, TrapDocument, WordDocument, bounds,
 };
 
 use crate::chaos::{Base, Chaos, Chord, Question, Trap};
-use crate::exact::{Enclosure, Exact};
+use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::pair::{Wall, within};
 use crate::periodic::bifurcation::Over;
 use crate::{Error, Scene};
@@ -37,16 +42,19 @@ pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
     Ok(TrapDocument {
         schema: TRAP_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
+        certified: true,
         scene: SceneDocument::new(scene.pair(), scene.start()),
+        boxes: trap.boxes() as u64,
+        entered_at_impact: trap.entered(),
+        no_rest: true,
+        longest_flight: upper(trap.flight()[1]),
+        speed: bounds(&speed),
         columns: columns as u32,
         rows: rows as u32,
-        count: trap.boxes() as u64,
         flight: bounds(&flight),
         flight_time: bounds(&flight.mul(&period, BITS)),
-        speed: bounds(&speed),
         speed_before: bounds(&speed.mul(&fastest, BITS)),
-        entered: trap.entered(),
-        boxes: runs
+        region: runs
             .flat_map(|(column, runs)| runs.into_iter().map(move |(first, last)| [column, first, last]))
             .collect(),
     })
@@ -62,6 +70,7 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
     ChaosDocument {
         schema: CHAOS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
+        certified: chaos.entropy() > 0.0, // exact: none is proved where it is 0
         scene: SceneDocument::new(scene.pair(), scene.start()),
         over: over.map(|Over { key, low, high }| ParameterRange {
             key: key.place(),
@@ -69,6 +78,12 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
             high: high.into(),
         }),
         depth: chaos.depth() as u32,
+        boxes: chaos.boxes(),
+        entropy: EntropyDocument { per_impact: lower(chaos.entropy()), per_cycle: lower(chaos.entropy_a_cycle()) },
+        horseshoe: chaos.horseshoe().map(|pair| {
+            let [a, b] = pair.map(|word| word.in_mappings());
+            format!("each block is {a} or {b}, in any order")
+        }),
         interrupted: chaos.depth() < question.depth && !chaos.bases().is_empty(),
         bases: chaos.bases().iter().map(base).collect(),
         words: chaos
@@ -77,23 +92,63 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
             .map(|word| WordDocument {
                 from: word.from as u32,
                 to: word.to as u32,
-                walls: word.walls.iter().map(|wall| if *wall == Wall::Left { 'L' } else { 'R' }).collect(),
+                impacts: word.walls.len() as u32,
                 half_cycles: word.half_cycles,
+                flights: flights(&word.walls),
             })
             .collect(),
-        boxes: chaos.boxes(),
-        entropy: EntropyDocument { impact: chaos.entropy(), cycle: chaos.entropy_a_cycle() },
-        horseshoe: chaos.horseshoe().map(|pair| pair.map(|word| word.in_mappings())),
         exponent_seen: chaos.exponent(),
     }
 }
 
-fn base(Base { left, right }: &Base) -> BaseDocument {
-    BaseDocument { left: [left.bottom, left.top], right: [right.bottom, right.top] }
+/// A bound in three digits rounded down, or up: bounds are rounded outward by a two-hundredth of what is between them at most.
+fn lower(x: f64) -> Decimal {
+    let [lower, _] = decimal_bounds_f64(x, x + 1e-5);
+    Decimal::printed(if x > 0.0 { lower } else { "0".to_owned() })
+}
+
+fn upper(x: f64) -> Decimal {
+    let [_, upper] = decimal_bounds_f64(0.5 * x, x);
+    Decimal::printed(upper)
+}
+
+/// The flights to these walls, from the left one: far or near.
+fn flights(walls: &[Wall]) -> String {
+    let before = iter::once(&Wall::Left).chain(walls);
+    before.zip(walls).map(|(from, to)| if from == to { 'N' } else { 'F' }).collect()
+}
+
+fn base(base: &Base) -> BaseDocument {
+    let Base { left, right } = base;
+    let middle = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [0.5 * (a + c), 0.5 * (b + d)];
+    let (low, high) = (middle(left.bottom, right.bottom), middle(left.top, right.top));
+    let centre = middle(low, high);
+    let from_centre = |[x, y]: [f64; 2]| [x - centre[0], y - centre[1]];
+    let written = |[phase, speed]: [f64; 2]| [TAU * phase, speed].map(|x| Decimal::printed(decimal_f64(x)));
+    let [phase, speed] = written(centre);
+    BaseDocument {
+        phase,
+        speed,
+        expanding: written(from_centre(middle(right.bottom, right.top))),
+        contracting: written(from_centre(high)),
+        corners: Some(CornersDocument { left: [left.bottom, left.top], right: [right.bottom, right.top] }),
+    }
 }
 
 /// The bases of a document.
 pub fn bases(document: &[BaseDocument]) -> Vec<Base> {
+    document.iter().map(of_document).collect()
+}
+
+fn of_document(base: &BaseDocument) -> Base {
     let chord = |[bottom, top]: [[f64; 2]; 2]| Chord { bottom, top };
-    document.iter().map(|base| Base { left: chord(base.left), right: chord(base.right) }).collect()
+    if let Some(CornersDocument { left, right }) = base.corners {
+        return Base { left: chord(left), right: chord(right) };
+    }
+    let double = |x: &Decimal| x.value().to_f64().unwrap_or(f64::NAN);
+    let read = |[phase, speed]: [&Decimal; 2]| [double(phase) / TAU, double(speed)];
+    let centre = read([&base.phase, &base.speed]);
+    let [u, s] = [&base.expanding, &base.contracting].map(|[phase, speed]| read([phase, speed]));
+    let corner = |a: f64, b: f64| [centre[0] + a * u[0] + b * s[0], centre[1] + a * u[1] + b * s[1]];
+    Base { left: chord([corner(-1.0, -1.0), corner(-1.0, 1.0)]), right: chord([corner(1.0, -1.0), corner(1.0, 1.0)]) }
 }

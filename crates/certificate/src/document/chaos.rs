@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bifurcation::ParameterRange;
-use super::number::Bounds;
+use super::number::{Bounds, Decimal};
 use super::scene::SceneDocument;
 
 /// The schema of a region.
@@ -19,26 +19,32 @@ pub struct TrapDocument {
     pub schema: String,
     /// What proved it.
     pub program: String,
+    /// A region that is told is proved.
+    pub certified: bool,
     /// Whose it is.
     pub scene: SceneDocument,
+    /// How many boxes it has.
+    pub boxes: u64,
+    /// The impact of the scene's own orbit from which on all are in the region; 0 is its start. `null` if none is proved to be.
+    pub entered_at_impact: Option<u64>,
+    /// No motion in it comes to rest, or has chatter that ends.
+    pub no_rest: bool,
+    /// The longest flight \[cycles\], rounded up.
+    pub longest_flight: Decimal,
+    /// The speed before any impact, over `A W`, bounds.
+    pub speed: Bounds,
     /// Columns in a turn of the phase: column `i` holds the phases from `i` to `i + 1` of so many parts of a turn.
     pub columns: u32,
     /// Rows in a speed of `A W`, likewise.
     pub rows: u32,
-    /// How many boxes there are.
-    pub count: u64,
     /// The time of any flight \[cycles\], bounds.
     pub flight: Bounds,
     /// The same \[time\].
     pub flight_time: Bounds,
-    /// The speed before any impact, over `A W`, bounds.
-    pub speed: Bounds,
-    /// The same \[length/time\].
+    /// The speed before any impact \[length/time\], bounds.
     pub speed_before: Bounds,
-    /// The impact of the scene's own orbit from which on all are in the region; 0 is its start. `null` if none is proved to be.
-    pub entered: Option<u64>,
     /// Runs of boxes: a column, the first row and the last one.
-    pub boxes: Vec<[i32; 3]>,
+    pub region: Vec<[i32; 3]>,
 }
 
 /// Words of the impact map that may follow one another, and what they say of entropy.
@@ -49,6 +55,8 @@ pub struct ChaosDocument {
     pub schema: String,
     /// What proved them.
     pub program: String,
+    /// Whether a bound of entropy is proved.
+    pub certified: bool,
     /// Whose they are.
     pub scene: SceneDocument,
     /// The parameter over whose whole range all is proved; its own value in the scene is one of no account.
@@ -56,6 +64,12 @@ pub struct ChaosDocument {
     pub over: Option<ParameterRange>,
     /// The most impacts of a word, as far as all were looked for.
     pub depth: u32,
+    /// How many boxes were mapped.
+    pub boxes: u64,
+    /// Lower bounds of the topological entropy; 0 where none is proved.
+    pub entropy: EntropyDocument,
+    /// The shortest two words that may follow one another in any order.
+    pub horseshoe: Option<String>,
     /// Whether it was stopped before the depth that was asked for.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
@@ -63,30 +77,41 @@ pub struct ChaosDocument {
     pub bases: Vec<BaseDocument>,
     /// The words.
     pub words: Vec<WordDocument>,
-    /// How many boxes were mapped.
-    pub boxes: u64,
-    /// Lower bounds of the topological entropy; 0 where none is proved.
-    pub entropy: EntropyDocument,
-    /// Two words that may follow one another in any order, in mappings, the first one right-most.
-    pub horseshoe: Option<[String; 2]>,
     /// The Lyapunov exponent of the floating orbit, an impact: seen, not proved.
     pub exponent_seen: Option<f64>,
 }
 
-/// Lower bounds of entropy.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Lower bounds of entropy, in nats, rounded down.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EntropyDocument {
     /// An impact.
-    pub impact: f64,
+    pub per_impact: Decimal,
     /// A cycle.
-    pub cycle: f64,
+    pub per_cycle: Decimal,
 }
 
-/// A base: its corners, each a phase in turns and a speed over `A W`, exactly these doubles.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// A base: a quadrilateral of states, about a parallelogram.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BaseDocument {
+    /// Its middle, about: `W t + tau` \[rad\].
+    pub phase: Decimal,
+    /// The speed there over `A W`, about.
+    pub speed: Decimal,
+    /// From the middle to that of the right edge: \[rad\], and a speed over `A W`.
+    pub expanding: [Decimal; 2],
+    /// From the middle to that of the upper edge.
+    pub contracting: [Decimal; 2],
+    /// What it is exactly; without it it is the parallelogram.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub corners: Option<CornersDocument>,
+}
+
+/// The corners of a base: each a phase in turns and a speed over `A W`, exactly these doubles.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct CornersDocument {
     /// The left edge, from below to above.
     pub left: [[f64; 2]; 2],
     /// The right edge, likewise.
@@ -101,8 +126,10 @@ pub struct WordDocument {
     pub from: u32,
     /// The base it crosses.
     pub to: u32,
-    /// The impacts' walls, `L` and `R`, for a start on the left wall.
-    pub walls: String,
+    /// How many impacts it has.
+    pub impacts: u32,
     /// How many half cycles it takes.
     pub half_cycles: i64,
+    /// Its flights in order of time: `F` to the far wall, `N` back to the near one.
+    pub flights: String,
 }
