@@ -1,0 +1,361 @@
+//! All flights from a quadrilateral of states at once, told from its centre: Lemmas U1-U3 of `docs/proofs.md`.
+
+use std::f64::consts::TAU;
+
+use crate::number::{Ball, Number, TINY, UNIT, up};
+
+/// The pair as the reduced map sees it: every impact mirrored to the left wall, lengths in amplitudes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Law {
+    /// `D = d/A`
+    pub gap: Ball,
+    /// `e`
+    pub restitution: Ball,
+}
+
+/// A phase in turns, and the speed before the impact over `A W`.
+pub(crate) type State = [f64; 2];
+
+/// The segment across a tube, from its lower to its upper end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Chord {
+    pub bottom: State,
+    pub top: State,
+}
+
+/// States `centre + a sides[0] + b sides[1] + c twist`, `|a|, |b|, |c| <= 1`, and what lies within `slack` of one of them: of all
+/// these those that are not slower than `floor`. A quadrilateral has `c = ab`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quad {
+    pub centre: State,
+    pub sides: [State; 2],
+    pub twist: State,
+    pub slack: State,
+    /// None is slower than this.
+    pub floor: f64,
+}
+
+fn each(f: impl Fn(usize) -> f64) -> State {
+    [f(0), f(1)]
+}
+
+impl Quad {
+    /// The rectangle of these radii.
+    pub fn rectangle(centre: State, radii: State, floor: f64) -> Self {
+        Self { centre, sides: [[radii[0], 0.0], [0.0, radii[1]]], twist: [0.0; 2], slack: [0.0; 2], floor }
+    }
+
+    /// Holds the quadrilateral between two chords: `a` from the one to the other, `b` from below to above. Lemma U1
+    pub fn between(from: &Chord, to: &Chord) -> Self {
+        let ([p, q], [r, s]) = ([from.bottom, from.top], [to.bottom, to.top]);
+        let centre = each(|i| 0.25 * ((p[i] + q[i]) + (r[i] + s[i])));
+        let along = each(|i| 0.25 * ((r[i] - p[i]) + (s[i] - q[i])));
+        let across = each(|i| 0.25 * ((q[i] - p[i]) + (s[i] - r[i])));
+        let twist = each(|i| 0.25 * ((s[i] - r[i]) - (q[i] - p[i])));
+        let slack = each(|i| up(8.0 * UNIT * (p[i].abs() + q[i].abs() + r[i].abs() + s[i].abs()) + TINY));
+        let floor = p[1].min(q[1]).min(r[1]).min(s[1]); // U1: the slowest corner
+        Self { centre, sides: [along, across], twist, slack, floor }
+    }
+
+    /// Holds the part of the `a` within `radii[0]` of `at[0]` and the `b` within `radii[1]` of `at[1]`.
+    pub fn part(&self, at: [f64; 2], radii: [f64; 2]) -> Self {
+        let Self { centre, sides: [s, t], twist: k, slack, floor } = *self;
+        let [a, b] = at;
+        let size = each(|i| centre[i].abs() + s[i].abs() + t[i].abs() + k[i].abs());
+        Self {
+            centre: each(|i| (a * b).mul_add(k[i], b.mul_add(t[i], a.mul_add(s[i], centre[i])))),
+            sides: [each(|i| radii[0] * b.mul_add(k[i], s[i])), each(|i| radii[1] * a.mul_add(k[i], t[i]))],
+            twist: each(|i| radii[0] * radii[1] * k[i]),
+            slack: each(|i| up(slack[i] + 32.0 * UNIT * size[i] + TINY)),
+            floor,
+        }
+    }
+
+    /// Bounds of the distances from the centre.
+    fn radii(&self) -> State {
+        each(|i| up(self.sides[0][i].abs() + self.sides[1][i].abs() + self.twist[i].abs() + self.slack[i]))
+    }
+}
+
+/// What a flight's drift and its height at a phase of arrival change by, along one side: `drift`, and `x drift - shift`.
+#[derive(Clone, Copy, Debug)]
+struct Slope {
+    drift: Ball,
+    shift: Ball,
+}
+
+/// Which wall a flight ends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// The wall it left.
+    Near,
+    /// The other one.
+    Far,
+}
+
+impl Side {
+    fn sign(self) -> f64 {
+        match self {
+            Self::Near => -1.0,
+            Self::Far => 1.0,
+        }
+    }
+}
+
+/// The flights from a quadrilateral.
+pub(crate) struct Flights {
+    gap: Ball,
+    start: f64,
+    radius: f64,
+    /// Over all of them.
+    sin: Ball,
+    cos: Ball,
+    /// `e w`, and a lower bound.
+    after: Ball,
+    least: f64,
+    /// Of the centre's.
+    centre_sin: Ball,
+    drift: Ball,
+    slopes: [Slope; 2],
+    /// Bounds of what twist and slack add.
+    rest: [f64; 2],
+    /// Bounds the drifts' distance from the centre's.
+    spread: f64,
+}
+
+/// All heights at one phase, in amplitudes, and the velocities there, over `A W`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    pub height: Ball,
+    pub rate: Ball,
+    /// `|z''|` there, but for rounding.
+    bend: f64,
+}
+
+/// Where the flights land, in mean-value form: the image of the quadrilateral. Lemma U3
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Landing {
+    /// The centre's image.
+    pub phase: Ball,
+    pub speed: Ball,
+    /// `dw/dth` at a fixed drift, over the bracket, in speeds a turn.
+    slope: Ball,
+    /// By side: the change of phase, and the change of speed at a fixed phase.
+    along: [[Ball; 2]; 2],
+    /// Bounds of the same for twist and slack.
+    rest: [f64; 2],
+}
+
+fn turn() -> Ball {
+    Number::turn(&Ball::exact(0.0))
+}
+
+/// Whether all members are positive: no NaN is.
+pub(crate) fn is_positive(x: Ball) -> bool {
+    x.mid() > x.rad()
+}
+
+impl Flights {
+    pub fn new(law: &Law, quad: &Quad) -> Self {
+        let e = law.restitution;
+        let [start, speed] = quad.centre;
+        let [radius, speed_radius] = quad.radii();
+        let (centre_sin, centre_cos) = Ball::exact(start).sin_cos();
+        let (sin, cos) = Ball::new(start, radius).sin_cos();
+        let after = e * Ball::new(speed, speed_radius);
+        let least = (e.mid() - e.rad()) * quad.floor * (1.0 - 4.0 * UNIT);
+        let drift = e * Ball::exact(speed) + centre_cos;
+        let by_phase = -(turn() * sin);
+        let turned = turn() * after;
+        let slope = |side: State| Slope {
+            drift: by_phase * Ball::exact(side[0]) + e * Ball::exact(side[1]),
+            shift: turned * Ball::exact(side[0]),
+        };
+        let [along, across, twist] = [slope(quad.sides[0]), slope(quad.sides[1]), slope(quad.twist)];
+        let [u, w] = quad.slack;
+        let rest = [
+            up(twist.drift.mag() + by_phase.mag() * u + e.mag() * w + TINY),
+            up(twist.shift.mag() + turned.mag() * u + TINY),
+        ];
+        let spread = up(along.drift.mag() + across.drift.mag() + rest[0]);
+        let slopes = [along, across];
+        Self { gap: law.gap, start, radius, sin, cos, after, least, centre_sin, drift, slopes, rest, spread }
+    }
+
+    /// `th1 - th0` of the centre, and of all.
+    fn ahead(&self, phase: f64) -> [Ball; 2] {
+        let time = Ball::exact(phase) - Ball::exact(self.start);
+        [turn() * time, turn() * time.widened(self.radius)]
+    }
+
+    /// Where all flights are at one phase after their starts. Lemma U1
+    pub fn at(&self, phase: f64) -> View {
+        let (sin, cos) = Ball::exact(phase).sin_cos();
+        let [own, all] = self.ahead(phase);
+        let centre = own * self.drift - sin + self.centre_sin;
+        let change = |slope: &Slope| (all * slope.drift - slope.shift).mag();
+        let spread = up(change(&self.slopes[0]) + change(&self.slopes[1]) + all.mag() * self.rest[0] + self.rest[1]);
+        let rate = (self.drift - cos).widened(self.spread);
+        View { height: centre.widened(spread), rate, bend: sin.mag() }
+    }
+
+    /// Whether a height is between the walls.
+    fn is_inside(&self, height: Ball) -> bool {
+        is_positive(height) && is_positive(self.gap - height)
+    }
+
+    /// The heights and velocities from one phase to another.
+    pub fn over(&self, from: f64, to: f64) -> View {
+        let middle = 0.5 * (from + to);
+        let radius = up((middle - from).max(to - middle)); // U1: the farther end
+        let mut view = self.at(middle);
+        let angle = up(TAU * radius * (1.0 + UNIT));
+        let bend = up(view.bend + angle);
+        view.height = view.height.widened(up(view.rate.mag() * angle + 0.5 * bend * angle * angle));
+        view.rate = view.rate.widened(up(bend * angle));
+        view
+    }
+
+    /// A phase up to which all flights are proved to be on their way between the walls, and away from the start. Lemma U2
+    ///
+    /// It is later than all starts; `None` where no such phase is proved.
+    pub fn depart(&self) -> Option<f64> {
+        let (least, most) = (self.least, self.after.mag());
+        let [down, below] = [self.sin, self.cos].map(|x| (x.rad() - x.mid()).max(0.0)); // U2: how far below 0
+        let mut angle = 1.0;
+        while 0.5 * angle > TAU * self.radius {
+            let (half, sixth) = (0.5 * angle, angle * angle / 6.0);
+            let rises = least > up(below * sixth + down * half)
+                || least >= 0.0 && down == 0.0 && self.leaves(angle); // U2: no sine below 0
+            let stays = is_positive(self.gap - Ball::new(0.0, up(angle * (most + sixth + half))));
+            if rises && stays {
+                let phase = self.start - self.radius + angle / TAU * (1.0 - 8.0 * UNIT);
+                return (phase > self.start + self.radius * (1.0 + 8.0 * UNIT)).then_some(phase);
+            }
+            angle *= 0.5;
+        }
+        None
+    }
+
+    /// Whether even a ball without velocity leaves, and stays away for that long: told from `z/x^2`.
+    fn leaves(&self, angle: f64) -> bool {
+        let least = (self.sin.mid() - self.sin.rad()) * (0.5 - angle * angle / 24.0) * (1.0 - 4.0 * UNIT);
+        least > up(self.cos.mag() * angle / 6.0)
+    }
+
+    /// Proves that no flight touches a wall before `end`, where all are inside. Lemma U2
+    pub fn is_clear(&self, end: f64) -> bool {
+        let Some(mut from) = self.depart() else { return false };
+        let mut step = 0.0625;
+        while from < end {
+            let last = from + step >= end;
+            let to = if last { end } else { from + step };
+            let view = self.over(from, to);
+            let is_monotone = is_positive(view.rate) || is_positive(-view.rate);
+            if self.is_inside(view.height) || is_monotone && (last || self.is_inside(self.at(to).height)) {
+                from = to;
+                step *= 2.0;
+            } else {
+                step *= 0.5;
+                if step < 1e-7 {
+                    return false; // exact: given up, nothing is claimed
+                }
+            }
+        }
+        true
+    }
+
+    /// The first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma U3
+    pub fn land(&self, side: Side, guess: f64) -> Option<Landing> {
+        let sign = side.sign();
+        let wall = match side {
+            Side::Near => Ball::exact(0.0),
+            Side::Far => self.gap,
+        };
+        let beyond = |view: &View| (view.height - wall).signed(sign);
+        let there = self.at(guess);
+        let speed = there.rate.mid().abs();
+        // proposes: the bracket is proved below
+        let mut radius = 1.25 * (there.height - wall).mag() / (TAU * speed) + 1e-14 * (1.0 + guess.abs());
+        let mut left = 3;
+        let (rate, bracket) = loop {
+            let (low, high) = (guess - radius, guess + radius);
+            let bracket = Ball::new(guess, up(radius + UNIT * guess.abs()));
+            let rate = (self.drift - bracket.sin_cos().1).widened(self.spread).signed(sign);
+            if is_positive(rate) && is_positive(beyond(&self.at(high))) && self.is_inside(self.at(low).height) {
+                if !self.is_clear(low) {
+                    return None;
+                }
+                break (rate, bracket);
+            }
+            left -= 1;
+            if left == 0 || !is_positive(rate) {
+                return None;
+            }
+            radius *= 1.5;
+        };
+        let turned = turn() * rate;
+        // The centre's contact: one interval Newton step.
+        let sin = Ball::exact(guess).sin_cos().0;
+        let [own, _] = self.ahead(guess);
+        let miss = (own * self.drift - sin + self.centre_sin - wall).signed(sign);
+        let phase = Ball::exact(guess) - miss.checked_div(turned)?;
+        let speed = (self.drift - phase.sin_cos().1).signed(sign);
+        let slope = (turn() * bracket.sin_cos().0).signed(sign);
+        let inverse = Ball::exact(1.0).checked_div(turned)?;
+        let all = turn() * (bracket - Ball::exact(self.start)).widened(self.radius);
+        let along = self.slopes.map(|s| {
+            let delay = -((all * s.drift - s.shift).signed(sign) * inverse);
+            [delay, s.drift.signed(sign)]
+        });
+        let rest = [up(up(all.mag() * self.rest[0] + self.rest[1]) * inverse.mag()), self.rest[0]];
+        let phase = match side {
+            Side::Near => phase,
+            Side::Far => phase + Ball::exact(0.5),
+        };
+        Some(Landing { phase, speed, slope, along, rest })
+    }
+}
+
+impl Landing {
+    /// Holds `n (x - p)` for all images `x`.
+    pub fn along(&self, normal: [Ball; 2], point: [Ball; 2]) -> Ball {
+        let [n, m] = normal;
+        let centre = n * (self.phase - point[0]) + m * (self.speed - point[1]);
+        let sheared = n + m * self.slope;
+        let change = |[delay, speed]: [Ball; 2]| (delay * sheared + m * speed).mag();
+        let rest = sheared.mag() * self.rest[0] + m.mag() * self.rest[1];
+        centre.widened(up(change(self.along[0]) + change(self.along[1]) + rest))
+    }
+}
+
+impl Flights {
+    /// `D`
+    pub fn gap(&self) -> Ball {
+        self.gap
+    }
+
+    /// Bounds of the times of flight, in turns, of what lands between two phases.
+    pub fn times(&self, low: f64, high: f64) -> [f64; 2] {
+        let [least, most] = [low - self.start - self.radius, high - self.start + self.radius];
+        // U4: a phase is off by at most a unit, four times
+        let error = 4.0 * UNIT * (high.abs() + self.start.abs() + self.radius);
+        [least - 2.0 * error, most + 2.0 * error]
+    }
+
+    /// `z'` of all flights that are at this height between two phases, told from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma U4
+    pub fn told_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
+        let arrival = 0.5 * (low + high);
+        let radius = up((arrival - low).max(high - arrival)); // U4: the farther end
+        let [own, _] = self.ahead(arrival);
+        let all = own.widened(up(7.0 * (radius + self.radius)));
+        let (sin, cos) = Ball::exact(arrival).sin_cos();
+        let centre = (height + sin - self.centre_sin).checked_div(own)? - cos;
+        let (sins, coss) = Ball::new(arrival, radius).sin_cos();
+        // The drift told so, over all.
+        let drift = (height + sins - self.sin).checked_div(all)?;
+        let by_start = (drift - self.cos).checked_div(all)?;
+        let by_arrival = (coss - drift).checked_div(all)? + sins;
+        Some(centre.widened(up(6.3 * up(by_start.mag() * self.radius + by_arrival.mag() * radius))))
+    }
+}

@@ -1,0 +1,109 @@
+//! The impact map in plain doubles: it proposes, and proves nothing.
+//!
+//! Labels: proposes throughout.
+
+use std::f64::consts::TAU;
+
+use super::flights::{Law, Side, State};
+use crate::contact::first_contact_f64;
+use crate::flight::Flight;
+use crate::mapping::{Passage, jacobian};
+use crate::number::{Kernel, kernel};
+use crate::pair::{Reduced, Wall};
+
+/// The impact map of a pair, every impact mirrored to the left wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Guess {
+    pair: Reduced<f64>,
+}
+
+/// Where a state is mapped to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Image {
+    /// The phase goes on from that of the start; half a turn is added where the far wall is touched.
+    pub state: State,
+    pub side: Side,
+    /// Of phase in turns and speed over `A W`.
+    pub jacobian: [[f64; 2]; 2],
+}
+
+/// Jacobians that the contracting direction is told from.
+const AHEAD: usize = 4;
+
+impl Guess {
+    pub fn new(law: &Law) -> Self {
+        let alpha = 1.0 / law.gap.mid();
+        Self { pair: Reduced { alpha, beta: TAU * alpha, restitution: law.restitution.mid() } }
+    }
+
+    /// The next impact; `None` where none is found, or with no speed.
+    pub fn map(&self, [start, speed]: State) -> Option<Image> {
+        let Reduced { beta, restitution, .. } = self.pair;
+        let whole = start.floor();
+        let phase = start - whole;
+        let waves = kernel::sin_cos(phase);
+        let flight = Flight::from_wall(&self.pair, Wall::Left, phase, restitution * speed * beta, waves);
+        let contact = first_contact_f64::<Kernel>(&flight)?;
+        let far = contact.wall == Wall::Right;
+        let side = if far { Side::Far } else { Side::Near };
+        let (sin1, _) = kernel::sin_cos(contact.phase);
+        let passage = Passage {
+            time: contact.time,
+            sin0: waves.0,
+            sin1,
+            velocity0: -speed * beta,
+            velocity1: contact.velocity,
+        };
+        let [[a, b], [c, d]] = jacobian(beta, restitution, &passage)?;
+        let sign = if far { 1.0 } else { -1.0 };
+        let state = [start + contact.time + if far { 0.5 } else { 0.0 }, contact.velocity.abs() / beta];
+        Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]] })
+    }
+
+    /// The direction that the next flights contract most, of length 1 in radians and speeds, its speed not negative.
+    pub fn contracting(&self, state: State) -> Option<State> {
+        let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
+        let mut at = state;
+        for step in 0..AHEAD {
+            let Some(image) = self.map(at) else {
+                if step == 0 {
+                    return None;
+                }
+                break;
+            };
+            at = image.state;
+            product = times(image.jacobian, product);
+            let size = product.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+            product = product.map(|row| row.map(|x| x / size));
+        }
+        // In radians on both sides.
+        let [[a, b], [c, d]] = [product[0].map(|x| x * TAU), product[1]];
+        let angle = 0.5 * (2.0 * (a * b + c * d)).atan2(a * a + c * c - b * b - d * d);
+        let (sin, cos) = angle.sin_cos();
+        // The dominant direction is (cos, sin).
+        let direction = if cos < 0.0 { [sin, -cos] } else { [-sin, cos] };
+        Some([direction[0] / TAU, direction[1]])
+    }
+}
+
+fn times(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
+}
+
+/// A vector's image.
+pub(crate) fn applied([[a, b], [c, d]]: [[f64; 2]; 2], [x, y]: State) -> State {
+    [a * x + b * y, c * x + d * y]
+}
+
+/// Lengths as pictures have them: phases in radians.
+pub(crate) fn length([u, w]: State) -> f64 {
+    (TAU * u).hypot(w)
+}
+
+pub(crate) fn minus([a, b]: State, [c, d]: State) -> State {
+    [a - c, b - d]
+}
+
+pub(crate) fn cross([a, b]: State, [c, d]: State) -> f64 {
+    a * d - b * c
+}

@@ -1,0 +1,199 @@
+//! A region that the impact map does not leave, made of boxes: Lemmas U4, U5 of `docs/proofs.md`.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Mutex;
+use std::thread;
+
+use super::flights::{Flights, Law, Quad, Side, View, is_positive};
+use crate::number::{Ball, Number};
+
+/// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in turns modulo 1 and speed over `A W`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    /// `M`, even, and `R`.
+    pub columns: i64,
+    pub rows: f64,
+}
+
+/// A box of a grid: column and row.
+pub(crate) type Cell = (i32, i32);
+
+/// What holds of all flights from a box.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    /// Bounds of the time of flight, in turns.
+    pub time: [f64; 2],
+    /// Which walls may be touched: the near one, the far one.
+    pub sides: [bool; 2],
+}
+
+/// Why a box is not proved to fly into others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Refusal {
+    /// A ball of the box may come to rest, or bounce too little to be told from one that does.
+    Rest,
+    /// A flight may be longer than is followed.
+    Long,
+}
+
+/// Flights of more turns are not followed.
+const LONGEST: f64 = 64.0;
+/// A box is cut so often to be told from rest.
+const CUTS: u32 = 6;
+
+impl Grid {
+    /// The boxes that hold a state.
+    pub fn cell(&self, phase: f64, speed: f64) -> Cell {
+        let column = (phase * self.columns as f64).floor().rem_euclid(self.columns as f64); // proposes: where a region begins
+        (column as i32, (speed * self.rows).floor() as i32) // proposes: where a region begins
+    }
+
+    /// The rectangle of a box.
+    pub fn quad(&self, (column, row): Cell) -> Quad {
+        let (column, row) = (f64::from(column), f64::from(row));
+        // exact: columns and rows are powers of two
+        let radii = [0.5 / self.columns as f64, 0.5 / self.rows];
+        let centre = [(2.0 * column + 1.0) * radii[0], (2.0 * row + 1.0) * radii[1]];
+        Quad::rectangle(centre, radii, row / self.rows)
+    }
+
+    /// Adds the boxes that all images of the states of a rectangle lie in. Lemma U4
+    pub fn image(&self, law: &Law, quad: &Quad, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
+        self.cut_image(law, quad, CUTS, found)
+    }
+
+    fn cut_image(&self, law: &Law, quad: &Quad, cuts: u32, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
+        let flights = Flights::new(law, quad);
+        match flights.depart() {
+            Some(from) => self.march(law, &flights, from, found),
+            None if cuts == 0 => Err(Refusal::Rest),
+            None => {
+                let ([u, w], [r, s]) = (quad.centre, [0.5 * quad.sides[0][0], 0.5 * quad.sides[1][1]]);
+                let mut all: Option<Reach> = None;
+                for (phase, speed) in [(u - r, w - s), (u - r, w + s), (u + r, w - s), (u + r, w + s)] {
+                    // exact: cut in halves
+                    let part = Quad::rectangle([phase, speed], [r, s], speed - s);
+                    let reach = self.cut_image(law, &part, cuts - 1, found)?;
+                    all = Some(all.map_or(reach, |all| all.with(&reach)));
+                }
+                all.ok_or(Refusal::Rest)
+            }
+        }
+    }
+
+    /// Goes along the phases of arrival, column by column where a wall may be touched, until it certainly has been.
+    fn march(&self, law: &Law, flights: &Flights, from: f64, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
+        let columns = self.columns as f64; // exact: a power of two
+        let mut reach = Reach { time: [f64::INFINITY, 0.0], sides: [false; 2] };
+        let mut column = (from * columns).floor() as i64; // U4: the column that it is in
+        let mut step: i64 = 1;
+        let end = column + (LONGEST * columns) as i64; // exact: a power of two
+        while column < end {
+            let low = from.max(column as f64 / columns); // U4: nothing is touched before
+            let high = (column + step) as f64 / columns; // exact: a power of two
+            let view = flights.over(low, high);
+            let above = law.gap - view.height;
+            if is_positive(view.height) && is_positive(above) {
+                column += step;
+                step *= 2;
+                continue;
+            }
+            if is_positive(-view.height) || is_positive(-above) {
+                return Ok(reach);
+            }
+            if step > 1 {
+                step /= 2;
+                continue;
+            }
+            for (k, side) in [Side::Near, Side::Far].into_iter().enumerate() {
+                if let Some(speeds) = flights.arrivals(side, low, high, &view) {
+                    let shift = if side == Side::Far { self.columns / 2 } else { 0 };
+                    let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
+                    let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // U4: of both ends
+                    found.extend((rows[0]..=rows[1]).map(|row| (column, row)));
+                    reach.sides[k] = true;
+                    let time = flights.times(low, high);
+                    reach.time = [reach.time[0].min(time[0]), reach.time[1].max(time[1])]; // U4: the outer ends
+                }
+            }
+            column += 1;
+        }
+        Err(Refusal::Long)
+    }
+}
+
+impl Reach {
+    fn with(self, other: &Self) -> Self {
+        let time = [self.time[0].min(other.time[0]), self.time[1].max(other.time[1])]; // U4: the outer ends
+        Self { time, sides: [self.sides[0] || other.sides[0], self.sides[1] || other.sides[1]] }
+    }
+}
+
+/// A region closed under the impact map.
+#[derive(Debug)]
+pub(crate) struct Region {
+    pub grid: Grid,
+    pub cells: HashMap<Cell, Reach>,
+}
+
+/// How far a region grows before a finer grid is tried.
+const MOST: usize = 4_000_000;
+
+impl Region {
+    /// The least region of boxes of this grid that holds a box and is closed, as far as it is seen.
+    ///
+    /// `Err` with the reason where it does not close.
+    pub fn grow(law: &Law, grid: Grid, seed: Cell, goes_on: &(dyn Fn(usize) -> bool + Sync)) -> Result<Self, Option<Refusal>> {
+        let mut cells: HashMap<Cell, Reach> = HashMap::new();
+        let mut known: HashSet<Cell> = HashSet::from([seed]);
+        let mut frontier = vec![seed];
+        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+        while !frontier.is_empty() {
+            if known.len() > MOST || !goes_on(known.len()) {
+                return Err(None);
+            }
+            let share = frontier.len().div_ceil(threads);
+            let results = Mutex::new(Vec::new());
+            thread::scope(|scope| {
+                for part in frontier.chunks(share) {
+                    let results = &results;
+                    scope.spawn(move || {
+                        let mut found = HashSet::new();
+                        let reaches: Result<Vec<_>, _> =
+                            part.iter().map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut found)?))).collect();
+                        results.lock().expect("no thread has panicked").push(reaches.map(|reaches| (reaches, found)));
+                    });
+                }
+            });
+            frontier.clear();
+            for result in results.into_inner().expect("no thread has panicked") {
+                let (reaches, found) = result.map_err(Some)?;
+                cells.extend(reaches);
+                frontier.extend(found.into_iter().filter(|&cell| known.insert(cell)));
+            }
+        }
+        Ok(Self { grid, cells })
+    }
+}
+
+impl Flights {
+    /// The speeds of all arrivals between two phases at which a wall may be touched; `None` if none is. Lemma U4
+    fn arrivals(&self, side: Side, low: f64, high: f64, view: &View) -> Option<[f64; 2]> {
+        let far = side == Side::Far;
+        let miss = if far { view.height - self.gap() } else { view.height };
+        if is_positive(miss) || is_positive(-miss) {
+            return None;
+        }
+        let sign = if far { 1.0 } else { -1.0 };
+        let rate = view.rate.signed(sign);
+        let mut bounds = [(rate.mid() - rate.rad()).next_down(), (rate.mid() + rate.rad()).next_up()];
+        if let Some(told) = self.told_by_phases(if far { self.gap() } else { Ball::exact(0.0) }, low, high) {
+            let told = told.signed(sign);
+            // U4: both hold the speeds
+            bounds[0] = bounds[0].max((told.mid() - told.rad()).next_down());
+            bounds[1] = bounds[1].min((told.mid() + told.rad()).next_up()); // U4: both hold them
+        }
+        bounds[0] = bounds[0].max(0.0); // U4: who comes from inside
+        (bounds[0] <= bounds[1]).then_some(bounds)
+    }
+}
