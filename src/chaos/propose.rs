@@ -1,0 +1,174 @@
+//! The next tube, proposed in doubles: the images of chords, refined where they are stretched and cut where the map jumps.
+//!
+//! Labels: proposes throughout.
+
+use super::flights::{Chord, Side, State};
+use super::guess::{Guess, Image, applied, cross, length, minus};
+use super::tube::{Part, Tube};
+use std::f64::consts::TAU;
+
+/// How tubes are made.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Making {
+    /// Cells are about as long at most, phases in radians.
+    pub longest: f64,
+    /// What a chord is longer than the image that it holds, as a factor and beyond that.
+    pub margin: f64,
+    pub pad: f64,
+    /// Parts are not cut below this length.
+    pub shortest: f64,
+}
+
+/// A tube where the image of a stretch may lie.
+pub(crate) struct Proposal {
+    pub parts: Vec<Part>,
+    pub side: Side,
+    pub next: Tube,
+}
+
+#[derive(Clone, Copy)]
+struct Sample {
+    cell: usize,
+    at: f64,
+    half: State,
+    image: Option<Image>,
+}
+
+/// Fewer parts than that are not worth a tube.
+const FEWEST: usize = 12;
+
+fn radians([u, w]: State) -> State {
+    [TAU * u, w]
+}
+
+impl Making {
+    /// The tubes that hold the images of a tube, about.
+    pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
+        let mut segments: Vec<Vec<(Sample, Sample)>> = vec![Vec::new()];
+        for cell in 0..tube.cells() {
+            let (from, to) = (sample(guess, tube, cell, -1.0), sample(guess, tube, cell, 1.0));
+            self.refine(guess, tube, from, to, (cell == 0, cell + 1 == tube.cells()), &mut segments);
+        }
+        segments.iter().filter(|segment| segment.len() >= FEWEST).filter_map(|segment| self.proposal(guess, segment)).collect()
+    }
+
+    fn refine(
+        &self,
+        guess: &Guess,
+        tube: &Tube,
+        from: Sample,
+        to: Sample,
+        (first, last): (bool, bool),
+        segments: &mut Vec<Vec<(Sample, Sample)>>,
+    ) {
+        let chords = &tube.chords()[from.cell..=from.cell + 1];
+        let width = 0.5 * (to.at - from.at) * length(minus(middle(&chords[1]), middle(&chords[0])));
+        let between = sample(guess, tube, from.cell, 0.5 * (from.at + to.at));
+        let is_fine = self.is_fine(&from, &between, &to, first || last);
+        if is_fine == Some(true) || width < self.shortest {
+            match is_fine {
+                None => segments.push(Vec::new()),
+                Some(_) if self.jumps(&from, &to) => segments.push(Vec::new()),
+                Some(_) => segments.last_mut().expect("one at least").push((from, to)),
+            }
+            return;
+        }
+        self.refine(guess, tube, from, between, (first, false), segments);
+        self.refine(guess, tube, between, to, (false, last), segments);
+    }
+
+    fn jumps(&self, from: &Sample, to: &Sample) -> bool {
+        let (Some(a), Some(b)) = (from.image, to.image) else { return true };
+        length(minus(a.state, b.state)) > self.longest
+    }
+
+    /// Whether a part is short and straight enough; `None` where the map jumps in it.
+    fn is_fine(&self, from: &Sample, between: &Sample, to: &Sample, is_end: bool) -> Option<bool> {
+        let (a, m, b) = (from.image?, between.image?, to.image?);
+        if a.side != b.side || a.side != m.side {
+            return None;
+        }
+        let along = radians(minus(b.state, a.state));
+        let long = along[0].hypot(along[1]);
+        let bulge = (cross(along, radians(minus(m.state, a.state))) / long).abs();
+        let thick = (cross(along, radians(applied(m.jacobian, between.half))) / long).abs();
+        let longest = if is_end { 0.02 * self.longest } else { self.longest };
+        Some(long <= longest && bulge <= 0.3 * ((self.margin - 1.0) * thick + self.pad))
+    }
+
+    fn proposal(&self, guess: &Guess, segment: &[(Sample, Sample)]) -> Option<Proposal> {
+        let images: Vec<Image> =
+            segment.iter().map(|(from, _)| from).chain(segment.last().map(|(_, to)| to)).map(|x| x.image.expect("an image")).collect();
+        let halves: Vec<State> = segment.iter().map(|(from, _)| from.half).chain(segment.last().map(|(_, to)| to.half)).collect();
+        let mut lengths = vec![0.0];
+        for pair in images.windows(2) {
+            lengths.push(lengths[lengths.len() - 1] + length(minus(pair[1].state, pair[0].state)));
+        }
+        let all = lengths[lengths.len() - 1];
+        // The chords that are kept: all but where cells would be shorter than need be.
+        let mut kept = vec![0];
+        for k in 1..images.len() {
+            let start = kept[kept.len() - 1];
+            let is_last = k + 1 == images.len();
+            let room = lengths[start].min(all - lengths[(k + 1).min(images.len() - 1)]);
+            let most = (0.4 * self.longest).min(0.3 * room);
+            let would = if is_last { f64::INFINITY } else { lengths[k + 1] - lengths[start] };
+            if would > most || !self.is_straight(&images, &halves, start, (k + 1).min(images.len() - 1)) {
+                kept.push(k);
+            }
+        }
+        let mut chords = Vec::with_capacity(kept.len());
+        for (n, &k) in kept.iter().enumerate() {
+            let before = images[kept[n.saturating_sub(1)]].state;
+            let after = images[kept[(n + 1).min(kept.len() - 1)]].state;
+            chords.push(self.chord(guess, &images[k], halves[k], minus(after, before))?);
+        }
+        let mut parts = Vec::with_capacity(segment.len());
+        let mut place = 0;
+        for (k, (from, to)) in segment.iter().enumerate() {
+            while kept[place + 1] <= k {
+                place += 1;
+            }
+            parts.push(Part { cell: from.cell, from: from.at, to: to.at, place });
+        }
+        Some(Proposal { parts, side: images[0].side, next: Tube::new(chords) })
+    }
+
+    fn is_straight(&self, images: &[Image], halves: &[State], from: usize, to: usize) -> bool {
+        let along = radians(minus(images[to].state, images[from].state));
+        let long = along[0].hypot(along[1]);
+        let half = (from + to) / 2;
+        let thick = (cross(along, radians(applied(images[half].jacobian, halves[half]))) / long).abs();
+        let room = 0.3 * ((self.margin - 1.0) * thick + self.pad);
+        (from + 1..to).all(|k| (cross(along, radians(minus(images[k].state, images[from].state))) / long).abs() <= room)
+    }
+
+    /// The chord at an image, along the direction that is contracted most from there on.
+    fn chord(&self, guess: &Guess, image: &Image, half: State, tangent: State) -> Option<Chord> {
+        let half = applied(image.jacobian, half);
+        let tangent = radians(tangent);
+        let long = tangent[0].hypot(tangent[1]);
+        let lean = |direction: State| cross(tangent, radians(direction)) / (long * length(direction));
+        let direction = guess.contracting(image.state).filter(|&direction| lean(direction).abs() > 0.05).unwrap_or(half);
+        let size = length(direction);
+        let unit = direction.map(|x| x / size);
+        let sine = lean(direction);
+        let thick = (cross(tangent, radians(half)) / (long * sine)).abs();
+        let reach = (self.margin * thick + self.pad) * sine.signum();
+        let [u, w] = image.state;
+        let at = |sign: f64| [u + sign * reach * unit[0], w + sign * reach * unit[1]];
+        (reach.is_finite() && sine != 0.0).then(|| Chord { bottom: at(-1.0), top: at(1.0) })
+    }
+}
+
+fn middle(chord: &Chord) -> State {
+    [0.5 * (chord.bottom[0] + chord.top[0]), 0.5 * (chord.bottom[1] + chord.top[1])]
+}
+
+fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
+    let (from, to) = (&tube.chords()[cell], &tube.chords()[cell + 1]);
+    let mix = |a: State, b: State| [0, 1].map(|i| 0.5 * ((1.0 - at) * a[i] + (1.0 + at) * b[i]));
+    let chord = Chord { bottom: mix(from.bottom, to.bottom), top: mix(from.top, to.top) };
+    let half = [0, 1].map(|i| 0.5 * (chord.top[i] - chord.bottom[i]));
+    Sample { cell, at, half, image: guess.map(middle(&chord)) }
+}

@@ -1,0 +1,165 @@
+//! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas U6, U7 of `docs/proofs.md`.
+
+use super::flights::{Chord, Flights, Landing, Law, Quad, Side, State, is_positive};
+use super::guess::Guess;
+use crate::number::{Ball, Number};
+
+/// The cells between chords that follow one another; the tops lie to the left.
+#[derive(Clone, Debug)]
+pub(crate) struct Tube {
+    chords: Vec<Chord>,
+    normals: Vec<Normals>,
+    /// Whether the windows around a cell are embedded.
+    embedded: Vec<bool>,
+}
+
+/// Normals of a cell's edges: of the bottom, inward; of the top, outward; of its first chord, against the tube.
+#[derive(Clone, Copy, Debug)]
+struct Normals {
+    bottom: [Ball; 2],
+    top: [Ball; 2],
+    chord: [Ball; 2],
+}
+
+/// A part of a cell, along the tube, with the cell of the next tube where its image is about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part {
+    pub cell: usize,
+    /// `a` in the coordinates of the cell: dyadic.
+    pub from: f64,
+    pub to: f64,
+    pub place: usize,
+}
+
+/// Images lie in the cells up to so many before and after their place.
+pub(crate) const WINDOW: usize = 2;
+/// A part is halved so often.
+const HALVINGS: u32 = 9;
+
+/// `to - from`
+pub(crate) fn edge(from: State, to: State) -> [Ball; 2] {
+    [Ball::exact(to[0]) - Ball::exact(from[0]), Ball::exact(to[1]) - Ball::exact(from[1])]
+}
+
+/// The vector a quarter turn to the left.
+pub(crate) fn left([u, w]: [Ball; 2]) -> [Ball; 2] {
+    [-w, u]
+}
+
+fn dot([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
+    a * c + b * d
+}
+
+/// On which side of a directed line a state lies, shifted by whole turns: positive to the left.
+pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball {
+    let [u, w] = edge(from, state);
+    dot(left(edge(from, to)), [u - Ball::exact(turns), w])
+}
+
+impl Tube {
+    pub fn new(chords: Vec<Chord>) -> Self {
+        let normals: Vec<Normals> = chords
+            .windows(2)
+            .map(|pair| Normals {
+                bottom: left(edge(pair[0].bottom, pair[1].bottom)),
+                top: left(edge(pair[0].top, pair[1].top)),
+                chord: left(edge(pair[0].bottom, pair[0].top)),
+            })
+            .collect();
+        let cells = normals.len();
+        let embedded = (0..cells)
+            .map(|cell| {
+                // Lemma U6: all windows that hold the cell
+                let (first, last) = (cell.saturating_sub(2 * WINDOW + 1), (cell + 2 * WINDOW + 2).min(cells)); // U6: the tube's ends
+                let crosses = |edge: &[Ball; 2], chord: &Chord| {
+                    is_positive(dot(*edge, self::edge(chord.bottom, chord.top)))
+                };
+                let Normals { bottom, top, .. } = &normals[cell];
+                chords[first..=last].iter().all(|chord| crosses(bottom, chord) && crosses(top, chord))
+            })
+            .collect();
+        Self { chords, normals, embedded }
+    }
+
+    pub fn chords(&self) -> &[Chord] {
+        &self.chords
+    }
+
+    pub fn cells(&self) -> usize {
+        self.normals.len()
+    }
+
+    /// The chords from one to another as a tube of its own.
+    pub fn stretch(&self, from: usize, to: usize) -> Self {
+        Self::new(self.chords[from..=to].to_vec())
+    }
+
+    /// Whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma U6
+    fn holds(&self, landing: &Landing, place: usize) -> bool {
+        let cells = self.cells();
+        if place < WINDOW || place + WINDOW >= cells {
+            return false;
+        }
+        let point = |state: State| state.map(Ball::exact);
+        let before = |chord: usize, normal: [Ball; 2]| landing.along(normal, point(self.chords[chord].bottom));
+        let (mut low, mut high) = (place, place);
+        while !is_positive(-before(low, self.normals[low].chord)) {
+            if low + WINDOW == place {
+                return false;
+            }
+            low -= 1;
+        }
+        loop {
+            let chord = self.chords[high + 1];
+            if is_positive(before(high + 1, left(edge(chord.bottom, chord.top)))) {
+                break;
+            }
+            if high == place + WINDOW {
+                return false;
+            }
+            high += 1;
+        }
+        (low..=high).all(|cell| {
+            let Normals { bottom, top, .. } = self.normals[cell];
+            is_positive(landing.along(bottom, point(self.chords[cell].bottom)))
+                && is_positive(-landing.along(top, point(self.chords[cell].top)))
+        })
+    }
+
+    /// Whether the windows of the images of a part and of its neighbours are embedded.
+    fn is_embedded(&self, place: usize) -> bool {
+        let low = place.saturating_sub(WINDOW); // U6: the tube's ends
+        let high = (place + WINDOW + 1).min(self.cells() - 1); // U6: the tube's ends
+        self.embedded[low..=high].iter().all(|&is| is)
+    }
+
+    /// Whether all states of a part are proved to fly to one wall, and to land around its place in the next tube.
+    pub fn is_mapped(&self, law: &Law, guess: &Guess, part: &Part, side: Side, next: &Self) -> bool {
+        if !next.is_embedded(part.place) {
+            return false;
+        }
+        let cell = Quad::between(&self.chords[part.cell], &self.chords[part.cell + 1]);
+        let middle = 0.5 * (part.from + part.to); // exact: dyadic
+        let all = cell.part([middle, 0.0], [0.5 * (part.to - part.from), 1.0]);
+        let mut open = vec![(0, 0.0, 0.0, 1.0, 1.0)];
+        while let Some((depth, a, b, r, s)) = open.pop() {
+            let piece = all.part([a, b], [r, s]);
+            let landed = guess.map(piece.centre).filter(|image| image.side == side).and_then(|image| {
+                let arrival = if side == Side::Far { image.state[0] - 0.5 } else { image.state[0] };
+                Flights::new(law, &piece).land(side, arrival)
+            });
+            if landed.is_some_and(|landing| next.holds(&landing, part.place)) {
+                continue;
+            }
+            if depth == HALVINGS {
+                return false;
+            }
+            if depth % 3 == 2 {
+                open.extend([-0.5, 0.5].map(|half| (depth + 1, a, b + half * s, r, 0.5 * s)));
+            } else {
+                open.extend([-0.5, 0.5].map(|half| (depth + 1, a + half * r, b, 0.5 * r, s)));
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,199 @@
+//! Words: returns of a base to the bases, proved along tubes. Lemmas U8, U9 of `docs/proofs.md`.
+
+use std::sync::Mutex;
+use std::thread;
+
+use super::flights::{Chord, Law, Side, State, is_positive};
+use super::guess::Guess;
+use super::propose::{Making, Proposal};
+use super::tube::{Tube, WINDOW, side_of};
+
+/// A parallelogram of states: from its left to its right edge every curve is stretched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Base {
+    pub left: Chord,
+    pub right: Chord,
+}
+
+/// A way from one base across another.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Path {
+    pub from: usize,
+    pub to: usize,
+    /// Where each flight ends.
+    pub sides: Vec<Side>,
+    /// How many half turns it takes.
+    pub half_turns: i64,
+}
+
+/// A stretch of a tube that has been followed so far.
+struct Run {
+    from: usize,
+    sides: Vec<Side>,
+    tube: Tube,
+}
+
+/// What is done at one depth.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tally {
+    pub boxes: u64,
+    pub failed: u64,
+}
+
+/// The search for words, one impact deeper at each step.
+pub(crate) struct Search<'s> {
+    pub law: &'s Law,
+    pub guess: Guess,
+    pub making: Making,
+    pub bases: &'s [Base],
+    runs: Vec<Run>,
+    pub words: Vec<Path>,
+    pub tally: Tally,
+}
+
+impl Base {
+    /// From a centre and the half vectors of its sides.
+    pub fn new(centre: State, along: State, across: State) -> Self {
+        let corner = |a: f64, b: f64| [0, 1].map(|i| centre[i] + a * along[i] + b * across[i]);
+        let chord = |a: f64, sign: f64| Chord { bottom: corner(a, -sign), top: corner(a, sign) };
+        let sign = if along[0] * across[1] - along[1] * across[0] > 0.0 { 1.0 } else { -1.0 };
+        Self { left: chord(-1.0, sign), right: chord(1.0, sign) }
+    }
+
+    /// Whether it is a convex quadrilateral.
+    pub fn is_convex(&self) -> bool {
+        let Self { left, right } = self;
+        let round = [left.bottom, right.bottom, right.top, left.top];
+        (0..4).all(|i| is_positive(side_of(round[i], round[(i + 1) % 4], round[(i + 2) % 4], 0.0)))
+    }
+
+    /// The stretches of a tube that cross the base so many turns later, each as two chords. Lemma U8
+    fn crossings(&self, tube: &Tube, turns: f64) -> Vec<(usize, usize)> {
+        let Self { left, right } = self;
+        let (mut found, mut last): (Vec<(usize, usize)>, Option<(bool, usize)>) = (Vec::new(), None);
+        for (k, chord) in tube.chords().iter().enumerate() {
+            let ends = [chord.bottom, chord.top];
+            let between = |state: &State| {
+                is_positive(side_of(left.bottom, right.bottom, *state, turns))
+                    && is_positive(-side_of(left.top, right.top, *state, turns))
+            };
+            if !ends.iter().all(between) {
+                last = None;
+                continue;
+            }
+            let before = ends.iter().all(|&state| is_positive(side_of(left.bottom, left.top, state, turns)));
+            let behind = ends.iter().all(|&state| is_positive(-side_of(right.bottom, right.top, state, turns)));
+            if before || behind {
+                if let Some((was_before, from)) = last
+                    && was_before != before
+                {
+                    found.push((from, k));
+                }
+                last = Some((before, k));
+            }
+        }
+        found
+    }
+
+    fn phases(&self) -> [f64; 2] {
+        let all = [self.left.bottom[0], self.left.top[0], self.right.bottom[0], self.right.top[0]];
+        all.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], &x| [a.min(x), b.max(x)]) // proposes: where to look
+    }
+}
+
+impl<'s> Search<'s> {
+    pub fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
+        let run = |(from, base): (usize, &Base)| Run { from, sides: Vec::new(), tube: Tube::new(vec![base.left, base.right]) };
+        let runs = bases.iter().enumerate().map(run).collect();
+        Self { law, guess: Guess::new(law), making, bases, runs, words: Vec::new(), tally: Tally::default() }
+    }
+
+    /// Follows all that is left over one impact more; false when told to stop.
+    pub fn deepen(&mut self, goes_on: &(dyn Fn(Tally) -> bool + Sync)) -> bool {
+        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+        let queue = Mutex::new(self.runs.iter().enumerate());
+        let done = Mutex::new(Vec::new());
+        let tally = Mutex::new(self.tally);
+        let work = || {
+            loop {
+                let next = queue.lock().expect("no thread has panicked").next();
+                let Some((number, run)) = next else { break };
+                let (next, words, more) = self.follow(run, &|| goes_on(*tally.lock().expect("no thread has panicked")));
+                let mut tally = tally.lock().expect("no thread has panicked");
+                tally.boxes += more.boxes;
+                tally.failed += more.failed;
+                done.lock().expect("no thread has panicked").push((number, next, words));
+            }
+        };
+        thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+        let mut done = done.into_inner().expect("no thread has panicked");
+        done.sort_by_key(|(number, ..)| *number);
+        self.tally = tally.into_inner().expect("no thread has panicked");
+        self.runs.clear();
+        for (_, runs, words) in done {
+            self.runs.extend(runs);
+            self.words.extend(words);
+        }
+        goes_on(self.tally)
+    }
+
+    /// One run, one impact further: what crosses a base, and what is left.
+    fn follow(&self, run: &Run, goes_on: &(dyn Fn() -> bool + Sync)) -> (Vec<Run>, Vec<Path>, Tally) {
+        let (mut runs, mut words, mut tally) = (Vec::new(), Vec::new(), Tally::default());
+        for proposal in self.making.images(&self.guess, &run.tube) {
+            if !goes_on() {
+                break;
+            }
+            let Proposal { parts, side, next } = &proposal;
+            let proved: Vec<bool> =
+                parts.iter().map(|part| run.tube.is_mapped(self.law, &self.guess, part, *side, next)).collect();
+            tally.boxes += proved.len() as u64; // exact: a length
+            tally.failed += proved.iter().filter(|&&is| !is).count() as u64; // exact: a length
+            let mut sides = run.sides.clone();
+            sides.push(*side);
+            let mut first = 0;
+            while first < parts.len() {
+                let count = proved[first..].iter().take_while(|&&is| is).count();
+                if count > 0 {
+                    let (low, high) = (parts[first].place, parts[first + count - 1].place);
+                    // Lemma U7: the ends of the stretch land before the one and behind the other.
+                    let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // U7: none if it is shorter
+                    if low < high {
+                        self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
+                    }
+                }
+                first += count.max(1); // exact: a count
+            }
+        }
+        (runs, words, tally)
+    }
+
+    fn collect(&self, from: usize, sides: &[Side], tube: Tube, runs: &mut Vec<Run>, words: &mut Vec<Path>) {
+        let phases = tube.chords().iter().map(|chord| chord.bottom[0]);
+        let [low, high] = phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]); // proposes: where to look
+        let mut taken: Vec<(usize, usize)> = Vec::new();
+        for (to, base) in self.bases.iter().enumerate() {
+            let [least, most] = base.phases();
+            let mut turns = (low - most).ceil(); // proposes: where to look
+            while turns <= high - least {
+                for (a, b) in base.crossings(&tube, turns) {
+                    if taken.iter().all(|&(c, d)| b <= c || d <= a) {
+                        taken.push((a, b));
+                        let far = sides.iter().filter(|&&side| side == Side::Far).count() as i64; // exact: a length
+                        let half_turns = 2 * turns as i64 - far; // exact: a whole number
+                        words.push(Path { from, to, sides: sides.to_vec(), half_turns });
+                    }
+                }
+                turns += 1.0;
+            }
+        }
+        taken.sort_unstable();
+        let mut start = 0;
+        for (a, b) in taken.into_iter().chain([(tube.cells(), tube.cells())]) {
+            if a > start + 4 * WINDOW {
+                runs.push(Run { from, sides: sides.to_vec(), tube: tube.stretch(start, a) });
+            }
+            start = b;
+        }
+    }
+}
