@@ -1,4 +1,5 @@
 //! Chaos, proved.
+pub(crate) mod bases;
 pub(crate) mod entropy;
 pub(crate) mod flights;
 pub(crate) mod guess;
