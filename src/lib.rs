@@ -73,6 +73,7 @@
 //! ```
 
 pub mod audit;
+pub mod chaos;
 pub mod clock;
 pub mod contact;
 pub mod covering;

@@ -16,9 +16,11 @@ use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
 
 use crate::audit::arguments as audit;
+use crate::chaos;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
 use crate::trade::arguments as trade;
+use crate::trap;
 use crate::two_impact::arguments as two_impact;
 use crate::version;
 
@@ -55,6 +57,12 @@ pub enum Verb {
     /// Prove the folds, pitchforks, period doublings and grazes of a word's orbits over a parameter
     #[command(after_help = EXIT_CODES, after_long_help = BIFURCATION_HELP)]
     Bifurcations(BifurcationArguments),
+    /// Prove a region that the motion of a scene does not leave: no rest, no chatter, bounds for all time
+    #[command(after_help = EXIT_CODES, after_long_help = trap::HELP)]
+    Trap(trap::TrapArguments),
+    /// Prove chaos: words of impacts that follow one another in any order, and a lower bound of the entropy
+    #[command(after_help = EXIT_CODES, after_long_help = chaos::HELP)]
+    Chaos(chaos::ChaosArguments),
     /// Prove every claim of a JSON document again, by another route, from its own numbers
     #[command(after_help = CHECK_EXIT_CODES, after_long_help = CHECK_HELP)]
     Check(CheckArguments),

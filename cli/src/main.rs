@@ -3,6 +3,7 @@
 mod arguments;
 mod audit;
 mod bifurcations;
+mod chaos;
 mod check;
 mod ending;
 mod heading;
@@ -21,6 +22,7 @@ mod table;
 #[path = "../../tests/tolerances/mod.rs"]
 mod tolerances;
 mod trade;
+mod trap;
 mod two_impact;
 mod version;
 
@@ -47,6 +49,8 @@ fn main() -> ExitCode {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Periodic(arguments) => periodic::periodic(&arguments),
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
+        Verb::Trap(arguments) => trap::trap(&arguments),
+        Verb::Chaos(arguments) => chaos::chaos(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

@@ -36,6 +36,19 @@ impl Progress {
         if wanted { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
     }
 
+    /// Counts boxes that are proved, none at first.
+    pub fn boxes(wanted: bool) -> Self {
+        if wanted { Self::drawn(None, "{prefix}{pos} boxes") } else { Self(None) }
+    }
+
+    /// Notes how many boxes there are, and at what.
+    pub fn boxed(&self, at: &str, boxes: u64) {
+        if let Some(bar) = self.due(0) {
+            bar.set_prefix(at.to_owned());
+            bar.set_position(boxes);
+        }
+    }
+
     fn drawn(length: Option<u64>, template: &str) -> Self {
         let style = ProgressStyle::with_template(template).expect("a valid template");
         let target = ProgressDrawTarget::stderr_with_hz(5);

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use super::entropy::entropy;
 use super::flights::{Law, State, is_positive};
-use super::guess::{Guess, applied};
+use super::guess::{Guess, applied, length};
 use super::propose::Making;
 use super::tube::side_of;
 use super::words::{Base, Search, Tally};
@@ -14,20 +14,23 @@ use super::words::{Base, Search, Tally};
 /// Impacts before the orbit is looked at, and how many are.
 const TRANSIENT: usize = 2000;
 const LOOKED_AT: usize = 100_000;
-/// Points of the orbit that bases are tried at.
-const CENTRES: usize = 100;
-/// Bases whose words are looked for.
-const TRIED: usize = 40;
-/// Boxes and depth of such a trial.
-const BOXES: u64 = 40_000;
-const DEPTH: usize = 24;
+/// Returns of so many impacts are looked for, and of each so many that come nearest.
+const RETURNS: usize = 12;
+const NEAREST: usize = 8;
+/// How far apart these are.
+const APART: f64 = 0.02;
+/// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
+const TRIALS: [(usize, u64); 3] = [(64, 2_500), (12, 10_000), (4, 40_000)];
+/// The last trial if none led to any.
+const LAST: (usize, u64) = (12, 150_000);
+const DEPTH: usize = 60;
 /// Half lengths, phases in radians, and half widths relative to them.
 const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 /// What a base more has to add, as a factor.
 const WORTH: f64 = 1.01;
 /// The most bases.
-const MOST: usize = 6;
+const MOST: usize = 3;
 /// An orbit that expands less, an impact, is regular.
 const LEAST_EXPONENT: f64 = 1e-3;
 
@@ -58,15 +61,44 @@ pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
 }
 
 impl Seen {
+    /// The orbit's states.
+    pub fn states(self) -> Vec<State> {
+        self.points.into_iter().map(|(state, _)| state).collect()
+    }
+
     /// Whether neighbours part.
     pub fn is_chaotic(&self) -> bool {
         self.exponent > LEAST_EXPONENT
     }
 
+    /// Points that the orbit comes back to very closely: saddles are near.
+    fn centres(&self) -> Vec<(State, State)> {
+        let apart = |[u, w]: State, [v, x]: State| length([u - v - (u - v).round(), w - x]);
+        let mut found: Vec<(State, State)> = Vec::new();
+        for period in 1..=RETURNS {
+            let mut returns: Vec<(f64, usize)> = (0..self.points.len() - period)
+                .map(|k| (apart(self.points[k].0, self.points[k + period].0), k))
+                .filter(|(distance, _)| *distance < APART)
+                .collect();
+            returns.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let before = found.len();
+            for (_, k) in returns {
+                let point = self.points[k];
+                if found.iter().all(|other| apart(point.0, other.0) > APART) {
+                    found.push(point);
+                }
+                if found.len() == before + NEAREST {
+                    break;
+                }
+            }
+        }
+        found
+    }
+
     /// Bases along the leaves, those first that the orbit crosses most often.
     fn candidates(&self, guess: &Guess) -> Vec<Base> {
         let mut scored: Vec<(f64, Base)> = Vec::new();
-        for &(centre, along) in self.points.iter().step_by(self.points.len() / CENTRES) {
+        for (centre, along) in self.centres() {
             let Some(across) = guess.contracting(centre) else { continue };
             let determinant = along[0] * across[1] - along[1] * across[0];
             if TAU * determinant.abs() < 0.2 {
@@ -86,23 +118,23 @@ impl Seen {
                     (xi.abs() < LENGTHS[0] && eta.abs() < LENGTHS[0] * 0.1).then(|| [xi, eta, rise / run])
                 })
                 .collect();
-            for length in LENGTHS {
+            for long in LENGTHS {
                 let best = WIDTHS
                     .iter()
                     .map(|width| {
-                        let width = width * length;
+                        let width = width * long;
                         let crosses = |&&[xi, eta, slope]: &&[f64; 3]| {
-                            let at = |end: f64| (eta + slope * (end * 1.1 * length - xi)).abs() < 0.9 * width;
-                            xi.abs() < length && eta.abs() < 0.9 * width && at(1.0) && at(-1.0)
+                            let at = |end: f64| (eta + slope * (end * 1.1 * long - xi)).abs() < 0.9 * width;
+                            xi.abs() < long && eta.abs() < 0.9 * width && at(1.0) && at(-1.0)
                         };
-                        let spoiled = |&&[xi, eta, _]: &&[f64; 3]| xi.abs() < length && eta.abs() < 1.2 * width;
+                        let spoiled = |&&[xi, eta, _]: &&[f64; 3]| xi.abs() < long && eta.abs() < 1.2 * width;
                         let good = near.iter().filter(crosses).count() as f64;
                         let all = near.iter().filter(spoiled).count() as f64;
                         (good * (good / (all + 1.0)), width)
                     })
                     .fold((0.0, 0.0), |best, next| if next.0 > best.0 { next } else { best });
                 if best.0 > 0.0 {
-                    let base = Base::new(centre, along.map(|x| x * length), across.map(|x| x * best.1));
+                    let base = Base::new(centre, along.map(|x| x * long), across.map(|x| x * best.1));
                     scored.push((best.0, base));
                 }
             }
@@ -112,12 +144,12 @@ impl Seen {
     }
 
     /// The bases that lead to most entropy, of those tried.
-    pub fn bases(&self, law: &Law, making: Making, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Base> {
+    pub fn bases(&self, law: &Law, making: Making, depth: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Base> {
         let candidates = self.candidates(&Guess::new(law));
-        let worth = |bases: &[Base]| {
+        let worth = |bases: &[Base], boxes: u64| {
             let mut search = Search::new(law, bases, making);
-            let within = |tally: Tally| tally.boxes < BOXES * bases.len() as u64 && goes_on();
-            for _ in 0..DEPTH {
+            let within = |tally: Tally| tally.boxes < boxes && goes_on();
+            for _ in 0..depth.min(DEPTH) {
                 if !search.deepen(&within) {
                     break;
                 }
@@ -126,18 +158,27 @@ impl Seen {
         };
         let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
         while best.1.len() < MOST && goes_on() {
-            let others: Vec<Base> =
-                candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other))).copied().take(TRIED).collect();
-            let mut better: Option<(f64, Vec<Base>)> = None;
-            for base in others {
-                let bases: Vec<Base> = best.1.iter().copied().chain([base]).collect();
-                let found = worth(&bases);
-                if found > better.as_ref().map_or(best.0 * WORTH, |better| better.0) {
-                    better = Some((found, bases));
+            let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
+            let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
+            let mut trial = |(count, boxes): (usize, u64)| {
+                tried.truncate(count);
+                for (found, base) in &mut tried {
+                    let bases: Vec<Base> = best.1.iter().copied().chain([*base]).collect();
+                    *found = worth(&bases, boxes * bases.len() as u64);
                 }
+                tried.sort_by(|a, b| b.0.total_cmp(&a.0));
+                tried.first().copied()
+            };
+            let mut found = None;
+            for round in TRIALS {
+                found = trial(round);
             }
-            let Some(next) = better else { break };
-            best = next;
+            if best.1.is_empty() && found.is_some_and(|found| found.0 == 0.0) {
+                found = trial(LAST);
+            }
+            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
+            best.0 = entropy;
+            best.1.push(base);
         }
         best.1
     }
@@ -146,7 +187,13 @@ impl Seen {
 impl Base {
     /// Whether it has no state in common with another one, whole turns later or earlier either: an edge parts them. Lemma U9
     pub fn is_apart(&self, other: &Self) -> bool {
-        (-2..=2).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
+        (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
+    }
+
+    /// Whether its phases are from -1 to 2 and its speeds positive.
+    pub fn is_near(&self) -> bool {
+        let corners = [self.left.bottom, self.left.top, self.right.bottom, self.right.top];
+        corners.iter().all(|&[phase, speed]| (-1.0..=2.0).contains(&phase) && speed > 0.0)
     }
 
     fn is_parted(&self, other: &Self, turns: f64) -> bool {

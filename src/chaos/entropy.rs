@@ -1,7 +1,7 @@
 //! From words to entropy: Lemma U10 of `docs/proofs.md`.
 
 use super::words::Path;
-use crate::number::{Ball, Number, logarithm};
+use crate::number::{Ball, logarithm};
 
 /// The sums `M_ab = sum q^k` over the words from `a` to `b`.
 fn sums(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64, q: Ball) -> Vec<Vec<Ball>> {

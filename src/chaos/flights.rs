@@ -14,12 +14,14 @@ pub(crate) struct Law {
 }
 
 /// A phase in turns, and the speed before the impact over `A W`.
-pub(crate) type State = [f64; 2];
+pub type State = [f64; 2];
 
 /// The segment across a tube, from its lower to its upper end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Chord {
+pub struct Chord {
+    /// The end on the right, seen along the tube.
     pub bottom: State,
+    /// The end on the left.
     pub top: State,
 }
 

@@ -1,9 +1,24 @@
-//! Chaos, proved.
-pub(crate) mod bases;
-pub(crate) mod entropy;
-pub(crate) mod flights;
-pub(crate) mod guess;
-pub(crate) mod propose;
-pub(crate) mod trap;
-pub(crate) mod tube;
-pub(crate) mod words;
+//! Chaos, proved: regions that no motion leaves, and horseshoes with a lower bound of their topological entropy.
+//!
+//! Floats propose, in [`bases`], [`guess`] and [`propose`]; intervals dispose, in [`flights`], [`tube`], [`words`] and [`trap`].
+//! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas U1-U11 of `docs/proofs.md`.
+
+mod bases;
+mod entropy;
+mod flights;
+mod guess;
+mod horseshoe;
+mod propose;
+mod region;
+mod scene;
+#[cfg(test)]
+mod tests;
+mod trap;
+mod tube;
+mod words;
+
+pub use flights::{Chord, State};
+pub use horseshoe::{Chaos, Question, Word};
+pub use region::{Trap, Untrapped};
+pub use words::Base;

@@ -2,7 +2,7 @@
 
 use super::flights::{Chord, Flights, Landing, Law, Quad, Side, State, is_positive};
 use super::guess::Guess;
-use crate::number::{Ball, Number};
+use crate::number::Ball;
 
 /// The cells between chords that follow one another; the tops lie to the left.
 #[derive(Clone, Debug)]

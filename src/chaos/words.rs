@@ -8,10 +8,12 @@ use super::guess::Guess;
 use super::propose::{Making, Proposal};
 use super::tube::{Tube, WINDOW, side_of};
 
-/// A parallelogram of states: from its left to its right edge every curve is stretched.
+/// A quadrilateral of states: the curves from its left to its right edge are what is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Base {
+pub struct Base {
+    /// Its left edge.
     pub left: Chord,
+    /// Its right edge.
     pub right: Chord,
 }
 
@@ -106,6 +108,12 @@ impl<'s> Search<'s> {
         let run = |(from, base): (usize, &Base)| Run { from, sides: Vec::new(), tube: Tube::new(vec![base.left, base.right]) };
         let runs = bases.iter().enumerate().map(run).collect();
         Self { law, guess: Guess::new(law), making, bases, runs, words: Vec::new(), tally: Tally::default() }
+    }
+
+    /// The middles of the tubes that are followed.
+    pub fn middles(&self) -> Vec<Vec<State>> {
+        let middle = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
+        self.runs.iter().map(|run| run.tube.chords().iter().map(middle).collect()).collect()
     }
 
     /// Follows all that is left over one impact more; false when told to stop.

@@ -1,6 +1,7 @@
 //! What is computed, made into the documents of [`crate::certificate`], and into words.
 
 mod bifurcation;
+mod chaos;
 mod conclusion;
 mod event;
 mod orbit;
@@ -8,6 +9,7 @@ mod periodic;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
+pub use chaos::{bases, chaos, told, trap};
 pub use conclusion::{Conclusion, counted};
 pub use event::{Bounds, Event, Kind};
 pub use orbit::{arithmetic, head, is_certified, orbit};

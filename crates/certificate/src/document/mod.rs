@@ -5,6 +5,7 @@
 
 mod audit;
 mod bifurcation;
+mod chaos;
 mod layout;
 mod number;
 mod orbit;
@@ -17,6 +18,7 @@ mod trade;
 
 pub use audit::*;
 pub use bifurcation::*;
+pub use chaos::*;
 pub use layout::{one_a_line, write_orbit};
 pub use number::{Bounds, Decimal, Written, bounds};
 pub use orbit::*;

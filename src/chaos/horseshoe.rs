@@ -1,0 +1,257 @@
+//! Horseshoes of a scene: [`Chaos`].
+
+use super::bases::{Seen, seen};
+use super::entropy::entropy;
+use super::flights::{Law, Side, State};
+use super::guess::Guess;
+use super::propose::Making;
+use super::scene::visited;
+use super::words::{Base, Path, Search};
+use crate::Error;
+use crate::Scene;
+use crate::mapping::Mapping;
+use crate::orbit::Start;
+use crate::pair::{ImpactPair, Wall};
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The most impacts of a word.
+    pub depth: usize,
+    /// The bases; found where there are none.
+    pub bases: Vec<Base>,
+}
+
+/// A way of the reduced map from one base across another, proved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// The base it starts in.
+    pub from: usize,
+    /// The one it crosses.
+    pub to: usize,
+    /// Where its impacts are if it starts on the left wall.
+    pub walls: Vec<Wall>,
+    /// How many half cycles it takes.
+    pub half_cycles: i64,
+}
+
+/// Words of a scene's impact map: each sequence of them that fits together is that of a true motion.
+///
+/// **Enclosure**: for every parameter of the pair, and every sequence of words each of which starts in the base that the one
+/// before crosses, there is a motion with these impacts, no other contact between them; a periodic sequence has a periodic
+/// motion. Motions of different sequences are different. The topological entropy of the impact map on a compact invariant set
+/// without grazes is at least [`Chaos::entropy`]. Lemmas U6-U11
+/// **Cost**: about 10 microseconds a box; where no bases are given, some hundred thousand boxes to find them.
+///
+/// ```
+/// use impact_pair::Scene;
+/// use impact_pair::chaos::{Base, Chaos, Question};
+/// let scene = Scene::parse(r#"
+///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+///     pair = { gap = 9.42497, restitution = 0.5 }
+///     start = { time = 0, wall = "left", velocity = -12.56636 }
+/// "#)?;
+/// let bases = vec![
+///     Base::new([0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
+///     Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
+///     Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
+/// ];
+/// let chaos = Chaos::of(scene.pair(), scene.start(), &Question { depth: 3, bases }, &|_, _| true)?;
+/// // As many motions over n cycles as sequences of two letters.
+/// assert!(chaos.entropy() >= 0.2812 && chaos.entropy_a_cycle() >= 0.69314);
+/// assert_eq!(chaos.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
+/// # Ok::<(), impact_pair::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Chaos {
+    bases: Vec<Base>,
+    words: Vec<Word>,
+    depth: usize,
+    boxes: u64,
+    entropy: [f64; 2],
+    exponent: Option<f64>,
+    attractor: Vec<State>,
+    tubes: Vec<Vec<State>>,
+}
+
+/// How tubes are made; any way will do.
+const MAKING: Making = Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9 };
+const MAKING_TRIALS: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7 };
+/// Tubes up to this depth are kept for pictures.
+const SHOWN: usize = 3;
+
+impl Chaos {
+    /// The words of at most so many impacts.
+    ///
+    /// `goes_on` is told the depth and the number of boxes and says whether to go on: what is proved until then stays. Where
+    /// no bases are given and the floating orbit is regular there are none, and so no words.
+    ///
+    /// # Errors
+    /// Under several harmonics, when bases overlap or are not convex, and when a value is beyond the range of flights.
+    pub fn of(
+        pair: &ImpactPair,
+        start: &Start,
+        question: &Question,
+        goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
+    ) -> Result<Self, Error> {
+        let law = Law::of(pair)?;
+        let guess = Guess::new(&law);
+        let orbit = visited(pair, start)?.last().and_then(|last| seen(&guess, last.middle()));
+        let bases = match &orbit {
+            _ if !question.bases.is_empty() => question.bases.clone(),
+            Some(orbit) if orbit.is_chaotic() => {
+                orbit.bases(&law, MAKING_TRIALS, question.depth, &|| goes_on(0, 0))
+            }
+            _ => Vec::new(),
+        };
+        if let Some(problem) = problem(&bases) {
+            return Err(Error::out_of_range(None, problem.to_owned()));
+        }
+        let mut search = Search::new(&law, &bases, MAKING);
+        let (mut depth, mut tubes) = (0, Vec::new());
+        while depth < question.depth && !bases.is_empty() {
+            let complete = search.deepen(&|tally| goes_on(depth + 1, tally.boxes));
+            if depth < SHOWN {
+                tubes.extend(search.middles());
+            }
+            if !complete {
+                break;
+            }
+            depth += 1;
+        }
+        let count = bases.len();
+        // exact: lengths
+        let entropy = [
+            entropy(&search.words, count, |path| path.sides.len() as i64), // exact: a length
+            2.0 * entropy(&search.words, count, |path| path.half_turns),
+        ];
+        let words = search.words.iter().map(Word::of).collect();
+        let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
+        let attractor = orbit.map_or_else(Vec::new, Seen::states);
+        let boxes = search.tally.boxes;
+        Ok(Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes })
+    }
+
+    /// The same of a scene.
+    ///
+    /// # Errors
+    /// As [`Chaos::of`].
+    pub fn of_scene(
+        scene: &Scene,
+        question: &Question,
+        goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
+    ) -> Result<Self, Error> {
+        Self::of(scene.pair(), scene.start(), question, goes_on)
+    }
+
+    /// The bases, each disjoint from the others.
+    pub fn bases(&self) -> &[Base] {
+        &self.bases
+    }
+
+    /// All words that are proved.
+    pub fn words(&self) -> &[Word] {
+        &self.words
+    }
+
+    /// The most impacts of a word, as far as all were looked for.
+    pub fn depth(&self) -> usize {
+        self.depth
+    }
+
+    /// How many boxes were proved to be mapped, or tried.
+    pub fn boxes(&self) -> u64 {
+        self.boxes
+    }
+
+    /// A lower bound of the topological entropy an impact; 0 where none is proved.
+    pub fn entropy(&self) -> f64 {
+        self.entropy[0]
+    }
+
+    /// The same a cycle.
+    pub fn entropy_a_cycle(&self) -> f64 {
+        self.entropy[1]
+    }
+
+    /// The Lyapunov exponent of the floating orbit, an impact: seen, not proved.
+    pub fn exponent(&self) -> Option<f64> {
+        self.exponent
+    }
+
+    /// The floating orbit.
+    pub fn attractor(&self) -> &[State] {
+        &self.attractor
+    }
+
+    /// The middles of the first tubes.
+    pub fn tubes(&self) -> &[Vec<State>] {
+        &self.tubes
+    }
+
+    /// Two words that may follow one another in any order, as short as there are: by the names of their impacts.
+    pub fn horseshoe(&self) -> Option<[&Word; 2]> {
+        let mut names: Vec<&Word> = Vec::new();
+        for word in &self.words {
+            if names.iter().all(|other| other.walls != word.walls) {
+                names.push(word);
+            }
+        }
+        names.sort_by_key(|word| word.walls.len());
+        let mut pairs: Vec<[&Word; 2]> =
+            names.iter().enumerate().flat_map(|(k, &a)| names[k + 1..].iter().map(move |&b| [a, b])).collect();
+        pairs.sort_by_key(|[a, b]| (b.walls.len(), a.walls.len()));
+        pairs.into_iter().find(|pair| self.is_free(pair))
+    }
+
+    /// Whether there are bases from each of which both lead to such a base.
+    fn is_free(&self, pair: &[&Word; 2]) -> bool {
+        let mut alive = vec![true; self.bases.len()];
+        loop {
+            let leads = |base: usize, name: &Word| {
+                self.words.iter().any(|word| word.from == base && alive[word.to] && word.walls == name.walls)
+            };
+            let next: Vec<bool> =
+                (0..alive.len()).map(|base| alive[base] && pair.iter().all(|name| leads(base, name))).collect();
+            if next == alive {
+                return alive.contains(&true);
+            }
+            alive = next;
+        }
+    }
+}
+
+/// What is wrong with bases, if anything is. Lemma U9
+fn problem(bases: &[Base]) -> Option<&'static str> {
+    if !bases.iter().all(Base::is_convex) {
+        return Some("the bases are not all convex quadrilaterals with their tops on the left from left to right");
+    }
+    let apart = bases.iter().enumerate().all(|(k, base)| bases[..k].iter().all(|other| base.is_apart(other)));
+    let near = bases.iter().all(Base::is_near);
+    (!(apart && near)).then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
+}
+
+impl Word {
+    fn of(path: &Path) -> Self {
+        let mut wall = Wall::Left;
+        let walls = path.sides.iter().map(|side| {
+            if *side == Side::Far {
+                wall = wall.other();
+            }
+            wall
+        });
+        Self { walls: walls.collect(), from: path.from, to: path.to, half_cycles: path.half_turns }
+    }
+
+    /// In mappings, the first one right-most, as the paper writes them.
+    pub fn in_mappings(&self) -> String {
+        let mut from = Wall::Left;
+        let mut names: Vec<String> = Vec::new();
+        for &to in &self.walls {
+            names.push(Mapping::between(from, to).to_string());
+            from = to;
+        }
+        names.reverse();
+        names.join(" ")
+    }
+}

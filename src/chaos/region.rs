@@ -1,0 +1,202 @@
+//! What the scene's motion does not leave: [`Trap`].
+
+use std::collections::BTreeMap;
+
+use super::flights::Law;
+use super::guess::Guess;
+use super::scene::{Visited, visited};
+use super::trap::{Grid, Refusal, Region};
+use crate::Error;
+use crate::Scene;
+use crate::number::Ball;
+
+/// A region of the reduced state space that the impact map maps into itself, proved: boxes of a grid.
+///
+/// **Enclosure**: a motion with one impact in the region has all its later ones there, without end. None comes to rest, none
+/// has infinitely many impacts in a finite time; each flight lasts as long and each impact is as fast as [`Trap::flight`] and
+/// [`Trap::speed`] say, in turns and over `A W`. At a graze both ways to go on are in it. Lemmas U4, U5
+/// **Cost**: about 2 microseconds a box.
+///
+/// ```
+/// use impact_pair::Scene;
+/// use impact_pair::chaos::Trap;
+/// let scene = Scene::parse(r#"
+///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+///     pair = { gap = 9.42497, restitution = 0.5 }
+///     start = { time = 0, wall = "left", velocity = -12.56636 }
+/// "#)?;
+/// let trap = Trap::of(&scene, 0, &|_| true)?.expect("a region");
+/// assert!(trap.flight()[0] > 0.05 && trap.flight()[1] < 0.7 && trap.speed()[1] < 2.0);
+/// assert!(trap.entered().is_some_and(|impact| impact <= 2));
+/// # Ok::<(), impact_pair::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Trap {
+    region: Region,
+    flight: [f64; 2],
+    entered: Option<u64>,
+}
+
+/// Why no region is proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Untrapped {
+    /// In the finest grid a ball may come to rest, or bounce too little to be told from one that does.
+    Rest,
+    /// In the finest grid a flight may be longer than 64 turns.
+    Long,
+    /// The region still grew after millions of boxes.
+    Boxes,
+    /// The scene's orbit has no impact that is seen.
+    NoImpact,
+    /// It was told to stop.
+    Interrupted,
+}
+
+impl Untrapped {
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Rest => "in the finest grid a ball may come to rest",
+            Self::Long => "in the finest grid a flight may last for more than 64 cycles",
+            Self::Boxes => "the region still grew after 4 million boxes",
+            Self::NoImpact => "the orbit of the scene has no impacts",
+            Self::Interrupted => "interrupted",
+        }
+    }
+}
+
+/// Grids: from this many columns and rows, doubled so often.
+const COARSEST: (i64, f64) = (256, 32.0);
+const DOUBLINGS: u32 = 7;
+/// Floating impacts before the region is grown from where the ball is.
+const TRANSIENT: usize = 2000;
+
+impl Trap {
+    /// A region around what attracts the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
+    ///
+    /// `goes_on` is told the number of boxes and says whether to go on.
+    ///
+    /// # Errors
+    /// Under several harmonics, and when a value is beyond the range of double-precision flights.
+    pub fn of(scene: &Scene, finer: u32, goes_on: &(dyn Fn(usize) -> bool + Sync)) -> Result<Result<Self, Untrapped>, Error> {
+        let law = Law::of(scene.pair())?;
+        let visited = visited(scene.pair(), scene.start())?;
+        let Some(last) = visited.last() else { return Ok(Err(Untrapped::NoImpact)) };
+        let guess = Guess::new(&law);
+        // proposes: any box may be grown from
+        let seed = (0..TRANSIENT).try_fold(last.middle(), |state, _| Some(guess.map(state)?.state));
+        let seed = seed.unwrap_or(last.middle()); // proposes: any box may be grown from
+        let mut why = Untrapped::Boxes;
+        for doubled in 0..=DOUBLINGS {
+            let region = grown(&law, doubled, seed, goes_on);
+            let region = match region {
+                Ok(region) if finer == 0 => region,
+                Ok(region) => grown(&law, doubled + finer, seed, goes_on).unwrap_or(region),
+                Err(reason) => {
+                    why = reason;
+                    if matches!(why, Untrapped::Interrupted | Untrapped::Boxes) {
+                        break;
+                    }
+                    continue;
+                }
+            };
+            let trap = Self::around(region, &visited);
+            // Lemma U5: flights that last prove that nothing rests
+            if trap.flight[0] > 0.0 {
+                return Ok(Ok(trap));
+            }
+            why = Untrapped::Rest;
+        }
+        Ok(Err(why))
+    }
+
+    fn around(region: Region, visited: &[Visited]) -> Self {
+        let times = region.cells.values().map(|reach| reach.time);
+        let flight = times.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]); // U5: the outer ends
+        let entered = visited.iter().find(|state| region.holds(state.phase, state.speed)).map(|state| state.index);
+        Self { region, flight, entered }
+    }
+
+    /// How many boxes it has.
+    pub fn boxes(&self) -> usize {
+        self.region.cells.len()
+    }
+
+    /// The columns of the grid in a turn, and its rows in a speed of `A W`.
+    pub fn grid(&self) -> (i64, f64) {
+        (self.region.grid.columns, self.region.grid.rows)
+    }
+
+    /// Bounds of the times of all flights, in turns.
+    pub fn flight(&self) -> [f64; 2] {
+        self.flight
+    }
+
+    /// Bounds of the speeds before all impacts, over `A W`.
+    pub fn speed(&self) -> [f64; 2] {
+        let rows = self.region.cells.keys().map(|&(_, row)| f64::from(row));
+        let [low, high] = rows.fold([f64::INFINITY, 0.0], |[a, b], row| [a.min(row), b.max(row + 1.0)]); // U5: the outer ends
+        [low / self.region.grid.rows, high / self.region.grid.rows] // exact: a power of two
+    }
+
+    /// The impact of the scene's own orbit from which on all are in the region, 0 for its start; `None` if none of the first
+    /// hundred is proved to be.
+    pub fn entered(&self) -> Option<u64> {
+        self.entered
+    }
+
+    /// Its boxes: runs of rows, the first and the last one, by column.
+    pub fn columns(&self) -> BTreeMap<i32, Vec<(i32, i32)>> {
+        let mut rows: BTreeMap<i32, Vec<i32>> = BTreeMap::new();
+        for &(column, row) in self.region.cells.keys() {
+            rows.entry(column).or_default().push(row);
+        }
+        let runs = |mut rows: Vec<i32>| {
+            rows.sort_unstable();
+            let mut runs: Vec<(i32, i32)> = Vec::new();
+            for row in rows {
+                match runs.last_mut() {
+                    Some((_, last)) if *last + 1 == row => *last = row,
+                    _ => runs.push((row, row)),
+                }
+            }
+            runs
+        };
+        rows.into_iter().map(|(column, rows)| (column, runs(rows))).collect()
+    }
+}
+
+fn grown(law: &Law, doubled: u32, seed: [f64; 2], goes_on: &(dyn Fn(usize) -> bool + Sync)) -> Result<Region, Untrapped> {
+    let more = 1_i64 << doubled;
+    let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
+    let cell = grid.cell(seed[0], seed[1]);
+    Region::grow(law, grid, cell, goes_on).map_err(|reason| match reason {
+        Some(Refusal::Rest) => Untrapped::Rest,
+        Some(Refusal::Long) => Untrapped::Long,
+        None if goes_on(0) => Untrapped::Boxes,
+        None => Untrapped::Interrupted,
+    })
+}
+
+impl Region {
+    /// Whether all states with such a phase and speed are proved to be in it.
+    fn holds(&self, phase: Ball, speed: Ball) -> bool {
+        let Grid { columns, rows } = self.grid;
+        let cells = |x: Ball, per: f64| {
+            // U5: the boxes of both ends, outward; where there are too many nothing is claimed
+            let ends = [(x.mid() - x.rad()).next_down() * per, (x.mid() + x.rad()).next_up() * per];
+            let [low, high] = ends.map(f64::floor); // U5: the box of an end
+            (high - low < 1e3 && high.abs() < 1e15).then(|| low as i64..=high as i64) // exact: small whole numbers
+        };
+        let (Some(across), Some(up)) = (cells(phase, columns as f64), cells(speed, rows)) else { return false }; // exact: a power of two
+        // Speeds are not negative.
+        let up = up.filter(|&row| row >= 0).collect::<Vec<_>>();
+        let all = across.flat_map(|column| up.iter().map(move |&row| (column.rem_euclid(columns), row)));
+        let mut count = 0;
+        let are_in = all.into_iter().all(|(column, row)| {
+            count += 1;
+            i32::try_from(row).is_ok_and(|row| self.cells.contains_key(&(column as i32, row))) // exact: fewer than 2^31
+        });
+        are_in && count > 0
+    }
+}
