@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 22] = [
+const ROOMS: [(&str, &[&str]); 23] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -41,7 +41,8 @@ const ROOMS: [(&str, &[&str]); 22] = [
         ],
     ),
     ("lyapunov", &["number", "orbit"]),
-    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit"]),
+    ("chaos", &["number", "pair", "flight", "mapping", "contact", "orbit"]),
+    ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),
     ("trade", &["pair", "scales", "orbit", "document"]),

@@ -74,11 +74,18 @@ pub struct Chaos {
     tubes: Vec<Vec<State>>,
 }
 
-/// How tubes are made; any way will do.
-const MAKING: Making = Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9 };
-const MAKING_TRIALS: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7 };
-/// Tubes up to this depth are kept for pictures.
-const SHOWN: usize = 3;
+/// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
+const MAKINGS: [Making; 4] = [
+    Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9 },
+    Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8 },
+    Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 },
+    Making { longest: 0.01, margin: 1.3, pad: 3e-4, shortest: 1e-5 },
+];
+/// Bases are tried with this one.
+const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7 };
+/// Up to this depth all makings are tried; deeper the first one that is nearly as good as the best.
+const SHALLOW: usize = 8;
+const NEARLY: f64 = 0.95;
 
 impl Chaos {
     /// The words of at most so many impacts.
@@ -100,31 +107,31 @@ impl Chaos {
         let bases = match &orbit {
             _ if !question.bases.is_empty() => question.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => {
-                orbit.bases(&law, MAKING_TRIALS, question.depth, &|| goes_on(0, 0))
+                orbit.bases(&law, TRIAL, question.depth, &|| goes_on(0, 0))
             }
             _ => Vec::new(),
         };
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
-        let mut search = Search::new(&law, &bases, MAKING);
-        let (mut depth, mut tubes) = (0, Vec::new());
-        while depth < question.depth && !bases.is_empty() {
-            let complete = search.deepen(&|tally| goes_on(depth + 1, tally.boxes));
-            if depth < SHOWN {
-                tubes.extend(search.middles());
-            }
-            if !complete {
-                break;
-            }
-            depth += 1;
+        let followed = |search: &mut Search<'_>, from: usize, to: usize| {
+            (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to)
+        };
+        let shallow = if bases.is_empty() { 0 } else { question.depth.min(SHALLOW) };
+        let tried = MAKINGS.map(|making| {
+            let mut search = Search::new(&law, &bases, making);
+            let depth = followed(&mut search, 0, shallow);
+            (by_impact(&search), depth, search)
+        });
+        let best = tried.iter().fold(0.0, |best: f64, (entropy, ..)| best.max(*entropy)); // proposes: each is a proof of its own
+        let deeper = shallow < question.depth && shallow > 0;
+        let enough = if deeper { NEARLY * best } else { best };
+        let (_, mut depth, mut search) = tried.into_iter().find(|(entropy, ..)| *entropy >= enough).expect("the best");
+        if deeper && depth == shallow {
+            depth = followed(&mut search, shallow, question.depth);
         }
-        let count = bases.len();
-        // exact: lengths
-        let entropy = [
-            entropy(&search.words, count, |path| path.sides.len() as i64), // exact: a length
-            2.0 * entropy(&search.words, count, |path| path.half_turns),
-        ];
+        let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
+        let tubes = search.shown.clone();
         let words = search.words.iter().map(Word::of).collect();
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
         let attractor = orbit.map_or_else(Vec::new, Seen::states);
@@ -219,6 +226,10 @@ impl Chaos {
             alive = next;
         }
     }
+}
+
+fn by_impact(search: &Search<'_>) -> f64 {
+    entropy(&search.words, search.bases.len(), |path| path.sides.len() as i64) // exact: a length
 }
 
 /// What is wrong with bases, if anything is. Lemma U9

@@ -1,1 +1,228 @@
+//! Images against certified first contacts of single flights, spoiled proofs, and entropies that are known.
 
+use proptest::prelude::*;
+
+use super::entropy::entropy;
+use super::flights::{Chord, Flights, Law, Quad, Side, State};
+use super::guess::Guess;
+use super::propose::{Making, Proposal};
+use super::trap::{Grid, Region};
+use super::tube::Tube;
+use super::words::{Base, Path, Search};
+use crate::contact::{Margins, Radii, Verdict, first_contact};
+use crate::flight::Flight;
+use crate::number::{Ball, Number, kernel::sin_cos};
+use crate::pair::{Reduced, Wall};
+
+const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 };
+
+/// `D` and `e` of figures 14, 17 and 16.
+fn laws() -> [Law; 3] {
+    let law = |gap: f64, restitution: f64| Law { gap: Ball::exact(gap), restitution: Ball::exact(restitution) };
+    [law(1.178125, 0.5), law(1.0, 0.8), law(0.1, 0.8)]
+}
+
+fn figure_14() -> Law {
+    Law { gap: Ball::new(9.42497 / 8.0, 1e-15), restitution: Ball::exact(0.5) }
+}
+
+fn bases() -> [Base; 3] {
+    [
+        Base::new([0.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
+        Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
+        Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
+    ]
+}
+
+/// The next impact of the flight from one state by the closed form of [`crate::contact`]: another route, certified.
+fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2])> {
+    let alpha = Ball::exact(1.0).checked_div(law.gap).unwrap();
+    let beta = alpha.turn() * alpha;
+    let pair = Reduced { alpha, beta, restitution: law.restitution };
+    let after = law.restitution * beta * Ball::exact(speed);
+    let flight = Flight::from_wall(&pair.centre(), Wall::Left, phase, after.mid(), sin_cos(phase));
+    let radii = Radii { velocity: after.rad(), ..Radii::default() };
+    let Verdict::Certified(contact) = first_contact(&flight, &Margins::new(&pair), radii) else { return None };
+    let arrival = contact.phase + Ball::exact(contact.turns);
+    Some(match contact.wall {
+        Wall::Left => (Side::Near, [arrival, (-contact.velocity).checked_div(beta)?]),
+        Wall::Right => (Side::Far, [arrival + Ball::exact(0.5), contact.velocity.checked_div(beta)?]),
+    })
+}
+
+/// Whether two enclosures of one number have a member in common.
+fn meet(a: Ball, b: Ball) -> bool {
+    (a.mid() - b.mid()).abs() <= a.rad() + b.rad() + 1e-15
+}
+
+proptest! {
+    /// Lemmas U1-U3: whatever lands, lands in the image, in all directions.
+    #[test]
+    fn images_hold_those_of_their_members(
+        law in prop::sample::select(laws().to_vec()), phase in 0.0..1.0f64, speed in 0.02..1.6f64,
+        size in prop_oneof![Just(1e-6), Just(1e-4), 1e-3..1e-2f64], turned in 0.0..1.0f64, thin in 0.001..1.0f64,
+        (a, b) in (-1.0..=1.0f64, -1.0..=1.0f64), skew in -0.5..0.5f64, corner in any::<bool>(),
+    ) {
+        let (sin, cos) = sin_cos(turned);
+        let chord = |end: f64| {
+            let half = 0.2 * size * thin * (1.0 + skew * end);
+            let at = |sign: f64| [phase + size * end * cos - sign * half * sin, speed + size * end * sin + sign * half * cos];
+            Chord { bottom: at(-1.0), top: at(1.0) }
+        };
+        let (from, to) = (chord(-1.0), chord(1.0));
+        let quad = Quad::between(&from, &to);
+        let (a, b): (f64, f64) = if corner { (a.signum(), b.signum()) } else { (a, b) };
+        let mix = |i: usize| 0.25 * ((1.0 - a) * ((1.0 - b) * from.bottom[i] + (1.0 + b) * from.top[i])
+            + (1.0 + a) * ((1.0 - b) * to.bottom[i] + (1.0 + b) * to.top[i]));
+        let member = [mix(0), mix(1)];
+        let guess = Guess::new(&law);
+        let landed = guess.map(quad.centre).and_then(|image| {
+            let arrival = image.state[0] - if image.side == Side::Far { 0.5 } else { 0.0 };
+            Some((image.side, Flights::new(&law, &quad).land(image.side, arrival)?))
+        });
+        if let (Some((side, landing)), Some((true_side, [u, w]))) = (landed, truth(&law, member)) {
+            prop_assert_eq!(side, true_side);
+            let (zero, one) = (Ball::exact(0.0), Ball::exact(1.0));
+            let turned = [Ball::exact(cos), Ball::exact(sin)];
+            for normal in [[one, zero], [zero, one], turned, [-turned[1], turned[0]]] {
+                let found = landing.along(normal, [zero, zero]);
+                let expected = normal[0] * u + normal[1] * w;
+                prop_assert!(meet(found, expected), "{found:?} {expected:?}");
+            }
+        }
+    }
+
+    /// Lemma U4: the boxes hold where the flights from a box land.
+    #[test]
+    fn boxes_hold_the_images_of_their_members(
+        law in prop::sample::select(laws().to_vec()), column in 0..512i32, row in prop_oneof![Just(0), 0..90i32],
+        (a, b) in (0.0..=1.0f64, 0.0..=1.0f64),
+    ) {
+        let grid = Grid { columns: 512, rows: 64.0 };
+        let mut found = std::collections::HashSet::new();
+        if let Ok(reach) = grid.image(&law, &grid.quad((column, row)), &mut found) {
+            let member = [(f64::from(column) + a) / 512.0, (f64::from(row) + b) / 64.0];
+            if let Some((_, [u, w])) = truth(&law, member) {
+                let near = |x: f64| found.contains(&grid.cell(u.mid() + x, w.mid()));
+                prop_assert!(near(0.0) || near(1e-12) || near(-1e-12), "{member:?} {u:?} {w:?}");
+                prop_assert!(reach.time[0] > 0.0);
+            }
+        }
+    }
+}
+
+/// Lemma U5: no box of the region can be left out where the orbit is.
+#[test]
+fn a_region_is_closed_and_one_with_a_hole_is_not() {
+    let law = figure_14();
+    let grid = Grid { columns: 256, rows: 32.0 };
+    let region = Region::grow(&law, grid, grid.cell(0.778, 1.2345), &|_| true).unwrap();
+    let images = |hole: Option<(i32, i32)>| {
+        let mut found = std::collections::HashSet::new();
+        for &cell in region.cells.keys().filter(|&&cell| Some(cell) != hole) {
+            grid.image(&law, &grid.quad(cell), &mut found).unwrap();
+        }
+        found.iter().all(|cell| region.cells.contains_key(cell) && Some(*cell) != hole)
+    };
+    assert!(images(None));
+    let guess = Guess::new(&law);
+    let mut state = [0.778, 1.2345];
+    for _ in 0..300 {
+        state = guess.map(state).unwrap().state;
+        let cell = grid.cell(state[0], state[1]);
+        assert!(region.cells.contains_key(&cell), "{state:?}");
+    }
+    assert!(!images(Some(grid.cell(state[0], state[1]))));
+    // A ball that is hardly thrown on a pressed wall comes to rest.
+    assert!(Region::grow(&law, grid, grid.cell(0.6, 0.001), &|_| true).is_err());
+}
+
+fn words(law: &Law, bases: &[Base], depth: usize) -> Vec<Path> {
+    let mut search = Search::new(law, bases, MAKING);
+    (0..depth).for_each(|_| assert!(search.deepen(&|_| true)));
+    search.words
+}
+
+fn by_impact(words: &[Path], bases: usize) -> f64 {
+    entropy(words, bases, |word| word.sides.len() as i64)
+}
+
+/// Figure 14, as an independent program found: 6 words of at most 3 impacts, entropy 0.2812 an impact, ln 2 a cycle.
+#[test]
+fn the_shortest_horseshoe_of_figure_14() {
+    let words = words(&figure_14(), &bases(), 3);
+    assert_eq!(words.len(), 6);
+    let cycle = 2.0 * entropy(&words, 3, |word| word.half_turns);
+    assert!((0.2812..0.2813).contains(&by_impact(&words, 3)), "{}", by_impact(&words, 3));
+    assert!(cycle <= std::f64::consts::LN_2 && cycle > std::f64::consts::LN_2 - 1e-9);
+}
+
+/// A base that is moved across the leaves, or turned, is crossed no more.
+#[test]
+fn moved_bases_lead_to_less() {
+    let entropy_of = |change: &dyn Fn(Base) -> Base| by_impact(&words(&figure_14(), &bases().map(change), 3), 3);
+    let moved = |by: f64| {
+        move |base: Base| {
+            let moved = |[u, w]: State| [u, w + by];
+            let chord = |chord: Chord| Chord { bottom: moved(chord.bottom), top: moved(chord.top) };
+            Base { left: chord(base.left), right: chord(base.right) }
+        }
+    };
+    assert!(entropy_of(&moved(0.0)) > 0.28);
+    assert_eq!(entropy_of(&moved(0.02)), 0.0);
+    assert_eq!(entropy_of(&moved(-0.02)), 0.0);
+}
+
+/// Tubes that are right for one pair are wrong for another, and with a cell left out.
+#[test]
+fn spoiled_tubes_are_refused() {
+    let law = figure_14();
+    let guess = Guess::new(&law);
+    let base = bases()[0];
+    let tube = Tube::new(vec![base.left, base.right]);
+    let other = Law { gap: law.gap * Ball::exact(1.01), ..law };
+    let proposals = MAKING.images(&guess, &tube);
+    let Proposal { parts, side, next } = proposals.iter().max_by_key(|proposal| proposal.parts.len()).unwrap();
+    let proved = |law: &Law, next: &Tube| {
+        parts.iter().filter(|part| tube.is_mapped(law, &Guess::new(law), part, *side, next)).count()
+    };
+    let all = proved(&law, next);
+    assert!(all > parts.len() * 9 / 10, "{all} of {}", parts.len());
+    assert!(proved(&other, next) < all / 10);
+    // Without a stretch in the middle parts behind it are not where they are said to be.
+    let (half, chords) = (next.chords().len() / 2, next.chords());
+    let gap: Vec<Chord> = chords[..half].iter().chain(&chords[half + 8..]).copied().collect();
+    assert!(proved(&law, &Tube::new(gap)) < all * 6 / 10);
+    // As thick as a leaf away.
+    let moved = |[u, w]: State| [u, w + 0.004];
+    let away = chords.iter().map(|chord| Chord { bottom: moved(chord.bottom), top: moved(chord.top) }).collect();
+    assert!(proved(&law, &Tube::new(away)) < all / 10);
+}
+
+/// Renewal equations with known roots.
+#[test]
+fn entropies_that_are_known() {
+    let word = |from: usize, to: usize, impacts: usize| Path { from, to, sides: vec![Side::Far; impacts], half_turns: 1 };
+    let golden = (0.5 * (1.0 + 5f64.sqrt())).ln();
+    let cases: [(Vec<Path>, usize, f64); 5] = [
+        (vec![word(0, 0, 1), word(0, 0, 1)], 1, std::f64::consts::LN_2),
+        (vec![word(0, 0, 1), word(0, 0, 2)], 1, golden),
+        (vec![word(0, 0, 1), word(0, 1, 1), word(1, 0, 1)], 2, golden),
+        (vec![word(0, 0, 3)], 1, 0.0),
+        (vec![word(0, 1, 1)], 2, 0.0),
+    ];
+    for (words, bases, expected) in cases {
+        let found = by_impact(&words, bases);
+        assert!(found <= expected && expected - found < 1e-9, "{found} {expected}");
+    }
+    assert_eq!(entropy(&[word(0, 0, 1)], 1, |_| 0), 0.0);
+}
+
+#[test]
+fn bases_that_overlap_are_told() {
+    let [a, b, c] = bases();
+    assert!(a.is_convex() && a.is_apart(&b) && b.is_apart(&c) && !a.is_apart(&a));
+    let later = Base::new([1.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]);
+    assert!(!a.is_apart(&later) && b.is_apart(&later));
+    assert!(!Base { left: a.right, right: a.left }.is_convex());
+}

@@ -51,7 +51,13 @@ pub(crate) struct Search<'s> {
     runs: Vec<Run>,
     pub words: Vec<Path>,
     pub tally: Tally,
+    /// The middles of the first tubes, for pictures.
+    pub shown: Vec<Vec<State>>,
+    depth: usize,
 }
+
+/// Tubes up to this depth are shown.
+const SHOWN: usize = 3;
 
 impl Base {
     /// From a centre and the half vectors of its sides.
@@ -107,13 +113,8 @@ impl<'s> Search<'s> {
     pub fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
         let run = |(from, base): (usize, &Base)| Run { from, sides: Vec::new(), tube: Tube::new(vec![base.left, base.right]) };
         let runs = bases.iter().enumerate().map(run).collect();
-        Self { law, guess: Guess::new(law), making, bases, runs, words: Vec::new(), tally: Tally::default() }
-    }
-
-    /// The middles of the tubes that are followed.
-    pub fn middles(&self) -> Vec<Vec<State>> {
-        let middle = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
-        self.runs.iter().map(|run| run.tube.chords().iter().map(middle).collect()).collect()
+        let (words, tally, shown) = (Vec::new(), Tally::default(), Vec::new());
+        Self { law, guess: Guess::new(law), making, bases, runs, words, tally, shown, depth: 0 }
     }
 
     /// Follows all that is left over one impact more; false when told to stop.
@@ -141,6 +142,12 @@ impl<'s> Search<'s> {
         for (_, runs, words) in done {
             self.runs.extend(runs);
             self.words.extend(words);
+        }
+        self.depth += 1; // exact: a count
+        if self.depth <= SHOWN {
+            let middle = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
+            let middles = self.runs.iter().map(|run| run.tube.chords().iter().map(middle).collect());
+            self.shown.extend(middles);
         }
         goes_on(self.tally)
     }
