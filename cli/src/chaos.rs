@@ -9,6 +9,7 @@ use impact_pair::certificate::document::{BaseDocument, ChaosDocument};
 use impact_pair::chaos::{Base, Chaos, Question};
 use impact_pair::document;
 use impact_pair::exact::Exact;
+use impact_pair::pair::Wall;
 use impact_pair::periodic::bifurcation::Over;
 use serde::Deserialize;
 
@@ -21,7 +22,7 @@ use crate::scene;
 
 pub const HELP: &str = "\
 Examples:
-  impact-pair chaos scenes/figure-14.toml --depth 6
+  impact-pair chaos scenes/figure-14.toml --depth 4
   impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --over gap=9.4249..9.4251
   impact-pair chaos scenes/figure-12.toml
 
@@ -127,8 +128,14 @@ fn table(out: &mut impl Write, document: &ChaosDocument, found: &Chaos) -> io::R
         document.boxes
     )?;
     if let Some([a, b]) = found.horseshoe() {
-        let blocks = [a, b].map(|word| format!("{} ({} cycles)", word.in_mappings(), 0.5 * word.half_cycles as f64));
-        writeln!(out, "for every sequence of these two blocks there is a motion, for a periodic one a periodic motion:")?;
+        let time = |half: i64| if half == 2 { "1 cycle".to_owned() } else { format!("{} cycles", 0.5 * half as f64) };
+        let blocks = [a, b].map(|word| format!("{} ({})", word.in_mappings(), time(word.half_cycles)));
+        let mirrored = [a, b].iter().any(|word| word.walls.last() == Some(&Wall::Right));
+        let mirrored = if mirrored { " (mirrored where it starts on the right wall)" } else { "" };
+        writeln!(
+            out,
+            "for every sequence of these two blocks{mirrored} there is a motion, for a periodic one a periodic motion:"
+        )?;
         writeln!(out, "  {}\n  {}", blocks[0], blocks[1])?;
     }
     if let Some(exponent) = document.exponent_seen {
@@ -144,8 +151,12 @@ fn table(out: &mut impl Write, document: &ChaosDocument, found: &Chaos) -> io::R
             "\n{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact:.5} an impact, {cycle:.5} a cycle"
         )
     } else if found.bases().is_empty() && found.exponent().is_some_and(|exponent| exponent < 1e-3) {
-        writeln!(out, "\nundecided: the floating orbit is regular: no horseshoe is looked for; one may be there all the same, off the attractor")
+        writeln!(
+            out,
+            "\nundecided: the floating orbit is regular: no horseshoe is looked for; one may be there all the same, off the attractor"
+        )
     } else {
-        writeln!(out, "\n{stopped}undecided: no horseshoe is proved")
+        let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
+        writeln!(out, "\n{stopped}undecided: no horseshoe is proved{hint}")
     }
 }

@@ -64,7 +64,8 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let region = match found {
         Ok(region) => region,
         Err(why) => {
-            writeln!(io::stdout(), "undecided: no region is proved; {}", why.words()).context("cannot write to stdout")?;
+            writeln!(io::stdout(), "undecided: no region is proved; {}", why.words())
+                .context("cannot write to stdout")?;
             return Ok(Answer::Incomplete);
         }
     };
@@ -78,7 +79,10 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
             let entered = match document.entered {
                 Some(0) => "the scene's start and all impacts after it are in it".to_owned(),
                 Some(impact) => format!("of the scene's orbit impact {impact} and all later ones are in it"),
-                None => "undecided whether the scene's orbit enters it: none of its first 100 impacts is proved to be in it".to_owned(),
+                None => {
+                    "undecided whether the scene's orbit enters it: none of its first 100 impacts is proved to be in it"
+                        .to_owned()
+                }
             };
             writeln!(
                 out,

@@ -7,10 +7,12 @@ use std::path::PathBuf;
 
 use common::program;
 
-const VERBS: [&str; 12] = [
+const VERBS: [&str; 14] = [
     "run",
     "periodic",
     "bifurcations",
+    "trap",
+    "chaos",
     "sweep",
     "plot",
     "check",
@@ -66,6 +68,7 @@ fn folder() -> PathBuf {
         let scene = scene.unwrap();
         fs::copy(scene.path(), folder.join("scenes").join(scene.file_name())).unwrap();
     }
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/bases-figure-14.json"), folder.join("bases.json")).unwrap();
     fs::write(folder.join("events.csv"), "time,wall,velocity\n0.5513480202185213,right,35.45263760123459\n").unwrap();
     fs::write(folder.join("sol.txt"), "0.5513480202185213 0 1 35.45263760123459\n").unwrap();
     folder

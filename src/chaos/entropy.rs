@@ -43,9 +43,8 @@ fn is_reached(matrix: &[Vec<Ball>]) -> bool {
     let size = matrix.len();
     let mut vector = vec![1.0f64; size];
     for _ in 0..400 {
-        let image: Vec<f64> = (0..size)
-            .map(|a| vector[a] + (0..size).map(|b| matrix[a][b].mid() * vector[b]).sum::<f64>())
-            .collect();
+        let image: Vec<f64> =
+            (0..size).map(|a| vector[a] + (0..size).map(|b| matrix[a][b].mid() * vector[b]).sum::<f64>()).collect();
         let most = image.iter().fold(0.0, |most: f64, x| most.max(*x)); // proposes: any vector will do
         vector = image.iter().map(|x| if *x < 1e-9 * most { 0.0 } else { x / most }).collect();
     }

@@ -227,8 +227,7 @@ impl Flights {
         let mut angle = 1.0;
         while 0.5 * angle > TAU * self.radius {
             let (half, sixth) = (0.5 * angle, angle * angle / 6.0);
-            let rises = least > up(below * sixth + down * half)
-                || least >= 0.0 && down == 0.0 && self.leaves(angle); // U2: no sine below 0
+            let rises = least > up(below * sixth + down * half) || least >= 0.0 && down == 0.0 && self.leaves(angle); // U2: no sine below 0
             let stays = is_positive(self.gap - Ball::new(0.0, up(angle * (most + sixth + half))));
             if rises && stays {
                 let phase = self.start - self.radius + angle / TAU * (1.0 - 8.0 * UNIT);

@@ -47,13 +47,8 @@ impl Guess {
         let far = contact.wall == Wall::Right;
         let side = if far { Side::Far } else { Side::Near };
         let (sin1, _) = kernel::sin_cos(contact.phase);
-        let passage = Passage {
-            time: contact.time,
-            sin0: waves.0,
-            sin1,
-            velocity0: -speed * beta,
-            velocity1: contact.velocity,
-        };
+        let passage =
+            Passage { time: contact.time, sin0: waves.0, sin1, velocity0: -speed * beta, velocity1: contact.velocity };
         let [[a, b], [c, d]] = jacobian(beta, restitution, &passage)?;
         let sign = if far { 1.0 } else { -1.0 };
         let state = [start + contact.time + if far { 0.5 } else { 0.0 }, contact.velocity.abs() / beta];

@@ -106,9 +106,7 @@ impl Chaos {
         let orbit = visited(pair, start)?.last().and_then(|last| seen(&guess, last.middle()));
         let bases = match &orbit {
             _ if !question.bases.is_empty() => question.bases.clone(),
-            Some(orbit) if orbit.is_chaotic() => {
-                orbit.bases(&law, TRIAL, question.depth, &|| goes_on(0, 0))
-            }
+            Some(orbit) if orbit.is_chaotic() => orbit.bases(&law, TRIAL, question.depth, &|| goes_on(0, 0)),
             _ => Vec::new(),
         };
         if let Some(problem) = problem(&bases) {
@@ -239,7 +237,8 @@ fn problem(bases: &[Base]) -> Option<&'static str> {
     }
     let apart = bases.iter().enumerate().all(|(k, base)| bases[..k].iter().all(|other| base.is_apart(other)));
     let near = bases.iter().all(Base::is_near);
-    (!(apart && near)).then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
+    (!(apart && near))
+        .then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
 }
 
 impl Word {

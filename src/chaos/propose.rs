@@ -49,7 +49,11 @@ impl Making {
             let (from, to) = (sample(guess, tube, cell, -1.0), sample(guess, tube, cell, 1.0));
             self.refine(guess, tube, from, to, (cell == 0, cell + 1 == tube.cells()), &mut segments);
         }
-        segments.iter().filter(|segment| segment.len() >= FEWEST).filter_map(|segment| self.proposal(guess, segment)).collect()
+        segments
+            .iter()
+            .filter(|segment| segment.len() >= FEWEST)
+            .filter_map(|segment| self.proposal(guess, segment))
+            .collect()
     }
 
     fn refine(
@@ -97,9 +101,14 @@ impl Making {
     }
 
     fn proposal(&self, guess: &Guess, segment: &[(Sample, Sample)]) -> Option<Proposal> {
-        let images: Vec<Image> =
-            segment.iter().map(|(from, _)| from).chain(segment.last().map(|(_, to)| to)).map(|x| x.image.expect("an image")).collect();
-        let halves: Vec<State> = segment.iter().map(|(from, _)| from.half).chain(segment.last().map(|(_, to)| to.half)).collect();
+        let images: Vec<Image> = segment
+            .iter()
+            .map(|(from, _)| from)
+            .chain(segment.last().map(|(_, to)| to))
+            .map(|x| x.image.expect("an image"))
+            .collect();
+        let halves: Vec<State> =
+            segment.iter().map(|(from, _)| from.half).chain(segment.last().map(|(_, to)| to.half)).collect();
         let mut lengths = vec![0.0];
         for pair in images.windows(2) {
             lengths.push(lengths[lengths.len() - 1] + length(minus(pair[1].state, pair[0].state)));
@@ -149,7 +158,8 @@ impl Making {
         let tangent = radians(tangent);
         let long = tangent[0].hypot(tangent[1]);
         let lean = |direction: State| cross(tangent, radians(direction)) / (long * length(direction));
-        let direction = guess.contracting(image.state).filter(|&direction| lean(direction).abs() > 0.05).unwrap_or(half);
+        let direction =
+            guess.contracting(image.state).filter(|&direction| lean(direction).abs() > 0.05).unwrap_or(half);
         let size = length(direction);
         let unit = direction.map(|x| x / size);
         let sine = lean(direction);

@@ -78,7 +78,11 @@ impl Trap {
     ///
     /// # Errors
     /// Under several harmonics, and when a value is beyond the range of double-precision flights.
-    pub fn of(scene: &Scene, finer: u32, goes_on: &(dyn Fn(usize) -> bool + Sync)) -> Result<Result<Self, Untrapped>, Error> {
+    pub fn of(
+        scene: &Scene,
+        finer: u32,
+        goes_on: &(dyn Fn(usize) -> bool + Sync),
+    ) -> Result<Result<Self, Untrapped>, Error> {
         let law = Law::of(scene.pair())?;
         let visited = visited(scene.pair(), scene.start())?;
         let Some(last) = visited.last() else { return Ok(Err(Untrapped::NoImpact)) };
@@ -166,7 +170,12 @@ impl Trap {
     }
 }
 
-fn grown(law: &Law, doubled: u32, seed: [f64; 2], goes_on: &(dyn Fn(usize) -> bool + Sync)) -> Result<Region, Untrapped> {
+fn grown(
+    law: &Law,
+    doubled: u32,
+    seed: [f64; 2],
+    goes_on: &(dyn Fn(usize) -> bool + Sync),
+) -> Result<Region, Untrapped> {
     let more = 1_i64 << doubled;
     let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
     let cell = grid.cell(seed[0], seed[1]);
@@ -186,7 +195,7 @@ impl Region {
             // U5: the boxes of both ends, outward; where there are too many nothing is claimed
             let ends = [(x.mid() - x.rad()).next_down() * per, (x.mid() + x.rad()).next_up() * per];
             let [low, high] = ends.map(f64::floor); // U5: the box of an end
-            (high - low < 1e3 && high.abs() < 1e15).then(|| low as i64..=high as i64) // exact: small whole numbers
+            (high - low < 1e3 && high.abs() < 1e15).then_some(low as i64..=high as i64) // exact: small whole numbers
         };
         let (Some(across), Some(up)) = (cells(phase, columns as f64), cells(speed, rows)) else { return false }; // exact: a power of two
         // Speeds are not negative.

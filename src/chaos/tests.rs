@@ -153,7 +153,9 @@ fn the_shortest_horseshoe_of_figure_14() {
     let words = words(&figure_14(), &bases(), 3);
     assert_eq!(words.len(), 6);
     let cycle = 2.0 * entropy(&words, 3, |word| word.half_turns);
-    assert!((0.2812..0.2813).contains(&by_impact(&words, 3)), "{}", by_impact(&words, 3));
+    // A cycle takes 2 or 3 impacts: 1 = x^2 + x^3, the inverse of the plastic number.
+    let expected = 0.281_199_574_322_961_8;
+    assert!(by_impact(&words, 3) <= expected && by_impact(&words, 3) > expected - 1e-9, "{}", by_impact(&words, 3));
     assert!(cycle <= std::f64::consts::LN_2 && cycle > std::f64::consts::LN_2 - 1e-9);
 }
 
@@ -182,13 +184,13 @@ fn spoiled_tubes_are_refused() {
     let tube = Tube::new(vec![base.left, base.right]);
     let other = Law { gap: law.gap * Ball::exact(1.01), ..law };
     let proposals = MAKING.images(&guess, &tube);
-    let Proposal { parts, side, next } = proposals.iter().max_by_key(|proposal| proposal.parts.len()).unwrap();
+    let Proposal { parts, side, next } = proposals.iter().find(|proposal| proposal.side == Side::Far).unwrap();
     let proved = |law: &Law, next: &Tube| {
         parts.iter().filter(|part| tube.is_mapped(law, &Guess::new(law), part, *side, next)).count()
     };
     let all = proved(&law, next);
     assert!(all > parts.len() * 9 / 10, "{all} of {}", parts.len());
-    assert!(proved(&other, next) < all / 10);
+    assert_eq!(proved(&other, next), 0);
     // Without a stretch in the middle parts behind it are not where they are said to be.
     let (half, chords) = (next.chords().len() / 2, next.chords());
     let gap: Vec<Chord> = chords[..half].iter().chain(&chords[half + 8..]).copied().collect();
@@ -202,7 +204,8 @@ fn spoiled_tubes_are_refused() {
 /// Renewal equations with known roots.
 #[test]
 fn entropies_that_are_known() {
-    let word = |from: usize, to: usize, impacts: usize| Path { from, to, sides: vec![Side::Far; impacts], half_turns: 1 };
+    let word =
+        |from: usize, to: usize, impacts: usize| Path { from, to, sides: vec![Side::Far; impacts], half_turns: 1 };
     let golden = (0.5 * (1.0 + 5f64.sqrt())).ln();
     let cases: [(Vec<Path>, usize, f64); 5] = [
         (vec![word(0, 0, 1), word(0, 0, 1)], 1, std::f64::consts::LN_2),

@@ -143,7 +143,12 @@ impl Region {
     /// The least region of boxes of this grid that holds a box and is closed, as far as it is seen.
     ///
     /// `Err` with the reason where it does not close.
-    pub fn grow(law: &Law, grid: Grid, seed: Cell, goes_on: &(dyn Fn(usize) -> bool + Sync)) -> Result<Self, Option<Refusal>> {
+    pub fn grow(
+        law: &Law,
+        grid: Grid,
+        seed: Cell,
+        goes_on: &(dyn Fn(usize) -> bool + Sync),
+    ) -> Result<Self, Option<Refusal>> {
         let mut cells: HashMap<Cell, Reach> = HashMap::new();
         let mut known: HashSet<Cell> = HashSet::from([seed]);
         let mut frontier = vec![seed];
@@ -159,8 +164,10 @@ impl Region {
                     let results = &results;
                     scope.spawn(move || {
                         let mut found = HashSet::new();
-                        let reaches: Result<Vec<_>, _> =
-                            part.iter().map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut found)?))).collect();
+                        let reaches: Result<Vec<_>, _> = part
+                            .iter()
+                            .map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut found)?)))
+                            .collect();
                         results.lock().expect("no thread has panicked").push(reaches.map(|reaches| (reaches, found)));
                     });
                 }

@@ -71,9 +71,8 @@ impl Tube {
             .map(|cell| {
                 // Lemma U6: all windows that hold the cell
                 let (first, last) = (cell.saturating_sub(2 * WINDOW + 1), (cell + 2 * WINDOW + 2).min(cells)); // U6: the tube's ends
-                let crosses = |edge: &[Ball; 2], chord: &Chord| {
-                    is_positive(dot(*edge, self::edge(chord.bottom, chord.top)))
-                };
+                let crosses =
+                    |edge: &[Ball; 2], chord: &Chord| is_positive(dot(*edge, self::edge(chord.bottom, chord.top)));
                 let Normals { bottom, top, .. } = &normals[cell];
                 chords[first..=last].iter().all(|chord| crosses(bottom, chord) && crosses(top, chord))
             })
@@ -130,7 +129,7 @@ impl Tube {
     fn is_embedded(&self, place: usize) -> bool {
         let low = place.saturating_sub(WINDOW); // U6: the tube's ends
         let high = (place + WINDOW + 1).min(self.cells() - 1); // U6: the tube's ends
-        self.embedded[low..=high].iter().all(|&is| is)
+        self.embedded.get(low..=high).is_some_and(|window| window.iter().all(|&is| is))
     }
 
     /// Whether all states of a part are proved to fly to one wall, and to land around its place in the next tube.

@@ -78,7 +78,8 @@ impl Base {
     /// The stretches of a tube that cross the base so many turns later, each as two chords. Lemma U8
     fn crossings(&self, tube: &Tube, turns: f64) -> Vec<(usize, usize)> {
         let Self { left, right } = self;
-        let (mut found, mut last): (Vec<(usize, usize)>, Option<(bool, usize)>) = (Vec::new(), None);
+        let mut found = Vec::new();
+        let mut last: Option<(bool, usize)> = None;
         for (k, chord) in tube.chords().iter().enumerate() {
             let ends = [chord.bottom, chord.top];
             let between = |state: &State| {
@@ -111,7 +112,11 @@ impl Base {
 
 impl<'s> Search<'s> {
     pub fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
-        let run = |(from, base): (usize, &Base)| Run { from, sides: Vec::new(), tube: Tube::new(vec![base.left, base.right]) };
+        let run = |(from, base): (usize, &Base)| Run {
+            from,
+            sides: Vec::new(),
+            tube: Tube::new(vec![base.left, base.right]),
+        };
         let runs = bases.iter().enumerate().map(run).collect();
         let (words, tally, shown) = (Vec::new(), Tally::default(), Vec::new());
         Self { law, guess: Guess::new(law), making, bases, runs, words, tally, shown, depth: 0 }

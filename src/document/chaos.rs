@@ -46,7 +46,9 @@ pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
         speed: bounds(&speed),
         speed_before: bounds(&speed.mul(&fastest, BITS)),
         entered: trap.entered(),
-        boxes: runs.flat_map(|(column, runs)| runs.into_iter().map(move |(first, last)| [column, first, last])).collect(),
+        boxes: runs
+            .flat_map(|(column, runs)| runs.into_iter().map(move |(first, last)| [column, first, last]))
+            .collect(),
     })
 }
 

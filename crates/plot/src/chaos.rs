@@ -39,16 +39,20 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
 /// # Errors
 /// When it cannot be drawn.
 pub fn chaos(scene: &Scene, found: &Chaos) -> Result<String> {
-    let outlines = found.bases().iter().map(|base| {
-        vec![base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
-    });
+    let outlines = found
+        .bases()
+        .iter()
+        .map(|base| vec![base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]);
     let dots = found.attractor().iter().take(20_000).copied().collect();
     let caption = format!(
         "{} words from {} bases (outlined), their first images (blue), a floating orbit (grey)",
         found.words().len(),
         found.bases().len()
     );
-    draw(scene, Layers { boxes: Vec::new(), dots, curves: found.tubes().to_vec(), outlines: outlines.collect(), caption })
+    draw(
+        scene,
+        Layers { boxes: Vec::new(), dots, curves: found.tubes().to_vec(), outlines: outlines.collect(), caption },
+    )
 }
 
 /// Pieces of a curve with phases in one turn.
@@ -75,7 +79,8 @@ impl Layers {
         let title = format!("{}: {}", scene.title().unwrap_or("scene"), self.caption);
         let root = root.titled(&title, font)?;
         let corners = self.boxes.iter().flatten();
-        let highest = corners.chain(&self.dots).chain(self.outlines.iter().flatten()).fold(0.0, |most: f64, at| most.max(at[1]));
+        let highest =
+            corners.chain(&self.dots).chain(self.outlines.iter().flatten()).fold(0.0, |most: f64, at| most.max(at[1]));
         let mut chart = ChartBuilder::on(&root)
             .margin(10 * SCALE)
             .margin_right(30 * SCALE)

@@ -1,0 +1,91 @@
+//! `impact-pair trap` and `impact-pair chaos`: snapshots, and what of a document may be relied on.
+
+#![cfg(feature = "multiprecision")]
+
+mod common;
+
+use std::fs;
+
+use common::{folder, program};
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+
+/// The exponent is that of a floating orbit.
+const SEEN: [(&str, &str); 1] = [(r"floating orbit: -?\d\.\d{3}", "floating orbit: ..")];
+
+macro_rules! snapshots {
+    ($($name:ident: $arguments:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            insta::with_settings!({ filters => SEEN.to_vec() }, {
+                assert_cmd_snapshot!(stringify!($name), program(&$arguments));
+            });
+        })*
+    };
+}
+
+const BASES: [&str; 2] = ["--bases", "docs/bases-figure-14.json"];
+
+snapshots! {
+    region_of_figure_14: ["trap", "scenes/figure-14.toml"];
+    region_of_figure_12: ["trap", "scenes/figure-12.toml"];
+    region_of_chatter: ["trap", "scenes/chatter.toml"];
+    region_under_two_harmonics: ["trap", "scenes/two-tones.toml"];
+    horseshoe_of_figure_14: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3"];
+    horseshoe_over_a_range: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42477..9.42498"];
+    bases_of_another_scene: ["chaos", "scenes/figure-17.toml", BASES[0], BASES[1], "--depth", "3"];
+    a_regular_motion: ["chaos", "scenes/figure-12.toml"];
+    chaos_under_two_harmonics: ["chaos", "scenes/two-tones.toml"];
+    bases_that_are_none: ["chaos", "scenes/figure-14.toml", "--bases", "scenes/figure-14.toml"];
+    arguments_of_trap: ["trap", "--help"];
+    arguments_of_chaos: ["chaos", "--help"];
+}
+
+/// The bases that a document lists lead to the same words again, and the picture is there.
+#[test]
+fn a_document_makes_itself_again() {
+    let folder = folder("chaos");
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let chaos = |bases: &str, name: &str| {
+        let (output, plot) = (path(name), path("chaos.svg"));
+        let arguments = [
+            "chaos",
+            "scenes/figure-14.toml",
+            "--depth",
+            "3",
+            "--bases",
+            bases,
+            "--format",
+            "json",
+            "--output",
+            &output,
+            "--plot",
+            &plot,
+        ];
+        assert!(program(&arguments).status().unwrap().success());
+        fs::read_to_string(output).unwrap()
+    };
+    let first = chaos(BASES[1], "first.json");
+    assert_eq!(first, chaos(&path("first.json"), "second.json"));
+    let document: Value = serde_json::from_str(&first).unwrap();
+    assert_eq!(document["schema"], "impact-pair/chaos/1");
+    assert!(
+        document["entropy"]["cycle"].as_f64().unwrap() > 0.69314 && document["words"].as_array().unwrap().len() == 6
+    );
+    assert!(fs::read_to_string(path("chaos.svg")).unwrap().starts_with("<svg"));
+}
+
+#[test]
+fn a_region_is_written_and_drawn() {
+    let folder = folder("trap");
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let (output, plot) = (path("trap.json"), path("trap.svg"));
+    let arguments = ["trap", "scenes/figure-14.toml", "--format", "json", "--output", &output, "--plot", &plot];
+    assert!(program(&arguments).status().unwrap().success());
+    let document: Value = serde_json::from_str(&fs::read_to_string(output).unwrap()).unwrap();
+    let runs = document["boxes"].as_array().unwrap();
+    let boxes: i64 = runs.iter().map(|run| run[2].as_i64().unwrap() - run[1].as_i64().unwrap() + 1).sum();
+    assert_eq!(document["count"].as_i64(), Some(boxes));
+    assert_eq!(document["entered"].as_i64(), Some(2));
+    assert!(fs::read_to_string(plot).unwrap().starts_with("<svg"));
+}
