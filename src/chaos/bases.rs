@@ -185,7 +185,7 @@ impl Seen {
 }
 
 impl Base {
-    /// Whether it has no state in common with another one, whole turns later or earlier either: an edge parts them. Lemma U9
+    /// Whether it has no state in common with another one, whole turns later or earlier either: an edge parts them. Lemma D9
     pub fn is_apart(&self, other: &Self) -> bool {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
     }

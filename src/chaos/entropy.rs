@@ -1,4 +1,4 @@
-//! From words to entropy: Lemma U10 of `docs/proofs.md`.
+//! From words to entropy: Lemma D10 of `docs/proofs.md`.
 
 use super::words::Path;
 use crate::number::{Ball, logarithm};
@@ -33,7 +33,7 @@ pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i6
         if reached(middle) { high = middle } else { low = middle }
     }
     match logarithm(Ball::exact(high)) {
-        Some(log) if reached(high) => (-(log.mid() + log.rad())).next_down().max(0.0), // U10: no entropy is negative
+        Some(log) if reached(high) => (-(log.mid() + log.rad())).next_down().max(0.0), // D10: no entropy is negative
         _ => 0.0,
     }
 }
@@ -51,6 +51,6 @@ fn is_reached(matrix: &[Vec<Ball>]) -> bool {
     (0..size).all(|a| {
         let sum = (0..size).fold(Ball::exact(0.0), |sum, b| sum + matrix[a][b] * Ball::exact(vector[b]));
         let excess = sum - Ball::exact(vector[a]);
-        excess.mid() >= excess.rad() || vector[a] == 0.0 // U10: nothing to reach
+        excess.mid() >= excess.rad() || vector[a] == 0.0 // D10: nothing to reach
     }) && vector.iter().any(|&x| x > 0.0)
 }

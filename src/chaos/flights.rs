@@ -1,4 +1,4 @@
-//! All flights from a quadrilateral of states at once, told from its centre: Lemmas U1-U3 of `docs/proofs.md`.
+//! All flights from a quadrilateral of states at once, told from its centre: Lemmas D1-D3 of `docs/proofs.md`.
 
 use std::f64::consts::TAU;
 
@@ -47,7 +47,7 @@ impl Quad {
         Self { centre, sides: [[radii[0], 0.0], [0.0, radii[1]]], twist: [0.0; 2], slack: [0.0; 2], floor }
     }
 
-    /// Holds the quadrilateral between two chords: `a` from the one to the other, `b` from below to above. Lemma U1
+    /// Holds the quadrilateral between two chords: `a` from the one to the other, `b` from below to above. Lemma D1
     pub fn between(from: &Chord, to: &Chord) -> Self {
         let ([p, q], [r, s]) = ([from.bottom, from.top], [to.bottom, to.top]);
         let centre = each(|i| 0.25 * ((p[i] + q[i]) + (r[i] + s[i])));
@@ -55,7 +55,7 @@ impl Quad {
         let across = each(|i| 0.25 * ((q[i] - p[i]) + (s[i] - r[i])));
         let twist = each(|i| 0.25 * ((s[i] - r[i]) - (q[i] - p[i])));
         let slack = each(|i| up(8.0 * UNIT * (p[i].abs() + q[i].abs() + r[i].abs() + s[i].abs()) + TINY));
-        let floor = p[1].min(q[1]).min(r[1]).min(s[1]); // U1: the slowest corner
+        let floor = p[1].min(q[1]).min(r[1]).min(s[1]); // D1: the slowest corner
         Self { centre, sides: [along, across], twist, slack, floor }
     }
 
@@ -134,7 +134,7 @@ pub(crate) struct View {
     bend: f64,
 }
 
-/// Where the flights land, in mean-value form: the image of the quadrilateral. Lemma U3
+/// Where the flights land, in mean-value form: the image of the quadrilateral. Lemma D3
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Landing {
     /// The centre's image.
@@ -190,7 +190,7 @@ impl Flights {
         [turn() * time, turn() * time.widened(self.radius)]
     }
 
-    /// Where all flights are at one phase after their starts. Lemma U1
+    /// Where all flights are at one phase after their starts. Lemma D1
     pub fn at(&self, phase: f64) -> View {
         let (sin, cos) = Ball::exact(phase).sin_cos();
         let [own, all] = self.ahead(phase);
@@ -209,7 +209,7 @@ impl Flights {
     /// The heights and velocities from one phase to another.
     pub fn over(&self, from: f64, to: f64) -> View {
         let middle = 0.5 * (from + to);
-        let radius = up((middle - from).max(to - middle)); // U1: the farther end
+        let radius = up((middle - from).max(to - middle)); // D1: the farther end
         let mut view = self.at(middle);
         let angle = up(TAU * radius * (1.0 + UNIT));
         let bend = up(view.bend + angle);
@@ -218,16 +218,16 @@ impl Flights {
         view
     }
 
-    /// A phase up to which all flights are proved to be on their way between the walls, and away from the start. Lemma U2
+    /// A phase up to which all flights are proved to be on their way between the walls, and away from the start. Lemma D2
     ///
     /// It is later than all starts; `None` where no such phase is proved.
     pub fn depart(&self) -> Option<f64> {
         let (least, most) = (self.least, self.after.mag());
-        let [down, below] = [self.sin, self.cos].map(|x| (x.rad() - x.mid()).max(0.0)); // U2: how far below 0
+        let [down, below] = [self.sin, self.cos].map(|x| (x.rad() - x.mid()).max(0.0)); // D2: how far below 0
         let mut angle = 1.0;
         while 0.5 * angle > TAU * self.radius {
             let (half, sixth) = (0.5 * angle, angle * angle / 6.0);
-            let rises = least > up(below * sixth + down * half) || least >= 0.0 && down == 0.0 && self.leaves(angle); // U2: no sine below 0
+            let rises = least > up(below * sixth + down * half) || least >= 0.0 && down == 0.0 && self.leaves(angle); // D2: no sine below 0
             let stays = is_positive(self.gap - Ball::new(0.0, up(angle * (most + sixth + half))));
             if rises && stays {
                 let phase = self.start - self.radius + angle / TAU * (1.0 - 8.0 * UNIT);
@@ -244,7 +244,7 @@ impl Flights {
         least > up(self.cos.mag() * angle / 6.0)
     }
 
-    /// Proves that no flight touches a wall before `end`, where all are inside. Lemma U2
+    /// Proves that no flight touches a wall before `end`, where all are inside. Lemma D2
     pub fn is_clear(&self, end: f64) -> bool {
         let Some(mut from) = self.depart() else { return false };
         let mut step = 0.0625;
@@ -266,7 +266,7 @@ impl Flights {
         true
     }
 
-    /// The first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma U3
+    /// The first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma D3
     pub fn land(&self, side: Side, guess: f64) -> Option<Landing> {
         let sign = side.sign();
         let wall = match side {
@@ -339,15 +339,15 @@ impl Flights {
     /// Bounds of the times of flight, in turns, of what lands between two phases.
     pub fn times(&self, low: f64, high: f64) -> [f64; 2] {
         let [least, most] = [low - self.start - self.radius, high - self.start + self.radius];
-        // U4: a phase is off by at most a unit, four times
+        // D4: a phase is off by at most a unit, four times
         let error = 4.0 * UNIT * (high.abs() + self.start.abs() + self.radius);
         [least - 2.0 * error, most + 2.0 * error]
     }
 
-    /// `z'` of all flights that are at this height between two phases, told from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma U4
+    /// `z'` of all flights that are at this height between two phases, told from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
     pub fn told_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
         let arrival = 0.5 * (low + high);
-        let radius = up((arrival - low).max(high - arrival)); // U4: the farther end
+        let radius = up((arrival - low).max(high - arrival)); // D4: the farther end
         let [own, _] = self.ahead(arrival);
         let all = own.widened(up(7.0 * (radius + self.radius)));
         let (sin, cos) = Ball::exact(arrival).sin_cos();

@@ -40,7 +40,7 @@ pub struct Word {
 /// **Enclosure**: for every parameter of the pair, and every sequence of words each of which starts in the base that the one
 /// before crosses, there is a motion with these impacts, no other contact between them; a periodic sequence has a periodic
 /// motion. Motions of different sequences are different. The topological entropy of the impact map on a compact invariant set
-/// without grazes is at least [`Chaos::entropy`]. Lemmas U6-U11
+/// without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
 /// **Cost**: about 10 microseconds a box; where no bases are given, some hundred thousand boxes to find them.
 ///
 /// ```
@@ -113,9 +113,9 @@ impl Chaos {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
         let followed = |search: &mut Search<'_>, from: usize, to: usize| {
-            (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to)
+            (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to) // exact: all
         };
-        let shallow = if bases.is_empty() { 0 } else { question.depth.min(SHALLOW) };
+        let shallow = if bases.is_empty() { 0 } else { question.depth.min(SHALLOW) }; // exact: counts
         let tried = MAKINGS.map(|making| {
             let mut search = Search::new(&law, &bases, making);
             let depth = followed(&mut search, 0, shallow);
@@ -230,7 +230,7 @@ fn by_impact(search: &Search<'_>) -> f64 {
     entropy(&search.words, search.bases.len(), |path| path.sides.len() as i64) // exact: a length
 }
 
-/// What is wrong with bases, if anything is. Lemma U9
+/// What is wrong with bases, if anything is. Lemma D9
 fn problem(bases: &[Base]) -> Option<&'static str> {
     if !bases.iter().all(Base::is_convex) {
         return Some("the bases are not all convex quadrilaterals with their tops on the left from left to right");

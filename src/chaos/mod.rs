@@ -2,7 +2,7 @@
 //!
 //! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words` and `trap`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas U1-U11 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D11 of `docs/proofs.md`.
 
 mod bases;
 mod entropy;

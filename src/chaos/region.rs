@@ -14,7 +14,7 @@ use crate::number::Ball;
 ///
 /// **Enclosure**: a motion with one impact in the region has all its later ones there, without end. None comes to rest, none
 /// has infinitely many impacts in a finite time; each flight lasts as long and each impact is as fast as [`Trap::flight`] and
-/// [`Trap::speed`] say, in turns and over `A W`. At a graze both ways to go on are in it. Lemmas U4, U5
+/// [`Trap::speed`] say, in turns and over `A W`. At a graze both ways to go on are in it. Lemmas D4, D5
 /// **Cost**: about 2 microseconds a box.
 ///
 /// ```
@@ -95,7 +95,7 @@ impl Trap {
             let region = grown(&law, doubled, seed, goes_on);
             let region = match region {
                 Ok(region) if finer == 0 => region,
-                Ok(region) => grown(&law, doubled + finer, seed, goes_on).unwrap_or(region),
+                Ok(region) => grown(&law, doubled + finer, seed, goes_on).unwrap_or(region), // D5: either is closed
                 Err(reason) => {
                     why = reason;
                     if matches!(why, Untrapped::Interrupted | Untrapped::Boxes) {
@@ -105,7 +105,7 @@ impl Trap {
                 }
             };
             let trap = Self::around(region, &visited);
-            // Lemma U5: flights that last prove that nothing rests
+            // Lemma D5: flights that last prove that nothing rests
             if trap.flight[0] > 0.0 {
                 return Ok(Ok(trap));
             }
@@ -116,7 +116,7 @@ impl Trap {
 
     fn around(region: Region, visited: &[Visited]) -> Self {
         let times = region.cells.values().map(|reach| reach.time);
-        let flight = times.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]); // U5: the outer ends
+        let flight = times.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]); // D5: the outer ends
         let entered = visited.iter().find(|state| region.holds(state.phase, state.speed)).map(|state| state.index);
         Self { region, flight, entered }
     }
@@ -139,7 +139,7 @@ impl Trap {
     /// Bounds of the speeds before all impacts, over `A W`.
     pub fn speed(&self) -> [f64; 2] {
         let rows = self.region.cells.keys().map(|&(_, row)| f64::from(row));
-        let [low, high] = rows.fold([f64::INFINITY, 0.0], |[a, b], row| [a.min(row), b.max(row + 1.0)]); // U5: the outer ends
+        let [low, high] = rows.fold([f64::INFINITY, 0.0], |[a, b], row| [a.min(row), b.max(row + 1.0)]); // D5: the outer ends
         [low / self.region.grid.rows, high / self.region.grid.rows] // exact: a power of two
     }
 
@@ -192,9 +192,9 @@ impl Region {
     fn holds(&self, phase: Ball, speed: Ball) -> bool {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {
-            // U5: the boxes of both ends, outward; where there are too many nothing is claimed
+            // D5: the boxes of both ends, outward; where there are too many nothing is claimed
             let ends = [(x.mid() - x.rad()).next_down() * per, (x.mid() + x.rad()).next_up() * per];
-            let [low, high] = ends.map(f64::floor); // U5: the box of an end
+            let [low, high] = ends.map(f64::floor); // D5: the box of an end
             (high - low < 1e3 && high.abs() < 1e15).then_some(low as i64..=high as i64) // exact: small whole numbers
         };
         let (Some(across), Some(up)) = (cells(phase, columns as f64), cells(speed, rows)) else { return false }; // exact: a power of two

@@ -56,7 +56,7 @@ fn meet(a: Ball, b: Ball) -> bool {
 }
 
 proptest! {
-    /// Lemmas U1-U3: whatever lands, lands in the image, in all directions.
+    /// Lemmas D1-D3: whatever lands, lands in the image, in all directions.
     #[test]
     fn images_hold_those_of_their_members(
         law in prop::sample::select(laws().to_vec()), phase in 0.0..1.0f64, speed in 0.02..1.6f64,
@@ -92,7 +92,7 @@ proptest! {
         }
     }
 
-    /// Lemma U4: the boxes hold where the flights from a box land.
+    /// Lemma D4: the boxes hold where the flights from a box land.
     #[test]
     fn boxes_hold_the_images_of_their_members(
         law in prop::sample::select(laws().to_vec()), column in 0..512i32, row in prop_oneof![Just(0), 0..90i32],
@@ -111,7 +111,7 @@ proptest! {
     }
 }
 
-/// Lemma U5: no box of the region can be left out where the orbit is.
+/// Lemma D5: no box of the region can be left out where the orbit is.
 #[test]
 fn a_region_is_closed_and_one_with_a_hole_is_not() {
     let law = figure_14();

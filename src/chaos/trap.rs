@@ -1,4 +1,4 @@
-//! A region that the impact map does not leave, made of boxes: Lemmas U4, U5 of `docs/proofs.md`.
+//! A region that the impact map does not leave, made of boxes: Lemmas D4, D5 of `docs/proofs.md`.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
@@ -57,7 +57,7 @@ impl Grid {
         Quad::rectangle(centre, radii, row / self.rows)
     }
 
-    /// Adds the boxes that all images of the states of a rectangle lie in. Lemma U4
+    /// Adds the boxes that all images of the states of a rectangle lie in. Lemma D4
     pub fn image(&self, law: &Law, quad: &Quad, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
         self.cut_image(law, quad, CUTS, found)
     }
@@ -85,11 +85,11 @@ impl Grid {
     fn march(&self, law: &Law, flights: &Flights, from: f64, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
         let columns = self.columns as f64; // exact: a power of two
         let mut reach = Reach { time: [f64::INFINITY, 0.0], sides: [false; 2] };
-        let mut column = (from * columns).floor() as i64; // U4: the column that it is in
+        let mut column = (from * columns).floor() as i64; // D4: the column that it is in
         let mut step: i64 = 1;
         let end = column + (LONGEST * columns) as i64; // exact: a power of two
         while column < end {
-            let low = from.max(column as f64 / columns); // U4: nothing is touched before
+            let low = from.max(column as f64 / columns); // D4: nothing is touched before
             let high = (column + step) as f64 / columns; // exact: a power of two
             let view = flights.over(low, high);
             let above = law.gap - view.height;
@@ -109,11 +109,11 @@ impl Grid {
                 if let Some(speeds) = flights.arrivals(side, low, high, &view) {
                     let shift = if side == Side::Far { self.columns / 2 } else { 0 };
                     let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
-                    let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // U4: of both ends
+                    let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // D4: of both ends
                     found.extend((rows[0]..=rows[1]).map(|row| (column, row)));
                     reach.sides[k] = true;
                     let time = flights.times(low, high);
-                    reach.time = [reach.time[0].min(time[0]), reach.time[1].max(time[1])]; // U4: the outer ends
+                    reach.time = [reach.time[0].min(time[0]), reach.time[1].max(time[1])]; // D4: the outer ends
                 }
             }
             column += 1;
@@ -124,7 +124,7 @@ impl Grid {
 
 impl Reach {
     fn with(self, other: &Self) -> Self {
-        let time = [self.time[0].min(other.time[0]), self.time[1].max(other.time[1])]; // U4: the outer ends
+        let time = [self.time[0].min(other.time[0]), self.time[1].max(other.time[1])]; // D4: the outer ends
         Self { time, sides: [self.sides[0] || other.sides[0], self.sides[1] || other.sides[1]] }
     }
 }
@@ -184,7 +184,7 @@ impl Region {
 }
 
 impl Flights {
-    /// The speeds of all arrivals between two phases at which a wall may be touched; `None` if none is. Lemma U4
+    /// The speeds of all arrivals between two phases at which a wall may be touched; `None` if none is. Lemma D4
     fn arrivals(&self, side: Side, low: f64, high: f64, view: &View) -> Option<[f64; 2]> {
         let far = side == Side::Far;
         let miss = if far { view.height - self.gap() } else { view.height };
@@ -196,11 +196,11 @@ impl Flights {
         let mut bounds = [(rate.mid() - rate.rad()).next_down(), (rate.mid() + rate.rad()).next_up()];
         if let Some(told) = self.told_by_phases(if far { self.gap() } else { Ball::exact(0.0) }, low, high) {
             let told = told.signed(sign);
-            // U4: both hold the speeds
+            // D4: both hold the speeds
             bounds[0] = bounds[0].max((told.mid() - told.rad()).next_down());
-            bounds[1] = bounds[1].min((told.mid() + told.rad()).next_up()); // U4: both hold them
+            bounds[1] = bounds[1].min((told.mid() + told.rad()).next_up()); // D4: both hold them
         }
-        bounds[0] = bounds[0].max(0.0); // U4: who comes from inside
+        bounds[0] = bounds[0].max(0.0); // D4: who comes from inside
         (bounds[0] <= bounds[1]).then_some(bounds)
     }
 }

@@ -1,4 +1,4 @@
-//! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas U6, U7 of `docs/proofs.md`.
+//! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas D6, D7 of `docs/proofs.md`.
 
 use super::flights::{Chord, Flights, Landing, Law, Quad, Side, State, is_positive};
 use super::guess::Guess;
@@ -69,8 +69,8 @@ impl Tube {
         let cells = normals.len();
         let embedded = (0..cells)
             .map(|cell| {
-                // Lemma U6: all windows that hold the cell
-                let (first, last) = (cell.saturating_sub(2 * WINDOW + 1), (cell + 2 * WINDOW + 2).min(cells)); // U6: the tube's ends
+                // Lemma D6: all windows that hold the cell
+                let (first, last) = (cell.saturating_sub(2 * WINDOW + 1), (cell + 2 * WINDOW + 2).min(cells)); // D6: the tube's ends
                 let crosses =
                     |edge: &[Ball; 2], chord: &Chord| is_positive(dot(*edge, self::edge(chord.bottom, chord.top)));
                 let Normals { bottom, top, .. } = &normals[cell];
@@ -93,7 +93,7 @@ impl Tube {
         Self::new(self.chords[from..=to].to_vec())
     }
 
-    /// Whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma U6
+    /// Whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6
     fn holds(&self, landing: &Landing, place: usize) -> bool {
         let cells = self.cells();
         if place < WINDOW || place + WINDOW >= cells {
@@ -127,8 +127,8 @@ impl Tube {
 
     /// Whether the windows of the images of a part and of its neighbours are embedded.
     fn is_embedded(&self, place: usize) -> bool {
-        let low = place.saturating_sub(WINDOW); // U6: the tube's ends
-        let high = (place + WINDOW + 1).min(self.cells() - 1); // U6: the tube's ends
+        let low = place.saturating_sub(WINDOW); // D6: the tube's ends
+        let high = (place + WINDOW + 1).min(self.cells() - 1); // D6: the tube's ends
         self.embedded.get(low..=high).is_some_and(|window| window.iter().all(|&is| is))
     }
 

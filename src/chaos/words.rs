@@ -1,4 +1,4 @@
-//! Words: returns of a base to the bases, proved along tubes. Lemmas U8, U9 of `docs/proofs.md`.
+//! Words: returns of a base to the bases, proved along tubes. Lemmas D8, D9 of `docs/proofs.md`.
 
 use std::sync::Mutex;
 use std::thread;
@@ -75,7 +75,7 @@ impl Base {
         (0..4).all(|i| is_positive(side_of(round[i], round[(i + 1) % 4], round[(i + 2) % 4], 0.0)))
     }
 
-    /// The stretches of a tube that cross the base so many turns later, each as two chords. Lemma U8
+    /// The stretches of a tube that cross the base so many turns later, each as two chords. Lemma D8
     fn crossings(&self, tube: &Tube, turns: f64) -> Vec<(usize, usize)> {
         let Self { left, right } = self;
         let mut found = Vec::new();
@@ -176,8 +176,8 @@ impl<'s> Search<'s> {
                 let count = proved[first..].iter().take_while(|&&is| is).count();
                 if count > 0 {
                     let (low, high) = (parts[first].place, parts[first + count - 1].place);
-                    // Lemma U7: the ends of the stretch land before the one and behind the other.
-                    let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // U7: none if it is shorter
+                    // Lemma D7: the ends of the stretch land before the one and behind the other.
+                    let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // D7: none if it is shorter
                     if low < high {
                         self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
                     }
