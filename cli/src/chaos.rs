@@ -15,7 +15,7 @@ use serde::Deserialize;
 
 use crate::Answer;
 use crate::arguments::PeriodicFormat;
-use crate::heading;
+use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{Progress, goes_on, interruption};
 use crate::scene;
@@ -85,7 +85,7 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let question = Question { depth: arguments.depth as usize, bases };
     let named = || scene::name(&arguments.scene);
     let pair = match &arguments.over {
-        Some(over) => over.pair_at(scene.pair(), Exact::interval(&over.low, &over.high)?).with_context(named)?,
+        Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high)?).with_context(named)?,
         None => scene.pair().clone(),
     };
     interruption();
@@ -103,7 +103,7 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     match arguments.format {
         PeriodicFormat::Json => writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?,
         PeriodicFormat::Table => {
-            heading::write(&mut out, &scene).context(write)?;
+            write!(out, "{}", heading(&scene)).context(write)?;
             table(&mut out, &document, &found).context(write)?;
         }
     }

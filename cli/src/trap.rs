@@ -10,7 +10,7 @@ use impact_pair::document;
 
 use crate::Answer;
 use crate::arguments::PeriodicFormat;
-use crate::heading;
+use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{Progress, goes_on, interruption};
 use crate::scene;
@@ -75,7 +75,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     match arguments.format {
         PeriodicFormat::Json => writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?,
         PeriodicFormat::Table => {
-            heading::write(&mut out, &scene).context(write)?;
+            write!(out, "{}", heading(&scene)).context(write)?;
             let entered = match document.entered {
                 Some(0) => "the scene's start and all impacts after it are in it".to_owned(),
                 Some(impact) => format!("of the scene's orbit impact {impact} and all later ones are in it"),

@@ -64,7 +64,7 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
         program: PROGRAM.to_owned(),
         scene: SceneDocument::new(scene.pair(), scene.start()),
         over: over.map(|Over { key, low, high }| ParameterRange {
-            key: key.name().to_owned(),
+            key: key.place(),
             low: low.into(),
             high: high.into(),
         }),
