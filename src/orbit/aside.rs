@@ -87,6 +87,7 @@ impl Orbit {
         }
         if let Progress::Impact(impact) = &event {
             self.listed = impact.index;
+            self.note_nearness(impact.phase);
         }
         event
     }

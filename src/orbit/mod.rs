@@ -223,9 +223,7 @@ impl Orbit {
         let mapping = self.cursor.wall.map(|from| Mapping::between(from, contact.wall));
         self.cursor = next;
         self.listed = next.index;
-        if let Some(near) = &mut self.aside.near {
-            near.nearness.keep(phase.rad());
-        }
+        self.note_nearness(phase);
         if self.asked.settings.attractor {
             self.aside.recent.keep(Passing { index: next.index, wall, turns, phase, velocity });
         }

@@ -68,6 +68,14 @@ impl Orbit {
         !matches!(orbit.outcome(), Some(Outcome::Undecided { .. }))
     }
 
+    /// Counts an impact that is listed, of a shadowed orbit.
+    #[inline]
+    pub(super) fn note_nearness(&mut self, phase: Ball) {
+        if let Some(near) = &mut self.aside.near {
+            near.nearness.keep(phase.rad());
+        }
+    }
+
     /// What is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
     pub fn shadow(&self) -> Option<Shadowing> {
         let Near { time, velocity, nearness } = self.aside.near.as_ref()?;
@@ -80,7 +88,7 @@ impl Orbit {
 pub(super) struct Near {
     time: Enclosure,
     velocity: Enclosure,
-    pub nearness: Nearness,
+    nearness: Nearness,
 }
 
 impl Near {
