@@ -38,6 +38,7 @@ mod step;
 mod still;
 mod sweep;
 mod target;
+mod told;
 mod walk;
 
 use std::sync::atomic::AtomicBool;

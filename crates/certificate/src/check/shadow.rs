@@ -8,10 +8,7 @@ use std::cmp::Ordering;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::One;
 
 use super::blocks::in_blocks;
 use super::budget::Budget;
@@ -25,9 +22,9 @@ use super::step::{Departure, Landing};
 use super::target::narrowest;
 use super::walk::Walk;
 use super::{Effort, FIRST_BITS, Finding, Verdict};
+use crate::Certificate;
 use crate::document::NearDocument;
-use crate::{Certificate, ClaimKind};
-use impact_pair_exact::{Exact, Real, compare_rational};
+use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
 /// Steps of Newton's iteration.
@@ -36,15 +33,15 @@ const STEPS: u32 = 8;
 const SPARE_BITS: i64 = 112;
 
 /// A claim by its position among the events, and what is to be said of it.
-type Doubted = (usize, Doubt);
+pub(super) type Doubted = (usize, Doubt);
 
 /// A shadowed orbit and how much its check may take.
-struct Shadow<'c> {
-    certificate: &'c Certificate,
-    near: &'c NearDocument,
+pub(super) struct Shadow<'c> {
+    pub certificate: &'c Certificate,
+    pub near: &'c NearDocument,
     /// The impacts before any other event.
-    hits: Vec<Hit<'c>>,
-    is_of_times: bool,
+    pub hits: Vec<Hit<'c>>,
+    pub is_of_times: bool,
     effort: &'c Effort,
     stop: Option<&'static AtomicBool>,
 }
@@ -90,63 +87,6 @@ impl Certificate {
 }
 
 impl Shadow<'_> {
-    /// The impacts have their numbers and mappings.
-    fn fits(&self, mut walk: Walk<'_>) -> Result<(), Doubted> {
-        for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
-            let ClaimKind::Impact { index, mapping, velocity } = &claim.kind else { break };
-            walk.fits(claim, *index, *mapping, velocity).map_err(|doubt| (k, doubt))?;
-            (walk.impacts, walk.last) = (walk.impacts + 1, Some(claim.wall));
-        }
-        Ok(())
-    }
-
-    /// The bounds of the start are bounds, and hold the scene's start.
-    fn starts_as_told(&self) -> Result<(), Doubt> {
-        let [time, velocity] = self.bounds();
-        if [&time, &velocity].iter().any(|[lower, upper]| lower > upper) {
-            return Err(Doubt::False("a lower bound of the start is above the upper one".into()));
-        }
-        let start = self.certificate.start();
-        for (what, exact, bounds, is_varied) in [
-            ("time", start.time(), time, self.is_of_times),
-            ("velocity", start.velocity(), velocity, !self.is_of_times),
-        ] {
-            match place(exact, &bounds) {
-                Beside::Inside => {}
-                Beside::Outside if !is_varied => {
-                    return Err(Doubt::False(format!("the start has not the scene's {what}")));
-                }
-                _ => return Err(Doubt::Open(format!("the {what} of the start is not told around the scene's"))),
-            }
-        }
-        Ok(())
-    }
-
-    /// Bounds of the start's time and velocity.
-    fn bounds(&self) -> [[BigRational; 2]; 2] {
-        [&self.near.time, &self.near.velocity].map(|bounds| bounds.each_ref().map(|bound| bound.value()))
-    }
-
-    /// The bounds of the impacts are as narrow as is told, but for their last digits.
-    fn is_as_near_as_told(&self) -> Result<(), Doubt> {
-        let Some(told) = &self.certificate.ended().epsilon else { return Ok(()) };
-        let impacts = self.certificate.events().iter().filter(|claim| matches!(claim.kind, ClaimKind::Impact { .. }));
-        let mut widths: Vec<_> = impacts.map(|claim| certain_width(&claim.time)).collect();
-        widths.sort();
-        let Some(widest) = widths.last() else { return Ok(()) };
-        let frequency = Real::of(self.certificate.pair().excitation().reference().frequency(), FIRST_BITS);
-        let turns =
-            frequency.over(&(Real::pi(FIRST_BITS) * 4)).ok_or_else(|| Doubt::Open("a turn is too short".into()))?;
-        let middle = &widths[(widths.len() - 1) / 2];
-        for (what, width, told) in [("half of them are", middle, &told.median), ("one is", widest, &told.maximum)] {
-            let half = Real::rational(width, FIRST_BITS) * &turns;
-            if compare_rational(half.enclosure().sup(), &told.value()).is_gt() {
-                return Err(Doubt::Open(format!("the bounds are wider than is told: {what}")));
-            }
-        }
-        Ok(())
-    }
-
     /// Bits that nodes in the narrowest bounds are told with: the first impacts may have been proved by precision.
     fn bits(&self) -> u32 {
         let near = self.bounds();
@@ -329,22 +269,4 @@ impl Shadow<'_> {
         );
         all.err().filter(|doubted| matches!(doubted, (_, Doubt::False(_))))
     }
-}
-
-/// Where an exact number lies beside bounds.
-fn place(exact: &Exact, bounds: &[BigRational; 2]) -> Beside {
-    match exact.as_rational() {
-        Some(x) if bounds[0] <= *x && *x <= bounds[1] => Beside::Inside,
-        Some(_) => Beside::Outside,
-        None => beside(&Real::of(exact, FIRST_BITS), bounds),
-    }
-}
-
-/// The width of bounds less a unit in the last place of each, which rounding outward may have added.
-fn certain_width([lower, upper]: &[BigRational; 2]) -> BigRational {
-    let mut places = BigInt::one();
-    while [lower, upper].iter().any(|bound| !places.is_multiple_of(bound.denom())) {
-        places *= 10;
-    }
-    upper - lower - BigRational::new(2.into(), places)
 }
