@@ -18,7 +18,7 @@ impl Orbit {
 
     /// The same bounds as intervals of doubles, for whoever computes with such.
     ///
-    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`].
+    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`](super::Arithmetic::Float).
     ///
     /// ```
     /// use impact_pair::Scene;
