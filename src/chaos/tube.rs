@@ -31,6 +31,15 @@ pub(crate) struct Part {
     pub place: usize,
 }
 
+impl Part {
+    /// Whether it begins where another ends, and its image is about in the same cell or in the next one. Lemma D7
+    pub fn follows(&self, other: &Self) -> bool {
+        let is_next = self.cell == other.cell + 1 && other.to == 1.0 && self.from == -1.0; // D7: the common chord
+        let is_same = self.cell == other.cell && self.from == other.to; // D7: the common cut
+        (is_next || is_same) && (self.place == other.place || self.place == other.place + 1)
+    }
+}
+
 /// Images lie in the cells up to so many before and after their place.
 pub(crate) const WINDOW: usize = 2;
 /// A part is halved so often.

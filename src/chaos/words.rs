@@ -173,7 +173,9 @@ impl<'s> Search<'s> {
             sides.push(*side);
             let mut first = 0;
             while first < parts.len() {
-                let count = proved[first..].iter().take_while(|&&is| is).count();
+                let rest = parts[first..].iter().zip(&proved[first..]).enumerate();
+                let goes_on = |n: usize| n == 0 || parts[first + n].follows(&parts[first + n - 1]);
+                let count = rest.take_while(|(n, (_, is_proved))| **is_proved && goes_on(*n)).count();
                 if count > 0 {
                     let (low, high) = (parts[first].place, parts[first + count - 1].place);
                     // Lemma D7: the ends of the stretch land before the one and behind the other.
