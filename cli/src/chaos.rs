@@ -1,6 +1,6 @@
 //! `impact-pair chaos SCENE`: horseshoes and a lower bound of the entropy, proved.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
@@ -89,7 +89,7 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
         None => scene.pair().clone(),
     };
     interruption();
-    let progress = Progress::boxes(!arguments.quiet && io::stderr().is_terminal());
+    let progress = Progress::boxes(!arguments.quiet);
     let watch = |depth: usize, boxes: u64| {
         let at = if depth == 0 { "bases: ".to_owned() } else { format!("depth {depth}: ") };
         progress.boxed(&at, boxes);

@@ -1,6 +1,6 @@
 //! `impact-pair trap SCENE`: a region that the motion does not leave, proved.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
@@ -54,7 +54,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     scene::keep_apart(&[&arguments.scene], arguments.output.as_deref(), arguments.plot.as_deref())?;
     interruption();
     let named = || scene::name(&arguments.scene);
-    let progress = Progress::boxes(!arguments.quiet && io::stderr().is_terminal());
+    let progress = Progress::boxes(!arguments.quiet);
     let watch = |boxes: usize| {
         progress.boxed("", boxes as u64);
         goes_on()

@@ -17,6 +17,9 @@ use crate::pair::{Wall, rebound};
 use crate::shaken::{Flying, Leaving, Location, Origin};
 use crate::turns;
 
+/// Bounds of some starts: times and velocities in the units of the scene.
+pub(super) type StartBounds = (Enclosure, Enclosure);
+
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
     /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed, which are to be counted
@@ -28,8 +31,8 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// The times and the velocities of these starts more narrowly than in doubles, in the units of the scene, if they are known so.
-    fn start_bounds(&self) -> Option<(Enclosure, Enclosure)> {
+    /// The bounds of these starts, where they are known more narrowly than in doubles.
+    fn start_bounds(&self) -> Option<StartBounds> {
         None
     }
 

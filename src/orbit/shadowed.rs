@@ -11,7 +11,7 @@ use std::vec::IntoIter;
 use super::event::finite;
 #[cfg(feature = "multiprecision")]
 use super::motion::Passed;
-use super::motion::{IntervalMotion, Motion};
+use super::motion::{IntervalMotion, Motion, StartBounds};
 #[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
@@ -26,7 +26,7 @@ use crate::pair::{ImpactPair, Wall};
 use crate::shaken::{Flying, Location, Origin};
 
 /// Bits that show what the start has in common with the given one.
-const START_BITS: u32 = 160;
+pub(super) const START_BITS: u32 = 160;
 
 /// One impact after another of a shadowed orbit.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ pub(super) struct ShadowMotion<S: Flying, B> {
     /// The impacts before the first node, where they are proved by precision, and the bounds of the last one handed out.
     before: IntoIter<Impact>,
     precise: Option<Box<(Enclosure, Enclosure)>>,
-    start_bounds: Option<(Enclosure, Enclosure)>,
+    start_bounds: Option<StartBounds>,
     chain: Chain<S, B>,
     nodes: IntoIter<Node>,
     /// The last node handed out; its turns and phase, or those of the start.
@@ -195,7 +195,7 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
         Some(self.chain.starts())
     }
 
-    fn start_bounds(&self) -> Option<(Enclosure, Enclosure)> {
+    fn start_bounds(&self) -> Option<StartBounds> {
         self.start_bounds.clone()
     }
 

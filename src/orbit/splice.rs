@@ -10,6 +10,8 @@
 
 use num_rational::BigRational;
 
+use super::motion::StartBounds;
+use super::shadowed::START_BITS;
 use super::{Arithmetic, Impact, Orbit, Progress, Settings, Start};
 use crate::Error;
 use crate::clock::Clock;
@@ -27,8 +29,6 @@ use impact_pair_model::Place;
 const DIGITS: u32 = 17;
 /// Bits beyond theirs that the curve's are proved with.
 const MORE_BITS: u32 = 64;
-/// Bits of the bounds of the starts.
-const START_BITS: u32 = 160;
 
 /// The first impacts of the starts on a curve through the given start.
 #[derive(Debug)]
@@ -42,11 +42,8 @@ pub(super) struct Splice {
     impacts: u64,
     given: Flown,
     scale: f64,
-    curve: Option<(Flown, Near)>,
+    curve: Option<(Flown, StartBounds)>,
 }
-
-/// Bounds of the starts of a curve: times and velocities in the units of the scene.
-pub(super) type Near = (Enclosure, Enclosure);
 
 /// What is proved of the first impacts of some starts.
 #[derive(Clone, Debug)]
@@ -85,14 +82,14 @@ impl Splice {
     }
 
     /// The first impacts of all starts on the curve, but for the last one, and bounds of these starts; once a chain has begun.
-    pub fn proved(&self) -> Option<(&[Impact], &Near)> {
+    pub fn proved(&self) -> Option<(&[Impact], &StartBounds)> {
         let (Flown { impacts, .. }, near) = self.curve.as_ref()?;
         let (_, before) = impacts.split_last()?;
         Some((before, near))
     }
 
     /// The starts within `a`, as what an orbit is asked for, and their bounds.
-    fn starts_within(&self, a: f64) -> Option<(Start, Near)> {
+    fn starts_within(&self, a: f64) -> Option<(Start, StartBounds)> {
         let apart = BigRational::from_float(a)? * two_to(-self.given.exponent);
         let apart = Enclosure::from_rational(&apart, START_BITS);
         let spread = |value: &Exact, apart: &Enclosure| {
