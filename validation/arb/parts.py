@@ -1,6 +1,7 @@
-"""What is to be judged, in eight parts, each a list of jobs; a job is judged in a process of its own."""
+"""What is to be judged, in nine parts, each a list of jobs; a job is judged in a process of its own."""
 from collections import Counter, namedtuple
 
+from chaos import judge_chaos
 from compare import Disagreement, describe, judge, run_binary
 from corner_check import judge_corner
 from corners import corners
@@ -33,7 +34,8 @@ INTERVAL_IMPACTS = 20
 STRADDLING_BITS = 1024
 STRADDLING_WAYS = ["auto", "interval", "64", "128", "256"]
 SEVERAL, STRADDLING, SHADOWED = "several harmonics", "straddling scenes", "shadowed orbits"
-PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes", SHADOWED]
+HORSESHOES = "horseshoes"
+PARTS = ["figures", "resting scenes", "extreme scenes", "corner cases", SEVERAL, STRADDLING, "interval scenes", SHADOWED, HORSESHOES]
 # Impacts, and how many of them are proved by precision.
 SPLICED = 300, 200
 
@@ -145,6 +147,13 @@ def shadowed_jobs(impacts):
             yield Job(SHADOWED, f"{name}, {count} impacts, splice {splice}", judge_shadow, (text, count, splice, within), text)
 
 
+def horseshoe_jobs():
+    """The shortest horseshoe of figure 14."""
+    with open(FIGURES[2], encoding="utf-8") as file:
+        text = file.read()
+    yield Job(HORSESHOES, "figure-14, depth 3", judge_chaos, (text, "docs/bases-figure-14.json", 3), text)
+
+
 def jobs(amount, seed, parts):
     """All jobs of the parts asked for."""
     found = list(figure_jobs(amount))
@@ -160,4 +169,5 @@ def jobs(amount, seed, parts):
         for scene in interval_scenes(amount.intervals, seed)
     ]
     found += shadowed_jobs(amount.shadowed)
+    found += horseshoe_jobs()
     return [job for job in found if not parts or job.part in parts]

@@ -1,4 +1,4 @@
-"""Runs `impact-pair run` on a scene and reads what it lists."""
+"""Runs `impact-pair run`, or another verb, on a scene and reads what it lists."""
 import json
 import subprocess
 
@@ -9,9 +9,9 @@ from simulate import HEADER
 PATIENCE = 120
 
 
-def run(binary, text, arguments, form):
+def run(binary, text, arguments, form, verb="run"):
     """The lines that the program under test prints."""
-    command = [binary, "run", "-", "--quiet", *arguments, "--format", form]
+    command = [binary, verb, "-", "--quiet", *arguments, "--format", form]
     try:
         done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
     except subprocess.TimeoutExpired:
