@@ -1,5 +1,6 @@
 //! The command line: verbs, their arguments and their help.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::builder::RangedI64ValueParser;
@@ -118,7 +119,7 @@ pub struct RunArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// Stop after so many impacts [default: that of the scene; 100 if there is no --until either]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = count(0..=u64::MAX))]
     impacts: Option<u64>,
     /// Stop at this time, a number or an expression such as 100*pi [default: that of the scene]
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
@@ -134,7 +135,7 @@ pub struct RunArguments {
     #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     pub arithmetic: Arithmetic,
     /// With --arithmetic shadow: prove the first M impacts by precision, so that the start is nearer to the given one
-    #[arg(long, value_name = "M", default_value_t = 0)]
+    #[arg(long, value_name = "M", default_value_t = 0, value_parser = count(0..=u64::MAX))]
     splice: u64,
     /// Bits that auto takes at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
@@ -347,7 +348,7 @@ pub struct ProveArguments {
     /// Orbit JSON or JSON Lines, as written by run --format json or jsonl, or - for stdin
     pub certificate: PathBuf,
     /// Prove the first N impacts [default: all]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub impacts: Option<u64>,
     /// Write to FILE, which appears whole or not at all, instead of stdout
     #[arg(long, short, value_name = "FILE")]
@@ -413,6 +414,22 @@ pub fn digits() -> RangedI64ValueParser<u32> {
 /// Reads a number of bits.
 pub fn bits() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
+}
+
+/// Reads how many: a whole number of this range.
+pub fn count(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String> + Clone {
+    move |text| match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        Ok(_) if *range.end() == u64::MAX => Err(format!("accepted are whole numbers from {} on", range.start())),
+        Ok(_) => Err(format!("accepted are whole numbers from {} to {}", range.start(), range.end())),
+        Err(_) => {
+            // 1e5, 1,000
+            let meant = Exact::parse(text).ok().and_then(|number| number.as_rational().map(ToString::to_string));
+            let meant = meant.unwrap_or_else(|| text.replace([',', '_', ' ', '\''], ""));
+            let hint = if meant.parse::<u64>().is_ok() { format!("; did you mean {meant}?") } else { String::new() };
+            Err(format!("accepted are whole numbers{hint}"))
+        }
+    }
 }
 
 /// Reads a single exact number.

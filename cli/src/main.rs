@@ -27,9 +27,13 @@ mod two_impact;
 mod version;
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Error, Result};
+use clap::builder::Styles;
+use clap::builder::styling::Style;
+use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
 
@@ -45,7 +49,8 @@ enum Answer {
 }
 
 fn main() -> ExitCode {
-    let answer = match Cli::parse().verb {
+    let cli = Cli::try_parse().unwrap_or_else(|error| with_a_verb(error).exit());
+    let answer = match cli.verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Periodic(arguments) => periodic::periodic(&arguments),
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
@@ -67,11 +72,34 @@ fn main() -> ExitCode {
         // Who closes a pipe has read enough.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            // Nobody may be listening.
-            let _ = writeln!(io::stderr(), "error: {}", told(&error));
+            complain(&error);
             ExitCode::from(2)
         }
     }
+}
+
+/// The parser's error, with the command that was perhaps meant where a scene stands in the place of a verb.
+fn with_a_verb(mut error: clap::Error) -> clap::Error {
+    if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand)
+        && (given.ends_with(".toml") || Path::new(given).exists())
+    {
+        let tip = format!("a verb stands before a scene: impact-pair run {given}").into();
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+    }
+    error
+}
+
+/// Writes the error in the colours of the argument parser, with the line of the scene file that is at fault.
+fn complain(error: &Error) {
+    let (word, place) = (style(Styles::get_error), style(Styles::get_literal));
+    let excerpt = error.chain().find_map(|cause| cause.downcast_ref::<impact_pair::Error>()?.excerpt());
+    let excerpt = excerpt.map(|excerpt| format!("\n{place}{excerpt}{place:#}")).unwrap_or_default();
+    // Nobody may be listening.
+    let _ = writeln!(anstream::stderr(), "{word}error:{word:#} {}{excerpt}", told(error));
+}
+
+fn style(of: impl Fn(&Styles) -> &Style) -> Style {
+    *of(&Styles::default())
 }
 
 /// The error and its causes, down to one of the library, whose message tells what it comes from.

@@ -19,20 +19,49 @@ fn refusal(scene: &str) -> String {
     String::from_utf8(answer.stderr).unwrap()
 }
 
+/// Whether it is the line that the message names, and marks below it; nothing where no line is to blame.
+fn shows_a_line(scene: &str, message: &str, excerpt: &str) -> bool {
+    let Some((number, _)) = message.strip_prefix("line ").and_then(|rest| rest.split_once(':')) else {
+        return excerpt.is_empty();
+    };
+    let line = scene.lines().nth(number.parse::<usize>().unwrap() - 1).unwrap();
+    let [_, shown, marks] = excerpt.lines().collect::<Vec<_>>()[..] else { return false };
+    shown == format!("{number} | {line}") && marks.trim_start_matches([' ', '|']).chars().all(|mark| mark == '^')
+}
+
+#[test]
+fn what_is_meant_is_marked() {
+    for (key, by, marked) in [
+        ("gap", "gap = \"9,42497\"", "11 | gap = \"9,42497\"\n   |         ^\n"),
+        ("wall", "wall = \"Left\"", "16 | wall = \"Left\"\n   |        ^^^^^^\n"),
+        ("frequency", "frequency = 2*pi", "7 | frequency = 2*pi\n  |             ^^^^\n"),
+        ("gap", "gaps = 2", "11 | gaps = 2\n   | ^^^^\n"),
+        ("phase", "phase = [0, \"2pi\"]", "8 | phase = [0, \"2pi\"]\n  |               ^\n"),
+    ] {
+        let refusal = refusal(&figure_12_with(key, by));
+        assert!(refusal.ends_with(marked), "{refusal}");
+    }
+}
+
 macro_rules! refusals {
     ($($name:ident: $key:literal => $by:literal, $message:literal;)*) => {
         $(#[test]
         fn $name() {
-            assert_eq!(refusal(&figure_12_with($key, $by)), concat!("error: stdin: ", $message, "\n"));
+            let scene = figure_12_with($key, $by);
+            let refusal = refusal(&scene);
+            let (message, excerpt) = refusal.split_once('\n').unwrap();
+            assert_eq!(message, concat!("error: stdin: ", $message));
+            assert!(shows_a_line(&scene, $message, excerpt), "{refusal}");
         })*
     };
 }
 
 refusals! {
     unknown_key: "restitution" => "restitution = 0.5\nrestitition = 0.6",
-        "line 13: pair.restitition is 0.6, but is no key of [pair]: accepted are gap, restitution";
+        "line 13: pair.restitition is 0.6, but is no key of [pair]: accepted are gap, restitution; \
+         did you mean `restitution`?";
     unknown_table: "[run]" => "[ran]",
-        "line 19: ran is [ran], but is no key of a scene: accepted are title, excitation, pair, start, run";
+        "line 19: ran is [ran], but is no key of a scene: accepted are title, excitation, pair, start, run; did you mean `run`?";
     duplicate_key: "gap" => "gap = 1\ngap = 2", "line 12: duplicate key in `gap = 2`";
     missing_key: "restitution" => "",
         "line 10: pair.restitution is missing, but must be a number, or a string with an expression (\"3*pi\") \
@@ -72,6 +101,20 @@ refusals! {
     of_the_wrong_type: "gap" => "gap = true",
         "line 11: pair.gap is true, but must be a number, or a string with an expression (\"3*pi\") or an interval \
          (\"[9.42, 9.43]\")";
+    a_product_without_its_sign: "frequency" => "frequency = \"2pi\"",
+        "line 7: excitation.frequency is \"2pi\", but does not read as a number: column 2: found `pi`, accepted are `+`, `-`, `*`, \
+         `/`, `^` or the end; did you mean `2*pi`?";
+    a_unit: "gap" => "gap = \"8 mm\"",
+        "line 11: pair.gap is \"8 mm\", but does not read as a number: column 3: found `mm`, accepted are `+`, `-`, `*`, `/`, `^` or \
+         the end; numbers have no units here: take one unit of length and one of time for all";
+    a_decimal_comma: "gap" => "gap = 9,42497",
+        "line 11: unexpected key or value, expected newline, `#` in `gap = 9,42497`; did you mean `gap = 9.42497`?";
+    an_expression_without_quotes: "frequency" => "frequency = 2*pi",
+        "line 7: string values must be quoted, expected literal string in `frequency = 2*pi`; did you mean `frequency = \"2*pi\"`?";
+    a_wall_without_quotes: "wall" => "wall = left",
+        "line 16: string values must be quoted, expected literal string in `wall = left`; did you mean `wall = \"left\"`?";
+    a_wall_in_capitals: "wall" => "wall = \"Left\"",
+        "line 16: start.wall is \"Left\", but must be \"left\" or \"right\"; did you mean `\"left\"`?";
     an_expression_that_does_not_read: "gap" => "gap = \"3*pie\"",
         "line 11: pair.gap is \"3*pie\", but does not read as a number: column 3: found `pie`, accepted are a number, \
          `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign";
@@ -86,8 +129,8 @@ refusals! {
 #[test]
 fn no_toml() {
     let message = refusal(&figure_12_with("gap", "gap = = 9"));
-    assert!(message.starts_with("error: stdin: line 11: ") && message.ends_with(" in `gap = = 9`\n"), "{message}");
-    assert_eq!(message.lines().count(), 1);
+    assert!(message.starts_with("error: stdin: line 11: ") && message.contains(" in `gap = = 9`\n"), "{message}");
+    assert_eq!(message.lines().count(), 4);
 }
 
 #[test]

@@ -45,7 +45,7 @@ pub struct PlotArguments {
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub orbit_cycles: u32,
     /// Stop after so many impacts [default: 4000 for switch-planes and sections, else as many as the cycles need]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::arguments::count(0..=u64::MAX))]
     impacts: Option<u64>,
     /// Stop at this time, a number or an expression such as 100*pi
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]

@@ -46,10 +46,10 @@ pub struct SweepArguments {
     #[arg(long, value_name = "KEY=LO..HI:COUNT", required_unless_present = "merge", allow_hyphen_values = true)]
     pub over: Vec<Axis>,
     /// Impacts that are passed over first, certified as well
-    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u64).range(0..=MOST_IMPACTS))]
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = crate::arguments::count(0..=MOST_IMPACTS))]
     pub transient: u64,
     /// Impacts after them
-    #[arg(long, value_name = "M", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=MOST_IMPACTS))]
+    #[arg(long, value_name = "M", default_value_t = 300, value_parser = crate::arguments::count(1..=MOST_IMPACTS))]
     pub impacts: u64,
     /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W; finer than
     /// any picture

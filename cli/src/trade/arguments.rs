@@ -36,7 +36,7 @@ pub struct TradeArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// Stop each rung after so many impacts [default: that of the scene; 100 if it has no time to stop at either]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = crate::arguments::count(1..=u64::MAX))]
     impacts: Option<u64>,
     /// Bits that a rung takes at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::arguments::bits())]

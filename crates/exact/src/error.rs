@@ -1,5 +1,7 @@
 //! What can be wrong with an expression: it does not read (`ParseError`) or it has no provable value (`ExactError`).
 
+use std::fmt;
+
 /// Why an expression was refused: its value is undefined, cannot be proved defined, or is out of all proportion.
 ///
 /// Texts quoted in messages are shortened.
@@ -57,18 +59,61 @@ pub enum ExactError {
 /// assert_eq!(error.column(), 4);
 /// assert_eq!(error.to_string(), "column 4: found `pie`, accepted are a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign");
 /// ```
+///
+/// Where another text was perhaps meant, it is told:
+///
+/// ```
+/// use impact_pair_exact::Exact;
+/// let error = Exact::parse("2pi").unwrap_err();
+/// assert!(error.to_string().ends_with("or the end; did you mean `2*pi`?"));
+/// assert_eq!(error.meant(), Some("2*pi"));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("column {column}: {problem}")]
+#[error("column {column}: {problem}{advice}")]
 pub struct ParseError {
     column: usize,
     #[source]
     problem: Problem,
+    advice: Advice,
+}
+
+/// What may help who wrote it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) enum Advice {
+    #[default]
+    Nothing,
+    /// This reads as a number.
+    Meant(String),
+    /// A number with a unit.
+    Units,
+}
+
+impl fmt::Display for Advice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nothing => Ok(()),
+            Self::Meant(text) => write!(f, "; did you mean `{text}`?"),
+            Self::Units => write!(f, "; numbers have no units here: take one unit of length and one of time for all"),
+        }
+    }
 }
 
 impl ParseError {
     /// The error `problem` found at the byte offset `at`.
     pub(super) fn new(at: usize, problem: impl Into<Problem>) -> ParseError {
-        ParseError { column: at + 1, problem: problem.into() }
+        ParseError { column: at + 1, problem: problem.into(), advice: Advice::Nothing }
+    }
+
+    pub(super) fn advised(self, advice: Advice) -> ParseError {
+        ParseError { advice, ..self }
+    }
+
+    /// What was perhaps meant: a text that reads as a number.
+    pub fn meant(&self) -> Option<&str> {
+        match &self.advice {
+            Advice::Meant(text) => Some(text),
+            Advice::Nothing | Advice::Units => None,
+        }
     }
 
     /// The byte column, counted from 1, where reading stopped.

@@ -1,11 +1,14 @@
 //! Reading expressions: one pass, two mutually recursive functions, and a limit on everything that could grow.
 
+mod advice;
+
 use std::str::FromStr;
 use std::sync::Arc;
 
 use super::error::{ParseError, Problem, shortened};
 use super::literal::exact_decimal;
 use super::{Exact, ExactError, LARGEST_POWER};
+use advice::advice;
 
 /// Longer texts are refused.
 const LONGEST_TEXT: usize = 1 << 14;
@@ -45,8 +48,7 @@ impl Exact {
         if text.len() > LONGEST_TEXT {
             return Err(ParseError::new(0, Problem::TooLong { length: text.len(), limit: LONGEST_TEXT }));
         }
-        let mut reader = Reader { text, at: 0, nesting: 0 };
-        let mut value = reader.whole()?;
+        let mut value = read(text).map_err(|error| error.advised(advice(text)))?;
         value.written = Some(Arc::from(text));
         Ok(value)
     }
@@ -57,6 +59,11 @@ impl FromStr for Exact {
     fn from_str(text: &str) -> Result<Exact, ParseError> {
         Exact::parse(text)
     }
+}
+
+/// What the text says, an expression or an interval.
+fn read(text: &str) -> Result<Exact, ParseError> {
+    Reader { text, at: 0, nesting: 0 }.whole()
 }
 
 /// A text and how far it has been read.

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 use std::{error, fmt};
 
+use crate::excerpt::Excerpt;
 use impact_pair_exact::{Exact, ExactError};
 
 /// A question that cannot be asked: the message names the key, the value and what is accepted.
@@ -14,8 +15,8 @@ pub struct Error {
     kind: Kind,
     /// The key of the scene file that is at fault, when it is one.
     key: Option<String>,
-    /// `line 7: ` when the value stands in a file.
-    place: String,
+    /// Where the value stands in a file.
+    excerpt: Option<Box<Excerpt>>,
     message: String,
     /// What it comes from, which the message tells.
     cause: Option<Arc<dyn error::Error + Send + Sync>>,
@@ -23,7 +24,10 @@ pub struct Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}", self.place, self.message)
+        if let Some(excerpt) = &self.excerpt {
+            write!(f, "line {}: ", excerpt.line())?;
+        }
+        f.write_str(&self.message)
     }
 }
 
@@ -53,7 +57,7 @@ enum Kind {
 
 impl Error {
     fn new(kind: Kind, message: String) -> Self {
-        Self { kind, key: None, place: String::new(), message, cause: None }
+        Self { kind, key: None, excerpt: None, message, cause: None }
     }
 
     /// Whether a value lies outside what is accepted.
@@ -86,10 +90,21 @@ impl Error {
         self.key.as_deref()
     }
 
+    /// The line of the scene file that is at fault, when it is one.
+    pub fn excerpt(&self) -> Option<&Excerpt> {
+        self.excerpt.as_deref()
+    }
+
     /// The error with the line that its value stands on, unless that is known.
-    pub fn at_line(mut self, line: usize) -> Self {
-        if self.place.is_empty() {
-            self.place = format!("line {line}: ");
+    pub(crate) fn at(mut self, excerpt: Excerpt) -> Self {
+        self.excerpt.get_or_insert_with(|| Box::new(excerpt));
+        self
+    }
+
+    /// The error with what was perhaps meant.
+    pub(crate) fn meant(mut self, meant: Option<String>) -> Self {
+        if let Some(meant) = meant {
+            self.message.push_str(&format!("; did you mean `{meant}`?"));
         }
         self
     }

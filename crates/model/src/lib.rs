@@ -5,6 +5,7 @@
 //! rounded. What computes rests on this crate, and so does what checks the computed, which share nothing else.
 
 mod error;
+mod excerpt;
 mod excitation;
 pub mod mapping;
 mod pair;
@@ -14,6 +15,7 @@ mod settings;
 mod start;
 
 pub use error::{Error, within};
+pub use excerpt::Excerpt;
 pub use excitation::{Excitation, Harmonic};
 pub use mapping::{Mapping, Word};
 pub use pair::{ImpactPair, Wall};

@@ -120,3 +120,25 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn advice_tells_what_was_perhaps_meant() {
+    for (text, meant) in [
+        ("2pi", "2*pi"),
+        ("3 + 2sqrt(2)", "3 + 2*sqrt(2)"),
+        ("2(1+pi)", "2*(1+pi)"),
+        ("9,42497", "9.42497"),
+        ("20π", "20*pi"),
+        ("−2", "-2"),
+        ("2**3", "2^3"),
+    ] {
+        assert_eq!(Exact::parse(text).unwrap_err().meant(), Some(meant), "{text}");
+    }
+    for text in ["8 mm", "3.2Hz", "90°", "9.81 m/s^2"] {
+        assert!(Exact::parse(text).unwrap_err().to_string().contains("no units"), "{text}");
+    }
+    for text in ["9,424", "", "pie", "1e", "[1, 2", "2pie", "two"] {
+        let error = Exact::parse(text).unwrap_err();
+        assert!(error.meant().is_none(), "{error}");
+    }
+}

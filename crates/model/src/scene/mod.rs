@@ -15,12 +15,13 @@ use std::ops::RangeInclusive;
 use toml_edit::{Document, TomlError};
 
 use crate::error::Error;
+use crate::excerpt::Excerpt;
 use crate::excitation::{Excitation, Harmonic};
 use crate::pair::{ImpactPair, Wall};
 use crate::settings::{Arithmetic, Settings};
 use crate::start::Start;
 use impact_pair_exact::Exact;
-use section::{Entry, Section, line_of, quoted};
+use section::{Entry, Section, quoted};
 pub use vary::{Key, Term};
 
 /// The digits that can be asked for.
@@ -45,7 +46,7 @@ pub struct Scene {
     pair: ImpactPair,
     start: Start,
     run: Run,
-    lines: Vec<(String, usize)>,
+    places: Vec<(String, Excerpt)>,
 }
 
 /// How far to follow the orbit: the table `[run]`.
@@ -85,8 +86,8 @@ impl Scene {
         let start = file.section("start", &["time", "wall", "position", "velocity"])?;
         let run = file.optional_section("run", &["impacts", "until", "digits"])?;
 
-        let lines: Vec<_> = [&excitation, &pair, &start].into_iter().chain(&run).flat_map(Section::lines).collect();
-        let located = |error: Error| at_its_line(error, &lines);
+        let places: Vec<_> = [&excitation, &pair, &start].into_iter().chain(&run).flat_map(Section::places).collect();
+        let located = |error: Error| at_its_place(error, &places);
         let pair = {
             let terms = read_terms(&excitation)?
                 .into_iter()
@@ -97,7 +98,7 @@ impl Scene {
         };
         let start = read_start(&start, &pair).map_err(located)?;
         let run = run.map(|run| read_run(&run)).transpose()?.unwrap_or_default();
-        Ok(Self { title, pair, start, run, lines })
+        Ok(Self { title, pair, start, run, places })
     }
 
     /// The title, if there is one.
@@ -130,26 +131,40 @@ impl Scene {
         let is_ours = |until: &Exact| self.run.until.as_ref().is_some_and(|ours| ours.text() == until.text());
         // A time to stop at that is not the file's has no line in it.
         let is_strange = error.key() == Some("run.until") && !settings.until.as_ref().is_none_or(is_ours);
-        if is_strange { error } else { at_its_line(error, &self.lines) }
+        if is_strange { error } else { at_its_place(error, &self.places) }
     }
 }
 
 /// The error with the line of its key, or of the first of its keys (`excitation.amplitude / pair.gap`).
-fn at_its_line(error: Error, lines: &[(String, usize)]) -> Error {
+fn at_its_place(error: Error, places: &[(String, Excerpt)]) -> Error {
     let key = error.key().unwrap_or_default();
-    match lines.iter().find(|(known, _)| key.contains(known.as_str())) {
-        Some(&(_, line)) => error.at_line(line),
+    match places.iter().find(|(known, _)| key.contains(known.as_str())) {
+        Some((_, excerpt)) => error.at(excerpt.clone()),
         None => error,
     }
 }
 
 /// What is no TOML, with the line it stands on.
 fn unreadable(text: &str, error: TomlError) -> Error {
-    let at = error.span().map_or(text.len(), |span| span.start);
-    let line = line_of(text, at);
+    let at = error.span().unwrap_or(text.len()..text.len());
+    let excerpt = Excerpt::new(text, at);
     let hint = if error.message().contains("overflow") { " (write the number as a string)" } else { "" };
-    let written = text.lines().nth(line - 1).unwrap_or_default();
-    Error::scene(format!("{} in {}{hint}", error.message(), quoted(written.trim()))).at_line(line).because(error)
+    let written = excerpt.text().trim();
+    let message = format!("{} in {}{hint}", error.message(), quoted(written));
+    Error::scene(message).meant(as_toml(written)).at(excerpt).because(error)
+}
+
+/// A line whose value is an expression or a word without quotes, as TOML has it.
+fn as_toml(line: &str) -> Option<String> {
+    let (key, value) = line.split_once('=')?;
+    let value = value.split('#').next()?.trim();
+    let text = match Exact::parse(value) {
+        Ok(_) => value.to_owned(),
+        Err(error) => error.meant().map(str::to_owned).or_else(|| is_wall(value).then(|| value.to_owned()))?,
+    };
+    let value = if text.parse::<f64>().is_ok() { text } else { format!("\"{text}\"") };
+    let meant = format!("{} = {value}", key.trim());
+    (meant != line).then_some(meant)
 }
 
 /// Amplitude, frequency and phase of each harmonic.
@@ -176,10 +191,8 @@ fn read_start(start: &Section<'_>, pair: &ImpactPair) -> Result<Start, Error> {
     match (start.entry("wall"), start.entry("position")) {
         (Some(wall), None) => Start::on_wall(time, read_wall(&wall)?, velocity),
         (None, Some(position)) => Start::inside(pair, time, position.number()?, velocity),
-        (Some(wall), Some(position)) => {
-            Err(position
-                .refused(&format!("start.wall is given too, on line {}: a start has one or the other", wall.line)))
-        }
+        (Some(wall), Some(position)) => Err(position
+            .refused(&format!("start.wall is given too, on line {}: a start has one or the other", wall.line()))),
         (None, None) => Err(start.missing("wall", "must be \"left\" or \"right\", or start.position be given")),
     }
 }
@@ -188,7 +201,13 @@ fn read_wall(wall: &Entry<'_>) -> Result<Wall, Error> {
     let accepted = "\"left\" or \"right\"";
     let name = wall.text(accepted)?;
     let walls = [Wall::Left, Wall::Right].into_iter().find(|wall| wall.name() == name);
-    walls.ok_or_else(|| wall.refused(&format!("must be {accepted}")))
+    let meant = name.to_lowercase();
+    let meant = is_wall(&meant).then(|| format!("\"{meant}\""));
+    walls.ok_or_else(|| wall.refused(&format!("must be {accepted}")).meant(meant))
+}
+
+fn is_wall(name: &str) -> bool {
+    [Wall::Left, Wall::Right].iter().any(|wall| wall.name() == name)
 }
 
 fn read_run(run: &Section<'_>) -> Result<Run, Error> {

@@ -5,6 +5,7 @@ use std::ops::{Range, RangeInclusive};
 use toml_edit::{Item, Key, TableLike, Value};
 
 use crate::error::Error;
+use crate::excerpt::Excerpt;
 use impact_pair_exact::Exact;
 
 const NUMBER: &str = "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
@@ -14,7 +15,8 @@ pub(super) struct Section<'t> {
     text: &'t str,
     /// Empty for the whole file.
     name: &'static str,
-    line: usize,
+    /// Where its name stands.
+    span: Range<usize>,
     table: &'t dyn TableLike,
 }
 
@@ -22,16 +24,16 @@ pub(super) struct Section<'t> {
 pub(super) struct Entry<'t> {
     /// With the table's name: `pair.gap`.
     pub key: String,
-    pub line: usize,
-    /// The value as written, for messages and for exact decimals.
-    written: &'t str,
+    text: &'t str,
+    name: Range<usize>,
+    value: Range<usize>,
     item: &'t Item,
 }
 
 impl<'t> Section<'t> {
     /// The whole file.
     pub fn file(text: &'t str, table: &'t dyn TableLike) -> Self {
-        Self { text, name: "", line: 1, table }
+        Self { text, name: "", span: 0..0, table }
     }
 
     /// The table `name` of the file, whose keys are among `keys`.
@@ -45,7 +47,7 @@ impl<'t> Section<'t> {
         let Some(entry) = self.entry(name) else { return Ok(None) };
         let table = entry.item.as_table_like();
         let table = table.ok_or_else(|| entry.refused(&format!("must be one table with {}", keys.join(", "))))?;
-        let section = Self { text: self.text, name, line: entry.line, table };
+        let section = Self { text: self.text, name, span: entry.name, table };
         section.refuse_unknown(keys)?;
         Ok(Some(section))
     }
@@ -61,7 +63,7 @@ impl<'t> Section<'t> {
     }
 
     pub fn missing(&self, key: &str, accepted: &str) -> Error {
-        Error::entry(&self.full(key), "missing", accepted).at_line(self.line)
+        Error::entry(&self.full(key), "missing", accepted).at(Excerpt::new(self.text, self.span.clone()))
     }
 
     pub fn refuse_unknown(&self, accepted: &[&str]) -> Result<(), Error> {
@@ -69,14 +71,17 @@ impl<'t> Section<'t> {
             None => Ok(()),
             Some(unknown) => {
                 let place = if self.name.is_empty() { "a scene".into() } else { format!("[{}]", self.name) };
-                Err(unknown.refused(&format!("is no key of {place}: accepted are {}", accepted.join(", "))))
+                let but = format!("is no key of {place}: accepted are {}", accepted.join(", "));
+                let name = unknown.key.rsplit('.').next().unwrap_or_default();
+                let meant = nearest(name, accepted).map(str::to_owned);
+                Err(unknown.refused_at(unknown.name.clone(), &but).meant(meant))
             }
         }
     }
 
-    /// The keys with their lines.
-    pub fn lines(&self) -> impl Iterator<Item = (String, usize)> {
-        self.entries().map(|entry| (entry.key, entry.line))
+    /// The keys with their values' places.
+    pub fn places(&self) -> impl Iterator<Item = (String, Excerpt)> {
+        self.entries().map(|entry| (entry.key.clone(), entry.excerpt()))
     }
 
     fn entries(&self) -> impl Iterator<Item = Entry<'t>> {
@@ -91,25 +96,41 @@ impl<'t> Section<'t> {
     fn entry_of(&self, key: &'t Key, item: &'t Item) -> Entry<'t> {
         let key_span = key.span().unwrap_or_default();
         // Tables made by dotted keys have no span of their own.
-        let Range { start, end } = item.span().unwrap_or_else(|| key_span.clone());
-        Entry {
-            key: self.full(key.get()),
-            line: line_of(self.text, key_span.start),
-            written: self.text.get(start..end).unwrap_or_default(),
-            item,
-        }
+        let value = item.span().unwrap_or_else(|| key_span.clone());
+        Entry { key: self.full(key.get()), text: self.text, name: key_span, value, item }
     }
 }
 
 impl<'t> Entry<'t> {
+    /// The value as written, for messages and for exact decimals.
+    fn written(&self) -> &'t str {
+        self.text.get(self.value.clone()).unwrap_or_default()
+    }
+
+    /// Where the value stands.
+    fn excerpt(&self) -> Excerpt {
+        Excerpt::new(self.text, self.value.clone())
+    }
+
+    /// The line, from 1.
+    pub fn line(&self) -> usize {
+        self.excerpt().line()
+    }
+
     /// The error that the value is what it is, `but` something else is accepted.
     pub fn refused(&self, but: &str) -> Error {
-        let first_line = self.written.lines().next().unwrap_or_default();
+        self.refused_at(self.value.clone(), but)
+    }
+
+    /// The same, for what stands at a place of the text.
+    fn refused_at(&self, place: Range<usize>, but: &str) -> Error {
+        let written = self.written();
+        let first_line = written.lines().next().unwrap_or_default();
         let mut shown: String = first_line.chars().take(60).collect();
-        if shown.len() < self.written.trim_end().len() {
+        if shown.len() < written.trim_end().len() {
             shown.push_str("...");
         }
-        Error::entry(&self.key, &shown, but).at_line(self.line)
+        Error::entry(&self.key, &shown, but).at(Excerpt::new(self.text, place))
     }
 
     /// A string.
@@ -119,7 +140,7 @@ impl<'t> Entry<'t> {
 
     /// An exact number or interval.
     pub fn number(&self) -> Result<Exact, Error> {
-        self.item.as_value().map_or_else(|| Err(self.refused(NUMBER)), |value| self.exact(value, self.written))
+        self.item.as_value().map_or_else(|| Err(self.refused(NUMBER)), |value| self.exact(value, self.value.clone()))
     }
 
     /// An exact number that is no interval.
@@ -134,12 +155,7 @@ impl<'t> Entry<'t> {
         if terms.is_empty() {
             return Err(self.refused("must have a term: a number, or a list of them"));
         }
-        let offset = self.item.span().unwrap_or_default().start;
-        let term = |term: &Value| {
-            let Range { start, end } = term.span().unwrap_or_default();
-            let written = self.written.get(start.saturating_sub(offset)..end.saturating_sub(offset));
-            self.exact(term, written.unwrap_or_default())
-        };
+        let term = |term: &Value| self.exact(term, term.span().unwrap_or_default());
         terms.iter().map(term).collect()
     }
 
@@ -160,23 +176,30 @@ impl<'t> Entry<'t> {
         })
     }
 
-    /// The exact number of a value that is `written` so.
-    fn exact(&self, value: &Value, written: &str) -> Result<Exact, Error> {
-        let expression = match value {
-            Value::String(string) => string.value().as_str(),
-            Value::Integer(_) | Value::Float(_) => written,
+    /// The exact number of a value that stands there.
+    fn exact(&self, value: &Value, place: Range<usize>) -> Result<Exact, Error> {
+        let (expression, quote) = match value {
+            Value::String(string) => (string.value().as_str(), 1),
+            Value::Integer(_) | Value::Float(_) => (self.text.get(place.clone()).unwrap_or_default(), 0),
             Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
-                return Err(self.refused(NUMBER));
+                return Err(self.refused_at(place, NUMBER));
             }
         };
-        Exact::parse(expression)
-            .map_err(|error| self.refused(&format!("does not read as a number: {error}")).because(error))
+        Exact::parse(expression).map_err(|error| {
+            // Strings with escapes, and those of several lines, are longer than what they say.
+            let is_plain = place.len() == expression.len() + 2 * quote;
+            let at = place.start + quote + error.column() - 1;
+            let at = if is_plain { at..at } else { place };
+            self.refused_at(at, &format!("does not read as a number: {error}")).because(error)
+        })
     }
 }
 
-/// The line, from 1, of a byte offset.
-pub(super) fn line_of(text: &str, offset: usize) -> usize {
-    1 + text.bytes().take(offset).filter(|&byte| byte == b'\n').count()
+/// The name that is most like one that is not known, if one is.
+fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
+    let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), other);
+    let best = known.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
+    (likeness(best) > 0.6).then_some(best)
 }
 
 /// A piece of the file in backticks.

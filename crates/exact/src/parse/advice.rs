@@ -1,0 +1,66 @@
+//! What a text that does not read as a number was perhaps meant to be.
+
+use super::super::error::Advice;
+use super::read;
+
+/// How some write what is written otherwise here.
+const WRITTEN: [(&str, &str); 10] = [
+    ("π", "pi"),
+    ("Pi", "pi"),
+    ("PI", "pi"),
+    ("√", "sqrt"),
+    ("×", "*"),
+    ("·", "*"),
+    ("−", "-"),
+    ("²", "^2"),
+    ("**", "^"),
+    ("÷", "/"),
+];
+/// What may follow a number that multiplies it.
+const FACTORS: [&str; 5] = ["pi", "sqrt", "sin", "cos", "("];
+/// Longer texts get no advice.
+const LONGEST: usize = 100;
+
+/// The advice for a text that does not read as a number.
+pub(super) fn advice(text: &str) -> Advice {
+    if text.len() > LONGEST {
+        return Advice::Nothing;
+    }
+    let written = WRITTEN.iter().fold(text.to_owned(), |text, (other, ours)| text.replace(other, ours));
+    let tried = [with_products(&written), with_point(&written)];
+    match tried.into_iter().find(|tried| tried != text && read(tried).is_ok()) {
+        Some(meant) => Advice::Meant(meant),
+        None if has_unit(text) => Advice::Units,
+        None => Advice::Nothing,
+    }
+}
+
+/// `2pi` as `2*pi`.
+fn with_products(text: &str) -> String {
+    let mut all = String::with_capacity(text.len());
+    for (at, letter) in text.char_indices() {
+        let multiplies = text[..at].ends_with(|before: char| before.is_ascii_digit() || before == ')');
+        if multiplies && FACTORS.iter().any(|factor| text[at..].starts_with(factor)) {
+            all.push('*');
+        }
+        all.push(letter);
+    }
+    all
+}
+
+/// `9,42497` as `9.42497`; not `9,424`, which may be thousands.
+fn with_point(text: &str) -> String {
+    match text.split_once(',') {
+        Some((whole, rest)) if rest.len() != 3 && rest.starts_with(|digit: char| digit.is_ascii_digit()) => {
+            format!("{whole}.{rest}")
+        }
+        _ => text.to_owned(),
+    }
+}
+
+/// Whether it is a number and a name, or a degree's sign.
+fn has_unit(text: &str) -> bool {
+    let is_of_a_unit = |letter: char| letter.is_alphabetic() || "/°^2 ".contains(letter);
+    let number = text.trim_end_matches(is_of_a_unit);
+    number.len() < text.trim_end().len() && !number.is_empty() && read(number).is_ok()
+}
