@@ -14,7 +14,7 @@ use crate::arguments::{BifurcationArguments, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::Output;
 use crate::periodic::{physical, symmetric};
-use crate::progress::{goes_on, interruption};
+use crate::progress::{Progress, goes_on, interruption};
 use crate::scene;
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
@@ -26,7 +26,9 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     scene::keep(&arguments.scene, arguments.output.as_deref())?;
     let out = Output::open(arguments.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
+    let progress = Progress::of("following branches", !arguments.quiet);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on).with_context(named)?;
+    progress.clear();
     let text = match arguments.format {
         PeriodicFormat::Table => table(&scene, &diagram)?,
         PeriodicFormat::Json => {
@@ -61,11 +63,11 @@ fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
         let [low, high] = diagram.range_f64(branch.range);
         let [a, b] = branch.ends.map(end);
         let impacts = branch.word.mappings().len();
-        let proved = if branch.is_proved { ", proved to be one curve" } else { "" };
+        let proved = if branch.is_proved { ", one proved curve" } else { "" };
+        let cycles = branch.cycles;
         writeln!(
             out,
-            "followed: {impacts} impacts in {}{symmetric}, {low:.4} to {high:.4}{proved}; ends: {a}, {b}",
-            branch.cycles
+            "followed: {impacts} impacts in {cycles}{symmetric}, {low:.4} to {high:.4}{proved}; ends: {a}, {b}"
         )?;
     }
     for unproved in &diagram.unproved {

@@ -26,7 +26,10 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let (start, precision) = (scene.start(), arguments.precision(&scene));
     // From here on Ctrl-C keeps what is proved.
     let interrupted = interruption();
-    let progress = Progress::search(arguments.all && !arguments.quiet && !out.is_terminal());
+    let progress = match arguments.all {
+        true => Progress::search(!arguments.quiet),
+        false => Progress::of("looking for orbits", !arguments.quiet),
+    };
     let goes_on = |searched: Searched| {
         progress.searched(searched);
         !interrupted.load(Ordering::Relaxed)
@@ -51,7 +54,11 @@ fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Re
     for (i, found) in census.orbits.iter().enumerate() {
         writeln!(out, "\norbit {}: {}", i + 1, described(found))?;
         let [large, small] = found.eigenvalues.each_ref().map(shown);
-        writeln!(out, "  eigenvalues {large} and {small}")?;
+        writeln!(
+            out,
+            "  eigenvalues {large}{}{small}",
+            if large.len() + small.len() > 80 { "\n          and " } else { " and " }
+        )?;
         writeln!(out, "  trace {}, determinant {}", decimal_digits(&found.trace), decimal_digits(&found.determinant))?;
         // Which turn since the first impact's, and which of the common period, where these are longer than one.
         let cycle = |said: &str| if cycles > found.period { format!("{said:>5}  ") } else { String::new() };

@@ -36,6 +36,16 @@ impl Progress {
         if wanted { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
     }
 
+    /// Tells what is done and for how long, where nothing can be counted; not before a second has passed.
+    pub fn of(what: &'static str, wanted: bool) -> Self {
+        let progress = if wanted { Self::drawn(None, "{msg}, {elapsed}") } else { Self(None) };
+        if let Some(bar) = &progress.0 {
+            bar.set_message(what);
+            bar.enable_steady_tick(Duration::from_secs(1));
+        }
+        progress
+    }
+
     /// Counts boxes that are proved, none at first.
     pub fn boxes(wanted: bool) -> Self {
         if wanted { Self::drawn(None, "{prefix}{pos} boxes") } else { Self(None) }

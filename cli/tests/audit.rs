@@ -210,8 +210,8 @@ fn lists_may_be_written_as_people_do() {
 }
 
 #[test]
-fn an_orbit_json_is_a_list() {
-    for format in ["json", "jsonl"] {
+fn what_run_writes_is_a_list() {
+    for format in ["json", "jsonl", "csv"] {
         let orbit =
             common::run(&["scenes/chatter.toml", "--impacts", "20", "--format", format, "--quiet"]).output().unwrap();
         let list = String::from_utf8(orbit.stdout).unwrap();

@@ -26,19 +26,16 @@ pub fn table(trade: &Trade<'_>) -> String {
 
 /// The names of the columns, in two lines.
 fn names() -> String {
-    let (cost, greatest, last) = ("us an impact", "greatest width", "last width");
-    let upper = format!("{:33}{cost:>18}{:11}{greatest:>19}{last:>19}", "", "");
-    let columns = ["bits", "impacts", "orbit", "bounds", "impacts/s", "time", "velocity", "time", "velocity"];
+    let (cost, greatest) = ("us an impact", "greatest width");
+    let upper = format!("{:32}{cost:>16}{:10}{greatest:>19}", "", "");
+    let columns = ["bits", "impacts", "orbit", "bounds", "impacts/s", "time", "velocity"];
     upper + "\n" + &line("arithmetic", columns.map(str::to_owned), "end")
 }
 
 /// A line in columns of fixed widths.
-fn line(name: &str, columns: [String; 9], end: &str) -> String {
-    let [bits, impacts, orbit, bounds, rate, time, velocity, last_time, last_velocity] = columns;
-    format!(
-        "{name:16}{bits:>8}{impacts:>9}{orbit:>8}{bounds:>10}{rate:>11}\
-         {time:>10}{velocity:>9}{last_time:>10}{last_velocity:>9}  {end}"
-    )
+fn line(name: &str, columns: [String; 7], end: &str) -> String {
+    let [bits, impacts, orbit, bounds, rate, time, velocity] = columns;
+    format!("{name:16}{bits:>7}{impacts:>9}{orbit:>8}{bounds:>8}{rate:>10}{time:>10}{velocity:>9}  {end}")
 }
 
 fn row(rung: &Measured) -> String {
@@ -46,11 +43,11 @@ fn row(rung: &Measured) -> String {
     let microseconds = |time| rung.microseconds(time).map(significant);
     let rate = rung.microseconds(rung.times.orbit).map(|time| format!("{:.1e}", 1e6 / time));
     let width = |extent: Option<Extent>| match extent {
-        Some(Extent { greatest, last }) => [greatest.short(), last.short()],
-        None => [none(), none()],
+        Some(Extent { greatest, .. }) => greatest.short(),
+        None => none(),
     };
-    let [time, last_time] = width(rung.widths.map(|widths| widths.time));
-    let [velocity, last_velocity] = width(rung.widths.map(|widths| widths.velocity));
+    let time = width(rung.widths.map(|widths| widths.time));
+    let velocity = width(rung.widths.map(|widths| widths.velocity));
     let columns = [
         rung.bits.to_string(),
         rung.impacts.to_string(),
@@ -59,8 +56,6 @@ fn row(rung: &Measured) -> String {
         rate.unwrap_or_else(none),
         time,
         velocity,
-        last_time,
-        last_velocity,
     ];
     let end = match rung.conclusion.reason() {
         None if rung.is_certified => "all certified".into(),

@@ -16,7 +16,7 @@ use impact_pair::pair::Wall;
 use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown};
 
 use crate::output::Output;
-use crate::progress::goes_on;
+use crate::progress::{Progress, goes_on};
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
 
@@ -50,12 +50,14 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     if arguments.format == TwoImpactFormat::Csv {
         bail!("--format is csv, but accepted without --manifold are table and json");
     }
+    let progress = Progress::of("isolating motions", !arguments.quiet);
     let answers: Vec<Answer> = arguments
         .cycles
         .0
         .clone()
         .map(|cycles| Ok(Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
         .collect::<Result<_, Error>>()?;
+    progress.clear();
     let wall = arguments.wall.wall();
     let text = match arguments.format {
         TwoImpactFormat::Json => {
@@ -93,11 +95,13 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         !interrupted.get()
     };
     let out = Output::open(arguments.output.as_deref())?;
+    let progress = Progress::of("drawing manifolds", !arguments.quiet);
     let mut curves: Vec<Manifold> = cycles
         .filter(|n| is_one || n % 2 == 1)
         .take_while(|_| goes_on())
         .map(|n| range.manifold(n, digits, goes_on))
         .collect::<Result<_, _>>()?;
+    progress.clear();
     curves.retain(|curve| !curve.points.is_empty());
     let interrupted = interrupted.get();
     let text = match arguments.format {

@@ -162,7 +162,8 @@ impl Walls {
 
 /// Reads a list, whatever it is written in.
 ///
-/// Text has commas, semicolons, tabs or blanks between columns, and a header, one in a comment, or none; JSON is an array of
+/// Text has commas, semicolons, tabs or blanks between columns, and a header, one in a comment, or none; of a column there may be two,
+/// of bounds (`time_lower`, `time_upper`); where there is a column `event`, those that are no `impact` are passed over. JSON is an array of
 /// objects, an object of arrays, JSON Lines, or the orbit JSON. Walls may be positions near `-d/2` and `d/2` of the pair.
 ///
 /// # Errors
@@ -175,18 +176,6 @@ pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<Vec<List
         Some('{' | '[') => json::read(text, columns, walls),
         Some(_) => text::read(text, columns, walls),
     }
-}
-
-/// One event from its texts.
-fn listed(place: String, [time, wall]: [&str; 2], velocity: Option<&str>, walls: &Walls) -> Result<Listed, Error> {
-    let number = |name: &str, text: &str| match Number::decimal(text) {
-        Some(number) => Ok(number),
-        None => Err(refused(&place, name, text, "a finite decimal number")),
-    };
-    let time = number("time", time)?;
-    let velocity = velocity.map(|velocity| number("velocity", velocity)).transpose()?;
-    let wall = read_wall(&place, wall, walls)?;
-    Ok(Listed { place, wall, time, velocity })
 }
 
 fn read_wall(place: &str, wall: &str, walls: &Walls) -> Result<Wall, Error> {

@@ -2,7 +2,7 @@
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::{Column, Columns, Listed, Walls, listed, shortened};
+use super::{Column, Columns, Listed, Number, Walls, read_wall, refused, shortened};
 use crate::Error;
 
 /// Lines that begin so are no data.
@@ -26,9 +26,12 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<L
     };
     let places = Places::find(columns, &header, fields.len())?;
     let data = lines.filter(|(_, line)| !line.starts_with(COMMENTS));
+    let is_impact =
+        |fields: &[String]| places.event.and_then(|at| fields.get(at)).is_none_or(|event| event == "impact");
     let data = (!is_header).then_some((number, first)).into_iter().chain(data);
+    let rows = data.map(|(number, line)| (number, separator.fields(line))).filter(|(_, fields)| is_impact(fields));
     let rows: Vec<Listed> =
-        data.map(|(number, line)| places.row(number, &separator.fields(line), walls)).collect::<Result<_, _>>()?;
+        rows.map(|(number, fields)| places.row(number, &fields, walls)).collect::<Result<_, _>>()?;
     if rows.is_empty() {
         refuse!("the list has no events below its header: accepted is at least one");
     }
@@ -81,26 +84,39 @@ impl Header {
     }
 }
 
+/// Where a number stands: in one column, or between two.
+#[derive(Clone, Copy)]
+struct Place {
+    lower: usize,
+    upper: usize,
+}
+
 /// Where the columns stand.
 struct Places {
-    time: usize,
+    event: Option<usize>,
+    time: Place,
     wall: usize,
-    velocity: Option<usize>,
+    velocity: Option<Place>,
 }
 
 impl Places {
     fn find(columns: &Columns, header: &Header, width: usize) -> Result<Self, Error> {
-        let (time, wall) = (find(&columns.time, header, width, 0)?, find(&columns.wall, header, width, 1)?);
+        let one = |at: usize| Place { lower: at, upper: at };
+        let number = |column: &Column, usual| match bounds(column, header) {
+            Some(place) => Ok(place),
+            None => find(column, header, width, usual).map(one),
+        };
+        let (time, wall) = (number(&columns.time, 0)?, find(&columns.wall, header, width, 1)?);
         let velocity = match &columns.velocity {
             None => None,
-            Some(column) if column.given.is_some() => Some(find(column, header, width, 2)?),
+            Some(column) if column.given.is_some() => Some(one(find(column, header, width, 2)?)),
             Some(column) => match (named(column.names, header), header) {
-                (Some(place), _) => Some(place),
-                (None, Header::Line(_)) => None,
-                (None, _) => (width > 2 && time != 2 && wall != 2).then_some(2),
+                (Some(at), _) => Some(one(at)),
+                (None, Header::Line(_)) => bounds(column, header),
+                (None, _) => (width > 2 && time.lower != 2 && wall != 2).then_some(one(2)),
             },
         };
-        Ok(Self { time, wall, velocity })
+        Ok(Self { event: named(&["event"], header), time, wall, velocity })
     }
 
     fn row(&self, number: usize, fields: &[String], walls: &Walls) -> Result<Listed, Error> {
@@ -110,9 +126,22 @@ impl Places {
                 refuse!("line {number} is `{}`, but {name} is in column {}", shortened(&fields.join(" ")), place + 1)
             }
         };
-        let (time, wall) = (field("time", self.time)?, field("wall", self.wall)?);
-        let velocity = self.velocity.map(|place| field("velocity", place)).transpose()?;
-        listed(format!("line {number}"), [time, wall], velocity.filter(|text| !text.is_empty()), walls)
+        let place = format!("line {number}");
+        let decimal = |name: &str, at: usize| {
+            let text = field(name, at)?;
+            Number::decimal(text).ok_or_else(|| refused(&place, name, text, "a finite decimal number"))
+        };
+        let between = |name: &str, Place { lower, upper }: Place| {
+            let bounds = [decimal(name, lower)?, decimal(name, upper)?];
+            let written = bounds[0].written.clone();
+            Number::between(bounds)
+                .ok_or_else(|| refused(&place, name, &written, "a lower bound that is no greater than the upper one"))
+        };
+        let is_there = |at: &Place| fields.get(at.lower).is_none_or(|text| !text.is_empty());
+        let time = between("time", self.time)?;
+        let wall = read_wall(&place, field("wall", self.wall)?, walls)?;
+        let velocity = self.velocity.filter(is_there).map(|at| between("velocity", at)).transpose()?;
+        Ok(Listed { place, wall, time, velocity })
     }
 }
 
@@ -139,6 +168,18 @@ fn find(column: &Column, header: &Header, width: usize, usual: usize) -> Result<
             refuse!("{flag} is `{}`, but accepted is {names}a number from 1 to {width}", shortened(given))
         }
     }
+}
+
+/// The two columns of bounds that a column may be, as `run --format csv` writes them.
+fn bounds(column: &Column, header: &Header) -> Option<Place> {
+    if column.given.is_some() || named(column.names, header).is_some() {
+        return None;
+    }
+    let end = |end: &str| {
+        let names = column.names.iter().map(|name| format!("{name}_{end}"));
+        names.into_iter().find_map(|name| named(&[&name], header))
+    };
+    Some(Place { lower: end("lower")?, upper: end("upper")? })
 }
 
 fn named(names: &[&str], header: &Header) -> Option<usize> {
