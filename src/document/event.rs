@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Serialize, Serializer};
+
 use impact_pair_certificate::document::{Decimal, EventDocument, EventName, Skipped};
 
 use super::orbit::is_certified;
@@ -68,6 +70,14 @@ impl Event {
         Some(Self { index, wall, time: Bounds::of(orbit, time), kind })
     }
 
+    /// The relative velocity `y'` just before the impact \[length/time\], if it is one.
+    pub fn velocity(&self) -> Option<&Bounds> {
+        match &self.kind {
+            Kind::Impact { velocity, .. } => Some(velocity),
+            Kind::Graze | Kind::Rest { .. } | Kind::Release => None,
+        }
+    }
+
     /// The word of the orbit JSON.
     pub fn name(&self) -> EventName {
         match self.kind {
@@ -75,6 +85,77 @@ impl Event {
             Kind::Graze => EventName::Graze,
             Kind::Rest { .. } => EventName::Rest,
             Kind::Release => EventName::Release,
+        }
+    }
+}
+
+/// For the eye: `impact 3 on the right wall, t = 2.487100613920(68,71), v = 28.64282411803(57,69)`.
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name().text())?;
+        if let Kind::Impact { .. } = self.kind {
+            write!(f, " {}", self.index)?;
+        }
+        write!(f, " on the {} wall, t = {}", self.wall.name(), self.time)?;
+        self.velocity().map_or(Ok(()), |velocity| write!(f, ", v = {velocity}"))
+    }
+}
+
+/// As in the orbit JSON.
+impl Serialize for Event {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        EventDocument::from(self).serialize(serializer)
+    }
+}
+
+/// The events of an orbit, one after another, each with its bounds.
+#[derive(Debug)]
+pub struct Events<'o> {
+    orbit: &'o mut Orbit,
+    /// The last impact's.
+    index: u64,
+}
+
+impl Orbit {
+    /// The events that are still to come: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
+    ///
+    /// What they enclose, and what it costs, is that of the orbit; how it ended is told by [`Orbit::outcome`] afterwards.
+    ///
+    /// ```
+    /// use impact_pair::Scene;
+    /// use impact_pair::orbit::Orbit;
+    /// let scene = Scene::parse(r#"
+    ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+    ///     pair = { gap = 9.42497, restitution = 0.5 }
+    ///     start = { time = 0, wall = "left", velocity = -12.56636 }
+    ///     run = { impacts = 2 }
+    /// "#)?;
+    /// let mut orbit = Orbit::new(scene.pair(), scene.start(), scene.settings())?;
+    /// for event in orbit.events() {
+    ///     let (low, high) = event.time.enclosure().to_f64_bounds();
+    ///     println!("{event}"); // impact 1 on the right wall, t = 0.55134802021852(08,17), v = 35.452637601234(54,65)
+    ///     assert!(0.5 < low && low < high && high < 2.0);
+    /// }
+    /// # Ok::<(), impact_pair::Error>(())
+    /// ```
+    pub fn events(&mut self) -> Events<'_> {
+        Events { index: self.listed(), orbit: self }
+    }
+}
+
+impl Iterator for Events<'_> {
+    type Item = Event;
+
+    fn next(&mut self) -> Option<Event> {
+        loop {
+            let step = self.orbit.advance();
+            if step == Progress::Ended {
+                return None;
+            }
+            if let Some(event) = Event::of(self.orbit, &step, self.index) {
+                self.index = event.index;
+                return Some(event);
+            }
         }
     }
 }

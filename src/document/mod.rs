@@ -11,7 +11,7 @@ mod two_impact;
 pub use bifurcation::bifurcations;
 pub use chaos::{bases, chaos, told, trap};
 pub use conclusion::{Conclusion, counted};
-pub use event::{Bounds, Event, Kind};
+pub use event::{Bounds, Event, Events, Kind};
 pub use orbit::{arithmetic, head, is_certified, orbit};
 pub use periodic::Units;
 pub use two_impact::{manifolds, two_impact, word};

@@ -114,6 +114,7 @@ impl Progress {
 
 /// Why an orbit ended.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Outcome {
     /// All the impacts asked for.
     ImpactsReached,

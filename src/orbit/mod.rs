@@ -171,6 +171,11 @@ impl Orbit {
         self.first_wide
     }
 
+    /// How many impacts were handed out.
+    pub(crate) fn listed(&self) -> u64 {
+        self.listed
+    }
+
     /// Goes on: to the next event, or in more precision over an impact that was listed before.
     ///
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.

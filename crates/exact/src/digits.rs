@@ -1,5 +1,7 @@
 //! Enclosures for the eye: the digits that are certain, and then what is not.
 
+use std::fmt;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
@@ -61,6 +63,13 @@ pub fn decimal_digits(x: &Enclosure) -> String {
         let [number, power] = spelled(&centre, quantum);
         format!("{number}({:+},{:+}){power}", low - &centre, high - &centre)
     })
+}
+
+/// For the eye: [`decimal_digits`].
+impl fmt::Display for Enclosure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&decimal_digits(self))
+    }
 }
 
 /// `1.23(4,6)`, if the ends have digits in common and the others stand on one side of the point.

@@ -46,6 +46,12 @@ pub enum ExactError {
     /// The expression is nested too deeply.
     #[error("an expression of more than 256 nested operations is not accepted")]
     TooDeep,
+    /// A double that is no real number.
+    #[error("{value} is no real number")]
+    NotFinite {
+        /// The double.
+        value: String,
+    },
     /// Cancellation eats more than the internal precision allowed.
     #[error("a value loses so many digits to cancellation that 65536 bits do not suffice to enclose it")]
     TooIllConditioned,

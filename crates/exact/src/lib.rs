@@ -247,6 +247,23 @@ impl From<i64> for Exact {
     }
 }
 
+/// Exactly the double: 0.1 is 3602879701896397/36028797018963968.
+///
+/// ```
+/// use impact_pair_exact::Exact;
+/// assert_eq!(Exact::try_from(0.1)?.as_rational().unwrap().to_string(), "3602879701896397/36028797018963968");
+/// assert!(Exact::try_from(f64::NAN).is_err());
+/// # Ok::<(), impact_pair_exact::ExactError>(())
+/// ```
+impl TryFrom<f64> for Exact {
+    type Error = ExactError;
+
+    fn try_from(x: f64) -> Result<Exact, ExactError> {
+        let exact = Dyadic::from_f64(x).ok_or_else(|| ExactError::NotFinite { value: x.to_string() })?;
+        Ok(Exact::from_rational(exact.to_rational()))
+    }
+}
+
 /// Exactly the integer.
 impl From<BigInt> for Exact {
     fn from(x: BigInt) -> Exact {
