@@ -13,7 +13,7 @@ T_END, WIDTH, HEIGHT, LEFT, TOP = 4.35, 900, 330, 70, 40
 PLOT_W, PLOT_H = WIDTH - LEFT - 30, HEIGHT - TOP - 60
 BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#777"
 
-command = "cargo run --release --quiet -- run scenes/figure-14.toml --format csv --quiet".split()
+command = "impact-pair run scenes/figure-14.toml --format csv --quiet".split()
 rows = list(csv.DictReader(io.StringIO(subprocess.run(command, capture_output=True, text=True, check=True).stdout)))
 impacts = [(0.0, "left", -12.56636, "")] + [
     (float(r["time_lower"]), r["wall"], float(r["velocity_lower"]), r["mapping"]) for r in rows

@@ -1,0 +1,53 @@
+"""What mkdocs does besides: pages and files of the repository outside of docs/, and their links.
+
+README.md is the first page; the others have the place repository/PATH. A link that is right on disk is right in the manual: to a
+page or a file of the manual it leads there, to anything else of the repository it is said in words.
+"""
+import importlib.util
+import os
+import posixpath
+import re
+from pathlib import Path
+
+from mkdocs.structure.files import File
+
+ROOT = Path(__file__).resolve().parent.parent
+OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-*", "scenes/*.toml",
+           "docs/gallery/pages.toml", "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
+LINK = re.compile(r'\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s:#]+)(#[^()\s]*)?\)')
+# A list that begins right below a sentence is one in CommonMark, and not in Python's Markdown.
+LIST = re.compile(r"^((?![-*\s|>]).+)\n(?=- )", re.M)
+
+
+def place(path):
+    """Where a file of the repository is in the manual."""
+    if path == "README.md":
+        return "index.md"
+    return path.removeprefix("docs/") if path.startswith("docs/") and not path.endswith(".toml") else f"repository/{path}"
+
+
+def on_files(files, config):
+    for path in sorted(str(found.relative_to(ROOT)) for pattern in OUTSIDE for found in ROOT.glob(pattern)):
+        files.append(File.generated(config, place(path), abs_src_path=str(ROOT / path)))
+    mathjax = Path(importlib.util.find_spec("mathjax").origin).parent / "static/mathjax/es5/tex-svg.js"
+    files.append(File.generated(config, "mathjax/tex-svg.js", abs_src_path=str(mathjax)))
+    return files
+
+
+def on_page_markdown(markdown, page, config, files):
+    here = posixpath.dirname(page.file.src_uri)
+    on_disk = os.path.relpath(page.file.abs_src_path or "", ROOT)
+
+    def led(match):
+        words, target, anchor = match[1], match[2], match[3] or ""
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(on_disk), target))
+        if not (ROOT / path).exists():
+            return match[0]
+        if files.get_file_from_path(place(path)) is None:
+            return words if "`" in words or words.startswith("![") else f"`{words}`"
+        return f"[{led_within(words)}]({posixpath.relpath(place(path), here or '.')}{anchor})"
+
+    def led_within(words):
+        return LINK.sub(led, words)
+
+    return LINK.sub(led, LIST.sub(r"\1\n\n", markdown))
