@@ -51,3 +51,8 @@ def on_page_markdown(markdown, page, config, files):
         return LINK.sub(led, words)
 
     return LINK.sub(led, LIST.sub(r"\1\n\n", markdown))
+
+
+def on_post_page(output, page, config):
+    """The theme would fetch a stand-in for the search's worker from elsewhere; ours is search.js."""
+    return re.sub(r'<script src="https://[^"]*iframe-worker[^"]*"></script>', f'<script src="{posixpath.relpath("search.js", posixpath.dirname(page.url) or ".")}"></script>', output)
