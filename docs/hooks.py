@@ -15,8 +15,9 @@ ROOT = Path(__file__).resolve().parent.parent
 OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-*", "scenes/*.toml",
            "docs/gallery/pages.toml", "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
 LINK = re.compile(r'\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s:#]+)(#[^()\s]*)?\)')
-# A list that begins right below a sentence is one in CommonMark, and not in Python's Markdown.
+# Lists and formulas that begin right below a sentence: Python's Markdown asks for an empty line.
 LIST = re.compile(r"^((?![-*\s|>]).+)\n(?=- )", re.M)
+FORMULA = re.compile(r"^(\$\$.+?\$\$)$", re.M | re.S)
 
 
 def place(path):
@@ -50,7 +51,7 @@ def on_page_markdown(markdown, page, config, files):
     def led_within(words):
         return LINK.sub(led, words)
 
-    return LINK.sub(led, LIST.sub(r"\1\n\n", markdown))
+    return LINK.sub(led, FORMULA.sub(r"\n\1\n", LIST.sub(r"\1\n\n", markdown)))
 
 
 def on_post_page(output, page, config):

@@ -50,6 +50,8 @@ NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 
+MANUAL = "docs/reference/make --check && docs/manual"
+
 PARTS = [
     Part("python", *2 * ("validation/environment",)),
     Part("kernel", *2 * ("validation/kernel/prove",), inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
@@ -70,6 +72,7 @@ PARTS = [
          ("program",)),
     Part("gallery", *2 * ("docs/gallery/make --check",), ("program",)),
     Part("stability", *2 * ("docs/stability/make --check",), ("program",)),
+    Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "coq"]),
     cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),
