@@ -13,7 +13,7 @@ from mkdocs.structure.files import File
 
 ROOT = Path(__file__).resolve().parent.parent
 OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-*", "scenes/*.toml",
-           "docs/gallery/pages.toml", "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
+           "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
 LINK = re.compile(r'\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s:#]+)(#[^()\s]*)?\)')
 # Lists and formulas that begin right below a sentence: Python's Markdown asks for an empty line.
 LIST = re.compile(r"^((?![-*\s|>]).+)\n(?=- )", re.M)
@@ -24,7 +24,7 @@ def place(path):
     """Where a file of the repository is in the manual."""
     if path == "README.md":
         return "index.md"
-    return path.removeprefix("docs/") if path.startswith("docs/") and not path.endswith(".toml") else f"repository/{path}"
+    return path.removeprefix("docs/") if path.startswith("docs/") else f"repository/{path}"
 
 
 def on_files(files, config):
