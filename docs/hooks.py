@@ -28,7 +28,7 @@ def place(path):
 
 
 def on_files(files, config):
-    for path in sorted(str(found.relative_to(ROOT)) for pattern in OUTSIDE for found in ROOT.glob(pattern)):
+    for path in sorted({str(found.relative_to(ROOT)) for pattern in OUTSIDE for found in ROOT.glob(pattern)}):
         files.append(File.generated(config, place(path), abs_src_path=str(ROOT / path)))
     mathjax = Path(importlib.util.find_spec("mathjax").origin).parent / "static/mathjax/es5/tex-svg.js"
     files.append(File.generated(config, "mathjax/tex-svg.js", abs_src_path=str(mathjax)))

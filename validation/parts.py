@@ -50,7 +50,8 @@ NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 
-MANUAL = "docs/reference/make --check && docs/manual"
+# A README that is read: at most 150 lines of at most 120 characters.
+MANUAL = "! awk 'NR > 150 || length > 120' README.md | grep . && docs/reference/make --check && docs/manual"
 
 PARTS = [
     Part("python", *2 * ("validation/environment",)),
