@@ -147,10 +147,10 @@ impl Beam {
         let angle = time.turned();
         let (sin, cos) = (self.phase + time).sin_cos();
         let (centre_sin, centre_cos) = (self.centre[0] + time).sin_cos();
-        let lean = self.cos - cos - angle * self.sin;
+        let lean = self.cos - cos;
         let height = self.drift * angle - centre_sin + self.centre_sin;
         View {
-            height: height + self.spread(|[u, w]| lean * u + angle * w),
+            height: height + self.spread(|[u, w]| lean * u + angle * (w - self.sin * u)),
             rate: self.drift - centre_cos + self.spread(|[u, w]| (sin - self.sin) * u + w),
         }
     }
@@ -250,12 +250,13 @@ impl Beam {
         let angle = bracket.turned();
         let bend = (self.phase + bracket).sin_cos().0.signed(is_far);
         let rate = rate.signed(is_far);
-        let pushed = self.after + angle * self.sin;
         let mut changes = [[Span::point(0.0); 2]; 3];
         let mut times = time;
         for ([u, w], change) in self.sides.into_iter().zip(&mut changes) {
-            let delay = (pushed * u - angle * w).over(rate)?;
-            *change = [delay, (w - self.sin * u).signed(is_far)];
+            // What the drift changes by counts once, so that a side that is contracted is seen to be.
+            let drift = w - self.sin * u;
+            let delay = (self.after * u - angle * drift).over(rate)?;
+            *change = [delay, drift.signed(is_far)];
             times = times + (delay - u).unturned().around();
         }
         let phase = if is_far { phase + Span::point(0.5) } else { phase };

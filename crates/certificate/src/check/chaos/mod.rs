@@ -13,6 +13,8 @@ mod judge;
 mod propose;
 mod region;
 mod span;
+#[cfg(test)]
+mod tests;
 mod trap;
 mod tube;
 mod words;

@@ -179,7 +179,7 @@ impl Making {
         let from = samples[0].image().state;
         let along = vector(from, samples[samples.len() - 1].image().state);
         let long = length(along);
-        let thick = (cross(along, samples[samples.len() / 2].thick()) / long).abs();
+        let thick = (cross(along, samples[(samples.len() - 1) / 2].thick()) / long).abs();
         let off = |sample: &&Sample| (cross(along, vector(from, sample.image().state)) / long).abs();
         samples.iter().all(|sample| off(sample) <= self.room(thick))
     }

@@ -214,7 +214,7 @@ fn follow(walk: &mut Walk<'_>, impact: u64) -> Option<Landing> {
 }
 
 /// A phase \[turns\] and a speed over `A W`, mirrored to the left wall.
-fn mirrored(wall: Wall, phase: Real, velocity: Real) -> [Real; 2] {
+pub(super) fn mirrored(wall: Wall, phase: Real, velocity: Real) -> [Real; 2] {
     match wall {
         Wall::Left => [phase, -velocity],
         Wall::Right => [phase.clone() + &Real::int(1, phase.bits()).half(), velocity],

@@ -32,7 +32,7 @@ pub(super) struct Part {
 /// Images lie in the cells up to so many before and after their place.
 pub(super) const WINDOW: usize = 2;
 /// A part is halved so often.
-const HALVINGS: u32 = 10;
+const HALVINGS: u32 = 12;
 
 fn spot(state: State) -> Spot {
     state.map(Span::point)
