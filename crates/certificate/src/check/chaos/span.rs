@@ -80,12 +80,21 @@ impl Span {
     }
 
     pub fn hull(self, other: Self) -> Self {
-        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) } // V11: the outer ends, neither of them NaN alone
+        if other.lo.is_nan() {
+            return other;
+        }
+        // V11: the outer ends; a comparison with NaN leaves it
+        let lo = if other.lo < self.lo { other.lo } else { self.lo };
+        Self { lo, hi: if other.hi > self.hi { other.hi } else { self.hi } }
     }
 
     /// What is in both; `None` if nothing is.
     pub fn common(self, other: Self) -> Option<Self> {
-        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi)); // V11: the inner ends
+        if self.lo.is_nan() || other.lo.is_nan() {
+            // Not known is not nothing.
+            return Some(Self { lo: f64::NAN, hi: f64::NAN });
+        }
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi)); // V11: the inner ends, neither of them NaN
         (lo <= hi).then_some(Self { lo, hi })
     }
 

@@ -63,6 +63,17 @@ fn real(x: f64) -> Real {
 }
 
 #[test]
+fn what_is_not_known_stays_so() {
+    let (none, one) = (Span::new(1.0, f64::INFINITY), Span::point(1.0));
+    for span in
+        [none + one, none * one, none.hull(one), one.hull(none), none.common(one).unwrap(), one.common(none).unwrap()]
+    {
+        assert!(span.lo().is_nan() && span.hi().is_nan() && !span.is_positive() && !span.is_negative());
+    }
+    assert!(Span::point(f64::MAX).scaled(2.0).lo().is_nan() && Span::point(0.0).over(one - one).is_none());
+}
+
+#[test]
 fn turns_and_radians() {
     let turn = Real::pi(BITS) * 2;
     assert!(holds(Span::point(1.0).turned(), &turn));
