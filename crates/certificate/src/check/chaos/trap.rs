@@ -102,8 +102,9 @@ impl TrapCertificate {
         if !region.iter().all(is_run) {
             return wrong("a run of boxes is beyond the grid");
         }
+        // exact: a length
         if self.count() as u64 != *boxes {
-            return wrong("its runs have another number of boxes than told"); // exact: a length
+            return wrong("its runs have another number of boxes than told");
         }
         let run = |[column, first, last]: [i32; 3]| (first..=last).map(move |row| [column.into(), row.into()]);
         let all: Vec<[i64; 2]> = region.iter().copied().flat_map(run).collect();
