@@ -153,7 +153,7 @@ fn another_base_or_another_pair_is_refused() {
             let (phase, speed) = (at("phase") + by[0] * TAU, at("speed") + by[1]);
             (base["phase"], base["speed"]) = (json!(phase.to_string()), json!(speed.to_string()));
         }
-        refuses(&moved, &format!("base {k} moved by {by:?}"), if both { "not proved again" } else { "middle" });
+        refuses(&moved, &format!("base {k} moved by {by:?}"), if both { "not proved" } else { "middle" });
     }
     let mut twice = document.clone();
     twice["bases"][1] = twice["bases"][0].clone();
