@@ -301,14 +301,15 @@ box: link by link, by all processors.
 
 Of periodic and two-impact each orbit is found again: that there is one in its bounds, and no other, its stability, symmetry, and \
 whether a wall is touched earlier; not that there are no others elsewhere. Of bifurcations each fold, pitchfork and period doubling is \
-found again; not the grazes. Of a sweep the listed impacts are found again; not what becomes of them. Of manifolds nothing is \
-checked. What is not checked is named in a line of its own. Ctrl-C keeps what is proved so far.
+found again; not the grazes. Of a sweep the listed impacts are found again; not what becomes of them. Of trap the listed boxes are \
+proved to be closed, of chaos each listed word is proved along tubes made anew, and that the entropies follow from the words. Of \
+manifolds nothing is checked. What is not checked is named in a line of its own. Ctrl-C keeps what is proved so far.
 
 Exit code: 0 every claim is proved again but what is named; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// JSON of run or sweep (or JSON Lines), periodic, two-impact or bifurcations, or - for stdin
+    /// JSON of run or sweep (or JSON Lines), periodic, two-impact, bifurcations, trap or chaos, or - for stdin
     pub certificate: PathBuf,
     /// Allow so many times the work for each claim before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]

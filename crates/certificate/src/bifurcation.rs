@@ -38,7 +38,7 @@ pub(super) enum Kind {
 }
 
 /// What varies.
-fn parameter(place: &Place<'_>) -> Result<Key, Error> {
+pub(super) fn parameter(place: &Place<'_>) -> Result<Key, Error> {
     let text = place.read::<String>()?;
     let key = text.parse().ok().filter(|key: &Key| key.place() == text);
     key.filter(|key| matches!(key, Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution)).ok_or_else(
@@ -51,7 +51,7 @@ fn parameter(place: &Place<'_>) -> Result<Key, Error> {
 }
 
 /// Where the parameter's own value stands in the scene; it only names the scene.
-fn own_value(key: Key) -> String {
+pub(super) fn own_value(key: Key) -> String {
     let place = match key {
         Key::Amplitude(_) => "excitation.amplitude",
         Key::Frequency(_) => "excitation.frequency",

@@ -4,9 +4,12 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Deserializer, Value};
 
-use crate::document::{BIFURCATION_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, counted};
+use crate::document::{
+    BIFURCATION_SCHEMA, CHAOS_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRAP_SCHEMA, counted,
+};
 use crate::{
-    BifurcationCertificate, Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, SweepCertificate, Verdict,
+    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, Effort, Finding, PeriodicCertificate,
+    SweepCertificate, TrapCertificate, Verdict,
 };
 use impact_pair_model::Error;
 
@@ -21,6 +24,10 @@ pub enum Claims {
     Bifurcations(Box<BifurcationCertificate>),
     /// A sweep: the impacts of all its points are checked, not what becomes of them.
     Sweep(Box<SweepCertificate>),
+    /// A chaos JSON: all its words are checked, and that its entropies and its horseshoe follow from them.
+    Chaos(Box<ChaosCertificate>),
+    /// A trap JSON: that the region is closed is checked, and what is said of it.
+    Trap(Box<TrapCertificate>),
     /// Several documents in a list: one by one.
     List(Vec<Claims>),
     /// Nothing of it is checked, for the reason told.
@@ -50,6 +57,8 @@ impl Claims {
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
+            Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
+            Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
             _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
         })
     }
@@ -105,6 +114,8 @@ impl Claims {
             Self::Orbit(certificate) => certificate.check_until(effort, stop, progress),
             Self::Periodic(certificate) => certificate.check_until(effort, stop, progress),
             Self::Bifurcations(certificate) => certificate.check_until(effort, stop, progress),
+            Self::Chaos(certificate) => certificate.check_until(effort, stop, progress),
+            Self::Trap(certificate) => certificate.check_until(effort, stop, progress),
             Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
@@ -118,6 +129,8 @@ impl Claims {
             Self::Periodic(certificate) => certificate.count(),
             Self::Bifurcations(certificate) => certificate.count(),
             Self::Sweep(certificate) => certificate.count(),
+            Self::Chaos(certificate) => certificate.count(),
+            Self::Trap(certificate) => certificate.count(),
             // One more each for what is said of the whole document.
             Self::List(documents) => documents.iter().map(|document| document.count() + 1).sum(),
             Self::Unchecked(_) => 0,
@@ -131,6 +144,8 @@ impl Claims {
             Self::Periodic(certificate) => certificate.unjudged().to_vec(),
             Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
+            Self::Chaos(certificate) => certificate.unjudged().to_vec(),
+            Self::Trap(certificate) => certificate.unjudged().to_vec(),
             Self::List(documents) => {
                 let of = |(i, document): (usize, &Self)| {
                     document.unjudged().into_iter().map(move |key| format!("[{i}].{key}"))
@@ -152,6 +167,8 @@ impl Claims {
             }
             Self::Bifurcations(_) => counted(count, "bifurcation"),
             Self::Sweep(_) => counted(count, "point"),
+            Self::Chaos(_) => counted(count, "word"),
+            Self::Trap(_) => boxes(count),
             Self::List(documents) => {
                 let mut left = count;
                 let whole = documents.iter().take_while(|document| {
@@ -173,6 +190,10 @@ impl Claims {
             Self::Periodic(certificate) => counted(certificate.count(), "orbit"),
             Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
+            Self::Chaos(certificate) => {
+                format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
+            }
+            Self::Trap(certificate) => format!("a closed region of {} and its bounds", boxes(certificate.count())),
             Self::List(documents) => {
                 let each: Vec<_> = documents.iter().map(Self::all).collect();
                 format!("{}: {}", counted(documents.len(), "document"), each.join(", "))
@@ -188,6 +209,8 @@ impl Claims {
             Self::Periodic(certificate) if *event < certificate.count() => format!("orbits[{event}]: {message}"),
             Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
+            Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
+            Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
             Self::List(documents) => {
                 let mut left = *event;
                 for (i, document) in documents.iter().enumerate() {
@@ -199,9 +222,18 @@ impl Claims {
                 }
                 message.clone()
             }
-            Self::Periodic(_) | Self::Bifurcations(_) | Self::Sweep(_) | Self::Unchecked(_) => message.clone(),
+            Self::Periodic(_)
+            | Self::Bifurcations(_)
+            | Self::Sweep(_)
+            | Self::Chaos(_)
+            | Self::Trap(_)
+            | Self::Unchecked(_) => message.clone(),
         }
     }
+}
+
+fn boxes(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "box" } else { "boxes" })
 }
 
 impl Certificate {

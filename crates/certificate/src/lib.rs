@@ -5,6 +5,7 @@
 
 mod attraction;
 mod bifurcation;
+mod chaos;
 mod check;
 mod claims;
 pub mod document;
@@ -15,11 +16,14 @@ mod sweep;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]
 mod tolerances;
+mod trap;
 
 pub use bifurcation::BifurcationCertificate;
+pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
 pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim, ClaimKind};
 pub use sweep::SweepCertificate;
+pub use trap::TrapCertificate;

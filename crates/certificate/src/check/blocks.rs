@@ -7,16 +7,17 @@ use std::thread;
 
 /// Questions that a thread takes at a time. The work that these may cost is counted for them together, so that the answers are
 /// the same on every machine.
-const BLOCK: usize = 64;
+pub(super) const BLOCK: usize = 64;
 
-/// What `answer` says of all numbers of a range, in order, or the first thing that it could not; `progress` is told up to where
-/// there are answers.
+/// What `answer` says of all numbers of a range, in order, or the first thing that it could not, `size` at a time; `progress` is told
+/// up to where there are answers.
 pub(super) fn in_blocks<T: Send, E: Send>(
     all: Range<usize>,
+    size: usize,
     answer: impl Fn(Range<usize>) -> Result<Vec<T>, E> + Sync,
     mut progress: impl FnMut(usize),
 ) -> Result<Vec<T>, E> {
-    let blocks: Vec<_> = all.clone().step_by(BLOCK).map(|from| from..all.end.min(from + BLOCK)).collect(); // exact: indices
+    let blocks: Vec<_> = all.clone().step_by(size).map(|from| from..all.end.min(from + size)).collect(); // exact: indices
     let threads = thread::available_parallelism().map_or(1, |threads| threads.get()).min(blocks.len()); // proposes: how many
     let (next, (sender, receiver)) = (AtomicUsize::new(0), mpsc::channel());
     let mut answers: Vec<_> = blocks.iter().map(|_| None).collect();
@@ -64,7 +65,7 @@ mod tests {
             let all = from..from + count;
             let answer = |block: Range<usize>| block.map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect();
             let (mut told, mut last) = (Vec::new(), from);
-            let found = in_blocks(all.clone(), answer, |known| told.push(known));
+            let found = in_blocks(all.clone(), BLOCK, answer, |known| told.push(known));
             prop_assert_eq!(&found, &all.clone().map(|n| if n >= fails { Err(n) } else { Ok(2 * n) }).collect());
             for known in told {
                 prop_assert!(known > last && known <= all.end && (found.is_ok() || known <= fails));

@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 use num_rational::BigRational;
 
-use super::blocks::in_blocks;
+use super::blocks::{BLOCK, in_blocks};
 use super::budget::Budget;
 use super::chain::{Course, Hit, Node, open};
 use super::clock::{Beside, beside};
@@ -133,7 +133,7 @@ impl Shadow<'_> {
                     .collect()
             })
         };
-        in_blocks(flights, of_block, progress)
+        in_blocks(flights, BLOCK, of_block, progress)
     }
 
     /// The bits that confirm all events and the outcome.

@@ -1,0 +1,82 @@
+//! The JSON of words and entropy, read back.
+
+use super::bifurcation::{own_value, parameter};
+use crate::document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, Place, value};
+use impact_pair_exact::Exact;
+use impact_pair_model::{Error, ImpactPair};
+
+/// What a chaos JSON claims.
+#[derive(Clone, Debug)]
+pub struct ChaosCertificate {
+    /// With all values of the parameter.
+    pair: ImpactPair,
+    document: ChaosDocument,
+    unjudged: Vec<String>,
+}
+
+/// What no lemma of `check` is about.
+const UNJUDGED: [&str; 8] = [
+    "bases.contracting",
+    "bases.expanding",
+    "boxes",
+    "exponent_seen",
+    "interrupted",
+    "program",
+    "scene.excitation.phase",
+    "scene.start",
+];
+
+impl ChaosCertificate {
+    /// Reads a chaos JSON.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, CHAOS_SCHEMA)?;
+        let document: ChaosDocument = whole.read()?;
+        if !document.certified {
+            return Err(whole.get("certified")?.refused("only a certified entropy claims anything: accepted is true"));
+        }
+        for (base, place) in document.bases.iter().zip(whole.get("bases")?.list()?) {
+            if base.corners.is_none() {
+                return Err(place.missing("corners"));
+            }
+        }
+        let mut unjudged = whole.unread::<ChaosDocument>()?;
+        unjudged.extend(UNJUDGED.map(str::to_owned));
+        let (mut pair, _) = document.scene.clone().model()?;
+        if let Some(over) = &document.over {
+            let key = parameter(&whole.get("over")?.get("key")?)?;
+            let range = Exact::interval(&over.low.0, &over.high.0)
+                .map_err(|error| Error::certificate(format!("over: {error}")).because(error))?;
+            pair = pair.with(key, range)?;
+            unjudged.push(own_value(key));
+        }
+        unjudged.sort();
+        unjudged.dedup();
+        Ok(Self { pair, document, unjudged })
+    }
+
+    pub(super) fn pair(&self) -> &ImpactPair {
+        &self.pair
+    }
+
+    pub(super) fn document(&self) -> &ChaosDocument {
+        &self.document
+    }
+
+    pub(super) fn bases(&self) -> &[BaseDocument] {
+        &self.document.bases
+    }
+
+    /// How many words it claims.
+    pub fn count(&self) -> usize {
+        self.document.words.len()
+    }
+
+    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    pub fn unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+}

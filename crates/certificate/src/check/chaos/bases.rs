@@ -1,0 +1,105 @@
+//! Bases: convex quadrilaterals, disjoint in exact fractions, and which stretches of tubes cross them (Lemmas D8, V12).
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
+use super::beam::State;
+use super::tube::{Chord, Tube, side_of};
+use crate::document::CornersDocument;
+
+/// A quadrilateral of states by its left and its right edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Base {
+    pub left: Chord,
+    pub right: Chord,
+}
+
+type Exact = [BigRational; 2];
+
+/// Phases of bases are within so many turns of 0, so that any two of them are this much apart at most.
+const FARTHEST: f64 = 4.0;
+const SHIFTS: i64 = 8;
+
+impl Base {
+    pub fn of(CornersDocument { left, right }: &CornersDocument) -> Self {
+        let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
+        Self { left: chord(*left), right: chord(*right) }
+    }
+
+    /// Counter-clockwise.
+    fn corners(&self) -> [State; 4] {
+        [self.left.bottom, self.right.bottom, self.right.top, self.left.top]
+    }
+
+    fn exact(&self) -> Option<[Exact; 4]> {
+        let corner = |[u, w]: State| Some([BigRational::from_float(u)?, BigRational::from_float(w)?]);
+        let [a, b, c, d] = self.corners().map(corner);
+        Some([a?, b?, c?, d?])
+    }
+
+    /// Whether it is convex, its tops to the left, its speeds positive, and its phases not far.
+    pub fn is_sound(&self) -> bool {
+        let is_near = self.corners().iter().all(|[u, w]| u.abs() < FARTHEST && w.is_finite() && *w > 0.0); // V12: these states
+        let turns = |corners: [Exact; 4]| {
+            (0..4).all(|i| side(&corners[i], &corners[(i + 1) % 4], &corners[(i + 2) % 4]).is_positive())
+        };
+        is_near && self.exact().is_some_and(turns)
+    }
+
+    /// Whether it has no state in common with another one, whole turns later or earlier either.
+    pub fn is_apart(&self, other: &Self) -> bool {
+        let (Some(one), Some(two)) = (self.exact(), other.exact()) else { return false };
+        // Beyond these shifts their phases are apart.
+        (-SHIFTS..=SHIFTS).all(|turns| {
+            let later = two.clone().map(|[u, w]| [u + BigRational::from_integer(turns.into()), w]);
+            is_parted(&one, &later) || is_parted(&later, &one)
+        })
+    }
+
+    /// The turns after which a tube may cross it.
+    pub fn turns(&self, tube: &Tube) -> Vec<f64> {
+        let ends = |phases: &mut dyn Iterator<Item = f64>| {
+            phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]) // proposes: where to look
+        };
+        let [low, high] = ends(&mut tube.chords().iter().map(|chord| chord.bottom[0]));
+        let [least, most] = ends(&mut self.corners().iter().map(|[phase, _]| *phase));
+        let [first, last] = [(low - most).floor(), (high - least).ceil()].map(|x| x.to_i32().unwrap_or(0)); // proposes: where to look
+        (first..=last).map(f64::from).collect()
+    }
+
+    /// The stretches of a tube that cross it so many turns later, each by two chords (D8).
+    pub fn crossings(&self, tube: &Tube, turns: f64) -> Vec<[usize; 2]> {
+        let Self { left, right } = self;
+        let side = |from: State, to: State, state: &State| side_of(from, to, *state, turns);
+        let mut found = Vec::new();
+        // Beyond which edge the last chord was that is beyond one, if all since have been between bottom and top.
+        let mut last: Option<(bool, usize)> = None;
+        for (k, chord) in tube.chords().iter().enumerate() {
+            let ends = [chord.bottom, chord.top];
+            let is_between = ends.iter().all(|end| {
+                side(left.bottom, right.bottom, end).is_positive() && side(left.top, right.top, end).is_negative()
+            });
+            if !is_between {
+                last = None;
+                continue;
+            }
+            let is_before = ends.iter().all(|end| side(left.bottom, left.top, end).is_positive());
+            let is_behind = ends.iter().all(|end| side(right.bottom, right.top, end).is_negative());
+            if is_before || is_behind {
+                found.extend(last.filter(|&(was_before, _)| was_before != is_before).map(|(_, from)| [from, k]));
+                last = Some((is_before, k));
+            }
+        }
+        found
+    }
+}
+
+/// Positive where the third one is to the left of the way from the first to the second.
+fn side(from: &Exact, to: &Exact, state: &Exact) -> BigRational {
+    (&to[0] - &from[0]) * (&state[1] - &from[1]) - (&to[1] - &from[1]) * (&state[0] - &from[0])
+}
+
+/// Whether an edge of the first, which is convex, has all of the second on its outer side.
+fn is_parted(one: &[Exact; 4], two: &[Exact; 4]) -> bool {
+    (0..4).any(|i| two.iter().all(|state| side(&one[i], &one[(i + 1) % 4], state).is_negative()))
+}

@@ -1,0 +1,274 @@
+//! The flights of a set of states up to their first contacts (Lemma V11, sets).
+
+use super::Law;
+use super::span::Span;
+
+/// A phase in turns and a speed over `A W`.
+pub(super) type State = [f64; 2];
+pub(super) type Spot = [Span; 2];
+
+/// A quadrilateral of states by its corners: left bottom, left top, right bottom, right top. Its parts are bilinear.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Quad {
+    pub corners: [Spot; 4],
+}
+
+fn mean(a: Spot, b: Spot) -> Spot {
+    [0, 1].map(|i| (a[i] + b[i]).scaled(0.5))
+}
+
+impl Quad {
+    /// The rectangle between two states.
+    pub fn rectangle(low: State, high: State) -> Self {
+        let corner = |u: f64, w: f64| [Span::point(u), Span::point(w)];
+        let corners = [(low[0], low[1]), (low[0], high[1]), (high[0], low[1]), (high[0], high[1])];
+        Self { corners: corners.map(|(u, w)| corner(u, w)) }
+    }
+
+    /// The part between two fractions of the way from left to right.
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        let [p, q, r, s] = self.corners;
+        let at = |t: f64, a: Spot, b: Spot| {
+            [0, 1].map(|i| a[i] * (Span::point(1.0) - Span::point(t)) + b[i] * Span::point(t))
+        };
+        Self { corners: [at(from, p, r), at(from, q, s), at(to, p, r), at(to, q, s)] }
+    }
+
+    /// Both halves: left and right, or below and above.
+    pub fn halves(&self, is_along: bool) -> [Self; 2] {
+        let [p, q, r, s] = self.corners;
+        let corners = if is_along {
+            let (m, n) = (mean(p, r), mean(q, s));
+            [[p, q, m, n], [m, n, r, s]]
+        } else {
+            let (m, n) = (mean(p, q), mean(r, s));
+            [[p, m, r, n], [m, q, n, s]]
+        };
+        corners.map(|corners| Self { corners })
+    }
+
+    /// Some state about its middle.
+    pub fn middle(&self) -> State {
+        [0, 1].map(|i| self.centre()[i].mid())
+    }
+
+    fn centre(&self) -> Spot {
+        let [p, q, r, s] = self.corners;
+        mean(mean(p, q), mean(r, s))
+    }
+
+    /// Half of its length, its width, and its twist.
+    fn sides(&self) -> [Spot; 3] {
+        let [p, q, r, s] = self.corners;
+        let side = |f: &dyn Fn(usize) -> Span| [0, 1].map(|i| f(i).scaled(0.25));
+        [
+            side(&|i| (r[i] - p[i]) + (s[i] - q[i])),
+            side(&|i| (q[i] - p[i]) + (s[i] - r[i])),
+            side(&|i| (s[i] - r[i]) - (q[i] - p[i])),
+        ]
+    }
+}
+
+/// Heights and velocities of all flights at a time, or over some times.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    pub height: Span,
+    /// `z'`, an angle
+    pub rate: Span,
+}
+
+/// All flights from a quadrilateral.
+pub(super) struct Beam {
+    gap: Span,
+    /// Bounds of the states.
+    pub phase: Span,
+    pub speed: Span,
+    centre: Spot,
+    /// Sine and cosine at the starts.
+    sin: Span,
+    cos: Span,
+    centre_sin: Span,
+    /// `p + cos th0` of the centre.
+    drift: Span,
+    /// `e w`
+    after: Span,
+    /// `2 pi` times each side's phase, and `e` times its speed.
+    sides: [Spot; 3],
+}
+
+/// A departure is proved for this time at first, and for no shorter one than the other.
+const DEPARTURE: f64 = 0.125;
+const SHORTEST_DEPARTURE: f64 = 1e-6;
+/// Parts of a flight are this long at most, and no shorter than the other.
+const LONGEST_PART: f64 = 0.125;
+const SHORTEST_PART: f64 = 1e-7;
+
+/// The first contacts of all flights.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Landing {
+    /// The centre's state, mirrored to the left wall.
+    pub centre: Spot,
+    /// `epsilon sin th1`
+    bend: Span,
+    /// By side: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
+    changes: [Spot; 3],
+    /// Times of flight \[turns\].
+    pub times: Span,
+}
+
+impl Beam {
+    pub fn new(law: &Law, quad: &Quad) -> Self {
+        let e = law.restitution;
+        let hull = |i: usize| {
+            let [p, q, r, s] = quad.corners;
+            p[i].hull(q[i]).hull(r[i].hull(s[i]))
+        };
+        let (phase, speed, centre) = (hull(0), hull(1), quad.centre());
+        let (sin, cos) = phase.sin_cos();
+        let (centre_sin, centre_cos) = centre[0].sin_cos();
+        let drift = e * centre[1] + centre_cos;
+        let sides = quad.sides().map(|[u, w]| [u.turned(), e * w]);
+        Self { gap: law.gap, phase, speed, centre, sin, cos, centre_sin, drift, after: e * speed, sides }
+    }
+
+    /// The level of a wall.
+    pub fn level(&self, is_far: bool) -> Span {
+        if is_far { self.gap } else { Span::point(0.0) }
+    }
+
+    fn spread(&self, change: impl Fn(Spot) -> Span) -> Span {
+        let [a, b, c] = self.sides.map(|side| change(side).around());
+        a + b + c
+    }
+
+    /// All flights at one time.
+    pub fn at(&self, time: f64) -> View {
+        let time = Span::point(time);
+        let angle = time.turned();
+        let (sin, cos) = (self.phase + time).sin_cos();
+        let (centre_sin, centre_cos) = (self.centre[0] + time).sin_cos();
+        let lean = self.cos - cos;
+        let height = self.drift * angle - centre_sin + self.centre_sin;
+        View {
+            height: height + self.spread(|[u, w]| lean * u + angle * (w - self.sin * u)),
+            rate: self.drift - centre_cos + self.spread(|[u, w]| (sin - self.sin) * u + w),
+        }
+    }
+
+    /// All flights from one time to another.
+    pub fn over(&self, from: f64, to: f64) -> View {
+        let middle = 0.5 * (from + to);
+        let times = Span::new(from, to);
+        let away = (times - Span::point(middle)).turned().around();
+        let View { height, rate } = self.at(middle);
+        let bend = (self.phase + times).sin_cos().0;
+        let curved = bend * Span::new(0.0, (away * away).scaled(0.5).hi());
+        View { height: height + rate * away + curved, rate: rate + bend * away }
+    }
+
+    /// The velocities of all flights that are at this height at some of these times, told from the height.
+    pub fn rate_at(&self, height: Span, times: Span) -> Option<Span> {
+        let (sin, cos) = (self.phase + times).sin_cos();
+        Some((height + sin - self.sin).over(times.turned())? - cos)
+    }
+
+    pub fn is_inside(&self, height: Span) -> bool {
+        height.is_positive() && (self.gap - height).is_positive()
+    }
+
+    /// A time up to which all flights are proved to be between the walls once they have left.
+    pub fn depart(&self) -> Option<f64> {
+        let mut time = DEPARTURE;
+        while time >= SHORTEST_DEPARTURE {
+            let angle = Span::point(time).turned();
+            let bend = (self.phase + Span::new(0.0, time)).sin_cos().0;
+            let mean = self.after + bend * angle.scaled(0.5);
+            // No speed is negative if none of the states has a negative one, as no `e` is.
+            let leaves = self.speed.lo() >= 0.0 && (bend.is_positive() || mean.is_positive()); // V11: V1's departure
+            let stays = (self.gap - angle * mean.hull(self.after)).is_positive();
+            if leaves && stays {
+                return Some(time);
+            }
+            time *= 0.5;
+        }
+        None
+    }
+
+    /// Proves that no wall is touched before `end`, where all flights are between the walls.
+    fn is_clear(&self, end: f64) -> bool {
+        let Some(mut from) = self.depart() else { return false };
+        let mut step = LONGEST_PART;
+        while from < end {
+            let is_last = from + step >= end;
+            let to = if is_last { end } else { from + step };
+            let View { height, rate } = self.over(from, to);
+            let is_monotone = rate.is_positive() || rate.is_negative();
+            if self.is_inside(height) || is_monotone && (is_last || self.is_inside(self.at(to).height)) {
+                from = to;
+                step = (2.0 * step).min(LONGEST_PART); // proposes: any part
+            } else {
+                step *= 0.5;
+                if step < SHORTEST_PART {
+                    return false; // exact: given up, nothing is claimed
+                }
+            }
+        }
+        true
+    }
+
+    /// The first contacts near a time, proved to be with one wall and transversal.
+    pub fn land(&self, is_far: bool, guess: f64) -> Option<Landing> {
+        let level = self.level(is_far);
+        let there = self.at(guess);
+        // proposes: a bracket, which is proved below
+        let mut radius = 1.25 * (there.height - level).most() / (std::f64::consts::TAU * there.rate.mid().abs())
+            + f64::EPSILON * (64.0 + self.phase.most());
+        for _ in 0..3 {
+            let (low, high) = (guess - radius, guess + radius);
+            let rate = self.over(low, high).rate.signed(is_far);
+            if !rate.is_positive() {
+                return None;
+            }
+            let is_beyond = (self.at(high).height - level).signed(is_far).is_positive();
+            if low > 0.0 && is_beyond && self.is_inside(self.at(low).height) {
+                // V1: after the departure
+                return if self.is_clear(low) { self.landing(is_far, guess, Span::new(low, high), rate) } else { None };
+            }
+            radius *= 1.5;
+        }
+        None
+    }
+
+    /// What the contacts in a bracket are, with velocities `rate` towards the wall there.
+    fn landing(&self, is_far: bool, guess: f64, bracket: Span, rate: Span) -> Option<Landing> {
+        let guess = Span::point(guess);
+        let (centre_sin, _) = (self.centre[0] + guess).sin_cos();
+        let miss = self.drift * guess.turned() - centre_sin + self.centre_sin - self.level(is_far);
+        let time = guess - miss.signed(is_far).over(rate.turned())?;
+        let phase = self.centre[0] + time;
+        let speed = (self.drift - phase.sin_cos().1).signed(is_far);
+        let angle = bracket.turned();
+        let bend = (self.phase + bracket).sin_cos().0.signed(is_far);
+        let rate = rate.signed(is_far);
+        let mut changes = [[Span::point(0.0); 2]; 3];
+        let mut times = time;
+        for ([u, w], change) in self.sides.into_iter().zip(&mut changes) {
+            // What the drift changes by counts once, so that a side that is contracted is seen to be.
+            let drift = w - self.sin * u;
+            let delay = (self.after * u - angle * drift).over(rate)?;
+            *change = [delay, drift.signed(is_far)];
+            times = times + (delay - u).unturned().around();
+        }
+        let phase = if is_far { phase + Span::point(0.5) } else { phase };
+        Some(Landing { centre: [phase, speed], bend, changes, times: times.common(bracket)? })
+    }
+}
+
+impl Landing {
+    /// Holds `n (x - q)` for all images `x`.
+    pub fn along(&self, [n, m]: Spot, [u, w]: Spot) -> Span {
+        let sheared = n.unturned() + m * self.bend;
+        let [a, b, c] = self.changes.map(|[delay, speed]| (sheared * delay + m * speed).around());
+        n * (self.centre[0] - u) + m * (self.centre[1] - w) + (a + b + c)
+    }
+}

@@ -1,0 +1,126 @@
+//! The map in plain doubles: it proposes, and proves nothing.
+//!
+//! Labels: proposes throughout.
+
+use std::f64::consts::TAU;
+
+use super::Law;
+use super::beam::State;
+
+/// The map's parameters, about.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Guess {
+    gap: f64,
+    restitution: f64,
+}
+
+/// By rows, of phases and speeds.
+pub(super) type Matrix = [[f64; 2]; 2];
+
+/// Where a state is mapped to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Image {
+    /// Mirrored to the left wall; the phase goes on from that of the start.
+    pub state: State,
+    pub is_far: bool,
+    /// \[turns\]
+    pub time: f64,
+    pub jacobian: Matrix,
+}
+
+/// Flights are looked at in steps of this, no more than so many.
+const STEP: f64 = 1.0 / 64.0;
+const STEPS: u32 = 64 * 64;
+/// Jacobians that the contracting direction is told from.
+const AHEAD: usize = 4;
+
+impl Guess {
+    pub fn new(law: &Law) -> Self {
+        Self { gap: law.gap.mid(), restitution: law.restitution.mid() }
+    }
+
+    /// The next impact; `None` where none is found.
+    pub fn map(&self, [start, speed]: State) -> Option<Image> {
+        let (sin0, cos0) = (TAU * (start - start.floor())).sin_cos();
+        let after = self.restitution * speed;
+        let drift = after + cos0;
+        let flight = |time: f64| {
+            let angle = TAU * time;
+            // By the start's own sine and cosine, which a double holds well.
+            let (s, c) = angle.sin_cos();
+            let (sin1, cos1) = (sin0 * c + cos0 * s, cos0 * c - sin0 * s);
+            (drift * angle - sin1 + sin0, drift - cos1, sin1)
+        };
+        let is_inside = |height: f64| height > 0.0 && height < self.gap;
+        let (mut from, mut rate_before) = (0.0, after);
+        for k in 1..=STEPS {
+            let to = STEP * f64::from(k);
+            let (height, rate, _) = flight(to);
+            // The extremum of a step may be beyond a wall, too.
+            let turning = if rate_before * rate < 0.0 && k > 1 {
+                let time = zero(from, to, |time| flight(time).1 * rate.signum());
+                (!is_inside(flight(time).0)).then_some(time)
+            } else {
+                None
+            };
+            if let Some(end) = turning.or((!is_inside(height)).then_some(to)) {
+                let is_far = flight(end).0 > 0.5 * self.gap;
+                let (sign, level) = if is_far { (1.0, self.gap) } else { (-1.0, 0.0) };
+                let begin = if k == 1 { 1e-9 } else { from };
+                let time = zero(begin, end, |time| sign * (flight(time).0 - level));
+                let (_, rate, sin1) = flight(time);
+                let angle = TAU * time;
+                // (A.7)
+                let by_phase = (after + angle * sin0) / rate;
+                let by_speed = -self.restitution * angle / rate / TAU;
+                let of_speed = |by: f64, drift: f64| sign * (drift + TAU * sin1 * by);
+                let jacobian =
+                    [[by_phase, by_speed], [of_speed(by_phase, -TAU * sin0), of_speed(by_speed, self.restitution)]];
+                let state = [start + time + if is_far { 0.5 } else { 0.0 }, rate.abs()];
+                return Some(Image { state, is_far, time, jacobian });
+            }
+            (from, rate_before) = (to, rate);
+        }
+        None
+    }
+
+    /// The direction that the next flights contract most, of length 1 in radians and speeds.
+    pub fn contracting(&self, state: State) -> Option<State> {
+        let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
+        let mut at = Some(state);
+        for _ in 0..AHEAD {
+            let Some(image) = at.and_then(|at| self.map(at)) else { break };
+            let [[a, b], [c, d]] = image.jacobian;
+            let [p, q] = product;
+            let row = |x: f64, y: f64| [x * p[0] + y * q[0], x * p[1] + y * q[1]];
+            product = [row(a, b), row(c, d)];
+            let size = product.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+            product = product.map(|row| row.map(|x| x / size));
+            at = Some(image.state);
+        }
+        let [[a, b], [c, d]] = [product[0].map(|x| x * TAU), product[1]];
+        let angle = 0.5 * (2.0 * (a * b + c * d)).atan2(a * a + c * c - b * b - d * d);
+        let (sin, cos) = angle.sin_cos();
+        angle.is_finite().then_some([-sin / TAU, cos])
+    }
+}
+
+/// Where an increasing function is 0, by false position and halving.
+fn zero(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let (mut below, mut above) = (f(low), f(high));
+    for k in 0..60 {
+        let secant = low - below * (high - low) / (above - below);
+        let at = if k % 3 == 2 || !secant.is_finite() { 0.5 * (low + high) } else { secant.clamp(low, high) };
+        let value = f(at);
+        if value == 0.0 || high - low < 4e-16 * high {
+            return at;
+        }
+        if value < 0.0 { (low, below) = (at, value) } else { (high, above) = (at, value) }
+    }
+    0.5 * (low + high)
+}
+
+/// A vector's image.
+pub(super) fn applied([[a, b], [c, d]]: Matrix, [x, y]: State) -> State {
+    [a * x + b * y, c * x + d * y]
+}

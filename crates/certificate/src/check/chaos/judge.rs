@@ -1,0 +1,250 @@
+//! Whether the words of a chaos JSON, its entropies and its horseshoe are right (Lemma V12).
+
+use std::sync::atomic::AtomicBool;
+
+use impact_pair_exact::Real;
+use impact_pair_model::{Error, Mapping, Wall};
+use num_rational::BigRational;
+
+use super::bases::Base;
+use super::entropy::is_reached;
+use super::propose::Making;
+use super::span::Span;
+use super::tube::side_of;
+use super::words::{Counts, Search, Stopped, Word};
+use super::{BITS, Law};
+use crate::chaos::ChaosCertificate;
+use crate::check::contact::Doubt;
+use crate::check::{Effort, Verdict};
+use crate::document::{BaseDocument, WordDocument};
+
+/// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
+const MAKINGS: [Making; 4] = [
+    Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9 },
+    Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8 },
+    Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 },
+    Making { longest: 0.01, margin: 1.3, pad: 3e-4, shortest: 1e-5 },
+];
+/// Bits of the arithmetic.
+const DOUBLE: u32 = f64::MANTISSA_DIGITS;
+
+/// A claim by its position among the words, and what is to be said of it.
+type Doubted = (usize, Doubt);
+
+impl ChaosCertificate {
+    /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
+    /// proved, until `stop` is set, if there is one. `progress` is told the words confirmed so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold, and under several harmonics.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let law = Law::of(self.pair())?;
+        let mut confirmed = 0;
+        let mut progress = |words: usize| {
+            confirmed = confirmed.max(words); // exact: a count
+            progress(confirmed);
+        };
+        let answer = self
+            .says_one_thing()
+            .map_err(|doubt| (self.count(), doubt))
+            .and_then(|(bases, words)| self.found(&law, &bases, &words, (effort.work, stop), &mut progress));
+        Ok(match answer {
+            Ok(Ok(())) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+            Ok(Err(Stopped)) => Verdict::Interrupted { events: confirmed },
+            Err((event, doubt)) => doubt.on(event),
+        })
+    }
+
+    /// The bases and the words, if what is said of them follows from them.
+    fn says_one_thing(&self) -> Result<(Vec<Base>, Vec<Word>), Doubt> {
+        let document = self.document();
+        let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
+        let corners = self.bases().iter().filter_map(|base| base.corners.as_ref());
+        let bases: Vec<Base> = corners.map(Base::of).collect();
+        if !bases.iter().all(Base::is_sound) {
+            return wrong("a base is no convex quadrilateral of states with its tops to the left");
+        }
+        if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
+            return wrong("the bases are not proved to be disjoint");
+        }
+        if !self.bases().iter().zip(&bases).all(|(told, base)| is_about(told, base)) {
+            return wrong("a base is told to have its middle elsewhere");
+        }
+        let mut words = Vec::new();
+        for (k, told) in document.words.iter().enumerate() {
+            let word = Word::of(told, bases.len()).filter(|_| told.impacts <= document.depth);
+            words.push(word.ok_or_else(|| {
+                Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of bases"))
+            })?);
+        }
+        let impacts = |word: &Word| word.flights.len() as i64; // exact: a length
+        let entropy = &document.entropy;
+        let told = [entropy.per_impact.value(), entropy.per_cycle.value()];
+        // Half cycles are weighed, two of which make a cycle.
+        let halved = &told[1] / BigRational::from_integer(2.into());
+        let weighed = |weight: &dyn Fn(&Word) -> i64| -> Vec<_> {
+            words.iter().map(|word| (word.from, word.to, weight(word))).collect()
+        };
+        if told.iter().all(|entropy| *entropy <= BigRational::from_integer(0.into())) {
+            return wrong("it says that an entropy is certified, but tells none");
+        }
+        for (what, weights, h) in
+            [("per_impact", weighed(&impacts), &told[0]), ("per_cycle", weighed(&|word| word.half_cycles), &halved)]
+        {
+            if !is_reached(&weights, bases.len(), h) {
+                return Err(Doubt::Open(format!("entropy.{what} does not follow from the words")));
+            }
+        }
+        says_the_shortest(document.horseshoe.as_deref(), &words, bases.len())?;
+        Ok((bases, words))
+    }
+
+    /// Finds all listed words.
+    fn found(
+        &self,
+        law: &Law,
+        bases: &[Base],
+        words: &[Word],
+        (work, stop): (u64, Option<&'static AtomicBool>),
+        progress: &mut impl FnMut(usize),
+    ) -> Result<Result<(), Stopped>, Doubted> {
+        let mut listed = Counts::new();
+        words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
+        let deepest = words.iter().map(|word| word.flights.len()).max().unwrap_or(0); // exact: none where there are no words
+        let mut doubted = (0, "");
+        for making in MAKINGS {
+            let mut search = Search::new(law, bases, &listed, making, stop);
+            let mut depth = 0;
+            let why = loop {
+                if depth == deepest {
+                    return Ok(Ok(()));
+                }
+                if search.parts > PARTS * work {
+                    break "the work allowed is spent";
+                }
+                if let Err(Stopped) = search.deepen() {
+                    return Ok(Err(Stopped));
+                }
+                depth += 1;
+                let is_missing = |(word, count): (&Word, &usize)| {
+                    word.flights.len() == depth && search.found.get(word).is_none_or(|found| found < count)
+                };
+                if listed.iter().any(is_missing) {
+                    break "it is not proved again";
+                }
+                progress(words.iter().filter(|word| word.flights.len() <= depth).count());
+            };
+            let proved = first_missing(words, search.found);
+            if doubted.1.is_empty() || proved > doubted.0 {
+                doubted = (proved, why);
+            }
+        }
+        Err((doubted.0, Doubt::Open(doubted.1.to_owned())))
+    }
+}
+
+/// The first word that is listed more often than it is found.
+fn first_missing(words: &[Word], mut found: Counts) -> usize {
+    let is_missing = |word: &Word| match found.get_mut(word) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            false
+        }
+        _ => true,
+    };
+    words.iter().position(is_missing).unwrap_or(0) // exact: there is one
+}
+
+/// So many parts of tubes are as much work as one place of a flight in many bits.
+const PARTS: u64 = 1 << 8;
+
+impl Word {
+    /// `None` if it contradicts itself.
+    fn of(told: &WordDocument, bases: usize) -> Option<Self> {
+        let flight = |name: char| match name {
+            'F' => Some(true),
+            'N' => Some(false),
+            _ => None,
+        };
+        let flights: Vec<bool> = told.flights.chars().map(flight).collect::<Option<_>>()?;
+        let [from, to, impacts] = [told.from, told.to, told.impacts].map(|n| n as usize); // exact: of 32 bits
+        let fits = from < bases && to < bases && impacts == flights.len() && impacts > 0;
+        fits.then_some(Self { from, to, half_cycles: told.half_cycles, flights })
+    }
+
+    /// In mappings from the left wall, the first one right-most.
+    fn in_mappings(&self) -> String {
+        let mut from = Wall::Left;
+        let mut names = Vec::new();
+        for &is_far in &self.flights {
+            let to = if is_far { from.other() } else { from };
+            names.push(Mapping::between(from, to).to_string());
+            from = to;
+        }
+        names.reverse();
+        names.join(" ")
+    }
+}
+
+/// Whether a base's middle is told to be in it.
+fn is_about(told: &BaseDocument, base: &Base) -> bool {
+    let phase = Real::rational(&told.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
+    let ends = [&phase, &Real::rational(&told.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));
+    let [left, right] = [base.left, base.right];
+    let round = [left.bottom, right.bottom, right.top, left.top];
+    let corners = [ends.map(Span::lo), ends.map(Span::hi)];
+    (0..4).all(|i| corners.iter().all(|&state| side_of(round[i], round[(i + 1) % 4], state, 0.0).is_positive()))
+}
+
+/// Whether from bases of which some are left a word of each of two blocks leads to one of these.
+fn is_free(words: &[Word], bases: usize, blocks: [&[bool]; 2]) -> bool {
+    let mut alive = vec![true; bases];
+    loop {
+        let leads = |base: usize, block: &[bool]| {
+            words.iter().any(|word| word.from == base && alive[word.to] && word.flights == block)
+        };
+        let next: Vec<bool> =
+            (0..bases).map(|base| alive[base] && blocks.iter().all(|block| leads(base, block))).collect();
+        if next == alive {
+            return alive.contains(&true);
+        }
+        alive = next;
+    }
+}
+
+/// Whether the two blocks told are free, and none of fewer impacts are: the longer one counts first.
+fn says_the_shortest(told: Option<&str>, words: &[Word], bases: usize) -> Result<(), Doubt> {
+    let mut names: Vec<&Word> = Vec::new();
+    for word in words {
+        if names.iter().all(|other| other.flights != word.flights) {
+            names.push(word);
+        }
+    }
+    names.sort_by_key(|word| word.flights.len());
+    // By the longer one, the second.
+    let mut shortest: Option<(usize, usize)> = None;
+    let mut is_told_one = told.is_none();
+    for (k, b) in names.iter().enumerate() {
+        for a in &names[..k] {
+            let size = (b.flights.len(), a.flights.len());
+            if shortest.is_some_and(|shortest| size > shortest) || !is_free(words, bases, [&a.flights, &b.flights]) {
+                continue;
+            }
+            if shortest.is_none_or(|shortest| size < shortest) {
+                (shortest, is_told_one) = (Some(size), false);
+            }
+            let [a, b] = [a, b].map(|word| word.in_mappings());
+            is_told_one |= told == Some(&format!("each block is {a} or {b}, in any order"));
+        }
+    }
+    if is_told_one || told.is_none() && shortest.is_none() {
+        Ok(())
+    } else {
+        Err(Doubt::False("the horseshoe is not one of two shortest blocks in any order".into()))
+    }
+}

@@ -1,0 +1,47 @@
+//! Regions that no motion leaves, and words of horseshoes, proved again in intervals of doubles (Lemmas V11, V12).
+//!
+//! The impact map with every impact mirrored to the left wall: a state is a phase in turns and a speed over `A W`, lengths are in
+//! amplitudes, times of flight in turns since the departure. Of a region the document's own boxes are proved to be closed
+//! ([`region`], [`trap`]). Of words it has the bases: tubes are made anew ([`propose`]), followed along the listed words only, and each
+//! cell is proved ([`words`]).
+
+mod bases;
+mod beam;
+mod entropy;
+mod guess;
+mod judge;
+mod propose;
+mod region;
+mod span;
+#[cfg(test)]
+mod tests;
+mod trap;
+mod tube;
+mod words;
+
+use impact_pair_exact::Exact;
+use impact_pair_model::{Error, ImpactPair, within};
+
+use span::Span;
+
+/// What the map depends on.
+#[derive(Clone, Copy, Debug)]
+struct Law {
+    /// `D = d/A`
+    gap: Span,
+    /// `e`
+    restitution: Span,
+}
+
+impl Law {
+    /// That of a pair under one harmonic.
+    fn of(pair: &ImpactPair) -> Result<Self, Error> {
+        let harmonic = pair.harmonic("the impact map without units")?;
+        let gap = within("pair.gap / excitation.amplitude", pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;
+        let of = |x: &Exact| Span::of(&x.enclose(BITS));
+        Ok(Self { gap: of(&gap), restitution: of(pair.restitution()) })
+    }
+}
+
+/// Bits that exact numbers are enclosed with before they become doubles.
+const BITS: u32 = 128;

@@ -1,0 +1,201 @@
+//! The next tube: images of chords, more of them where they are stretched or bent, wrapped anew.
+//!
+//! Labels: proposes throughout.
+
+use std::f64::consts::TAU;
+
+use super::beam::State;
+use super::guess::{Guess, Image, applied};
+use super::tube::{Chord, Part, Tube};
+
+/// How tubes are made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Making {
+    /// Cells are about as long at most, phases in radians.
+    pub longest: f64,
+    /// What a chord is longer than the image that it holds, as a factor and beyond that.
+    pub margin: f64,
+    pub pad: f64,
+    /// Parts are not cut below this length.
+    pub shortest: f64,
+}
+
+/// A tube where the image of a stretch may lie.
+pub(super) struct Proposal {
+    pub parts: Vec<Part>,
+    pub is_far: bool,
+    pub next: Tube,
+}
+
+#[derive(Clone, Copy)]
+struct Sample {
+    cell: usize,
+    at: f64,
+    middle: State,
+    half: State,
+    image: Option<Image>,
+}
+
+/// A part of a cell between two samples, both of which have images.
+type Pair = [Sample; 2];
+
+/// Fewer parts than that are not worth a tube.
+const FEWEST: usize = 12;
+/// Cells at the ends are so much shorter.
+const GRADED: f64 = 0.02;
+
+/// Radians and speeds.
+fn vector(from: State, to: State) -> State {
+    [TAU * (to[0] - from[0]), to[1] - from[1]]
+}
+
+fn cross([a, b]: State, [c, d]: State) -> f64 {
+    a * d - b * c
+}
+
+fn length([x, y]: State) -> f64 {
+    x.hypot(y)
+}
+
+fn distance(from: &Sample, to: &Sample) -> f64 {
+    match (from.image, to.image) {
+        (Some(a), Some(b)) => length(vector(a.state, b.state)),
+        _ => f64::INFINITY,
+    }
+}
+
+fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
+    let (left, right) = (&tube.chords()[cell], &tube.chords()[cell + 1]);
+    let mix = |a: State, b: State| [0, 1].map(|i| (1.0 - at) * a[i] + at * b[i]);
+    let (bottom, top) = (mix(left.bottom, right.bottom), mix(left.top, right.top));
+    let middle = [0, 1].map(|i| 0.5 * (bottom[i] + top[i]));
+    let half = [0, 1].map(|i| 0.5 * (top[i] - bottom[i]));
+    Sample { cell, at, middle, half, image: guess.map(middle) }
+}
+
+impl Sample {
+    fn image(&self) -> &Image {
+        self.image.as_ref().expect("it is kept only with an image")
+    }
+
+    /// The image of the half chord, in radians and speeds.
+    fn thick(&self) -> State {
+        let [u, w] = applied(self.image().jacobian, self.half);
+        [TAU * u, w]
+    }
+}
+
+impl Making {
+    /// The tubes that hold the images of a tube, about.
+    pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
+        let mut segments: Vec<Vec<Pair>> = vec![Vec::new()];
+        let last = tube.cells() - 1;
+        for cell in 0..=last {
+            let ends = [0.0, 1.0].map(|at| sample(guess, tube, cell, at));
+            self.refine(guess, tube, ends, [cell == 0, cell == last], &mut segments);
+        }
+        let enough = segments.iter().filter(|segment| segment.len() >= FEWEST);
+        enough.filter_map(|segment| self.proposal(guess, segment)).collect()
+    }
+
+    fn refine(
+        &self,
+        guess: &Guess,
+        tube: &Tube,
+        [from, to]: Pair,
+        [first, last]: [bool; 2],
+        segments: &mut Vec<Vec<Pair>>,
+    ) {
+        let between = sample(guess, tube, from.cell, 0.5 * (from.at + to.at));
+        let is_fine = self.is_fine([&from, &between, &to], first || last);
+        if is_fine == Some(true) || length(vector(from.middle, to.middle)) < self.shortest {
+            match is_fine {
+                Some(_) if distance(&from, &to) <= self.longest => {
+                    segments.last_mut().expect("one at least").push([from, to]);
+                }
+                _ => segments.push(Vec::new()),
+            }
+            return;
+        }
+        self.refine(guess, tube, [from, between], [first, false], segments);
+        self.refine(guess, tube, [between, to], [false, last], segments);
+    }
+
+    /// What a chord may be off: a part of what it is longer.
+    fn room(&self, thick: f64) -> f64 {
+        0.3 * ((self.margin - 1.0) * thick + self.pad)
+    }
+
+    /// Whether a part is short and straight enough; `None` where the map jumps in it.
+    fn is_fine(&self, [from, between, to]: [&Sample; 3], is_end: bool) -> Option<bool> {
+        let (a, m, b) = (from.image?, between.image?, to.image?);
+        if a.is_far != b.is_far || a.is_far != m.is_far {
+            return None;
+        }
+        let along = vector(a.state, b.state);
+        let long = length(along);
+        let bulge = (cross(along, vector(a.state, m.state)) / long).abs();
+        let thick = (cross(along, between.thick()) / long).abs();
+        let longest = if is_end { GRADED * self.longest } else { self.longest };
+        Some(long <= longest && bulge <= self.room(thick))
+    }
+
+    fn proposal(&self, guess: &Guess, segment: &[Pair]) -> Option<Proposal> {
+        let samples: Vec<&Sample> = segment.iter().map(|pair| &pair[0]).chain(segment.last().map(|p| &p[1])).collect();
+        let mut lengths = vec![0.0];
+        for pair in samples.windows(2) {
+            lengths.push(lengths[lengths.len() - 1] + distance(pair[0], pair[1]));
+        }
+        let (count, all) = (samples.len(), lengths[lengths.len() - 1]);
+        // Chords are left out where cells would be shorter than need be: towards the ends they are short.
+        let mut kept = vec![0];
+        for k in 1..count {
+            let start = kept[kept.len() - 1];
+            let next = (k + 1).min(count - 1);
+            let most = (0.4 * self.longest).min(0.3 * lengths[start].min(all - lengths[next]));
+            let is_needed = k + 1 == count || lengths[next] - lengths[start] > most;
+            if is_needed || !self.is_straight(&samples[start..=next]) {
+                kept.push(k);
+            }
+        }
+        let at = |n: usize| samples[kept[n]].image().state;
+        let chord = |n: usize| {
+            let tangent = vector(at(n.saturating_sub(1)), at((n + 1).min(kept.len() - 1)));
+            self.chord(guess, samples[kept[n]], tangent)
+        };
+        let chords: Vec<Chord> = (0..kept.len()).map(chord).collect::<Option<_>>()?;
+        let mut place = 0;
+        let part = |(k, [from, to]): (usize, &Pair)| {
+            while kept[place + 1] <= k {
+                place += 1;
+            }
+            Part { cell: from.cell, from: from.at, to: to.at, place }
+        };
+        let parts = segment.iter().enumerate().map(part).collect();
+        Some(Proposal { parts, is_far: samples[0].image().is_far, next: Tube::new(chords) })
+    }
+
+    fn is_straight(&self, samples: &[&Sample]) -> bool {
+        let from = samples[0].image().state;
+        let along = vector(from, samples[samples.len() - 1].image().state);
+        let long = length(along);
+        let thick = (cross(along, samples[(samples.len() - 1) / 2].thick()) / long).abs();
+        let off = |sample: &&Sample| (cross(along, vector(from, sample.image().state)) / long).abs();
+        samples.iter().all(|sample| off(sample) <= self.room(thick))
+    }
+
+    /// The chord at an image, along the direction that is contracted most from there on.
+    fn chord(&self, guess: &Guess, sample: &Sample, tangent: State) -> Option<Chord> {
+        let state = sample.image().state;
+        let long = length(tangent);
+        let lean = |direction: State| cross(tangent, direction) / (long * length(direction));
+        let radians = |[u, w]: State| [TAU * u, w];
+        let contracted = guess.contracting(state).map(radians).filter(|&direction| lean(direction).abs() > 0.05);
+        let direction = contracted.unwrap_or_else(|| sample.thick());
+        let sine = lean(direction);
+        let thick = (cross(tangent, sample.thick()) / (long * sine)).abs();
+        let reach = (self.margin * thick + self.pad) * sine.signum() / length(direction);
+        let end = |sign: f64| [state[0] + sign * reach * direction[0] / TAU, state[1] + sign * reach * direction[1]];
+        (reach.is_finite() && sine != 0.0).then(|| Chord { bottom: end(-1.0), top: end(1.0) })
+    }
+}

@@ -1,0 +1,206 @@
+//! Intervals of doubles, and sine and cosine over them (Lemma V11, doubles).
+
+use std::ops::{Add, Mul, Neg, Sub};
+use std::sync::OnceLock;
+
+use impact_pair_exact::{Enclosure, Real};
+
+use super::BITS;
+
+/// All numbers between two finite doubles; where an operation fails both are NaN, which no comparison passes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    lo: f64,
+    hi: f64,
+}
+
+/// `2 pi` lies between these: `PI` is the double below pi.
+const TURN: Span = Span { lo: std::f64::consts::TAU, hi: std::f64::consts::TAU.next_up() };
+/// `1/(2 pi)` lies between these.
+const PER_TURN: Span = Span { lo: 0.159_154_943_091_895_35_f64.next_down(), hi: 0.159_154_943_091_895_35 };
+/// Bounds the errors of sine and cosine at a double.
+const WAVE_ERROR: f64 = 1.0 / (1_u64 << 51) as f64; // exact: a power of two
+/// Phases beyond these are not told from their neighbours' quarters.
+const FARTHEST: f64 = (1_u64 << 40) as f64; // exact: a power of two
+/// Parts of a turn in the table of sines and cosines.
+const PARTS: usize = 256;
+
+impl Span {
+    pub const fn point(x: f64) -> Self {
+        Self { lo: x, hi: x }
+    }
+
+    /// The numbers between two doubles.
+    pub fn new(lo: f64, hi: f64) -> Self {
+        let is_finite = f64::MIN <= lo && lo <= hi && hi <= f64::MAX;
+        if is_finite { Self { lo, hi } } else { Self { lo: f64::NAN, hi: f64::NAN } }
+    }
+
+    /// Ends that were rounded to nearest, each moved outward by one double.
+    fn outward(lo: f64, hi: f64) -> Self {
+        Self::new(lo.next_down(), hi.next_up())
+    }
+
+    /// Encloses what an exact number's enclosure does.
+    pub fn of(x: &Enclosure) -> Self {
+        let (lo, hi) = x.to_f64_bounds();
+        Self::new(lo, hi)
+    }
+
+    /// `[-r, r]` for the greatest magnitude of its members.
+    pub fn around(self) -> Self {
+        let most = self.most();
+        Self { lo: -most, hi: most }
+    }
+
+    pub fn lo(self) -> f64 {
+        self.lo
+    }
+
+    pub fn hi(self) -> f64 {
+        self.hi
+    }
+
+    /// Some number about the middle.
+    pub fn mid(self) -> f64 {
+        0.5 * (self.lo + self.hi)
+    }
+
+    /// The greatest magnitude.
+    pub fn most(self) -> f64 {
+        self.lo.abs().max(self.hi.abs()) // V11: the farther end
+    }
+
+    pub fn is_positive(self) -> bool {
+        self.lo > 0.0 // V11: not both are NaN
+    }
+
+    pub fn is_negative(self) -> bool {
+        self.hi < 0.0 // V11: not both are NaN
+    }
+
+    pub fn hull(self, other: Self) -> Self {
+        if other.lo.is_nan() {
+            return other;
+        }
+        // V11: the outer ends; a comparison with NaN leaves it
+        let lo = if other.lo < self.lo { other.lo } else { self.lo };
+        Self { lo, hi: if other.hi > self.hi { other.hi } else { self.hi } }
+    }
+
+    /// What is in both; `None` if nothing is.
+    pub fn common(self, other: Self) -> Option<Self> {
+        if self.lo.is_nan() || other.lo.is_nan() {
+            // Not known is not nothing.
+            return Some(Self { lo: f64::NAN, hi: f64::NAN });
+        }
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi)); // V11: the inner ends, neither of them NaN
+        (lo <= hi).then_some(Self { lo, hi })
+    }
+
+    pub fn scaled(self, factor: f64) -> Self {
+        self * Self::point(factor)
+    }
+
+    /// From turns to radians.
+    pub fn turned(self) -> Self {
+        self * TURN
+    }
+
+    /// From radians to turns.
+    pub fn unturned(self) -> Self {
+        self * PER_TURN
+    }
+
+    /// `None` if the divisor may be 0.
+    pub fn over(self, divisor: Self) -> Option<Self> {
+        if !(divisor.is_positive() || divisor.is_negative()) {
+            return None;
+        }
+        Some(Self::corners([self.lo / divisor.lo, self.lo / divisor.hi, self.hi / divisor.lo, self.hi / divisor.hi]))
+    }
+
+    pub fn signed(self, is_positive: bool) -> Self {
+        if is_positive { self } else { -self }
+    }
+
+    fn corners([a, b, c, d]: [f64; 4]) -> Self {
+        // V11: the outer corners; either all are NaN or, their ends being finite, none is
+        Self::outward(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+    }
+
+    /// Sine and cosine of so many turns.
+    pub fn sin_cos(self) -> (Self, Self) {
+        let middle = self.mid();
+        let whole = Self { lo: -1.0, hi: 1.0 };
+        if middle.abs() > FARTHEST || self.lo.is_nan() {
+            return (whole, whole);
+        }
+        let (sin, cos) = waves(middle);
+        let radius = (self.hi - middle).max(middle - self.lo).next_up(); // V11: the farther end
+        let angle = Self { lo: -radius, hi: radius }.turned();
+        let bend = (angle * angle).around().scaled(0.5) + Self { lo: -WAVE_ERROR, hi: WAVE_ERROR };
+        let near = |value: f64, slope: f64| {
+            let slope = Self::point(slope.abs()) + Self::point(WAVE_ERROR);
+            let spread = Self::point(value) + slope * angle + bend;
+            spread.common(whole).unwrap_or(whole) // V11: both hold it
+        };
+        (near(sin, cos), near(cos, sin))
+    }
+}
+
+impl Add for Span {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::outward(self.lo + other.lo, self.hi + other.hi)
+    }
+}
+
+impl Sub for Span {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self::outward(self.lo - other.hi, self.hi - other.lo)
+    }
+}
+
+impl Neg for Span {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Mul for Span {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::corners([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
+    }
+}
+
+/// Sine and cosine of `k/256` of a turn.
+fn table() -> &'static [[f64; 2]; PARTS] {
+    static TABLE: OnceLock<[[f64; 2]; PARTS]> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        std::array::from_fn(|k| {
+            let part = Real::pi(BITS) * k as i64 * &Real::point(impact_pair_exact::Dyadic::power_of_two(-7), BITS); // exact: an index
+            [part.sin(), part.cos()].map(|x| x.to_f64())
+        })
+    })
+}
+
+/// Sine and cosine of `2 pi u`, `|u| <= 2^40`, each with an error below `WAVE_ERROR`.
+fn waves(u: f64) -> (f64, f64) {
+    let parts = PARTS as f64; // exact: a power of two
+    let nearest = (u * parts).round_ties_even(); // V11: the nearest of the table
+    let rest = u - nearest / parts;
+    let [sin, cos] = table()[(nearest as i64).rem_euclid(PARTS as i64) as usize]; // exact: below 2^48, an index
+    let y = std::f64::consts::TAU * rest;
+    let square = y * y;
+    let sine = y * (1.0 - square / 6.0 * (1.0 - square / 20.0));
+    let departure = 0.5 * square * (1.0 - square / 12.0 * (1.0 - square / 30.0));
+    (sin + (cos * sine - sin * departure), cos - (sin * sine + cos * departure))
+}

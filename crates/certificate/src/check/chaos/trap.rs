@@ -1,0 +1,245 @@
+//! Whether the region of a trap JSON is closed, and what is said of it true (Lemma V11).
+
+use std::collections::HashSet;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use impact_pair_exact::{Dyadic, Exact, Real, compare_rational};
+use impact_pair_model::{Error, ImpactPair, Place, Start, Wall, within};
+use num_rational::BigRational;
+
+use super::guess::Guess;
+use super::region::{Open, Region};
+use super::span::Span;
+use super::{BITS, Law};
+use crate::Certificate;
+use crate::check::blocks::{BLOCK, in_blocks};
+use crate::check::budget::Budget;
+use crate::check::contact::Doubt;
+use crate::check::data::{Data, Piece};
+use crate::check::step::{Departure, Landing};
+use crate::check::walk::Walk;
+use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
+use crate::document::{Decimal, TrapDocument};
+use crate::trap::TrapCertificate;
+
+/// What stops a check of boxes.
+enum End {
+    Open(usize, Open),
+    Stopped,
+}
+
+impl TrapCertificate {
+    /// Proves again that the region is closed, and what is said of it, or says what is not true or not proved, until `stop` is set, if
+    /// there is one. `progress` is told the boxes confirmed so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold, and under several harmonics.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let law = Law::of(self.pair())?;
+        let boxes = match self.boxes() {
+            Ok(boxes) => boxes,
+            Err(doubt) => return Ok(doubt.on(self.count())),
+        };
+        let TrapDocument { columns, rows, .. } = *self.document();
+        let region = Region::new(columns, rows, boxes.iter().copied().collect::<HashSet<_>>());
+        let guess = Guess::new(&law);
+        let of_block = |block: Range<usize>| {
+            block
+                .map(|k| {
+                    if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+                        return Err(End::Stopped);
+                    }
+                    region.times(&law, &guess, boxes[k]).map_err(|why| End::Open(k, why))
+                })
+                .collect()
+        };
+        let mut confirmed = 0;
+        let watch = |known| {
+            confirmed = known;
+            progress(known);
+        };
+        let times = match in_blocks(0..boxes.len(), BLOCK, of_block, watch) {
+            Ok(times) => times.into_iter().reduce(Span::hull),
+            Err(End::Stopped) => return Ok(Verdict::Interrupted { events: confirmed }),
+            Err(End::Open(event, why)) => {
+                let message = match why {
+                    Open::Rest => "it is not proved that no ball comes to rest from there",
+                    Open::Leaves => "it is not proved that no flight from there leaves the region",
+                };
+                return Ok(Verdict::Undecided(Finding { event, message: message.to_owned() }));
+            }
+        };
+        let Some(times) = times else {
+            return Ok(Doubt::False("there is no box".into()).on(0));
+        };
+        let answer = self.says_what_holds(times).map(|()| f64::MANTISSA_DIGITS);
+        let answer = match (answer, self.document().entered_at_impact) {
+            (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, stop)?.map(|more| bits.max(more)), // exact: what is shown
+            (answer, _) => answer,
+        };
+        Ok(match answer {
+            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(doubt) => doubt.on(self.count()),
+        })
+    }
+
+    /// The boxes, if they are so many in a grid that is judged.
+    fn boxes(&self) -> Result<Vec<[i64; 2]>, Doubt> {
+        let TrapDocument { columns, rows, region, boxes, .. } = self.document();
+        let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
+        if !(columns.is_power_of_two() && *columns > 1 && rows.is_power_of_two()) {
+            return Err(Doubt::Open("only grids of powers of two are checked".into()));
+        }
+        let is_run = |&[column, first, last]: &[i32; 3]| {
+            0 <= column && i64::from(column) < i64::from(*columns) && 0 <= first && first <= last
+        };
+        if !region.iter().all(is_run) {
+            return wrong("a run of boxes is beyond the grid");
+        }
+        // exact: a length
+        if self.count() as u64 != *boxes {
+            return wrong("its runs have another number of boxes than told");
+        }
+        let run = |[column, first, last]: [i32; 3]| (first..=last).map(move |row| [column.into(), row.into()]);
+        let all: Vec<[i64; 2]> = region.iter().copied().flat_map(run).collect();
+        if all.iter().collect::<HashSet<_>>().len() < all.len() {
+            return wrong("a box is listed twice");
+        }
+        Ok(all)
+    }
+
+    /// The bounds hold what is proved of all flights and boxes.
+    fn says_what_holds(&self, times: Span) -> Result<(), Doubt> {
+        let TrapDocument { rows, region, longest_flight, speed, flight, flight_time, speed_before, .. } =
+            self.document();
+        let row = |row: i32| BigRational::new(row.into(), (*rows).into());
+        let slowest = region.iter().map(|[_, first, _]| *first).min().map(row);
+        let fastest = region.iter().map(|[.., last]| last + 1).max().map(row);
+        let speeds = [slowest, fastest].map(|bound| Real::rational(&bound.expect("there is a box"), BITS));
+        let times = [times.lo(), times.hi()].map(|x| Real::point(Dyadic::from_f64(x).expect("a finite bound"), BITS));
+        let units = self.units()?;
+        let scaled = |bounds: &[Real; 2], unit: &Real| bounds.each_ref().map(|bound| bound.clone() * unit);
+        let is_below = |bound: &Real, told: &Decimal| compare_rational(bound.enclosure().sup(), &told.value()).is_le();
+        let is_above = |bound: &Real, told: &Decimal| compare_rational(bound.enclosure().inf(), &told.value()).is_ge();
+        for (what, bounds, told) in [
+            ("flight", &times, flight),
+            ("speed", &speeds, speed),
+            ("flight_time", &scaled(&times, &units[0]), flight_time),
+            ("speed_before", &scaled(&speeds, &units[1]), speed_before),
+        ] {
+            if !(is_above(&bounds[0], &told[0]) && is_below(&bounds[1], &told[1])) {
+                return Err(Doubt::Open(format!("{what} is not proved to be within its bounds")));
+            }
+        }
+        if !is_below(&times[1], longest_flight) {
+            return Err(Doubt::Open("longest_flight is not proved".into()));
+        }
+        if !times[0].is_positive() && self.document().no_rest {
+            return Err(Doubt::Open("no_rest is not proved".into()));
+        }
+        Ok(())
+    }
+
+    /// A period \[time\] and the greatest speed of the box \[length/time\].
+    fn units(&self) -> Result<[Real; 2], Doubt> {
+        let reference = self.pair().excitation().reference();
+        let (amplitude, frequency) = (reference.amplitude(), reference.frequency());
+        let period = (Exact::pi() * Exact::from(2)).checked_div(frequency);
+        let unit = |x: Result<Exact, _>| match x {
+            Ok(x) => Ok(Real::of(&x, BITS)),
+            Err(_) => Err(Doubt::Open("the units are beyond what exact expressions hold".into())),
+        };
+        Ok([unit(period)?, unit(amplitude.checked_mul(frequency))?])
+    }
+
+    /// Whether an impact of the scene's orbit, or its start as number 0, is in the region; the bits that it took.
+    fn enters(
+        &self,
+        region: &Region,
+        impact: u64,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+    ) -> Result<Result<u32, Doubt>, Error> {
+        let (pair, start) = (self.pair(), self.start());
+        let open = || Doubt::Open(format!("entered_at_impact: impact {impact} is not proved to be in the region"));
+        if impact == 0 {
+            let state = starts_at(pair, start)?;
+            let is_in = state.is_some_and(|state| holds(region, &state));
+            return Ok(if is_in { Ok(BITS) } else { Err(open()) });
+        }
+        let budget = Budget::new(effort.work, effort.parts, stop);
+        let data = Data { budget: budget.clone(), ..Data::new(pair, start)? };
+        let certificate = Certificate::of_start(pair.clone(), start.clone());
+        let harmonic = pair.harmonic("a region")?;
+        let mut bits = FIRST_BITS;
+        loop {
+            let mut walk = Walk::new(&certificate, &data, &Piece::default(), bits);
+            let landing = (walk.still.is_none()).then(|| follow(&mut walk, impact)).flatten();
+            let state = landing.and_then(|landing| {
+                let turn = Real::pi(bits) * 2;
+                let phase = walk.absolute(&landing.phase.hull()).over(&turn)?;
+                let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), bits))?;
+                Some(mirrored(landing.wall, phase, velocity))
+            });
+            if state.is_some_and(|state| holds(region, &state)) {
+                return Ok(Ok(bits));
+            }
+            if bits >= effort.bits || bits >= ENOUGH_BITS || budget.is_spent() {
+                return Ok(Err(open()));
+            }
+            bits = (2 * bits).min(effort.bits); // proposes: the bits to try
+        }
+    }
+}
+
+/// More bits than these are not worth their time for an impact that is not far from the start.
+const ENOUGH_BITS: u32 = 4096;
+
+/// The impact of this number, followed from where a walk stands.
+fn follow(walk: &mut Walk<'_>, impact: u64) -> Option<Landing> {
+    let mut last = None;
+    while walk.impacts < impact {
+        let landing = walk.next_landing()?;
+        walk.departure = Departure::rebound(&walk.parameters, &landing);
+        (walk.last, last) = (Some(landing.wall), Some(landing));
+        walk.impacts += 1;
+        walk.data.budget.allow(walk.bits, walk.data.tones.len());
+    }
+    last
+}
+
+/// A phase \[turns\] and a speed over `A W`, mirrored to the left wall.
+pub(super) fn mirrored(wall: Wall, phase: Real, velocity: Real) -> [Real; 2] {
+    match wall {
+        Wall::Left => [phase, -velocity],
+        Wall::Right => [phase.clone() + &Real::int(1, phase.bits()).half(), velocity],
+    }
+}
+
+/// The state of a start on a wall.
+fn starts_at(pair: &ImpactPair, start: &Start) -> Result<Option<[Real; 2]>, Error> {
+    let Place::Wall(wall) = start.place() else { return Ok(None) };
+    let harmonic = pair.harmonic("a region")?;
+    let turn = Exact::pi() * Exact::from(2);
+    let phase = harmonic.frequency().checked_mul(start.time()).and_then(|x| x.checked_add(harmonic.phase()));
+    let phase = within("start.time", start.time(), phase.and_then(|phase| phase.checked_div(&turn)))?;
+    let fastest = harmonic.amplitude().checked_mul(harmonic.frequency());
+    let velocity = fastest.and_then(|fastest| start.velocity().checked_div(&fastest));
+    let velocity = within("start.velocity", start.velocity(), velocity)?;
+    Ok(Some(mirrored(*wall, Real::of(&phase, BITS), Real::of(&velocity, BITS))))
+}
+
+/// Whether all states within these bounds are in boxes of the region.
+fn holds(region: &Region, [phase, speed]: &[Real; 2]) -> bool {
+    // Whole turns are taken off before it becomes doubles.
+    let turns = phase.middle().floor().unwrap_or(0); // exact: any whole number of turns
+    let phase = phase.clone() - &Real::int(turns, phase.bits());
+    let [phase, speed] = [&phase, speed].map(|x| Span::of(x.enclosure()));
+    speed.lo() >= 0.0 && region.holds(phase, speed) // V11: no speed is negative
+}

@@ -1,0 +1,267 @@
+//! `check` of regions and of words of horseshoes: right ones are confirmed, spoiled ones never.
+
+use std::collections::BTreeSet;
+use std::f64::consts::{PI, TAU};
+use std::fs;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use impact_pair::Scene;
+use impact_pair::certificate::document::BaseDocument;
+use impact_pair::certificate::{Claims, Effort, Finding, Verdict};
+use impact_pair::chaos::{Chaos, Question, Trap};
+use impact_pair::document;
+use impact_pair::exact::Exact;
+use impact_pair::orbit::Settings;
+use impact_pair::periodic::bifurcation::Over;
+use serde_json::{Value, json};
+
+fn file(name: &str) -> String {
+    fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn figure(name: &str) -> Scene {
+    Scene::parse(&file(&format!("scenes/{name}.toml"))).unwrap()
+}
+
+/// The chaos JSON of figure 14 with the bases that the documentation has, over a range of a parameter if one is given.
+fn chaos(depth: usize, over: Option<&str>) -> Value {
+    let scene = figure("figure-14");
+    let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
+    let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
+    let question = Question { depth, bases: document::bases(&bases) };
+    let over: Option<Over> = over.map(|over| over.parse().unwrap());
+    let pair = match &over {
+        Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
+        None => scene.pair().clone(),
+    };
+    let found = Chaos::of(&pair, scene.start(), &question, &|_, _| true).unwrap();
+    json!(document::chaos(&scene, over.as_ref(), &question, &found))
+}
+
+fn trap(name: &str) -> Value {
+    let scene = figure(name);
+    json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap())
+}
+
+/// `None` where it is refused as it is read.
+fn verdict(document: &Value) -> Option<Verdict> {
+    Some(Claims::parse(&document.to_string()).ok()?.check_until(&Effort::default(), None, |_| {}).unwrap())
+}
+
+fn is_confirmed(document: &Value) -> bool {
+    matches!(verdict(document), Some(Verdict::Confirmed { .. }))
+}
+
+/// The document with other values at these paths.
+fn with(document: &Value, changes: &[(&str, Value)]) -> Value {
+    let mut copy = document.clone();
+    for (path, value) in changes {
+        *copy.pointer_mut(path).expect(path) = value.clone();
+    }
+    copy
+}
+
+/// What is refused, and how.
+fn refuses(document: &Value, whose: &str, words: &str) {
+    match verdict(document) {
+        Some(Verdict::Refuted(Finding { message, .. }) | Verdict::Undecided(Finding { message, .. })) => {
+            assert!(message.contains(words), "{whose}: {message}");
+        }
+        found => panic!("{whose}: {found:?}"),
+    }
+}
+
+#[test]
+fn words_are_confirmed() {
+    for document in [chaos(3, None), chaos(7, None), chaos(3, Some("gap=9.42477..9.42498"))] {
+        assert!(is_confirmed(&document), "{:?} {document}", verdict(&document));
+    }
+}
+
+#[test]
+fn spoiled_words_are_refused() {
+    let document = chaos(5, None);
+    assert!(is_confirmed(&document));
+    let words = document["words"].as_array().unwrap();
+    let edited = |edit: &dyn Fn(&mut Vec<Value>)| {
+        let mut copy = document.clone();
+        edit(copy["words"].as_array_mut().unwrap());
+        copy
+    };
+    for k in 0..words.len() {
+        let listed = format!("words[{k}]");
+        let twice = edited(&|words| words.push(words[k].clone()));
+        refuses(&twice, &listed, "not proved again");
+        let later = edited(&|words| words[k]["half_cycles"] = json!(words[k]["half_cycles"].as_i64().unwrap() + 2));
+        assert!(!is_confirmed(&later), "{listed}");
+        let longer = edited(&|words| words[k]["impacts"] = json!(words[k]["impacts"].as_u64().unwrap() + 1));
+        refuses(&longer, &listed, "contradicts");
+        let other = edited(&|words| {
+            let flights = words[k]["flights"].as_str().unwrap();
+            let last = if flights.ends_with('F') { "N" } else { "F" };
+            words[k]["flights"] = json!(format!("{}{last}", &flights[1..]));
+        });
+        assert!(!is_confirmed(&other), "{listed}");
+    }
+    let added = json!({ "from": 0, "to": 1, "impacts": 2, "half_cycles": 2, "flights": "NN" });
+    refuses(&edited(&|words| words.push(added.clone())), "a word more", "not proved again");
+    let beyond = json!({ "from": 3, "to": 0, "impacts": 2, "half_cycles": 2, "flights": "FF" });
+    refuses(&edited(&|words| words.push(beyond.clone())), "a base that is not there", "contradicts");
+    let shallow = with(&document, &[("/depth", json!(3))]);
+    refuses(&shallow, "a lower depth", "contradicts");
+}
+
+/// A word less is no error, but what does not follow from the others is.
+#[test]
+fn entropies_follow_from_the_words_that_are_listed() {
+    let document = chaos(3, None);
+    let mut fewer = document.clone();
+    fewer["words"].as_array_mut().unwrap().retain(|word| word["flights"] != "FF");
+    refuses(&fewer, "words without FF", "does not follow");
+    // By the renewal equation 1 = x^2 + x^3 an impact and 1 = 2 x^2 a half cycle: these digits are of the roots, rounded down and up.
+    for (key, below, above) in [
+        ("per_impact", "0.28119957432296184", "0.28119957432296185"),
+        ("per_cycle", "0.693147180559945309417", "0.693147180559945309418"),
+    ] {
+        let told = |digits: &str| with(&document, &[(&format!("/entropy/{key}"), json!(digits))]);
+        assert!(is_confirmed(&told(below)), "{key}: {:?}", verdict(&told(below)));
+        refuses(&told(above), key, "does not follow");
+    }
+    let none = json!({ "per_impact": "0", "per_cycle": "0" });
+    refuses(&with(&document, &[("/entropy", none)]), "no entropy", "tells none");
+    for text in [json!(null), json!("each block is P1 P2 or P1 P2 P3, in any order"), json!("each block is P1 P2")] {
+        refuses(&with(&document, &[("/horseshoe", text)]), "another horseshoe", "horseshoe");
+    }
+}
+
+#[test]
+fn another_base_or_another_pair_is_refused() {
+    let document = chaos(3, None);
+    let shifts = [[0.0, 0.02], [0.0, -0.02], [0.1, 0.0]];
+    // No word leads to base 1: where it is moved there may well be the same words.
+    for (k, by, both) in [0, 2].into_iter().flat_map(|k| shifts.map(|by| (k, by, true))).chain([(1, shifts[0], false)])
+    {
+        let mut moved = document.clone();
+        let base = &mut moved["bases"][k];
+        for edge in ["left", "right"] {
+            for corner in base["corners"][edge].as_array_mut().unwrap() {
+                *corner = json!([0, 1].map(|i| corner[i].as_f64().unwrap() + by[i]));
+            }
+        }
+        if both {
+            let at = |key: &str| base[key].as_str().unwrap().parse::<f64>().unwrap();
+            let (phase, speed) = (at("phase") + by[0] * TAU, at("speed") + by[1]);
+            (base["phase"], base["speed"]) = (json!(phase.to_string()), json!(speed.to_string()));
+        }
+        refuses(&moved, &format!("base {k} moved by {by:?}"), if both { "not proved" } else { "middle" });
+    }
+    let mut twice = document.clone();
+    twice["bases"][1] = twice["bases"][0].clone();
+    refuses(&twice, "one base twice", "disjoint");
+    let mut turned = document.clone();
+    let corners = turned["bases"][2]["corners"].take();
+    turned["bases"][2]["corners"] = json!({ "left": corners["right"], "right": corners["left"] });
+    refuses(&turned, "left is right", "convex");
+    for (key, value) in [("gap", "9.42497 * 1.01"), ("gap", "9.42497 * 0.99"), ("restitution", "0.505")] {
+        refuses(&with(&document, &[(&format!("/scene/{key}"), json!(value))]), key, "not proved again");
+    }
+    // Tubes with room for so little have none for a hundredth.
+    let over = chaos(3, Some("gap=9.42477..9.42498"));
+    refuses(&with(&over, &[("/over/high", json!("9.5192"))]), "over", "not proved again");
+}
+
+#[test]
+fn regions_are_confirmed() {
+    for name in ["figure-14", "figure-17", "figure-12"] {
+        let document = trap(name);
+        assert!(is_confirmed(&document), "{name}: {:?}", verdict(&document));
+    }
+}
+
+/// Boxes of 1/256 of a turn and 1/32 of `A W` that the orbit of figure 14 is in from its third impact on.
+fn reached() -> Vec<[i64; 2]> {
+    let scene = figure("figure-14");
+    let settings = Settings { impacts: Some(30), ..Settings::default() };
+    let document = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+    let box_of = |event: &Value| {
+        let middle = |key: &str| -> f64 {
+            (0..2).map(|end| 0.5 * event[key][end].as_str().unwrap().parse::<f64>().unwrap()).sum()
+        };
+        // W is pi, A is 8, and what is on the right wall is mirrored.
+        let phase = 0.5 * middle("time") + if event["wall"] == "right" { 0.5 } else { 0.0 };
+        let speed = middle("velocity").abs() / (8.0 * PI);
+        [(256.0 * phase.rem_euclid(1.0)).floor() as i64, (32.0 * speed).floor() as i64]
+    };
+    let all = document["events"].as_array().unwrap().iter().skip(2).map(box_of);
+    all.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+#[test]
+fn spoiled_regions_are_refused() {
+    let document = trap("figure-14");
+    let runs = document["region"].as_array().unwrap();
+    // A box less in which the scene's own orbit is, with the number of boxes told right.
+    for reached in reached() {
+        let mut fewer = document.clone();
+        fewer["boxes"] = json!(document["boxes"].as_u64().unwrap() - 1);
+        let split = |run: &Value| {
+            let [column, first, last] = [0, 1, 2].map(|i| run[i].as_i64().unwrap());
+            let is_it = column == reached[0] && (first..=last).contains(&reached[1]);
+            let parts = if is_it { [[first, reached[1] - 1], [reached[1] + 1, last]] } else { [[first, last], [1, 0]] };
+            parts
+                .into_iter()
+                .filter(|[first, last]| first <= last)
+                .map(move |[first, last]| json!([column, first, last]))
+        };
+        fewer["region"] = runs.iter().flat_map(split).collect();
+        refuses(&fewer, &format!("without {reached:?}"), "leaves");
+    }
+    let number = |path: &str| document.pointer(path).unwrap().as_str().unwrap().parse::<f64>().unwrap();
+    let times = |path: &str, factor: f64| with(&document, &[(path, json!((number(path) * factor).to_string()))]);
+    for (path, factor) in [
+        ("/longest_flight", 0.9),
+        ("/flight/0", 1.1),
+        ("/flight/1", 0.9),
+        ("/flight_time/0", 1.1),
+        ("/flight_time/1", 0.9),
+        ("/speed/1", 0.99),
+        ("/speed_before/1", 0.99),
+    ] {
+        refuses(&times(path, factor), path, "not proved");
+    }
+    refuses(&with(&document, &[("/speed/0", json!("0.01"))]), "speed", "not proved");
+    let boxes = document["boxes"].as_u64().unwrap();
+    for told in [boxes - 1, boxes + 1] {
+        refuses(&with(&document, &[("/boxes", json!(told))]), "boxes", "number of boxes");
+    }
+    let first = runs[0].clone();
+    let mut twice = with(&document, &[("/boxes", json!(boxes + 2))]);
+    twice["region"].as_array_mut().unwrap().push(first);
+    refuses(&twice, "a run twice", "twice");
+    let entered = document["entered_at_impact"].as_u64().unwrap();
+    for impact in 0..entered {
+        refuses(&with(&document, &[("/entered_at_impact", json!(impact))]), "entered", "entered_at_impact");
+    }
+    for (key, value) in [("gap", "9.42497 * 1.01"), ("restitution", "0.505")] {
+        refuses(&with(&document, &[(&format!("/scene/{key}"), json!(value))]), key, "leaves");
+    }
+}
+
+/// A ball that is hardly thrown on a pressed wall rests: no set with such a state is closed without a rest.
+#[test]
+fn a_region_in_which_a_ball_rests_is_refused() {
+    let all: Vec<[i32; 3]> = (0..64).map(|column| [column, 0, 63]).collect();
+    let document = trap("figure-14");
+    let changes = [("/columns", json!(64)), ("/rows", json!(8)), ("/boxes", json!(64 * 64)), ("/region", json!(all))];
+    let document = with(&document, &changes);
+    refuses(&document, "all states", "rest");
+}
+
+#[test]
+fn who_stops_a_check_is_told_how_far_it_came() {
+    static STOP: AtomicBool = AtomicBool::new(false);
+    let claims = Claims::parse(&chaos(6, None).to_string()).unwrap();
+    let stop = |confirmed| STOP.store(confirmed >= 6, Ordering::Relaxed);
+    let found = claims.check_until(&Effort::default(), Some(&STOP), stop).unwrap();
+    assert!(matches!(found, Verdict::Interrupted { events } if events >= 6), "{found:?}");
+}
