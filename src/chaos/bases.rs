@@ -19,18 +19,34 @@ const RETURNS: usize = 12;
 const NEAREST: usize = 8;
 /// How far apart these are.
 const APART: f64 = 0.02;
-/// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
-const TRIALS: [(usize, u64); 3] = [(64, 2_500), (12, 10_000), (4, 40_000)];
-/// The last trial if none led to any.
-const LAST: (usize, u64) = (12, 150_000);
+/// How much is tried to find bases.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
+    trials: &'static [(usize, u64)],
+    /// The last trial if none led to any.
+    last: (usize, u64),
+    /// The most bases.
+    most: usize,
+}
+
+/// For the most entropy; for transients; and for any.
+pub(crate) const THOROUGH: Effort =
+    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3 };
+pub(crate) const QUICK: Effort = Effort { trials: &[(48, 2_500), (6, 10_000)], last: (3, 40_000), most: 1 };
+pub(crate) const ANY: Effort = Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1 };
 const DEPTH: usize = 60;
+/// Transients begin at so many phases and speeds, up to so many times the greatest one seen.
+const STARTS: [usize; 2] = [48, 24];
+const FASTER: f64 = 1.5;
+/// They are looked at from one impact to another, until they are so near to the orbit that they lead to.
+const LOOKED_FOR: [usize; 2] = [6, 80];
+const NEAR: f64 = 0.01;
 /// Half lengths, phases in radians, and half widths relative to them.
 const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 /// What a base more has to add, as a factor.
 const WORTH: f64 = 1.01;
-/// The most bases.
-const MOST: usize = 3;
 /// An orbit that expands less, an impact, is regular.
 const LEAST_EXPONENT: f64 = 1e-3;
 
@@ -47,17 +63,28 @@ pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
     let (mut state, mut direction, mut sum) = (start, [1.0 / TAU, 0.3], 0.0);
     let mut points = Vec::with_capacity(LOOKED_AT);
     for k in 0..TRANSIENT + LOOKED_AT {
-        let image = guess.map(state)?;
-        let [u, w] = applied(image.jacobian, direction);
-        let growth = (TAU * u).hypot(w);
-        direction = [u / growth, w / growth];
-        state = [image.state[0].rem_euclid(1.0), image.state[1]];
+        let growth = step(guess, &mut state, &mut direction)?;
         if k >= TRANSIENT {
             sum += growth.ln();
             points.push((state, direction));
         }
     }
     Some(Seen { points, exponent: sum / LOOKED_AT as f64 })
+}
+
+/// One impact further, with the direction that expands; by how much it does.
+fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> {
+    let image = guess.map(*state)?;
+    let [u, w] = applied(image.jacobian, *direction);
+    let growth = (TAU * u).hypot(w);
+    *direction = [u / growth, w / growth];
+    *state = [image.state[0].rem_euclid(1.0), image.state[1]];
+    Some(growth)
+}
+
+/// How far apart two states are, phases less whole turns.
+fn apart([u, w]: State, [v, x]: State) -> f64 {
+    length([u - v - (u - v).round(), w - x])
 }
 
 impl Seen {
@@ -71,12 +98,34 @@ impl Seen {
         self.exponent > LEAST_EXPONENT
     }
 
+    /// Of a regular orbit: what orbits from elsewhere see before they come near it. A horseshoe may be there as a saddle.
+    pub fn transients(&self, guess: &Guess) -> Self {
+        let attractor: Vec<State> = self.points.iter().rev().take(RETURNS * RETURNS).map(|(state, _)| *state).collect();
+        let fastest = FASTER * attractor.iter().fold(0.0, |most: f64, state| most.max(state[1]));
+        let mut points = Vec::new();
+        for start in 0..STARTS[0] * STARTS[1] {
+            let (i, j) = (start / STARTS[1], start % STARTS[1]);
+            let mut state = [(i as f64 + 0.5) / STARTS[0] as f64, fastest * (j as f64 + 0.5) / STARTS[1] as f64];
+            let mut direction = [1.0 / TAU, 0.3];
+            for k in 0..LOOKED_FOR[1] {
+                if step(guess, &mut state, &mut direction).is_none()
+                    || attractor.iter().any(|&other| apart(state, other) < NEAR)
+                {
+                    break;
+                }
+                if k >= LOOKED_FOR[0] {
+                    points.push((state, direction));
+                }
+            }
+        }
+        Self { points, exponent: self.exponent }
+    }
+
     /// Points that the orbit comes back to very closely: saddles are near.
     fn centres(&self) -> Vec<(State, State)> {
-        let apart = |[u, w]: State, [v, x]: State| length([u - v - (u - v).round(), w - x]);
         let mut found: Vec<(State, State)> = Vec::new();
         for period in 1..=RETURNS {
-            let mut returns: Vec<(f64, usize)> = (0..self.points.len() - period)
+            let mut returns: Vec<(f64, usize)> = (0..self.points.len().saturating_sub(period))
                 .map(|k| (apart(self.points[k].0, self.points[k + period].0), k))
                 .filter(|(distance, _)| *distance < APART)
                 .collect();
@@ -144,7 +193,13 @@ impl Seen {
     }
 
     /// The bases that lead to most entropy, of those tried.
-    pub fn bases(&self, law: &Law, making: Making, depth: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Base> {
+    pub fn bases(
+        &self,
+        law: &Law,
+        (making, depth): (Making, usize),
+        effort: Effort,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<Base> {
         let candidates = self.candidates(&Guess::new(law));
         let worth = |bases: &[Base], boxes: u64| {
             let mut search = Search::new(law, bases, making);
@@ -157,7 +212,7 @@ impl Seen {
             entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
         };
         let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
-        while best.1.len() < MOST && goes_on() {
+        while best.1.len() < effort.most && goes_on() {
             let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
             let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
             let mut trial = |(count, boxes): (usize, u64)| {
@@ -170,11 +225,11 @@ impl Seen {
                 tried.first().copied()
             };
             let mut found = None;
-            for round in TRIALS {
+            for &round in effort.trials {
                 found = trial(round);
             }
             if best.1.is_empty() && found.is_some_and(|found| found.0 == 0.0) {
-                found = trial(LAST);
+                found = trial(effort.last);
             }
             let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
             best.0 = entropy;
