@@ -189,7 +189,7 @@ impl Work<'_> {
             PeriodicFormat::Table => heading(scene) + &stretches(&document)?,
         };
         let open = (!document.certified).then(|| shares(&document));
-        self.answer(&text, open, || impact_pair_plot::chaos::cells(scene, &asked, &found))
+        self.answer(&text, open, || impact_pair_plot::proved::cells(scene, &asked, &found))
     }
 
     fn answer(self, text: &str, open: Option<String>, svg: impl FnOnce() -> Result<String>) -> Result<Answer> {

@@ -42,6 +42,9 @@ const FASTER: f64 = 1.5;
 /// They are looked at from one impact to another, until they are so near to the orbit that they lead to.
 const LOOKED_FOR: [usize; 2] = [6, 80];
 const NEAR: f64 = 0.01;
+/// Those that are shorter, or grow less an impact, see no saddle.
+const LONG: usize = 16;
+const GROWTH: f64 = 0.1;
 /// Half lengths, phases in radians, and half widths relative to them.
 const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
@@ -106,16 +109,19 @@ impl Seen {
         for start in 0..STARTS[0] * STARTS[1] {
             let (i, j) = (start / STARTS[1], start % STARTS[1]);
             let mut state = [(i as f64 + 0.5) / STARTS[0] as f64, fastest * (j as f64 + 0.5) / STARTS[1] as f64];
-            let mut direction = [1.0 / TAU, 0.3];
+            let (mut direction, mut passed, mut sum) = ([1.0 / TAU, 0.3], Vec::new(), 0.0);
             for k in 0..LOOKED_FOR[1] {
-                if step(guess, &mut state, &mut direction).is_none()
-                    || attractor.iter().any(|&other| apart(state, other) < NEAR)
-                {
+                let Some(growth) = step(guess, &mut state, &mut direction) else { break };
+                if attractor.iter().any(|&other| apart(state, other) < NEAR) {
                     break;
                 }
                 if k >= LOOKED_FOR[0] {
-                    points.push((state, direction));
+                    passed.push((state, direction));
+                    sum += growth.ln();
                 }
+            }
+            if passed.len() >= LONG && sum > GROWTH * passed.len() as f64 {
+                points.append(&mut passed);
             }
         }
         Self { points, exponent: self.exponent }

@@ -218,8 +218,9 @@ impl Work<'_> {
         let one = self.pair.with(self.asked.over.key, middle.clone())?;
         let guess = Guess::new(&Law::of(&one)?);
         let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
-        let Some(orbit) = orbit.filter(|orbit| orbit.is_chaotic()) else { return Ok(Verdict::Undecided) };
-        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.goes_on);
+        let Some(orbit) = orbit else { return Ok(Verdict::Undecided) };
+        let seen = if orbit.is_chaotic() { orbit } else { orbit.transients(&guess) };
+        let found = || bases(&seen, &law, self.asked.depth, ANY, self.goes_on);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
             if problem(&bases).is_some() {

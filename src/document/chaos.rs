@@ -131,8 +131,8 @@ pub fn cells(scene: &Scene, asked: &Asked, cells: &Cells) -> ChaosCellsDocument 
     };
     let all: f64 = cells.stretches.iter().map(width).sum();
     let share = |is: fn(&Verdict) -> bool| {
-        let part: f64 = cells.stretches.iter().filter(|stretch| is(&stretch.verdict)).map(width).sum();
-        (1e4 * part / all).round() / 1e4
+        let part = cells.stretches.iter().filter(|stretch| is(&stretch.verdict)).map(width).fold(0.0, |sum, x| sum + x);
+        (1e6 * part / all).round() / 1e6
     };
     let shares = SharesDocument {
         horseshoe: share(|verdict| matches!(verdict, Verdict::Horseshoe { .. })),

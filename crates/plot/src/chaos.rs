@@ -4,13 +4,10 @@ use std::f64::consts::TAU;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Asked, Cells, Chaos, State, Stretch, Trap, Verdict, seen_impacts};
-use impact_pair::exact::Exact;
+use impact_pair::chaos::{Chaos, State, Trap};
 use plotters::prelude::*;
-use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, BLUE, Canvas, Drawn, GREY, LETTER, SCALE, SKY, VERMILION, words};
-use crate::sweep::{Cells as Rectangles, Plane, described};
+use crate::picture::{self, BLUE, Canvas, Drawn, GREY, SCALE, SKY, VERMILION};
 
 const SIZE: (u32, u32) = (900, 640);
 const FONT: i32 = 15 * SCALE;
@@ -56,86 +53,6 @@ pub fn chaos(scene: &Scene, found: &Chaos) -> Result<String> {
         scene,
         Layers { boxes: Vec::new(), dots, curves: found.tubes().to_vec(), outlines: outlines.collect(), caption },
     )
-}
-
-/// Columns of the diagram, impacts that are passed over in each and impacts that are shown, and the rows of a turn.
-const COLUMNS: u32 = 640;
-const SHOWN: [usize; 2] = [600, 200];
-const ROWS: f64 = 300.0;
-/// Height of the bar that tells what is proved.
-const BAR: i32 = 14 * SCALE;
-
-fn colour(verdict: &Verdict) -> RGBColor {
-    match verdict {
-        Verdict::Horseshoe { .. } => VERMILION,
-        Verdict::Attracted { .. } => BLUE,
-        Verdict::Undecided => GREY,
-    }
-}
-
-/// A bifurcation diagram of floating orbits over a parameter, and a bar, both in the colours of what is proved.
-///
-/// # Errors
-/// When it cannot be drawn.
-pub fn cells(scene: &Scene, asked: &Asked, found: &Cells) -> Result<String> {
-    let value = |x: &Exact| x.enclose(64).mid_rad().0;
-    let (low, high) = (value(&asked.over.low), value(&asked.over.high));
-    let ends: Vec<[f64; 2]> = found.stretches.iter().map(|one| [value(&one.low), value(&one.high)]).collect();
-    let mut dots: Vec<(f64, usize, Vec<State>)> = Vec::new();
-    for column in 0..COLUMNS {
-        let part = Exact::from(i64::from(2 * column + 1)).checked_div(&Exact::from(i64::from(2 * COLUMNS)))?;
-        let at = asked.over.low.checked_add(&asked.over.high.checked_sub(&asked.over.low)?.checked_mul(&part)?)?;
-        let x = value(&at);
-        let stretch = ends.iter().position(|&[_, end]| x <= end).unwrap_or(ends.len().saturating_sub(1));
-        dots.push((x, stretch, seen_impacts(&scene.pair().with(asked.over.key, at)?, scene.start(), SHOWN)?));
-    }
-    let title = format!("{}: what is proved over {}", scene.title().unwrap_or("scene"), described(asked.over.key));
-    let legend = [
-        ("proved: a horseshoe, positive entropy", VERMILION),
-        ("proved: the scene's orbit converges to a periodic one", BLUE),
-        ("undecided", GREY),
-    ];
-    let mut data = String::new();
-    let mut svg = picture::svg(SIZE, SCALE, |root| {
-        let style = words(FONT, &BLACK, HPos::Left);
-        root.draw(&Text::new(title.clone(), (16 * SCALE, 18 * SCALE), words(FONT + 3 * SCALE, &BLACK, HPos::Left)))?;
-        let mut left = 24 * SCALE;
-        for (name, colour) in legend {
-            let (y, half) = (44 * SCALE, 5 * SCALE);
-            root.draw(&Rectangle::new([(left, y - half), (left + 2 * half, y + half)], colour.filled()))?;
-            root.draw(&Text::new(name, (left + 3 * half, y), style.clone()))?;
-            left += 5 * half + (name.len() as f64 * LETTER * f64::from(FONT)) as i32;
-        }
-        let (_, below) = root.split_vertically(58 * SCALE);
-        let plane = Plane::draw(
-            &below,
-            [picture::Axis::over(low, high), picture::Axis::angle()],
-            [&described(asked.over.key), "phase θ before the impact, mirrored to the left wall [rad]"],
-        )?;
-        for (_, fill) in &legend {
-            let is_of = |stretch: &Stretch| colour(&stretch.verdict) == *fill;
-            let (mut paths, (top, _)) = (Rectangles::default(), plane.pixels[1]);
-            for (_, &[from, to]) in found.stretches.iter().zip(&ends).filter(|(stretch, _)| is_of(stretch)) {
-                let (left, right) = (plane.column(from), plane.column(to));
-                paths.add((left, top), ((right - left).max(1), BAR));
-            }
-            let [width, height] = plane.size();
-            let (width, height) = (width / COLUMNS as i32 + 1, height / ROWS as i32 + 1);
-            for (x, _, states) in dots.iter().filter(|(_, stretch, _)| is_of(&found.stretches[*stretch])) {
-                let mut rows: Vec<i32> = states.iter().map(|state| (state[0] * ROWS) as i32).collect();
-                rows.sort_unstable();
-                rows.dedup();
-                for run in rows.chunk_by(|a, b| a + 1 == *b) {
-                    let upper = plane.row(TAU * f64::from(run[run.len() - 1] + 1) / ROWS);
-                    paths.add((plane.column(*x) - width / 2, upper), (width, height * run.len() as i32));
-                }
-            }
-            data += &paths.element(*fill);
-        }
-        Ok(())
-    })?;
-    picture::on_top(&mut svg, &data);
-    Ok(svg)
 }
 
 /// Pieces of a curve with phases in one turn.
