@@ -26,7 +26,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
     let out = Output::open(arguments.destination.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
-    let progress = Progress::of("following branches", !arguments.quiet);
+    let progress = Progress::of("following branches", !arguments.destination.quiet);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on).with_context(named)?;
     progress.clear();
     let text = match arguments.format {

@@ -1,19 +1,17 @@
 //! `impact-pair chaos SCENE`: horseshoes and a lower bound of the entropy, proved.
 
-use std::fmt::{self, Write};
+mod table;
+
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::certificate::document::{
-    BaseDocument, ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument, one_a_line,
-};
+use impact_pair::certificate::document::{BaseDocument, one_a_line};
 use impact_pair::chaos::{Asked, Base, Cells, Chaos, Question};
-use impact_pair::document::{self, counted};
+use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::pair::Wall;
 use impact_pair::periodic::bifurcation::Over;
 use serde::Deserialize;
 
@@ -112,15 +110,13 @@ const MOST_CELLS: u32 = 1_000_000;
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
-    let Destination { output, quiet } = &arguments.destination;
-    let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
+    let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
     scene::keep_apart(&[&arguments.scene], output, plot)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     // From here on Ctrl-C keeps what is proved.
     interruption();
     let files = Files { out: Output::open(output)?, picture: plot.map(|path| Output::open(Some(path))).transpose()? };
-    let progress = Progress::boxes(!quiet);
-    let work = Work { arguments, scene: &scene, progress: &progress, files };
+    let work = Work { arguments, scene: &scene, files };
     match &arguments.over {
         Some(Range { over, cells: Some(cells) }) => {
             if !bases.is_empty() {
@@ -140,7 +136,6 @@ struct Files {
 struct Work<'w> {
     arguments: &'w ChaosArguments,
     scene: &'w Scene,
-    progress: &'w Progress,
     files: Files,
 }
 
@@ -154,20 +149,21 @@ impl Work<'_> {
             Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high)?).with_context(named)?,
             None => scene.pair().clone(),
         };
+        let progress = Progress::boxes(!self.arguments.destination.quiet);
         let watch = |depth: usize, boxes: u64| {
             let at = if depth == 0 { "bases: ".to_owned() } else { format!("depth {depth}: ") };
-            self.progress.boxed(&at, boxes);
+            progress.boxed(&at, boxes);
             goes_on()
         };
         let found = Chaos::of(&pair, scene.start(), &question, &watch).with_context(named)?;
-        self.progress.clear();
+        progress.clear();
         let document = document::chaos(scene, over, &question, &found);
         let text = match self.arguments.format {
             PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
-            PeriodicFormat::Table => heading(scene) + &table(&document, &found)?,
+            PeriodicFormat::Table => heading(scene) + &table::horseshoe(&document, &found)?,
         };
         let is_proved = document.certified && !document.interrupted;
-        let open = (!is_proved).then(|| conclusion(&document, &found));
+        let open = (!is_proved).then(|| table::conclusion(&document, &found));
         self.answer(&text, open, || impact_pair_plot::chaos::chaos(scene, &found))
     }
 
@@ -176,19 +172,20 @@ impl Work<'_> {
         let scene = self.scene;
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
         let asked = Asked { over: over.clone(), cells, halvings, depth };
+        let progress = Progress::cells(cells, !self.arguments.destination.quiet);
         let watch = |done: u32| {
-            self.progress.boxed(&format!("of {cells} cells are done "), done.into());
+            progress.boxed("", done.into());
             goes_on()
         };
         let found = Cells::of(scene.pair(), scene.start(), &asked, &watch);
-        self.progress.clear();
+        progress.clear();
         let found = found.with_context(|| scene::name(&self.arguments.scene))?;
         let document = document::cells(scene, &asked, &found);
         let text = match self.arguments.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
-            PeriodicFormat::Table => heading(scene) + &stretches(&document)?,
+            PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
         };
-        let open = (!document.certified).then(|| shares(&document));
+        let open = (!document.certified).then(|| table::shares(&document));
         self.answer(&text, open, || impact_pair_plot::proved::cells(scene, &asked, &found))
     }
 
@@ -200,123 +197,4 @@ impl Work<'_> {
         }
         Ok(answer)
     }
-}
-
-fn table(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt::Error> {
-    let mut out = String::new();
-    if let Some(over) = &document.over {
-        writeln!(out, "for all values of {} from {} to {}", over.key, over.low.0, over.high.0)?;
-    }
-    let words = found.words().len();
-    writeln!(
-        out,
-        "\n{} bases, {words} words of at most {} impacts, {} boxes",
-        document.bases.len(),
-        document.depth,
-        document.boxes
-    )?;
-    if let Some([a, b]) = found.horseshoe() {
-        let time = |half: i64| if half == 2 { "1 cycle".to_owned() } else { format!("{} cycles", 0.5 * half as f64) };
-        let blocks = [a, b].map(|word| format!("{} ({})", word.in_mappings(), time(word.half_cycles)));
-        let mirrored = [a, b].iter().any(|word| word.walls.last() == Some(&Wall::Right));
-        let mirrored = if mirrored { " (mirrored where it starts on the right wall)" } else { "" };
-        writeln!(
-            out,
-            "for every sequence of these two blocks{mirrored} there is a motion, for a periodic one a periodic motion:"
-        )?;
-        writeln!(out, "  {}\n  {}", blocks[0], blocks[1])?;
-    }
-    if let Some(exponent) = document.exponent_seen {
-        writeln!(out, "Lyapunov exponent of the floating orbit: {exponent:.3} an impact (seen, not proved)")?;
-    }
-    for line in fate(document) {
-        writeln!(out, "{line}")?;
-    }
-    writeln!(out, "\n{}", conclusion(document, found))?;
-    Ok(out)
-}
-
-/// Whether the scene's own orbit is where the horseshoe is, as far as that is proved.
-fn fate(document: &ChaosDocument) -> Vec<String> {
-    let mut lines = Vec::new();
-    let scene_orbit = document.scene_orbit.as_ref();
-    let attracted = scene_orbit.and_then(|orbit| orbit.attracted.as_ref());
-    if let Some(period) = attracted {
-        let (impacts, cycles) = (counted(period.impacts, "impact"), counted(period.cycles, "cycle"));
-        let beside =
-            if document.certified { ": the horseshoe is not what it tends to, only transients can see it" } else { "" };
-        lines.push(format!(
-            "the scene's own orbit converges to a stable periodic orbit of {impacts} in {cycles} (proved){beside}"
-        ));
-    }
-    if !document.certified {
-        return lines;
-    }
-    lines.push(match scene_orbit.and_then(|orbit| orbit.region.as_ref()) {
-        Some(region) if region.holds_bases => format!(
-            "the horseshoe lies in a region of {} boxes that the scene's own orbit is in from impact {} on, for ever (proved)",
-            region.boxes, region.entered_at_impact
-        ),
-        Some(region) => format!(
-            "undecided whether the horseshoe lies in the region of {} boxes that the scene's own orbit does not leave",
-            region.boxes
-        ),
-        None if attracted.is_none() => "undecided whether the scene's own orbit comes where the horseshoe is".to_owned(),
-        None => return lines,
-    });
-    lines
-}
-
-/// The last line.
-fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
-    let stopped = if document.interrupted { "interrupted: " } else { "" };
-    if document.certified {
-        let [impact, cycle] = [&document.entropy.per_impact, &document.entropy.per_cycle].map(Decimal::text);
-        return format!(
-            "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} an impact, {cycle} a cycle"
-        );
-    }
-    if found.bases().is_empty() && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
-        return "undecided: the floating orbit is regular, and no horseshoe is found among transients; one may be there all the same"
-            .to_owned();
-    }
-    let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
-    format!("{stopped}undecided: no horseshoe is proved{hint}")
-}
-
-fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
-    let mut out = String::new();
-    writeln!(out, "over {} from {} to {}\n", document.over.key, document.over.low.0, document.over.high.0)?;
-    writeln!(out, "{:>12} {:>12}  {:10}", "from", "to", "verdict")?;
-    for stretch in &document.stretches {
-        let [low, high] = [&stretch.low, &stretch.high].map(|end| end.0.text());
-        let what = match (&stretch.entropy, &stretch.period) {
-            (Some(entropy), _) => format!(
-                "entropy at least {} an impact, {} a cycle",
-                entropy.per_impact.text(),
-                entropy.per_cycle.text()
-            ),
-            (_, Some(period)) => {
-                format!("{} in {}", counted(period.impacts, "impact"), counted(period.cycles, "cycle"))
-            }
-            _ => String::new(),
-        };
-        writeln!(out, "{}", format!("{low:>12} {high:>12}  {:10} {what}", stretch.verdict).trim_end())?;
-    }
-    writeln!(out, "\n{}", shares(document))?;
-    Ok(out)
-}
-
-/// How much of the range is proved.
-fn shares(document: &ChaosCellsDocument) -> String {
-    let SharesDocument { horseshoe, attracted, undecided } = &document.shares;
-    let percent = |share: &f64| format!("{:.2} %", 100.0 * share);
-    let said = if document.certified { "certified" } else { "not all certified" };
-    let stopped = if document.interrupted { "interrupted: " } else { "" };
-    format!(
-        "{stopped}{said}: a horseshoe over {} of the range, the scene's own orbit attracted to a periodic one over {}, undecided {}",
-        percent(horseshoe),
-        percent(attracted),
-        percent(undecided)
-    )
 }

@@ -3,6 +3,8 @@
 //! Labels: proposes throughout.
 
 use std::f64::consts::TAU;
+use std::sync::Mutex;
+use std::thread;
 
 use super::entropy::entropy;
 use super::flights::{Law, State, is_positive};
@@ -30,10 +32,9 @@ pub(crate) struct Effort {
     most: usize,
 }
 
-/// For the most entropy; for transients; and for any.
+/// For the most entropy, and for any.
 pub(crate) const THOROUGH: Effort =
     Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3 };
-pub(crate) const QUICK: Effort = Effort { trials: &[(48, 2_500), (6, 10_000)], last: (3, 40_000), most: 1 };
 pub(crate) const ANY: Effort = Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1 };
 const DEPTH: usize = 60;
 /// Transients begin at so many phases and speeds, up to so many times the greatest one seen.
@@ -209,6 +210,7 @@ impl Seen {
         let candidates = self.candidates(&Guess::new(law));
         let worth = |bases: &[Base], boxes: u64| {
             let mut search = Search::new(law, bases, making);
+            search.threads = 1;
             let within = |tally: Tally| tally.boxes < boxes && goes_on();
             for _ in 0..depth.min(DEPTH) {
                 if !search.deepen(&within) {
@@ -223,10 +225,12 @@ impl Seen {
             let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
             let mut trial = |(count, boxes): (usize, u64)| {
                 tried.truncate(count);
-                for (found, base) in &mut tried {
-                    let bases: Vec<Base> = best.1.iter().copied().chain([*base]).collect();
-                    *found = worth(&bases, boxes * bases.len() as u64);
-                }
+                let found = &best.1;
+                let judged = |(_, base): &(f64, Base)| {
+                    let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
+                    (worth(&bases, boxes * bases.len() as u64), *base)
+                };
+                tried = each(&tried, &judged);
                 tried.sort_by(|a, b| b.0.total_cmp(&a.0));
                 tried.first().copied()
             };
@@ -243,6 +247,24 @@ impl Seen {
         }
         best.1
     }
+}
+
+/// What a function makes of each, by all threads.
+fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
+    let work = || {
+        loop {
+            let next = queue.lock().expect("no thread has panicked").next();
+            let Some((number, one)) = next else { break };
+            let made = function(one);
+            done.lock().expect("no thread has panicked").push((number, made));
+        }
+    };
+    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+    let mut done = done.into_inner().expect("no thread has panicked");
+    done.sort_by_key(|(number, _)| *number);
+    done.into_iter().map(|(_, made)| made).collect()
 }
 
 impl Base {

@@ -2,7 +2,7 @@
 
 use std::iter;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 
 use super::bases::{ANY, seen};
@@ -118,17 +118,17 @@ impl Cells {
     ) -> Result<Self, Error> {
         let Over { key, low, high } = &asked.over;
         Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
-        let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        let finished = || goes_on(done.load(Ordering::Relaxed) as u32); // exact: at most the cells
+        let (next, done) = (AtomicU32::new(0), AtomicU32::new(0));
+        let finished = || goes_on(done.load(Ordering::Relaxed));
         let work = Work { pair, start, asked, goes_on: &finished };
         let found = Mutex::new(Vec::new());
         let each = || {
             loop {
                 let cell = next.fetch_add(1, Ordering::Relaxed);
-                if cell >= asked.cells as usize {
+                if cell >= asked.cells {
                     break;
                 }
-                let stretches = work.cell(cell as u32); // exact: at most the cells
+                let stretches = work.cell(cell);
                 found.lock().expect("no thread has panicked").push((cell, stretches));
                 done.fetch_add(1, Ordering::Relaxed);
             }

@@ -1,6 +1,6 @@
 //! Horseshoes of a scene: [`Chaos`].
 
-use super::bases::{Effort, QUICK, Seen, THOROUGH, seen};
+use super::bases::{ANY, Effort, Seen, THOROUGH, seen};
 use super::entropy::entropy;
 use super::fate::Fate;
 use super::flights::{Law, Side, State};
@@ -110,7 +110,7 @@ impl Chaos {
         let bases = match &orbit {
             _ if !question.bases.is_empty() => question.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
-            Some(orbit) => found(&orbit.transients(&guess), QUICK),
+            Some(orbit) => found(&orbit.transients(&guess), ANY),
             None => Vec::new(),
         };
         if let Some(problem) = problem(&bases) {

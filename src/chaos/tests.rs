@@ -297,7 +297,7 @@ fn a_deeper_search_keeps_the_shortest_horseshoe() {
 }
 
 fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
-    let asked = Asked { over: over.parse().unwrap(), cells, halvings, depth: 8 };
+    let asked = Asked { over: over.parse().unwrap(), cells, halvings, depth: 5 };
     Cells::of(scene("8").pair(), scene("8").start(), &asked, &|_| true).unwrap()
 }
 
@@ -306,7 +306,7 @@ fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
 #[test]
 fn what_holds_of_a_stretch_holds_of_its_values() {
     for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.08", 1, "horseshoe")] {
-        let found = cells(over, count, 4);
+        let found = cells(over, count, 2);
         let stretches = &found.stretches;
         assert_eq!(stretches.iter().map(|stretch| stretch.verdict.name()).collect::<Vec<_>>(), [name], "{over}");
         assert!(!found.interrupted && stretches.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
@@ -316,7 +316,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
             match &stretches[0].verdict {
                 Verdict::Horseshoe { entropy, bases } => {
                     let law = Law::of(scene(value).pair()).unwrap();
-                    let chaos = Chaos::proved(&law, bases.clone(), 8, &|_, _| true);
+                    let chaos = Chaos::proved(&law, bases.clone(), 5, &|_, _| true);
                     assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());
                 }
                 Verdict::Attracted { word, cycles } => {

@@ -50,7 +50,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     if arguments.format == TwoImpactFormat::Csv {
         bail!("--format is csv, but accepted without --manifold are table and json");
     }
-    let progress = Progress::of("isolating motions", !arguments.quiet);
+    let progress = Progress::of("isolating motions", !arguments.destination.quiet);
     let answers: Vec<Answer> = arguments
         .cycles
         .0

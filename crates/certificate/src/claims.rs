@@ -4,7 +4,9 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Deserializer, Value};
 
-use crate::document::{BIFURCATION_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, counted};
+use crate::document::{
+    BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, counted,
+};
 use crate::{
     BifurcationCertificate, Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, SweepCertificate, Verdict,
 };
@@ -49,6 +51,9 @@ impl Claims {
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
+            Some(CHAOS_CELLS_SCHEMA) => {
+                Self::Unchecked("stretches of a parameter: horseshoes and attracted orbits in each")
+            }
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
         })
