@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 
-use super::bases::{ANY, seen};
+use super::bases::{ANY, Seen, seen};
 use super::fate::attracted;
 use super::flights::{Law, State};
 use super::guess::Guess;
@@ -193,7 +193,7 @@ impl Work<'_> {
         if (self.goes_on)() {
             verdict = self.attracted(&pair)?;
             if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
-                verdict = self.horseshoe(&pair, &middle, known)?;
+                verdict = self.horseshoe(&pair, [&middle, &low, &high], known)?;
             }
             if verdict == Verdict::Undecided && halved < self.asked.halvings {
                 self.decide([low, middle.clone()], halved + 1, known, found)?;
@@ -212,15 +212,21 @@ impl Work<'_> {
         }))
     }
 
-    /// Bases that are known, or else those that a floating orbit in the middle of the cell leads to, are tried for all of the cell.
-    fn horseshoe(&self, pair: &ImpactPair, middle: &Exact, known: &mut Vec<Base>) -> Result<Verdict, Error> {
+    /// Bases that are known, or else those that a floating orbit in the cell leads to, are tried for all of the cell.
+    fn horseshoe(&self, pair: &ImpactPair, values: [&Exact; 3], known: &mut Vec<Base>) -> Result<Verdict, Error> {
         let law = Law::of(pair)?;
-        let one = self.pair.with(self.asked.over.key, middle.clone())?;
-        let guess = Guess::new(&Law::of(&one)?);
-        let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
-        let Some(orbit) = orbit else { return Ok(Verdict::Undecided) };
-        let seen = if orbit.is_chaotic() { orbit } else { orbit.transients(&guess) };
-        let found = || bases(&seen, &law, self.asked.depth, ANY, self.goes_on);
+        let mut chaotic = None;
+        for value in values {
+            let one = self.pair.with(self.asked.over.key, value.clone())?;
+            let guess = Guess::new(&Law::of(&one)?);
+            let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
+            chaotic = orbit.filter(Seen::is_chaotic);
+            if chaotic.is_some() {
+                break;
+            }
+        }
+        let Some(orbit) = chaotic else { return Ok(Verdict::Undecided) };
+        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.goes_on);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
             if problem(&bases).is_some() {

@@ -88,7 +88,7 @@ pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
         );
     }
     if found.bases().is_empty() && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
-        return "undecided: the floating orbit is regular, and no horseshoe is found among transients; one may be there all the same"
+        return "undecided: the floating orbit is regular, and transients lead to no horseshoe; one may be there"
             .to_owned();
     }
     let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
@@ -126,7 +126,7 @@ pub fn shares(document: &ChaosCellsDocument) -> String {
     let said = if document.certified { "certified" } else { "not all certified" };
     let stopped = if document.interrupted { "interrupted: " } else { "" };
     format!(
-        "{stopped}{said}: a horseshoe over {} of the range, the scene's own orbit attracted to a periodic one over {}, undecided {}",
+        "{stopped}{said}: of the range {} hold a horseshoe, over {} the scene's own orbit is attracted, {} undecided",
         percent(horseshoe),
         percent(attracted),
         percent(undecided)
