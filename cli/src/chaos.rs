@@ -26,8 +26,7 @@ pub const HELP: &str = "\
 Examples:
   impact-pair chaos scenes/figure-14.toml --depth 4
   impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --over gap=9.4249..9.4251
-  impact-pair chaos scenes/figure-14.toml --over amplitude=9..9.1:4 --depth 8 --plot proved.svg
-  impact-pair chaos scenes/figure-12.toml
+  impact-pair chaos scenes/figure-14.toml --over amplitude=1..1.1:2 --plot proved.svg
 
 Bases are quadrilaterals of states along the leaves of the attractor: found from a floating orbit, or those of --bases. From \
 each a tube of boxes is followed, impact by impact; each box is proved to be mapped along the next tube. Where a tube \
