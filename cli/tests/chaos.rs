@@ -123,7 +123,7 @@ fn cells_are_written_and_drawn() {
     let folder = folder("cells");
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let (output, plot) = (path("cells.json"), path("cells.svg"));
-    let over = ["--over", "amplitude=1..1.2:3", "--halvings", "2"];
+    let over = ["--over", "amplitude=1..1.2:3", "--halvings", "6"];
     let files = ["--format", "json", "--output", &output, "--plot", &plot];
     let arguments = [&["chaos", "scenes/figure-14.toml"], &over[..], &files].concat();
     assert!(program(&arguments).status().unwrap().success());

@@ -306,7 +306,7 @@ fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
 #[test]
 fn what_holds_of_a_stretch_holds_of_its_values() {
     for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.08", 1, "horseshoe")] {
-        let found = cells(over, count, 2);
+        let found = cells(over, count, 6);
         let stretches = &found.stretches;
         assert_eq!(stretches.iter().map(|stretch| stretch.verdict.name()).collect::<Vec<_>>(), [name], "{over}");
         assert!(!found.interrupted && stretches.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
