@@ -114,6 +114,17 @@ Exit code: 0 all that was asked is certified (a float run that completes certifi
 it is not: the orbit became undecided, was interrupted, or is wider than --digits (the output still holds all that is \
 certified); 2 usage, bad input, I/O.";
 
+/// Where an answer goes, and what is said beside it.
+#[derive(Args, Debug)]
+pub struct Destination {
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
 #[derive(Args, Debug)]
 pub struct RunArguments {
     /// Scene file (TOML), or - for stdin
@@ -143,12 +154,8 @@ pub struct RunArguments {
     /// How the events are written
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 impl RunArguments {
@@ -200,12 +207,8 @@ pub struct PeriodicArguments {
     /// How the orbits are written
     #[arg(long, value_enum, default_value_t)]
     pub format: PeriodicFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 impl PeriodicArguments {
@@ -257,12 +260,8 @@ pub struct BifurcationArguments {
     /// How the bifurcations are written
     #[arg(long, value_enum, default_value_t)]
     pub format: PeriodicFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 impl BifurcationArguments {
@@ -351,12 +350,8 @@ pub struct ProveArguments {
     /// Prove the first N impacts [default: all]
     #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub impacts: Option<u64>,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 const MAN_HELP: &str = "\

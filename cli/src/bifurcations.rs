@@ -23,10 +23,10 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let wanted = arguments.wanted(&scene);
     // From here on Ctrl-C keeps what is proved.
     interruption();
-    scene::keep(&arguments.scene, arguments.output.as_deref())?;
-    let out = Output::open(arguments.output.as_deref())?;
+    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
+    let out = Output::open(arguments.destination.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
-    let progress = Progress::of("following branches", !arguments.quiet);
+    let progress = Progress::of("following branches", !arguments.destination.quiet);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on).with_context(named)?;
     progress.clear();
     let text = match arguments.format {
@@ -37,7 +37,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
         }
     };
     let open = (!diagram.is_certified()).then(|| conclusion(&diagram));
-    out.answer(&text, open, (arguments.quiet, arguments.format == PeriodicFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, arguments.format == PeriodicFormat::Table))
 }
 
 fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {

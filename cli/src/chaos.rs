@@ -1,20 +1,22 @@
 //! `impact-pair chaos SCENE`: horseshoes and a lower bound of the entropy, proved.
 
-use std::io::{self, Write};
+mod table;
+
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use impact_pair::certificate::document::{BaseDocument, ChaosDocument};
-use impact_pair::chaos::{Base, Chaos, Question};
+use impact_pair::Scene;
+use impact_pair::certificate::document::{BaseDocument, one_a_line};
+use impact_pair::chaos::{Asked, Base, Cells, Chaos, Question};
 use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::pair::Wall;
 use impact_pair::periodic::bifurcation::Over;
 use serde::Deserialize;
 
 use crate::Answer;
-use crate::arguments::PeriodicFormat;
+use crate::arguments::{Destination, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{Progress, goes_on, interruption};
@@ -24,7 +26,7 @@ pub const HELP: &str = "\
 Examples:
   impact-pair chaos scenes/figure-14.toml --depth 4
   impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --over gap=9.4249..9.4251
-  impact-pair chaos scenes/figure-12.toml
+  impact-pair chaos scenes/figure-14.toml --over amplitude=1..1.1:2 --plot proved.svg
 
 Bases are quadrilaterals of states along the leaves of the attractor: found from a floating orbit, or those of --bases. From \
 each a tube of boxes is followed, impact by impact; each box is proved to be mapped along the next tube. Where a tube \
@@ -33,7 +35,11 @@ sequence a periodic one; how many there are bounds the topological entropy from 
 sensitive dependence in it; not that every motion is chaotic, that the attractor is, or that the Lyapunov exponent is positive. \
 Of one harmonic.
 
-Exit code: 0 a positive entropy is proved; 1 none is, or it was interrupted (what is proved until then is written); 2 usage, bad \
+Of the orbit of the scene's own start it is said what is proved: that it converges to a periodic one, so that only transients see \
+the horseshoe, and that it stays in a region (trap) in which the horseshoe lies. With --over KEY=LO..HI:COUNT each cell of the range is \
+asked whether it holds a horseshoe, or that orbit converges; each verdict holds for all values in its stretch.
+
+Exit code: 0 a positive entropy is proved, of cells one verdict for each value; 1 it is not, or it was interrupted (what is proved until then is written); 2 usage, bad \
 input, I/O.";
 
 #[derive(Args, Debug)]
@@ -46,21 +52,22 @@ pub struct ChaosArguments {
     /// Take the bases of FILE: JSON with a list "bases" as this verb writes it
     #[arg(long, value_name = "FILE")]
     bases: Option<PathBuf>,
-    /// Prove it for all values of a parameter: amplitude, gap, restitution or frequency
-    #[arg(long, value_name = "KEY=LO..HI")]
-    over: Option<Over>,
-    /// How it is written; json is schema impact-pair/chaos/1
+    /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in so many cells, each
+    /// by itself: whether it holds a horseshoe, or the scene's own orbit converges to a periodic one
+    #[arg(long, value_name = "KEY=LO..HI[:COUNT]")]
+    over: Option<Range>,
+    /// With :COUNT: halve a cell so often where nothing is proved of all of it
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(0..=24))]
+    halvings: u32,
+    /// How it is written; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Draw the floating orbit, the bases and the first tubes into FILE (.svg or .png)
+    /// Draw the floating orbit, the bases and the first tubes into FILE (.svg or .png); with :COUNT the bifurcation diagram, coloured by
+    /// what is proved
     #[arg(long, value_name = "FILE", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 /// What is read of a file of bases.
@@ -78,85 +85,115 @@ fn bases(path: &Path) -> Result<Vec<Base>> {
     Ok(document::bases(&read.bases))
 }
 
-pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
-    let scene = scene::read(&arguments.scene)?;
-    scene::keep_apart(&[&arguments.scene], arguments.output.as_deref(), arguments.plot.as_deref())?;
-    let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
-    let question = Question { depth: arguments.depth as usize, bases };
-    let named = || scene::name(&arguments.scene);
-    let pair = match &arguments.over {
-        Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high)?).with_context(named)?,
-        None => scene.pair().clone(),
-    };
-    interruption();
-    let progress = Progress::boxes(!arguments.quiet);
-    let watch = |depth: usize, boxes: u64| {
-        let at = if depth == 0 { "bases: ".to_owned() } else { format!("depth {depth}: ") };
-        progress.boxed(&at, boxes);
-        goes_on()
-    };
-    let found = Chaos::of(&pair, scene.start(), &question, &watch).with_context(named)?;
-    progress.clear();
-    let document = document::chaos(&scene, arguments.over.as_ref(), &question, &found);
-    let mut out = Output::open(arguments.output.as_deref())?;
-    let write = "cannot write the output";
-    match arguments.format {
-        PeriodicFormat::Json => writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?,
-        PeriodicFormat::Table => {
-            write!(out, "{}", heading(&scene)).context(write)?;
-            table(&mut out, &document, &found).context(write)?;
-        }
-    }
-    out.commit()?;
-    if let Some(path) = &arguments.plot {
-        Output::open(Some(path))?.draw(path, || impact_pair_plot::chaos::chaos(&scene, &found))?;
-    }
-    let is_proved = found.entropy() > 0.0 && !document.interrupted;
-    Ok(if is_proved { Answer::Complete } else { Answer::Incomplete })
+/// `KEY=LO..HI`, all of it at once, or `KEY=LO..HI:COUNT`, cell by cell.
+#[derive(Clone, Debug)]
+struct Range {
+    over: Over,
+    cells: Option<u32>,
 }
 
-fn table(out: &mut impl Write, document: &ChaosDocument, found: &Chaos) -> io::Result<()> {
-    if let Some(over) = &document.over {
-        writeln!(out, "for all values of {} from {} to {}", over.key, over.low.0, over.high.0)?;
+impl FromStr for Range {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (range, cells) = text.rsplit_once(':').map_or((text, None), |(range, cells)| (range, Some(cells)));
+        let cells = cells.map(|cells| {
+            let count = cells.trim().parse().ok().filter(|count| (1..=MOST_CELLS).contains(count));
+            count.ok_or_else(|| format!("the number of cells is \"{cells}\", but accepted are 1 to {MOST_CELLS}"))
+        });
+        Ok(Self { over: range.parse::<Over>().map_err(|error| error.to_string())?, cells: cells.transpose()? })
     }
-    let words = found.words().len();
-    writeln!(
-        out,
-        "\n{} bases, {words} words of at most {} impacts, {} boxes",
-        document.bases.len(),
-        document.depth,
-        document.boxes
-    )?;
-    if let Some([a, b]) = found.horseshoe() {
-        let time = |half: i64| if half == 2 { "1 cycle".to_owned() } else { format!("{} cycles", 0.5 * half as f64) };
-        let blocks = [a, b].map(|word| format!("{} ({})", word.in_mappings(), time(word.half_cycles)));
-        let mirrored = [a, b].iter().any(|word| word.walls.last() == Some(&Wall::Right));
-        let mirrored = if mirrored { " (mirrored where it starts on the right wall)" } else { "" };
-        writeln!(
-            out,
-            "for every sequence of these two blocks{mirrored} there is a motion, for a periodic one a periodic motion:"
-        )?;
-        writeln!(out, "  {}\n  {}", blocks[0], blocks[1])?;
+}
+
+const MOST_CELLS: u32 = 1_000_000;
+
+pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
+    let scene = scene::read(&arguments.scene)?;
+    let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
+    scene::keep_apart(&[&arguments.scene], output, plot)?;
+    let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
+    // From here on Ctrl-C keeps what is proved.
+    interruption();
+    let files = Files { out: Output::open(output)?, picture: plot.map(|path| Output::open(Some(path))).transpose()? };
+    let work = Work { arguments, scene: &scene, files };
+    match &arguments.over {
+        Some(Range { over, cells: Some(cells) }) => {
+            if !bases.is_empty() {
+                bail!("--bases are for one range, but --over {}=... is cut into {cells} cells", over.key);
+            }
+            work.cells(over, *cells)
+        }
+        over => work.horseshoe(over.as_ref().map(|range| &range.over), bases),
     }
-    if let Some(exponent) = document.exponent_seen {
-        writeln!(out, "Lyapunov exponent of the floating orbit: {exponent:.3} an impact (seen, not proved)")?;
+}
+
+struct Files {
+    out: Output,
+    picture: Option<Output>,
+}
+
+struct Work<'w> {
+    arguments: &'w ChaosArguments,
+    scene: &'w Scene,
+    files: Files,
+}
+
+impl Work<'_> {
+    /// One horseshoe, for one pair or for all of a range at once.
+    fn horseshoe(self, over: Option<&Over>, bases: Vec<Base>) -> Result<Answer> {
+        let (scene, depth) = (self.scene, self.arguments.depth as usize);
+        let question = Question { depth, bases };
+        let named = || scene::name(&self.arguments.scene);
+        let pair = match over {
+            Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high)?).with_context(named)?,
+            None => scene.pair().clone(),
+        };
+        let progress = Progress::boxes(!self.arguments.destination.quiet);
+        let watch = |depth: usize, boxes: u64| {
+            let at = if depth == 0 { "bases: ".to_owned() } else { format!("depth {depth}: ") };
+            progress.boxed(&at, boxes);
+            goes_on()
+        };
+        let found = Chaos::of(&pair, scene.start(), &question, &watch).with_context(named)?;
+        progress.clear();
+        let document = document::chaos(scene, over, &question, &found);
+        let text = match self.arguments.format {
+            PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
+            PeriodicFormat::Table => heading(scene) + &table::horseshoe(&document, &found)?,
+        };
+        let is_proved = document.certified && !document.interrupted;
+        let open = (!is_proved).then(|| table::conclusion(&document, &found));
+        self.answer(&text, open, || impact_pair_plot::chaos::chaos(scene, &found))
     }
-    let stopped = if document.interrupted { "interrupted: " } else { "" };
-    if found.entropy() > 0.0 {
-        // Rounded down.
-        let down = |x: f64| (x * 1e5).floor() / 1e5;
-        let [impact, cycle] = [found.entropy(), found.entropy_a_cycle()].map(down);
-        writeln!(
-            out,
-            "\n{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact:.5} an impact, {cycle:.5} a cycle"
-        )
-    } else if found.bases().is_empty() && found.exponent().is_some_and(|exponent| exponent < 1e-3) {
-        writeln!(
-            out,
-            "\nundecided: the floating orbit is regular: no horseshoe is looked for; one may be there all the same, off the attractor"
-        )
-    } else {
-        let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
-        writeln!(out, "\n{stopped}undecided: no horseshoe is proved{hint}")
+
+    /// What is proved of each value in a range.
+    fn cells(self, over: &Over, cells: u32) -> Result<Answer> {
+        let scene = self.scene;
+        let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
+        let asked = Asked { over: over.clone(), cells, halvings, depth };
+        let progress = Progress::cells(cells, !self.arguments.destination.quiet);
+        let watch = |done: u32| {
+            progress.boxed("", done.into());
+            goes_on()
+        };
+        let found = Cells::of(scene.pair(), scene.start(), &asked, &watch);
+        progress.clear();
+        let found = found.with_context(|| scene::name(&self.arguments.scene))?;
+        let document = document::cells(scene, &asked, &found);
+        let text = match self.arguments.format {
+            PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
+            PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
+        };
+        let open = (!document.certified).then(|| table::shares(&document));
+        self.answer(&text, open, || impact_pair_plot::proved::cells(scene, &asked, &found))
+    }
+
+    fn answer(self, text: &str, open: Option<String>, svg: impl FnOnce() -> Result<String>) -> Result<Answer> {
+        let is_table = self.arguments.format == PeriodicFormat::Table;
+        let answer = self.files.out.answer(text, open, (self.arguments.destination.quiet, is_table))?;
+        if let (Some(picture), Some(path)) = (self.files.picture, &self.arguments.plot) {
+            picture.draw(path, svg)?;
+        }
+        Ok(answer)
     }
 }

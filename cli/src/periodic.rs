@@ -21,14 +21,14 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let named = || scene::name(&arguments.scene);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
     let units = Units::new(problem.pair()).with_context(named)?;
-    scene::keep(&arguments.scene, arguments.output.as_deref())?;
-    let out = Output::open(arguments.output.as_deref())?;
+    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
+    let out = Output::open(arguments.destination.output.as_deref())?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
     // From here on Ctrl-C keeps what is proved.
     let interrupted = interruption();
     let progress = match arguments.all {
-        true => Progress::search(!arguments.quiet),
-        false => Progress::of("looking for orbits", !arguments.quiet),
+        true => Progress::search(!arguments.destination.quiet),
+        false => Progress::of("looking for orbits", !arguments.destination.quiet),
     };
     let goes_on = |searched: Searched| {
         progress.searched(searched);
@@ -44,7 +44,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         PeriodicFormat::Json => serde_json::to_string(&units.document(&problem, start, &census))? + "\n",
     };
     let open = (!census.is_certified()).then(|| conclusion(&census));
-    out.answer(&text, open, (arguments.quiet, arguments.format == PeriodicFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, arguments.format == PeriodicFormat::Table))
 }
 
 fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {

@@ -51,7 +51,12 @@ impl Progress {
         if wanted { Self::drawn(None, "{prefix}{pos} boxes") } else { Self(None) }
     }
 
-    /// Notes how many boxes there are, and at what.
+    /// Counts the cells of a parameter's range.
+    pub fn cells(cells: u32, wanted: bool) -> Self {
+        if wanted { Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}") } else { Self(None) }
+    }
+
+    /// Notes how many boxes there are, or cells are done, and at what.
     pub fn boxed(&self, at: &str, boxes: u64) {
         if let Some(bar) = self.due(0) {
             bar.set_prefix(at.to_owned());

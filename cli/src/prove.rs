@@ -14,14 +14,14 @@ use crate::scene;
 pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let path = &arguments.certificate;
     let certificate = Certificate::parse(&scene::text(path)?).with_context(|| scene::name(path))?;
-    scene::keep(path, arguments.output.as_deref())?;
+    scene::keep(path, arguments.destination.output.as_deref())?;
     let listed = certificate.events().iter().take_while(|claim| matches!(claim.kind, ClaimKind::Impact { .. })).count();
     if listed == 0 {
         bail!("{}: there is no impact to prove before the first other event", scene::name(path));
     }
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
-    let mut out = Output::open(arguments.output.as_deref())?;
-    let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.quiet && !out.is_terminal());
+    let mut out = Output::open(arguments.destination.output.as_deref())?;
+    let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
     let theorem =
         certificate.prove(wanted, |impact| progress.reach(impact as u64)).with_context(|| scene::name(path))?;
     progress.clear();
@@ -32,6 +32,6 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     }
     let said = if proved > 0 { format!("written: a theorem of {proved} impacts") } else { "nothing is proved".into() };
     let why = stop.map(|finding| format!("; {}", certificate.described(finding.event, &finding.message)));
-    note(arguments.quiet, &(said + &why.unwrap_or_default()));
+    note(arguments.destination.quiet, &(said + &why.unwrap_or_default()));
     Ok(if stop.is_none() { Answer::Complete } else { Answer::Incomplete })
 }

@@ -19,12 +19,12 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
     let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
-    scene::keep(&arguments.scene, arguments.output.as_deref())?;
+    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
 
     // From here on Ctrl-C keeps what is certified.
     interruption();
-    let out = Output::open(arguments.output.as_deref())?;
-    let visible = !arguments.quiet && io::stderr().is_terminal() && !out.is_terminal();
+    let out = Output::open(arguments.destination.output.as_deref())?;
+    let visible = !arguments.destination.quiet && io::stderr().is_terminal() && !out.is_terminal();
     let said_already = arguments.format == Format::Table && out.is_stdout();
     let progress = Progress::new(settings.impacts, visible);
     let mut listing = Listing::new(arguments.format, &scene, &settings, out);
@@ -48,7 +48,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let ending = Ending::of(&orbit, conclusion, &settings);
     listing.end(&ending).context(write)?.commit()?;
 
-    if !ending.is_complete() && !arguments.quiet && !said_already {
+    if !ending.is_complete() && !arguments.destination.quiet && !said_already {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{ending}");
     }

@@ -1,17 +1,19 @@
 //! `impact-pair trap SCENE`: a region that the motion does not leave, proved.
 
-use std::io::{self, Write};
+use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
+use impact_pair::Scene;
+use impact_pair::certificate::document::TrapDocument;
 use impact_pair::chaos::Trap;
 use impact_pair::document;
 
 use crate::Answer;
-use crate::arguments::PeriodicFormat;
+use crate::arguments::{Destination, PeriodicFormat};
 use crate::heading::heading;
-use crate::output::Output;
+use crate::output::{Output, note};
 use crate::progress::{Progress, goes_on, interruption};
 use crate::scene;
 
@@ -38,68 +40,77 @@ pub struct TrapArguments {
     /// How the region is written; json is schema impact-pair/trap/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    output: Option<PathBuf>,
     /// Draw the region into FILE (.svg or .png)
     #[arg(long, value_name = "FILE", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
-    scene::keep_apart(&[&arguments.scene], arguments.output.as_deref(), arguments.plot.as_deref())?;
+    let Destination { output, quiet } = &arguments.destination;
+    let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
+    scene::keep_apart(&[&arguments.scene], output, plot)?;
+    // From here on Ctrl-C ends the search.
     interruption();
+    let out = Output::open(output)?;
+    let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
     let named = || scene::name(&arguments.scene);
-    let progress = Progress::boxes(!arguments.quiet);
+    let progress = Progress::boxes(!quiet);
     let watch = |boxes: usize| {
         progress.boxed("", boxes as u64);
         goes_on()
     };
     let found = Trap::of(&scene, arguments.finer, &watch).with_context(named)?;
     progress.clear();
+    let is_table = arguments.format == PeriodicFormat::Table;
     let region = match found {
         Ok(region) => region,
         Err(why) => {
-            writeln!(io::stdout(), "undecided: no region is proved; {}", why.words())
-                .context("cannot write to stdout")?;
+            let why = format!("undecided: no region is proved; {}", why.words());
+            if is_table {
+                return out.answer(&format!("{why}\n"), Some(why), (*quiet, is_table));
+            }
+            note(*quiet, &why);
             return Ok(Answer::Incomplete);
         }
     };
     let document = document::trap(&scene, &region).with_context(named)?;
-    let mut out = Output::open(arguments.output.as_deref())?;
-    let write = "cannot write the output";
-    match arguments.format {
-        PeriodicFormat::Json => writeln!(out, "{}", serde_json::to_string(&document)?).context(write)?,
-        PeriodicFormat::Table => {
-            write!(out, "{}", heading(&scene)).context(write)?;
-            let entered = match document.entered_at_impact {
-                Some(0) => "the scene's start and all impacts after it are in it".to_owned(),
-                Some(impact) => format!("of the scene's orbit impact {impact} and all later ones are in it"),
-                None => {
-                    "undecided whether the scene's orbit enters it: none of its first 100 impacts is proved to be in it"
-                        .to_owned()
-                }
-            };
-            writeln!(
-                out,
-                "\nregion of {} boxes, {} columns a cycle, {} rows a speed of A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
-                 certified: no motion with an impact in it leaves it, comes to rest, or has chatter that ends;\n{entered}",
-                document.boxes,
-                document.columns,
-                document.rows,
-                document::told(&document.flight_time),
-                document::told(&document.speed_before),
-            )
-            .context(write)?;
-        }
+    let text = match arguments.format {
+        PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
+        PeriodicFormat::Table => table(&scene, &document)?,
+    };
+    let open = document.entered_at_impact.is_none().then(|| entered(&document));
+    let answer = out.answer(&text, open, (*quiet, is_table))?;
+    if let (Some(picture), Some(path)) = (picture, plot) {
+        picture.draw(path, || impact_pair_plot::chaos::trap(&scene, &region))?;
     }
-    out.commit()?;
-    if let Some(path) = &arguments.plot {
-        Output::open(Some(path))?.draw(path, || impact_pair_plot::chaos::trap(&scene, &region))?;
+    Ok(answer)
+}
+
+fn table(scene: &Scene, document: &TrapDocument) -> Result<String, fmt::Error> {
+    let mut out = heading(scene);
+    writeln!(
+        out,
+        "\nregion of {} boxes, {} columns a cycle, {} rows a speed of A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
+         certified: no motion with an impact in it leaves it, comes to rest, or has chatter that ends;\n{}",
+        document.boxes,
+        document.columns,
+        document.rows,
+        document::told(&document.flight_time),
+        document::told(&document.speed_before),
+        entered(document),
+    )?;
+    Ok(out)
+}
+
+/// Whether the scene's own orbit is in the region.
+fn entered(document: &TrapDocument) -> String {
+    match document.entered_at_impact {
+        Some(0) => "the scene's start and all impacts after it are in it".to_owned(),
+        Some(impact) => format!("of the scene's orbit impact {impact} and all later ones are in it"),
+        None => "undecided whether the scene's orbit enters it: none of its first 100 impacts is proved to be in it"
+            .to_owned(),
     }
-    Ok(if document.entered_at_impact.is_some() { Answer::Complete } else { Answer::Incomplete })
 }

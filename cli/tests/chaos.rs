@@ -6,6 +6,7 @@ mod common;
 
 use std::f64::consts::LN_2;
 use std::fs;
+use std::time::Instant;
 
 use common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
@@ -34,6 +35,12 @@ snapshots! {
     region_under_two_harmonics: ["trap", "scenes/two-tones.toml"];
     horseshoe_of_figure_14: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3"];
     horseshoe_over_a_range: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42477..9.42498"];
+    horseshoe_within_a_part_in_ten_thousand:
+        ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42403..9.42591"];
+    cells_that_attract: ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.2:2"];
+    a_cell_that_is_undecided: ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..7:1", "--halvings", "0"];
+    cells_without_a_number: ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..9:0"];
+    bases_for_cells: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--over", "amplitude=8..9:3"];
     bases_of_another_scene: ["chaos", "scenes/figure-17.toml", BASES[0], BASES[1], "--depth", "3"];
     a_regular_motion: ["chaos", "scenes/figure-12.toml"];
     chaos_under_two_harmonics: ["chaos", "scenes/two-tones.toml"];
@@ -90,4 +97,44 @@ fn a_region_is_written_and_drawn() {
     assert_eq!(document["boxes"].as_i64(), Some(boxes));
     assert_eq!(document["entered_at_impact"].as_i64(), Some(2));
     assert!(fs::read_to_string(plot).unwrap().starts_with("<svg"));
+}
+
+/// What cannot be written is told before anything is computed: these would take minutes.
+#[test]
+fn files_are_opened_first() {
+    let folder = folder("first");
+    let nowhere = folder.join("nowhere").join("file.svg");
+    let nowhere = nowhere.to_str().unwrap();
+    for verb in ["trap", "chaos"] {
+        for option in ["--output", "--plot"] {
+            let begun = Instant::now();
+            let output = program(&[verb, "scenes/figure-16.toml", option, nowhere]).output().unwrap();
+            let said = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{verb} {option}");
+            assert!(said.contains("cannot write") && output.stdout.is_empty(), "{said}");
+            assert!(verb == "trap" || begun.elapsed().as_secs() < 20, "{verb} {option}");
+        }
+    }
+}
+
+/// The diagram in the colours of what is proved, and all of the range in the document.
+#[test]
+fn cells_are_written_and_drawn() {
+    let folder = folder("cells");
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let (output, plot) = (path("cells.json"), path("cells.svg"));
+    let over = ["--over", "amplitude=1..1.2:3", "--halvings", "6"];
+    let files = ["--format", "json", "--output", &output, "--plot", &plot];
+    let arguments = [&["chaos", "scenes/figure-14.toml"], &over[..], &files].concat();
+    assert!(program(&arguments).status().unwrap().success());
+    let document: Value = serde_json::from_str(&fs::read_to_string(output).unwrap()).unwrap();
+    assert_eq!(
+        (&document["schema"], &document["shares"]["attracted"]),
+        (&"impact-pair/chaos-cells/1".into(), &1.0.into())
+    );
+    let stretch = &document["stretches"][0];
+    assert_eq!((&stretch["low"], &stretch["high"]), (&"1".into(), &"1.2".into()));
+    assert_eq!((&stretch["period"]["impacts"], &stretch["period"]["cycles"]), (&2.into(), &1.into()));
+    let drawn = fs::read_to_string(plot).unwrap();
+    assert!(drawn.starts_with("<svg") && drawn.contains("converges to a periodic one"));
 }

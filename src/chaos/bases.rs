@@ -3,6 +3,8 @@
 //! Labels: proposes throughout.
 
 use std::f64::consts::TAU;
+use std::sync::Mutex;
+use std::thread;
 
 use super::entropy::entropy;
 use super::flights::{Law, State, is_positive};
@@ -19,18 +21,36 @@ const RETURNS: usize = 12;
 const NEAREST: usize = 8;
 /// How far apart these are.
 const APART: f64 = 0.02;
-/// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
-const TRIALS: [(usize, u64); 3] = [(64, 2_500), (12, 10_000), (4, 40_000)];
-/// The last trial if none led to any.
-const LAST: (usize, u64) = (12, 150_000);
+/// How much is tried to find bases.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
+    trials: &'static [(usize, u64)],
+    /// The last trial if none led to any.
+    last: (usize, u64),
+    /// The most bases.
+    most: usize,
+}
+
+/// For the most entropy, and for any.
+pub(crate) const THOROUGH: Effort =
+    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3 };
+pub(crate) const ANY: Effort = Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1 };
 const DEPTH: usize = 60;
+/// Transients begin at so many phases and speeds, up to so many times the greatest one seen.
+const STARTS: [usize; 2] = [48, 24];
+const FASTER: f64 = 1.5;
+/// They are looked at from one impact to another, until they are so near to the orbit that they lead to.
+const LOOKED_FOR: [usize; 2] = [6, 80];
+const NEAR: f64 = 0.01;
+/// Those that are shorter, or grow less an impact, see no saddle.
+const LONG: usize = 16;
+const GROWTH: f64 = 0.1;
 /// Half lengths, phases in radians, and half widths relative to them.
 const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 /// What a base more has to add, as a factor.
 const WORTH: f64 = 1.01;
-/// The most bases.
-const MOST: usize = 3;
 /// An orbit that expands less, an impact, is regular.
 const LEAST_EXPONENT: f64 = 1e-3;
 
@@ -47,17 +67,28 @@ pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
     let (mut state, mut direction, mut sum) = (start, [1.0 / TAU, 0.3], 0.0);
     let mut points = Vec::with_capacity(LOOKED_AT);
     for k in 0..TRANSIENT + LOOKED_AT {
-        let image = guess.map(state)?;
-        let [u, w] = applied(image.jacobian, direction);
-        let growth = (TAU * u).hypot(w);
-        direction = [u / growth, w / growth];
-        state = [image.state[0].rem_euclid(1.0), image.state[1]];
+        let growth = step(guess, &mut state, &mut direction)?;
         if k >= TRANSIENT {
             sum += growth.ln();
             points.push((state, direction));
         }
     }
     Some(Seen { points, exponent: sum / LOOKED_AT as f64 })
+}
+
+/// One impact further, with the direction that expands; by how much it does.
+fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> {
+    let image = guess.map(*state)?;
+    let [u, w] = applied(image.jacobian, *direction);
+    let growth = (TAU * u).hypot(w);
+    *direction = [u / growth, w / growth];
+    *state = [image.state[0].rem_euclid(1.0), image.state[1]];
+    Some(growth)
+}
+
+/// How far apart two states are, phases less whole turns.
+fn apart([u, w]: State, [v, x]: State) -> f64 {
+    length([u - v - (u - v).round(), w - x])
 }
 
 impl Seen {
@@ -71,12 +102,37 @@ impl Seen {
         self.exponent > LEAST_EXPONENT
     }
 
+    /// Of a regular orbit: what orbits from elsewhere see before they come near it. A horseshoe may be there as a saddle.
+    pub fn transients(&self, guess: &Guess) -> Self {
+        let attractor: Vec<State> = self.points.iter().rev().take(RETURNS * RETURNS).map(|(state, _)| *state).collect();
+        let fastest = FASTER * attractor.iter().fold(0.0, |most: f64, state| most.max(state[1]));
+        let mut points = Vec::new();
+        for start in 0..STARTS[0] * STARTS[1] {
+            let (i, j) = (start / STARTS[1], start % STARTS[1]);
+            let mut state = [(i as f64 + 0.5) / STARTS[0] as f64, fastest * (j as f64 + 0.5) / STARTS[1] as f64];
+            let (mut direction, mut passed, mut sum) = ([1.0 / TAU, 0.3], Vec::new(), 0.0);
+            for k in 0..LOOKED_FOR[1] {
+                let Some(growth) = step(guess, &mut state, &mut direction) else { break };
+                if attractor.iter().any(|&other| apart(state, other) < NEAR) {
+                    break;
+                }
+                if k >= LOOKED_FOR[0] {
+                    passed.push((state, direction));
+                    sum += growth.ln();
+                }
+            }
+            if passed.len() >= LONG && sum > GROWTH * passed.len() as f64 {
+                points.append(&mut passed);
+            }
+        }
+        Self { points, exponent: self.exponent }
+    }
+
     /// Points that the orbit comes back to very closely: saddles are near.
     fn centres(&self) -> Vec<(State, State)> {
-        let apart = |[u, w]: State, [v, x]: State| length([u - v - (u - v).round(), w - x]);
         let mut found: Vec<(State, State)> = Vec::new();
         for period in 1..=RETURNS {
-            let mut returns: Vec<(f64, usize)> = (0..self.points.len() - period)
+            let mut returns: Vec<(f64, usize)> = (0..self.points.len().saturating_sub(period))
                 .map(|k| (apart(self.points[k].0, self.points[k + period].0), k))
                 .filter(|(distance, _)| *distance < APART)
                 .collect();
@@ -144,10 +200,17 @@ impl Seen {
     }
 
     /// The bases that lead to most entropy, of those tried.
-    pub fn bases(&self, law: &Law, making: Making, depth: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Base> {
+    pub fn bases(
+        &self,
+        law: &Law,
+        (making, depth): (Making, usize),
+        effort: Effort,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<Base> {
         let candidates = self.candidates(&Guess::new(law));
         let worth = |bases: &[Base], boxes: u64| {
             let mut search = Search::new(law, bases, making);
+            search.threads = 1;
             let within = |tally: Tally| tally.boxes < boxes && goes_on();
             for _ in 0..depth.min(DEPTH) {
                 if !search.deepen(&within) {
@@ -157,24 +220,26 @@ impl Seen {
             entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
         };
         let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
-        while best.1.len() < MOST && goes_on() {
+        while best.1.len() < effort.most && goes_on() {
             let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
             let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
             let mut trial = |(count, boxes): (usize, u64)| {
                 tried.truncate(count);
-                for (found, base) in &mut tried {
-                    let bases: Vec<Base> = best.1.iter().copied().chain([*base]).collect();
-                    *found = worth(&bases, boxes * bases.len() as u64);
-                }
+                let found = &best.1;
+                let judged = |(_, base): &(f64, Base)| {
+                    let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
+                    (worth(&bases, boxes * bases.len() as u64), *base)
+                };
+                tried = each(&tried, &judged);
                 tried.sort_by(|a, b| b.0.total_cmp(&a.0));
                 tried.first().copied()
             };
             let mut found = None;
-            for round in TRIALS {
+            for &round in effort.trials {
                 found = trial(round);
             }
             if best.1.is_empty() && found.is_some_and(|found| found.0 == 0.0) {
-                found = trial(LAST);
+                found = trial(effort.last);
             }
             let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
             best.0 = entropy;
@@ -182,6 +247,24 @@ impl Seen {
         }
         best.1
     }
+}
+
+/// What a function makes of each, by all threads.
+fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
+    let work = || {
+        loop {
+            let next = queue.lock().expect("no thread has panicked").next();
+            let Some((number, one)) = next else { break };
+            let made = function(one);
+            done.lock().expect("no thread has panicked").push((number, made));
+        }
+    };
+    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+    let mut done = done.into_inner().expect("no thread has panicked");
+    done.sort_by_key(|(number, _)| *number);
+    done.into_iter().map(|(_, made)| made).collect()
 }
 
 impl Base {

@@ -115,10 +115,10 @@ pub(crate) struct Flights {
     /// `e w`, and a lower bound.
     after: Ball,
     least: f64,
-    /// Of the centre's.
+    /// Of the centre's, at the middle of all `e`.
     centre_sin: Ball,
     drift: Ball,
-    slopes: [Slope; 2],
+    slopes: [Slope; 3],
     /// Bounds of what twist and slack add.
     rest: [f64; 2],
     /// Bounds the drifts' distance from the centre's.
@@ -142,9 +142,9 @@ pub(crate) struct Landing {
     pub speed: Ball,
     /// `dw/dth` at a fixed drift, over the bracket, in speeds a turn.
     slope: Ball,
-    /// By side: the change of phase, and the change of speed at a fixed phase.
-    along: [[Ball; 2]; 2],
-    /// Bounds of the same for twist and slack.
+    /// By side, and by `e`: the change of phase, and the change of speed at a fixed phase.
+    along: [[Ball; 2]; 3],
+    /// Bounds of the same for twist and slack, and for `D`.
     rest: [f64; 2],
 }
 
@@ -166,7 +166,7 @@ impl Flights {
         let (sin, cos) = Ball::new(start, radius).sin_cos();
         let after = e * Ball::new(speed, speed_radius);
         let least = (e.mid() - e.rad()) * quad.floor * (1.0 - 4.0 * UNIT);
-        let drift = e * Ball::exact(speed) + centre_cos;
+        let drift = Ball::exact(e.mid()) * Ball::exact(speed) + centre_cos;
         let by_phase = -(turn() * sin);
         let turned = turn() * after;
         let slope = |side: State| Slope {
@@ -174,13 +174,15 @@ impl Flights {
             shift: turned * Ball::exact(side[0]),
         };
         let [along, across, twist] = [slope(quad.sides[0]), slope(quad.sides[1]), slope(quad.twist)];
+        // Lemma D12: `e` is a direction like the others
+        let parameter = Slope { drift: Ball::new(speed, speed_radius) * Ball::exact(e.rad()), shift: Ball::exact(0.0) };
         let [u, w] = quad.slack;
         let rest = [
             up(twist.drift.mag() + by_phase.mag() * u + e.mag() * w + TINY),
             up(twist.shift.mag() + turned.mag() * u + TINY),
         ];
-        let spread = up(along.drift.mag() + across.drift.mag() + rest[0]);
-        let slopes = [along, across];
+        let spread = up(along.drift.mag() + across.drift.mag() + parameter.drift.mag() + rest[0]);
+        let slopes = [along, across, parameter];
         Self { gap: law.gap, start, radius, sin, cos, after, least, centre_sin, drift, slopes, rest, spread }
     }
 
@@ -196,7 +198,8 @@ impl Flights {
         let [own, all] = self.ahead(phase);
         let centre = own * self.drift - sin + self.centre_sin;
         let change = |slope: &Slope| (all * slope.drift - slope.shift).mag();
-        let spread = up(change(&self.slopes[0]) + change(&self.slopes[1]) + all.mag() * self.rest[0] + self.rest[1]);
+        let [along, across, parameter] = self.slopes.each_ref().map(change);
+        let spread = up(along + across + parameter + all.mag() * self.rest[0] + self.rest[1]);
         let rate = (self.drift - cos).widened(self.spread);
         View { height: centre.widened(spread), rate, bend: sin.mag() }
     }
@@ -296,10 +299,11 @@ impl Flights {
             radius *= 1.5;
         };
         let turned = turn() * rate;
-        // The centre's contact: one interval Newton step.
+        // The centre's contact, at the middle of all `D`: one interval Newton step.
+        let middle = Ball::exact(wall.mid());
         let sin = Ball::exact(guess).sin_cos().0;
         let [own, _] = self.ahead(guess);
-        let miss = (own * self.drift - sin + self.centre_sin - wall).signed(sign);
+        let miss = (own * self.drift - sin + self.centre_sin - middle).signed(sign);
         let phase = Ball::exact(guess) - miss.checked_div(turned)?;
         let speed = (self.drift - phase.sin_cos().1).signed(sign);
         let slope = (turn() * bracket.sin_cos().0).signed(sign);
@@ -309,7 +313,8 @@ impl Flights {
             let delay = -((all * s.drift - s.shift).signed(sign) * inverse);
             [delay, s.drift.signed(sign)]
         });
-        let rest = [up(up(all.mag() * self.rest[0] + self.rest[1]) * inverse.mag()), self.rest[0]];
+        // Lemma D12: the wall moves by its radius
+        let rest = [up(up(all.mag() * self.rest[0] + self.rest[1] + wall.rad()) * inverse.mag()), self.rest[0]];
         let phase = match side {
             Side::Near => phase,
             Side::Far => phase + Ball::exact(0.5),
@@ -326,7 +331,8 @@ impl Landing {
         let sheared = n + m * self.slope;
         let change = |[delay, speed]: [Ball; 2]| (delay * sheared + m * speed).mag();
         let rest = sheared.mag() * self.rest[0] + m.mag() * self.rest[1];
-        centre.widened(up(change(self.along[0]) + change(self.along[1]) + rest))
+        let [along, across, parameter] = self.along.map(change);
+        centre.widened(up(along + across + parameter + rest))
     }
 }
 

@@ -15,6 +15,8 @@ use crate::pair::{Reduced, Wall};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Guess {
     pair: Reduced<f64>,
+    /// The radii of `D` and `e`.
+    radii: [f64; 2],
 }
 
 /// Where a state is mapped to.
@@ -25,6 +27,8 @@ pub(crate) struct Image {
     pub side: Side,
     /// Of phase in turns and speed over `A W`.
     pub jacobian: [[f64; 2]; 2],
+    /// How far `D` and `e` move it, each by its radius.
+    pub moved: [State; 2],
 }
 
 /// Jacobians that the contracting direction is told from.
@@ -33,7 +37,8 @@ const AHEAD: usize = 4;
 impl Guess {
     pub fn new(law: &Law) -> Self {
         let alpha = 1.0 / law.gap.mid();
-        Self { pair: Reduced { alpha, beta: TAU * alpha, restitution: law.restitution.mid() } }
+        let pair = Reduced { alpha, beta: TAU * alpha, restitution: law.restitution.mid() };
+        Self { pair, radii: [law.gap.rad(), law.restitution.rad()] }
     }
 
     /// The next impact; `None` where none is found, or with no speed.
@@ -52,7 +57,13 @@ impl Guess {
         let [[a, b], [c, d]] = jacobian(beta, restitution, &passage)?;
         let sign = if far { 1.0 } else { -1.0 };
         let state = [start + contact.time + if far { 0.5 } else { 0.0 }, contact.velocity.abs() / beta];
-        Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]] })
+        // Lemma D12: the delays that a wall's shift and a change of drift make, and the speeds at the later phase.
+        let [gap, change] = [self.radii[0] * if far { 1.0 } else { 0.0 }, self.radii[1] * speed];
+        let moved = [[gap, 0.0], [-TAU * contact.time * change, change]].map(|[ahead, drift]| {
+            let delay = ahead / (TAU * sign * state[1]);
+            [delay, sign * (drift + TAU * sin1 * delay)]
+        });
+        Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]], moved })
     }
 
     /// The direction that the next flights contract most, of length 1 in radians and speeds, its speed not negative.

@@ -1,11 +1,12 @@
 //! Horseshoes of a scene: [`Chaos`].
 
-use super::bases::{Seen, seen};
+use super::bases::{ANY, Effort, Seen, THOROUGH, seen};
 use super::entropy::entropy;
+use super::fate::Fate;
 use super::flights::{Law, Side, State};
 use super::guess::Guess;
 use super::propose::Making;
-use super::scene::visited;
+use super::scene::{IMPACTS, visited};
 use super::words::{Base, Path, Search};
 use crate::Error;
 use crate::Scene;
@@ -72,6 +73,7 @@ pub struct Chaos {
     exponent: Option<f64>,
     attractor: Vec<State>,
     tubes: Vec<Vec<State>>,
+    fate: Fate,
 }
 
 /// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
@@ -79,7 +81,7 @@ const MAKINGS: [Making; 4] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8 },
     Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 },
-    Making { longest: 0.01, margin: 1.3, pad: 3e-4, shortest: 1e-5 },
+    Making { longest: 0.01, margin: 1.15, pad: 2e-5, shortest: 1e-6 },
 ];
 /// Bases are tried with this one.
 const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7 };
@@ -103,38 +105,56 @@ impl Chaos {
     ) -> Result<Self, Error> {
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
-        let orbit = visited(pair, start)?.last().and_then(|last| seen(&guess, last.middle()));
+        let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
+        let found = |seen: &Seen, effort| bases(seen, &law, question.depth, effort, &|| goes_on(0, 0));
         let bases = match &orbit {
             _ if !question.bases.is_empty() => question.bases.clone(),
-            Some(orbit) if orbit.is_chaotic() => orbit.bases(&law, TRIAL, question.depth, &|| goes_on(0, 0)),
-            _ => Vec::new(),
+            Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
+            Some(orbit) => found(&orbit.transients(&guess), ANY),
+            None => Vec::new(),
         };
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
+        let proved = Self::proved(&law, bases, question.depth, goes_on);
+        let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
+        let fate = Fate::of(pair, start, horseshoe, &|| goes_on(proved.depth, proved.boxes))?;
+        let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
+        Ok(Self { exponent, attractor: orbit.map_or_else(Vec::new, Seen::states), fate, ..proved })
+    }
+
+    /// What these bases lead to.
+    pub(super) fn proved(
+        law: &Law,
+        bases: Vec<Base>,
+        depth: usize,
+        goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
+    ) -> Self {
         let followed = |search: &mut Search<'_>, from: usize, to: usize| {
             (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to) // exact: all
         };
-        let shallow = if bases.is_empty() { 0 } else { question.depth.min(SHALLOW) }; // exact: counts
+        let shallow = if bases.is_empty() { 0 } else { depth.min(SHALLOW) }; // exact: counts
         let tried = MAKINGS.map(|making| {
-            let mut search = Search::new(&law, &bases, making);
+            let mut search = Search::new(law, &bases, making);
             let depth = followed(&mut search, 0, shallow);
             (by_impact(&search), depth, search)
         });
         let best = tried.iter().fold(0.0, |best: f64, (entropy, ..)| best.max(*entropy)); // proposes: each is a proof of its own
-        let deeper = shallow < question.depth && shallow > 0;
+        let deeper = shallow < depth && shallow > 0;
         let enough = if deeper { NEARLY * best } else { best };
-        let (_, mut depth, mut search) = tried.into_iter().find(|(entropy, ..)| *entropy >= enough).expect("the best");
-        if deeper && depth == shallow {
-            depth = followed(&mut search, shallow, question.depth);
-        }
+        let good = tried.into_iter().filter(|(entropy, ..)| *entropy >= enough);
+        // Of those that are good the one with the shortest horseshoe.
+        let shortest = |(_, _, search): &(f64, usize, Search<'_>)| {
+            let words: Vec<Word> = search.words.iter().map(Word::of).collect();
+            horseshoe(&words, bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
+        };
+        let (_, reached, mut search) = good.min_by_key(shortest).expect("the best");
+        let depth = if deeper && reached == shallow { followed(&mut search, shallow, depth) } else { reached };
         let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
-        let tubes = search.shown.clone();
+        let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
-        let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
-        let attractor = orbit.map_or_else(Vec::new, Seen::states);
-        let boxes = search.tally.boxes;
-        Ok(Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes })
+        let (exponent, attractor, fate) = (None, Vec::new(), Fate::default());
+        Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes, fate }
     }
 
     /// The same of a scene.
@@ -194,35 +214,56 @@ impl Chaos {
         &self.tubes
     }
 
-    /// Two words that may follow one another in any order, as short as there are: by the names of their impacts.
+    /// Two words that may follow one another in any order, as short as there are among them: by the names of their impacts.
     pub fn horseshoe(&self) -> Option<[&Word; 2]> {
-        let mut names: Vec<&Word> = Vec::new();
-        for word in &self.words {
-            if names.iter().all(|other| other.walls != word.walls) {
-                names.push(word);
-            }
-        }
-        names.sort_by_key(|word| word.walls.len());
-        let mut pairs: Vec<[&Word; 2]> =
-            names.iter().enumerate().flat_map(|(k, &a)| names[k + 1..].iter().map(move |&b| [a, b])).collect();
-        pairs.sort_by_key(|[a, b]| (b.walls.len(), a.walls.len()));
-        pairs.into_iter().find(|pair| self.is_free(pair))
+        horseshoe(&self.words, self.bases.len())
     }
 
-    /// Whether there are bases from each of which both lead to such a base.
-    fn is_free(&self, pair: &[&Word; 2]) -> bool {
-        let mut alive = vec![true; self.bases.len()];
-        loop {
-            let leads = |base: usize, name: &Word| {
-                self.words.iter().any(|word| word.from == base && alive[word.to] && word.walls == name.walls)
-            };
-            let next: Vec<bool> =
-                (0..alive.len()).map(|base| alive[base] && pair.iter().all(|name| leads(base, name))).collect();
-            if next == alive {
-                return alive.contains(&true);
-            }
-            alive = next;
+    /// What is proved of the scene's own orbit: whether it is where the horseshoe is.
+    pub fn fate(&self) -> &Fate {
+        &self.fate
+    }
+}
+
+/// Bases for the most entropy that so much effort finds.
+pub(super) fn bases(
+    seen: &Seen,
+    law: &Law,
+    depth: usize,
+    effort: Effort,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Vec<Base> {
+    seen.bases(law, (TRIAL, depth), effort, goes_on)
+}
+
+/// The shortest two words that may follow one another in any order.
+fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
+    let mut names: Vec<&Word> = Vec::new();
+    for word in words {
+        if names.iter().all(|other| other.walls != word.walls) {
+            names.push(word);
         }
+    }
+    names.sort_by_key(|word| word.walls.len());
+    let mut pairs: Vec<[&Word; 2]> =
+        names.iter().enumerate().flat_map(|(k, &a)| names[k + 1..].iter().map(move |&b| [a, b])).collect();
+    pairs.sort_by_key(|[a, b]| (b.walls.len(), a.walls.len()));
+    pairs.into_iter().find(|pair| is_free(words, bases, pair))
+}
+
+/// Whether there are bases from each of which both lead to such a base.
+fn is_free(words: &[Word], bases: usize, pair: &[&Word; 2]) -> bool {
+    let mut alive = vec![true; bases];
+    loop {
+        let leads = |base: usize, name: &Word| {
+            words.iter().any(|word| word.from == base && alive[word.to] && word.walls == name.walls)
+        };
+        let next: Vec<bool> =
+            (0..alive.len()).map(|base| alive[base] && pair.iter().all(|name| leads(base, name))).collect();
+        if next == alive {
+            return alive.contains(&true);
+        }
+        alive = next;
     }
 }
 
@@ -231,7 +272,7 @@ fn by_impact(search: &Search<'_>) -> f64 {
 }
 
 /// What is wrong with bases, if anything is. Lemma D9
-fn problem(bases: &[Base]) -> Option<&'static str> {
+pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     if !bases.iter().all(Base::is_convex) {
         return Some("the bases are not all convex quadrilaterals with their tops on the left from left to right");
     }

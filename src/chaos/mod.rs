@@ -2,10 +2,12 @@
 //!
 //! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words` and `trap`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D11 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 of `docs/proofs.md`.
 
 mod bases;
+mod cells;
 mod entropy;
+mod fate;
 mod flights;
 mod guess;
 mod horseshoe;
@@ -18,6 +20,8 @@ mod trap;
 mod tube;
 mod words;
 
+pub use cells::{Asked, Cells, Stretch, Verdict, seen_impacts};
+pub use fate::{Entered, Fate};
 pub use flights::{Chord, State};
 pub use horseshoe::{Chaos, Question, Word};
 pub use region::{Trap, Untrapped};

@@ -120,7 +120,9 @@ impl Making {
             let start = kept[kept.len() - 1];
             let is_last = k + 1 == images.len();
             let room = lengths[start].min(all - lengths[(k + 1).min(images.len() - 1)]);
-            let most = (0.4 * self.longest).min(0.3 * room);
+            // As long at least as intervals of parameters move images to and fro.
+            let moved = images[k].moved.map(length);
+            let most = (0.4 * self.longest).min(0.3 * room).max(moved[0] + moved[1]);
             let would = if is_last { f64::INFINITY } else { lengths[k + 1] - lengths[start] };
             if would > most || !self.is_straight(&images, &halves, start, (k + 1).min(images.len() - 1)) {
                 kept.push(k);
@@ -163,8 +165,9 @@ impl Making {
         let size = length(direction);
         let unit = direction.map(|x| x / size);
         let sine = lean(direction);
-        let thick = (cross(tangent, radians(half)) / (long * sine)).abs();
-        let reach = (self.margin * thick + self.pad) * sine.signum();
+        let across = |direction: State| (cross(tangent, radians(direction)) / (long * sine)).abs();
+        let moved = image.moved.map(across);
+        let reach = (self.margin * (across(half) + moved[0] + moved[1]) + self.pad) * sine.signum();
         let [u, w] = image.state;
         let at = |sign: f64| [u + sign * reach * unit[0], w + sign * reach * unit[1]];
         (reach.is_finite() && sine != 0.0).then(|| Chord { bottom: at(-1.0), top: at(1.0) })

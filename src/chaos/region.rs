@@ -2,13 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use super::flights::Law;
+use super::flights::{Law, State, is_positive};
 use super::guess::Guess;
-use super::scene::{Visited, visited};
-use super::trap::{Grid, Refusal, Region};
+use super::scene::{IMPACTS, Visited, visited};
+use super::trap::{Cell, Grid, Refusal, Region};
+use super::tube::side_of;
+use super::words::Base;
 use crate::Error;
 use crate::Scene;
 use crate::number::Ball;
+use crate::orbit::Start;
+use crate::pair::ImpactPair;
 
 /// A region of the reduced state space that the impact map maps into itself, proved: boxes of a grid.
 ///
@@ -83,8 +87,21 @@ impl Trap {
         finer: u32,
         goes_on: &(dyn Fn(usize) -> bool + Sync),
     ) -> Result<Result<Self, Untrapped>, Error> {
-        let law = Law::of(scene.pair())?;
-        let visited = visited(scene.pair(), scene.start())?;
+        Self::of_pair(scene.pair(), scene.start(), finer, goes_on)
+    }
+
+    /// The same of a pair, for all its parameters at once.
+    ///
+    /// # Errors
+    /// As [`Trap::of`].
+    pub fn of_pair(
+        pair: &ImpactPair,
+        start: &Start,
+        finer: u32,
+        goes_on: &(dyn Fn(usize) -> bool + Sync),
+    ) -> Result<Result<Self, Untrapped>, Error> {
+        let law = Law::of(pair)?;
+        let visited = visited(pair, start, IMPACTS)?;
         let Some(last) = visited.last() else { return Ok(Err(Untrapped::NoImpact)) };
         let guess = Guess::new(&law);
         // proposes: any box may be grown from
@@ -147,6 +164,32 @@ impl Trap {
     /// hundred is proved to be.
     pub fn entered(&self) -> Option<u64> {
         self.entered
+    }
+
+    /// Whether all states of a base are proved to be in it. Lemma D13
+    pub fn holds(&self, base: &Base) -> bool {
+        let Grid { columns, rows } = self.region.grid;
+        let round = [base.left.bottom, base.right.bottom, base.right.top, base.left.top];
+        let ends = |i: usize| {
+            let all = round.map(|state| state[i]);
+            all.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]) // D13: the outer ends
+        };
+        let cells = |[low, high]: [f64; 2], per: f64| (low * per).floor() as i64..=(high * per).floor() as i64; // D13: of both ends, exact: per is a power of two
+        let (across, up) = (cells(ends(0), columns as f64), cells(ends(1), rows)); // exact: a power of two
+        let is_outside = |column: i64, row: i64| {
+            let corner = |i: i64, j: i64| [(column + i) as f64 / columns as f64, (row + j) as f64 / rows]; // exact: powers of two
+            let corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+            (0..4).any(|k| {
+                let beyond = |&state: &State| is_positive(-side_of(round[k], round[(k + 1) % 4], state, 0.0));
+                corners.iter().all(beyond)
+            })
+        };
+        let holds = |column: i64, row: i64| {
+            let row = i32::try_from(row).ok();
+            let cell = row.map(|row| -> Cell { (column.rem_euclid(columns) as i32, row) }); // exact: fewer than 2^31
+            cell.is_some_and(|cell| self.region.cells.contains_key(&cell))
+        };
+        across.into_iter().all(|column| up.clone().all(|row| holds(column, row) || is_outside(column, row)))
     }
 
     /// Its boxes: runs of rows, the first and the last one, by column.

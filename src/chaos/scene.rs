@@ -38,8 +38,8 @@ impl Visited {
     }
 }
 
-/// The first states of an orbit on the walls, each mirrored to the left one: certified.
-pub(super) fn visited(pair: &ImpactPair, start: &Start) -> Result<Vec<Visited>, Error> {
+/// The start of an orbit and its first impacts, so many, each mirrored to the left wall: certified.
+pub(super) fn visited(pair: &ImpactPair, start: &Start, impacts: u64) -> Result<Vec<Visited>, Error> {
     let harmonic = pair.harmonic(WHAT)?;
     let mut found = Vec::new();
     if let Place::Wall(wall) = start.place() {
@@ -51,7 +51,7 @@ pub(super) fn visited(pair: &ImpactPair, start: &Start) -> Result<Vec<Visited>, 
         let speed = Ball::of(&within("start.velocity", start.velocity(), speed)?);
         found.push(mirrored(0, *wall, Ball::of(&phase), speed));
     }
-    let settings = Settings { impacts: Some(IMPACTS), ..Settings::default() };
+    let settings = Settings { impacts: Some(impacts), ..Settings::default() };
     let fastest = Ball::of(&within(RATIO, harmonic.amplitude(), harmonic.amplitude().checked_div(pair.gap()))?);
     let fastest = fastest.turn() * fastest;
     for Impact { index, wall, phase, velocity, .. } in Orbit::new(pair, start, settings)? {

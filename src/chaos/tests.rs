@@ -9,9 +9,12 @@ use super::propose::{Making, Proposal};
 use super::trap::{Grid, Region};
 use super::tube::Tube;
 use super::words::{Base, Path, Search};
-use crate::contact::{Margins, Radii, Verdict, first_contact};
+use super::{Asked, Cells, Chaos, Entered, Fate, Question, Trap, Verdict};
+use crate::Scene;
+use crate::contact::{self, Margins, Radii, first_contact};
 use crate::flight::Flight;
 use crate::number::{Ball, Number, kernel::sin_cos};
+use crate::orbit::{Orbit, Outcome, Progress, Settings};
 use crate::pair::{Reduced, Wall};
 
 const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 };
@@ -42,7 +45,7 @@ fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2])> {
     let after = law.restitution * beta * Ball::exact(speed);
     let flight = Flight::from_wall(&pair.centre(), Wall::Left, phase, after.mid(), sin_cos(phase));
     let radii = Radii { velocity: after.rad(), ..Radii::default() };
-    let Verdict::Certified(contact) = first_contact(&flight, &Margins::new(&pair), radii) else { return None };
+    let contact::Verdict::Certified(contact) = first_contact(&flight, &Margins::new(&pair), radii) else { return None };
     let arrival = contact.phase + Ball::exact(contact.turns);
     Some(match contact.wall {
         Wall::Left => (Side::Near, [arrival, (-contact.velocity).checked_div(beta)?]),
@@ -56,10 +59,12 @@ fn meet(a: Ball, b: Ball) -> bool {
 }
 
 proptest! {
-    /// Lemmas D1-D3: whatever lands, lands in the image, in all directions.
+    /// Lemmas D1-D3, D12: whatever lands, lands in the image, in all directions, for all members of `D` and `e`.
     #[test]
     fn images_hold_those_of_their_members(
-        law in prop::sample::select(laws().to_vec()), phase in 0.0..1.0f64, speed in 0.02..1.6f64,
+        law in prop::sample::select(laws().to_vec()),
+        radii in (prop_oneof![Just(0.0), 1e-7..1e-3f64], prop_oneof![Just(0.0), 1e-7..1e-3f64]),
+        (gap, restitution) in (prop_oneof![Just(-1.0), Just(1.0), -1.0..=1.0f64], prop_oneof![Just(-1.0), Just(1.0), -1.0..=1.0f64]), phase in 0.0..1.0f64, speed in 0.02..1.6f64,
         size in prop_oneof![Just(1e-6), Just(1e-4), 1e-3..1e-2f64], turned in 0.0..1.0f64, thin in 0.001..1.0f64,
         (a, b) in (-1.0..=1.0f64, -1.0..=1.0f64), skew in -0.5..0.5f64, corner in any::<bool>(),
     ) {
@@ -75,12 +80,15 @@ proptest! {
         let mix = |i: usize| 0.25 * ((1.0 - a) * ((1.0 - b) * from.bottom[i] + (1.0 + b) * from.top[i])
             + (1.0 + a) * ((1.0 - b) * to.bottom[i] + (1.0 + b) * to.top[i]));
         let member = [mix(0), mix(1)];
+        let within = |x: Ball, radius: f64, part: f64| Ball::exact(x.mid() + part * radius * (1.0 - 1e-9));
+        let one = Law { gap: within(law.gap, radii.0, gap), restitution: within(law.restitution, radii.1, restitution) };
+        let law = Law { gap: law.gap.widened(radii.0), restitution: law.restitution.widened(radii.1) };
         let guess = Guess::new(&law);
         let landed = guess.map(quad.centre).and_then(|image| {
             let arrival = image.state[0] - if image.side == Side::Far { 0.5 } else { 0.0 };
             Some((image.side, Flights::new(&law, &quad).land(image.side, arrival)?))
         });
-        if let (Some((side, landing)), Some((true_side, [u, w]))) = (landed, truth(&law, member)) {
+        if let (Some((side, landing)), Some((true_side, [u, w]))) = (landed, truth(&one, member)) {
             prop_assert_eq!(side, true_side);
             let (zero, one) = (Ball::exact(0.0), Ball::exact(1.0));
             let turned = [Ball::exact(cos), Ball::exact(sin)];
@@ -228,4 +236,113 @@ fn bases_that_overlap_are_told() {
     let later = Base::new([1.778431, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]);
     assert!(!a.is_apart(&later) && b.is_apart(&later));
     assert!(!Base { left: a.right, right: a.left }.is_convex());
+}
+
+fn scene(amplitude: &str) -> Scene {
+    let text = include_str!("../../scenes/figure-14.toml");
+    let changed: Vec<String> = text
+        .lines()
+        .map(|line| if line.starts_with("amplitude") { format!("amplitude = {amplitude}") } else { line.to_owned() })
+        .collect();
+    Scene::parse(&changed.join("\n")).unwrap()
+}
+
+/// Lemma D12: one horseshoe for all gaps within a part in 10^4, as an independent trial found with these bases.
+#[test]
+fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
+    for part in [1e-6, 1e-5, 1e-4] {
+        let law = figure_14();
+        let law = Law { gap: law.gap.widened(part * law.gap.mid()), ..law };
+        let chaos = Chaos::proved(&law, bases().to_vec(), 3, &|_, _| true);
+        assert!(chaos.entropy() > 0.281_199 && chaos.words().len() == 6, "{part} {}", chaos.entropy());
+    }
+}
+
+/// Lemma D13: the scene's orbit and the bases are in one region; a base that is moved away is not.
+#[test]
+fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
+    let question = Question { depth: 3, bases: bases().to_vec() };
+    let chaos = Chaos::of_scene(&scene("8"), &question, &|_, _| true).unwrap();
+    let Fate { attractor, region } = chaos.fate();
+    let trap = Trap::of(&scene("8"), 0, &|_| true).unwrap().unwrap();
+    assert!(attractor.is_none());
+    assert_eq!(*region, Some(Entered { boxes: trap.boxes(), at_impact: 2, holds_bases: true }));
+    assert!(bases().iter().all(|base| trap.holds(base)));
+    assert!(!trap.holds(&Base::new([0.5, 1.23], [0.03, 0.08], [-0.0003, 0.0026])));
+    // One that is too long by far sticks out.
+    assert!(!trap.holds(&Base::new([0.778431, 1.234518], [0.3, 0.8], [-0.0003, 0.0026])));
+}
+
+/// A = 8.4, where the diagram has a gap: the orbit converges to eight impacts in three cycles, and a horseshoe is beside it.
+#[test]
+fn a_saddle_is_told_from_an_attractor() {
+    let corners = [
+        [[0.805_264_494_210_566_3, 1.297_437_476_872_194], [0.808_274_341_166_306_4, 1.271_623_566_663_777_4]],
+        [[0.747_691_477_240_234_9, 1.126_724_932_061_096_4], [0.750_701_324_195_974_9, 1.100_911_021_852_679_9]],
+    ];
+    let [left, right] = corners.map(|[bottom, top]| Chord { bottom, top });
+    let question = Question { depth: 5, bases: vec![Base { left, right }] };
+    let chaos = Chaos::of_scene(&scene("8.4"), &question, &|_, _| true).unwrap();
+    let attractor = chaos.fate().attractor.as_ref().unwrap();
+    assert_eq!((attractor.word.mappings().len(), attractor.cycles), (8, 3));
+    assert!(chaos.entropy() > 0.0 && chaos.fate().region.is_none_or(|region| !region.holds_bases));
+}
+
+/// Deeper than the makings are compared, the horseshoe told is still as short as there is.
+#[test]
+fn a_deeper_search_keeps_the_shortest_horseshoe() {
+    let question = Question { depth: 10, bases: bases().to_vec() };
+    let chaos = Chaos::of_scene(&scene("8"), &question, &|_, _| true).unwrap();
+    assert_eq!(chaos.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
+}
+
+fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
+    let asked = Asked { over: over.parse().unwrap(), cells, halvings, depth: 5 };
+    Cells::of(scene("8").pair(), scene("8").start(), &asked, &|_| true).unwrap()
+}
+
+/// Lemma D14: stretches follow one another from end to end, and what is proved of all holds of some: of single values, proved by
+/// themselves with the same bases, or by the orbit of each.
+#[test]
+fn what_holds_of_a_stretch_holds_of_its_values() {
+    for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.08", 1, "horseshoe")] {
+        let found = cells(over, count, 6);
+        let stretches = &found.stretches;
+        assert_eq!(stretches.iter().map(|stretch| stretch.verdict.name()).collect::<Vec<_>>(), [name], "{over}");
+        assert!(!found.interrupted && stretches.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
+        let ends = [&stretches[0].low, &stretches[0].high].map(|end| end.text());
+        assert_eq!(format!("amplitude={}..{}", ends[0], ends[1]), over);
+        for value in &ends {
+            match &stretches[0].verdict {
+                Verdict::Horseshoe { entropy, bases } => {
+                    let law = Law::of(scene(value).pair()).unwrap();
+                    let chaos = Chaos::proved(&law, bases.clone(), 5, &|_, _| true);
+                    assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());
+                }
+                Verdict::Attracted { word, cycles } => {
+                    let settings = Settings { impacts: Some(300), attractor: true, ..Settings::default() };
+                    let mut orbit = Orbit::of(&scene(value), settings).unwrap();
+                    while !matches!(orbit.advance(), Progress::Ended) {}
+                    let Some(Outcome::Attracted(attractor)) = orbit.outcome() else { panic!("{value}") };
+                    assert_eq!((attractor.word.mappings().len(), attractor.cycles), (word.mappings().len(), *cycles));
+                }
+                Verdict::Undecided => unreachable!(),
+            }
+        }
+    }
+}
+
+/// Where an orbit changes what it converges to, nothing is claimed of a cell that holds the change.
+#[test]
+fn a_cell_across_a_bifurcation_is_undecided() {
+    // The equispaced orbit of two impacts in a cycle is stable at A = 1 and not at A = 9.
+    assert_eq!(cells("amplitude=1..9", 1, 0).stretches[0].verdict, Verdict::Undecided);
+    let stopped = Cells::of(
+        scene("8").pair(),
+        scene("8").start(),
+        &Asked { over: "amplitude=1..2".parse().unwrap(), cells: 3, halvings: 2, depth: 3 },
+        &|_| false,
+    );
+    let stopped = stopped.unwrap();
+    assert!(stopped.interrupted && stopped.stretches.len() == 1 && stopped.stretches[0].verdict == Verdict::Undecided);
 }

@@ -51,6 +51,8 @@ pub(crate) struct Search<'s> {
     runs: Vec<Run>,
     pub words: Vec<Path>,
     pub tally: Tally,
+    /// How many threads follow runs. With one, what a limit of boxes ends depends on nothing else.
+    pub threads: usize,
     /// The middles of the first tubes, for pictures.
     pub shown: Vec<Vec<State>>,
     depth: usize,
@@ -119,12 +121,12 @@ impl<'s> Search<'s> {
         };
         let runs = bases.iter().enumerate().map(run).collect();
         let (words, tally, shown) = (Vec::new(), Tally::default(), Vec::new());
-        Self { law, guess: Guess::new(law), making, bases, runs, words, tally, shown, depth: 0 }
+        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+        Self { law, guess: Guess::new(law), making, bases, runs, words, tally, threads, shown, depth: 0 }
     }
 
     /// Follows all that is left over one impact more; false when told to stop.
     pub fn deepen(&mut self, goes_on: &(dyn Fn(Tally) -> bool + Sync)) -> bool {
-        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
         let queue = Mutex::new(self.runs.iter().enumerate());
         let done = Mutex::new(Vec::new());
         let tally = Mutex::new(self.tally);
@@ -139,7 +141,7 @@ impl<'s> Search<'s> {
                 done.lock().expect("no thread has panicked").push((number, next, words));
             }
         };
-        thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+        thread::scope(|scope| (0..self.threads).for_each(|_| _ = scope.spawn(work)));
         let mut done = done.into_inner().expect("no thread has panicked");
         done.sort_by_key(|(number, ..)| *number);
         self.tally = tally.into_inner().expect("no thread has panicked");

@@ -6,12 +6,14 @@ use std::iter;
 use num_traits::ToPrimitive;
 
 use impact_pair_certificate::document::{
-    BaseDocument, CHAOS_SCHEMA, ChaosDocument, CornersDocument, Decimal, EntropyDocument, PROGRAM, ParameterRange,
-    SceneDocument, TRAP_SCHEMA, TrapDocument, WordDocument, bounds,
+    BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
+    EnteredDocument, EntropyDocument, PROGRAM, ParameterRange, PeriodDocument, SceneDocument, SceneOrbitDocument,
+    SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WordDocument, bounds,
 };
 
-use crate::chaos::{Base, Chaos, Chord, Question, Trap};
+use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Question, Stretch, Trap, Verdict};
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
+use crate::mapping::Word;
 use crate::pair::{Wall, within};
 use crate::periodic::bifurcation::Over;
 use crate::{Error, Scene};
@@ -72,18 +74,15 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
         program: PROGRAM.to_owned(),
         certified: chaos.entropy() > 0.0, // exact: none is proved where it is 0
         scene: SceneDocument::new(scene.pair(), scene.start()),
-        over: over.map(|Over { key, low, high }| ParameterRange {
-            key: key.place(),
-            low: low.into(),
-            high: high.into(),
-        }),
+        over: over.map(range),
         depth: chaos.depth() as u32,
         boxes: chaos.boxes(),
-        entropy: EntropyDocument { per_impact: lower(chaos.entropy()), per_cycle: lower(chaos.entropy_a_cycle()) },
+        entropy: entropy([chaos.entropy(), chaos.entropy_a_cycle()]),
         horseshoe: chaos.horseshoe().map(|pair| {
             let [a, b] = pair.map(|word| word.in_mappings());
             format!("each block is {a} or {b}, in any order")
         }),
+        scene_orbit: scene_orbit(chaos.fate()),
         interrupted: chaos.depth() < question.depth && !chaos.bases().is_empty(),
         bases: chaos.bases().iter().map(base).collect(),
         words: chaos
@@ -98,6 +97,78 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
             })
             .collect(),
         exponent_seen: chaos.exponent(),
+    }
+}
+
+fn range(Over { key, low, high }: &Over) -> ParameterRange {
+    ParameterRange { key: key.place(), low: low.into(), high: high.into() }
+}
+
+fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
+    EntropyDocument { per_impact: lower(impact), per_cycle: lower(cycle) }
+}
+
+/// What is proved of the scene's own orbit, if anything is.
+fn scene_orbit(fate: &Fate) -> Option<SceneOrbitDocument> {
+    let attracted = fate.attractor.as_ref().map(|attractor| period(&attractor.word, attractor.cycles));
+    let region = fate.region.map(|entered| EnteredDocument {
+        boxes: entered.boxes as u64,
+        entered_at_impact: entered.at_impact,
+        holds_bases: entered.holds_bases,
+    });
+    (attracted.is_some() || region.is_some()).then_some(SceneOrbitDocument { attracted, region })
+}
+
+fn period(word: &Word, cycles: u32) -> PeriodDocument {
+    PeriodDocument { word: word.to_string(), impacts: word.mappings().len() as u32, cycles }
+}
+
+/// What is proved of each value of a parameter.
+pub fn cells(scene: &Scene, asked: &Asked, cells: &Cells) -> ChaosCellsDocument {
+    let width = |stretch: &Stretch| {
+        let [low, high] = [&stretch.low, &stretch.high].map(|end| end.enclose(BITS).mid_rad().0);
+        high - low
+    };
+    let all: f64 = cells.stretches.iter().map(width).sum();
+    let share = |is: fn(&Verdict) -> bool| {
+        let part = cells.stretches.iter().filter(|stretch| is(&stretch.verdict)).map(width).fold(0.0, |sum, x| sum + x);
+        (1e6 * part / all).round() / 1e6
+    };
+    let shares = SharesDocument {
+        horseshoe: share(|verdict| matches!(verdict, Verdict::Horseshoe { .. })),
+        attracted: share(|verdict| matches!(verdict, Verdict::Attracted { .. })),
+        undecided: share(|verdict| *verdict == Verdict::Undecided),
+    };
+    ChaosCellsDocument {
+        schema: CHAOS_CELLS_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        certified: cells.stretches.iter().all(|stretch| stretch.verdict != Verdict::Undecided),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        over: range(&asked.over),
+        cells: asked.cells,
+        halvings: asked.halvings,
+        depth: asked.depth as u32,
+        interrupted: cells.interrupted,
+        shares,
+        stretches: cells.stretches.iter().map(stretch).collect(),
+    }
+}
+
+fn stretch(stretch: &Stretch) -> StretchDocument {
+    let plain = StretchDocument {
+        low: (&stretch.low).into(),
+        high: (&stretch.high).into(),
+        verdict: stretch.verdict.name().to_owned(),
+        entropy: None,
+        bases: Vec::new(),
+        period: None,
+    };
+    match &stretch.verdict {
+        Verdict::Horseshoe { entropy: bounds, bases } => {
+            StretchDocument { entropy: Some(entropy(*bounds)), bases: bases.iter().map(base).collect(), ..plain }
+        }
+        Verdict::Attracted { word, cycles } => StretchDocument { period: Some(period(word, *cycles)), ..plain },
+        Verdict::Undecided => plain,
     }
 }
 

@@ -9,7 +9,7 @@ mod periodic;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
-pub use chaos::{bases, chaos, told, trap};
+pub use chaos::{bases, cells, chaos, told, trap};
 pub use conclusion::{Conclusion, counted};
 pub use event::{Bounds, Event, Events, Kind};
 pub use orbit::{arithmetic, head, is_certified, orbit};

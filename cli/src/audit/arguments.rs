@@ -7,6 +7,8 @@ use impact_pair::audit::{Asked, Column, Columns};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::MAX_BITS;
 
+use crate::arguments::Destination;
+
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all agree; 1 something disagrees or is undecided; 2 usage, bad input, I/O";
 
@@ -82,12 +84,8 @@ pub struct AuditArguments {
     /// The table lists every event, not only the first ones that disagree
     #[arg(long)]
     pub all: bool,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 /// How an audit is written.

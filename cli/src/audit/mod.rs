@@ -22,13 +22,13 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     let text = scene::text(&arguments.events)?;
     let rows = read(&text, &arguments.columns(), scene.pair()).with_context(named)?;
     for input in [&arguments.scene, &arguments.events] {
-        scene::keep(input, arguments.output.as_deref())?;
+        scene::keep(input, arguments.destination.output.as_deref())?;
     }
 
     // From here on Ctrl-C keeps what is certified.
     interruption();
-    let out = Output::open(arguments.output.as_deref())?;
-    let progress = Progress::new(Some(rows.len() as u64), !arguments.quiet);
+    let out = Output::open(arguments.destination.output.as_deref())?;
+    let progress = Progress::new(Some(rows.len() as u64), !arguments.destination.quiet);
     let audit = Audit::of(&scene, rows, &arguments.asked(), &progress).map_err(|error| match error.key() {
         Some("until") => anyhow!("--{error}"),
         _ if error.is_list() => Error::from(error).context(named()),
@@ -41,5 +41,5 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
         AuditFormat::Json => format!("{}\n", one_a_line(&audit.document(), &["events"])),
     };
     let open = (!audit.is_agreed()).then(|| audit.conclusion().to_string());
-    out.answer(&text, open, (arguments.quiet, arguments.format == AuditFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, arguments.format == AuditFormat::Table))
 }

@@ -8,6 +8,8 @@ use impact_pair::orbit::Arithmetic;
 use impact_pair::sweep::Axis;
 use impact_pair_plot::sweep::Show;
 
+use crate::arguments::Destination;
+
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all that was asked is certified at every point; 1 at some points it is not, or the sweep was interrupted; \
 2 usage, bad input, I/O";
@@ -80,18 +82,14 @@ pub struct SweepArguments {
     /// How the points are written [default: csv, of a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
     /// Draw the bifurcation diagram, or of two keys the map of outcomes
     #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
     /// What the diagram shows over the parameter
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 /// Impacts that can be asked for.

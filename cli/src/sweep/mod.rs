@@ -46,7 +46,7 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
 /// Refuses to write one file over another one.
 fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
     let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.merge).collect();
-    scene::keep_apart(&inputs, arguments.output.as_deref(), arguments.plot.as_deref())
+    scene::keep_apart(&inputs, arguments.destination.output.as_deref(), arguments.plot.as_deref())
 }
 
 /// The format asked for, or the one that suits.
@@ -80,15 +80,15 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let work = Work { scene: &scene, grid: &grid, asked: &asked, threads };
     work.check().with_context(|| scene::name(path))?;
     // What cannot be written is refused now and not after hours.
-    for output in [&arguments.output, &arguments.plot].into_iter().flatten() {
+    for output in [&arguments.destination.output, &arguments.plot].into_iter().flatten() {
         drop(Output::open(Some(output))?);
     }
 
     // From here on Ctrl-C keeps what is finished.
     let interrupted = interruption();
-    let mut journal = Journal::open(head.clone(), arguments.output.as_deref(), arguments.resume)?;
+    let mut journal = Journal::open(head.clone(), arguments.destination.output.as_deref(), arguments.resume)?;
     let (begun, before) = (Instant::now(), journal.points());
-    let visible = !arguments.quiet && io::stderr().is_terminal();
+    let visible = !arguments.destination.quiet && io::stderr().is_terminal();
     work.complete(&mut journal, visible).with_context(|| scene::name(path))?;
     let computed = journal.points() - before;
     let left = journal.missing().len();
@@ -156,7 +156,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) ->
         Ok(())
     })?;
     tally.certified = certified;
-    let mut out = Output::open(arguments.output.as_deref())?;
+    let mut out = Output::open(arguments.destination.output.as_deref())?;
     sweep.write(&mut out, format).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
@@ -203,7 +203,7 @@ impl std::fmt::Display for Tally {
 }
 
 fn note(arguments: &SweepArguments, text: &str) {
-    if !arguments.quiet {
+    if !arguments.destination.quiet {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{text}");
     }

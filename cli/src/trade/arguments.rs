@@ -7,6 +7,8 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
 
+use crate::arguments::Destination;
+
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
 measured); 2 usage, bad input, I/O";
@@ -44,15 +46,11 @@ pub struct TradeArguments {
     /// How the rungs are written
     #[arg(long, value_enum, default_value_t)]
     pub format: TradeFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
     /// Draw the rungs: the time of an impact over the certified digits
     #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
-    /// No notes and no progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 impl TradeArguments {

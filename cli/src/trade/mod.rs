@@ -21,14 +21,14 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
         bail!("{}: run.impacts is 0, there is nothing to measure (try --impacts)", scene::name(&arguments.scene));
     }
     Orbit::of(&scene, asked.clone()).with_context(|| scene::name(&arguments.scene))?;
-    let (output, plot) = (arguments.output.as_deref(), arguments.plot.as_deref());
+    let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
     scene::keep_apart(&[&arguments.scene], output, plot)?;
 
     // From here on Ctrl-C keeps what is measured.
     interruption();
     let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
-    let progress = Progress::new(asked.impacts, !arguments.quiet);
+    let progress = Progress::new(asked.impacts, !arguments.destination.quiet);
     let trade = Trade::of(&scene, asked, &progress).with_context(|| scene::name(&arguments.scene))?;
     progress.clear();
 
@@ -37,7 +37,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
     };
     let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in rung {rung}"));
-    let answer = out.answer(&text, open, (arguments.quiet, false))?;
+    let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
     if let (Some(picture), Some(path)) = (picture, plot) {
         picture.draw(path, || impact_pair_plot::trade::svg(&trade))?;
     }

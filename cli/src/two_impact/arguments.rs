@@ -9,6 +9,8 @@ use impact_pair::exact::Exact;
 use impact_pair::pair::Wall;
 use impact_pair::two_impact::{COUNTS, CYCLES};
 
+use crate::arguments::Destination;
+
 pub const EXIT_CODES: &str = "\
 Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
 (the output holds all that is proved until then); 2 usage, bad input, I/O";
@@ -58,15 +60,11 @@ pub struct TwoImpactArguments {
     /// How the answer is written
     #[arg(long, value_enum, default_value_t)]
     pub format: TwoImpactFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
     /// Draw the manifold
     #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
-    /// No notes on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    #[command(flatten)]
+    pub destination: Destination,
 }
 
 /// How the answer of `two-impact` is written.

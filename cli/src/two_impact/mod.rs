@@ -23,7 +23,7 @@ use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactForm
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let scene = scene::read(&arguments.scene)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
-    scene::keep_apart(&[&arguments.scene], arguments.output.as_deref(), arguments.plot.as_deref())?;
+    scene::keep_apart(&[&arguments.scene], arguments.destination.output.as_deref(), arguments.plot.as_deref())?;
     let named = || scene::name(&arguments.scene);
     match &arguments.manifold {
         Some(range) => draw_manifold(arguments, &scene, range, digits).with_context(named),
@@ -50,7 +50,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     if arguments.format == TwoImpactFormat::Csv {
         bail!("--format is csv, but accepted without --manifold are table and json");
     }
-    let progress = Progress::of("isolating motions", !arguments.quiet);
+    let progress = Progress::of("isolating motions", !arguments.destination.quiet);
     let answers: Vec<Answer> = arguments
         .cycles
         .0
@@ -73,7 +73,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     let open = "not all that was asked is decided: see what is undecided or null in the output";
     let open = answers.iter().any(|answer| !answer.is_complete).then(|| open.to_owned());
     let is_table = arguments.format == TwoImpactFormat::Table;
-    Output::open(arguments.output.as_deref())?.answer(&text, open, (arguments.quiet, is_table))
+    Output::open(arguments.destination.output.as_deref())?.answer(&text, open, (arguments.destination.quiet, is_table))
 }
 
 fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &ManifoldRange, digits: u32) -> Result<Exit> {
@@ -94,8 +94,8 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         interrupted.set(!goes_on());
         !interrupted.get()
     };
-    let out = Output::open(arguments.output.as_deref())?;
-    let progress = Progress::of("drawing manifolds", !arguments.quiet);
+    let out = Output::open(arguments.destination.output.as_deref())?;
+    let progress = Progress::of("drawing manifolds", !arguments.destination.quiet);
     let mut curves: Vec<Manifold> = cycles
         .filter(|n| is_one || n % 2 == 1)
         .take_while(|_| goes_on())
@@ -113,7 +113,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
     let open = interrupted.then(|| "interrupted: all points that are there are proved, others are left".to_owned());
-    let answer = out.answer(&text, open, (arguments.quiet, false))?;
+    let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
     if let Some(path) = arguments.plot.as_ref().filter(|_| !curves.is_empty()) {
         Output::open(Some(path))?.draw(path, || impact_pair_plot::two_impact::svg(scene, axis, &curves))?;
     }

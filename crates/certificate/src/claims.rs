@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::document::{
-    BIFURCATION_SCHEMA, CHAOS_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRAP_SCHEMA, counted,
+    BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRAP_SCHEMA,
+    counted,
 };
 use crate::{
     BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, Effort, Finding, PeriodicCertificate,
@@ -56,6 +57,9 @@ impl Claims {
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
+            Some(CHAOS_CELLS_SCHEMA) => {
+                Self::Unchecked("stretches of a parameter: horseshoes and attracted orbits in each")
+            }
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
             Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),

@@ -77,7 +77,7 @@ impl Layers {
     fn draw(&self, scene: &Scene, root: &Canvas<'_>) -> Drawn {
         let font = ("sans-serif", FONT);
         let title = format!("{}: {}", scene.title().unwrap_or("scene"), self.caption);
-        let root = root.titled(&title, font)?;
+        let root = root.margin(8 * SCALE, 0, 0, 0).titled(&title, font)?;
         let corners = self.boxes.iter().flatten();
         let highest =
             corners.chain(&self.dots).chain(self.outlines.iter().flatten()).fold(0.0, |most: f64, at| most.max(at[1]));

@@ -5,6 +5,7 @@
 pub mod chaos;
 pub mod orbit;
 pub mod picture;
+pub mod proved;
 pub mod sweep;
 #[cfg(test)]
 #[path = "../../../tests/tolerances/mod.rs"]

@@ -1,15 +1,17 @@
-//! The JSON of regions and of chaos, schemas `impact-pair/trap/1` and `impact-pair/chaos/1`.
+//! The JSON of regions and of chaos, schemas `impact-pair/trap/1`, `impact-pair/chaos/1` and `impact-pair/chaos-cells/1`.
 
 use serde::{Deserialize, Serialize};
 
 use super::bifurcation::ParameterRange;
-use super::number::{Bounds, Decimal};
+use super::number::{Bounds, Decimal, Written};
 use super::scene::SceneDocument;
 
 /// The schema of a region.
 pub const TRAP_SCHEMA: &str = "impact-pair/trap/1";
 /// The schema of words and entropy.
 pub const CHAOS_SCHEMA: &str = "impact-pair/chaos/1";
+/// The schema of what is proved of each value of a parameter.
+pub const CHAOS_CELLS_SCHEMA: &str = "impact-pair/chaos-cells/1";
 
 /// A region that the impact map does not leave; every impact is mirrored to the left wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -68,8 +70,11 @@ pub struct ChaosDocument {
     pub boxes: u64,
     /// Lower bounds of the topological entropy; 0 where none is proved.
     pub entropy: EntropyDocument,
-    /// The shortest two words that may follow one another in any order.
+    /// The shortest two of the words that may follow one another in any order.
     pub horseshoe: Option<String>,
+    /// What is proved of the orbit of the scene's own start.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub scene_orbit: Option<SceneOrbitDocument>,
     /// Whether it was stopped before the depth that was asked for.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
@@ -79,6 +84,102 @@ pub struct ChaosDocument {
     pub words: Vec<WordDocument>,
     /// The Lyapunov exponent of the floating orbit, an impact: seen, not proved.
     pub exponent_seen: Option<f64>,
+}
+
+/// What is proved of the orbit of the scene's own start: whether it is where the horseshoe is. Where nothing is proved it may be so all the same.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct SceneOrbitDocument {
+    /// The stable periodic orbit that it converges to: then only its transient sees the horseshoe, a chaotic saddle to it.
+    pub attracted: Option<PeriodDocument>,
+    /// A region that it enters and does not leave.
+    pub region: Option<EnteredDocument>,
+}
+
+/// A stable periodic orbit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct PeriodDocument {
+    /// Its word, the right-most mapping first in time.
+    pub word: String,
+    /// How many impacts it has.
+    pub impacts: u32,
+    /// How many cycles it takes.
+    pub cycles: u32,
+}
+
+/// A region that an orbit enters and does not leave, as `trap` proves it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct EnteredDocument {
+    /// How many boxes it has.
+    pub boxes: u64,
+    /// The impact from which on all are in it; 0 is the start.
+    pub entered_at_impact: u64,
+    /// Whether all bases are proved to lie in it, and so the horseshoe.
+    pub holds_bases: bool,
+}
+
+/// Of each value of a parameter what is proved.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct ChaosCellsDocument {
+    /// [`CHAOS_CELLS_SCHEMA`]
+    pub schema: String,
+    /// What proved it.
+    pub program: String,
+    /// Whether no value is undecided.
+    pub certified: bool,
+    /// Whose it is; the parameter's own value in it only names the scene.
+    pub scene: SceneDocument,
+    /// The parameter and its range.
+    pub over: ParameterRange,
+    /// Cells that the range is cut into.
+    pub cells: u32,
+    /// How often a cell is halved at most.
+    pub halvings: u32,
+    /// The most impacts of a horseshoe's words.
+    pub depth: u32,
+    /// Whether it was stopped: what was not looked at is undecided.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub interrupted: bool,
+    /// How much of the range is proved, about, in parts of it.
+    pub shares: SharesDocument,
+    /// The stretches of the range, without gaps and in their order; each verdict holds for both ends, too.
+    pub stretches: Vec<StretchDocument>,
+}
+
+/// Parts of a range, about; together 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct SharesDocument {
+    /// With a horseshoe.
+    pub horseshoe: f64,
+    /// Where the scene's own orbit converges to a stable periodic orbit.
+    pub attracted: f64,
+    /// Of which nothing is proved.
+    pub undecided: f64,
+}
+
+/// A stretch of a parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct StretchDocument {
+    /// Its lower end.
+    pub low: Written,
+    /// Its upper end.
+    pub high: Written,
+    /// `horseshoe`, `attracted` (of the orbit of the scene's own start) or `undecided`.
+    pub verdict: String,
+    /// Of a horseshoe, lower bounds of the topological entropy.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub entropy: Option<EntropyDocument>,
+    /// Of a horseshoe, its bases: `chaos --bases` takes them.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub bases: Vec<BaseDocument>,
+    /// The stable periodic orbit that attracts.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub period: Option<PeriodDocument>,
 }
 
 /// Lower bounds of entropy, in nats, rounded down.

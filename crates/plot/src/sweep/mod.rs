@@ -17,7 +17,8 @@ use impact_pair::sweep;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 
-use self::cells::Cells;
+pub(crate) use self::cells::Cells;
+pub(crate) use self::legend::described;
 use crate::picture::{self, Axis, Canvas, SCALE, on_top};
 
 /// The picture as it is shown.
@@ -68,14 +69,14 @@ pub fn svg(sweep: &mut impl Records, show: Show) -> Result<String> {
 }
 
 /// The pixels of a plot, across and down.
-struct Plane {
+pub(crate) struct Plane {
     axes: [Axis; 2],
-    pixels: [(i32, i32); 2],
+    pub pixels: [(i32, i32); 2],
 }
 
 impl Plane {
     /// Draws the axes, with these names, into `area`.
-    fn draw(area: &Canvas<'_>, axes: [Axis; 2], names: [&str; 2]) -> Drawn<Self> {
+    pub fn draw(area: &Canvas<'_>, axes: [Axis; 2], names: [&str; 2]) -> Drawn<Self> {
         let [x, y] = axes.clone();
         let mut chart = ChartBuilder::on(area)
             .margin(10 * SCALE)
@@ -97,13 +98,18 @@ impl Plane {
         Ok(Self { axes, pixels: [(across.start, across.end), (down.start, down.end)] })
     }
 
+    /// Pixels across, and down.
+    pub fn size(&self) -> [i32; 2] {
+        self.pixels.map(|(from, to)| to - from)
+    }
+
     /// The pixel across of `x`.
-    fn column(&self, x: f64) -> i32 {
+    pub fn column(&self, x: f64) -> i32 {
         self.axes[0].map(&x, self.pixels[0])
     }
 
     /// The pixel down of `y`, inside the plot.
-    fn row(&self, y: f64) -> i32 {
+    pub fn row(&self, y: f64) -> i32 {
         let (top, bottom) = self.pixels[1];
         self.axes[1].map(&y, (bottom, top)).clamp(top, bottom)
     }

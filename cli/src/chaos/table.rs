@@ -1,0 +1,134 @@
+//! What `chaos` prints for people.
+
+use std::fmt::{self, Write};
+
+use impact_pair::certificate::document::{ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument};
+use impact_pair::chaos::Chaos;
+use impact_pair::document::counted;
+use impact_pair::pair::Wall;
+
+/// One horseshoe, for one pair or all of a range.
+pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt::Error> {
+    let mut out = String::new();
+    if let Some(over) = &document.over {
+        writeln!(out, "for all values of {} from {} to {}", over.key, over.low.0, over.high.0)?;
+    }
+    let words = found.words().len();
+    writeln!(
+        out,
+        "\n{} bases, {words} words of at most {} impacts, {} boxes",
+        document.bases.len(),
+        document.depth,
+        document.boxes
+    )?;
+    if let Some([a, b]) = found.horseshoe() {
+        let time = |half: i64| if half == 2 { "1 cycle".to_owned() } else { format!("{} cycles", 0.5 * half as f64) };
+        let blocks = [a, b].map(|word| format!("{} ({})", word.in_mappings(), time(word.half_cycles)));
+        let mirrored = [a, b].iter().any(|word| word.walls.last() == Some(&Wall::Right));
+        let mirrored = if mirrored { " (mirrored where it starts on the right wall)" } else { "" };
+        writeln!(
+            out,
+            "for every sequence of these two blocks{mirrored} there is a motion, for a periodic one a periodic motion:"
+        )?;
+        writeln!(out, "  {}\n  {}", blocks[0], blocks[1])?;
+    }
+    if let Some(exponent) = document.exponent_seen {
+        writeln!(out, "Lyapunov exponent of the floating orbit: {exponent:.3} an impact (seen, not proved)")?;
+    }
+    for line in fate(document) {
+        writeln!(out, "{line}")?;
+    }
+    writeln!(out, "\n{}", conclusion(document, found))?;
+    Ok(out)
+}
+
+/// Whether the scene's own orbit is where the horseshoe is, as far as that is proved.
+fn fate(document: &ChaosDocument) -> Vec<String> {
+    let mut lines = Vec::new();
+    let scene_orbit = document.scene_orbit.as_ref();
+    let attracted = scene_orbit.and_then(|orbit| orbit.attracted.as_ref());
+    if let Some(period) = attracted {
+        let (impacts, cycles) = (counted(period.impacts, "impact"), counted(period.cycles, "cycle"));
+        let beside = if document.certified {
+            ";\n  the horseshoe is not what it tends to, only transients can see it"
+        } else {
+            ""
+        };
+        lines.push(format!(
+            "proved: the scene's own orbit converges to a stable periodic orbit of {impacts} in {cycles}{beside}"
+        ));
+    }
+    if !document.certified {
+        return lines;
+    }
+    lines.push(match scene_orbit.and_then(|orbit| orbit.region.as_ref()) {
+        Some(region) if region.holds_bases => format!(
+            "proved: the horseshoe lies in a region of {} boxes in which the scene's own orbit stays from impact {} on",
+            region.boxes, region.entered_at_impact
+        ),
+        Some(region) => format!(
+            "undecided whether the horseshoe lies in the region of {} boxes in which the scene's own orbit stays",
+            region.boxes
+        ),
+        None if attracted.is_none() => {
+            "undecided whether the scene's own orbit comes where the horseshoe is".to_owned()
+        }
+        None => return lines,
+    });
+    lines
+}
+
+/// The last line.
+pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
+    let stopped = if document.interrupted { "interrupted: " } else { "" };
+    if document.certified {
+        let [impact, cycle] = [&document.entropy.per_impact, &document.entropy.per_cycle].map(Decimal::text);
+        return format!(
+            "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} an impact, {cycle} a cycle"
+        );
+    }
+    if found.bases().is_empty() && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
+        return "undecided: the floating orbit is regular, and transients lead to no horseshoe; one may be there"
+            .to_owned();
+    }
+    let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
+    format!("{stopped}undecided: no horseshoe is proved{hint}")
+}
+
+/// The stretches of a range, a line each.
+pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
+    let mut out = String::new();
+    writeln!(out, "over {} from {} to {}\n", document.over.key, document.over.low.0, document.over.high.0)?;
+    writeln!(out, "{:>12} {:>12}  {:10}", "from", "to", "verdict")?;
+    for stretch in &document.stretches {
+        let [low, high] = [&stretch.low, &stretch.high].map(|end| end.0.text());
+        let what = match (&stretch.entropy, &stretch.period) {
+            (Some(entropy), _) => format!(
+                "entropy at least {} an impact, {} a cycle",
+                entropy.per_impact.text(),
+                entropy.per_cycle.text()
+            ),
+            (_, Some(period)) => {
+                format!("{} in {}", counted(period.impacts, "impact"), counted(period.cycles, "cycle"))
+            }
+            _ => String::new(),
+        };
+        writeln!(out, "{}", format!("{low:>12} {high:>12}  {:10} {what}", stretch.verdict).trim_end())?;
+    }
+    writeln!(out, "\n{}", shares(document))?;
+    Ok(out)
+}
+
+/// How much of the range is proved.
+pub fn shares(document: &ChaosCellsDocument) -> String {
+    let SharesDocument { horseshoe, attracted, undecided } = &document.shares;
+    let percent = |share: &f64| format!("{:.2} %", 100.0 * share);
+    let said = if document.certified { "certified" } else { "not all certified" };
+    let stopped = if document.interrupted { "interrupted: " } else { "" };
+    format!(
+        "{stopped}{said}: of the range {} hold a horseshoe, over {} the scene's own orbit is attracted, {} undecided",
+        percent(horseshoe),
+        percent(attracted),
+        percent(undecided)
+    )
+}

@@ -1,0 +1,266 @@
+//! The values of a parameter in cells: those that hold a horseshoe, those that attract the scene's own orbit. Lemma D14
+
+use std::iter;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+
+use super::bases::{ANY, Seen, seen};
+use super::fate::attracted;
+use super::flights::{Law, State};
+use super::guess::Guess;
+use super::horseshoe::{Chaos, bases, problem};
+use super::scene::{Visited, visited};
+use super::words::Base;
+use crate::Error;
+use crate::exact::{Exact, ExactError};
+use crate::mapping::{Mapping, Word};
+use crate::orbit::{Arithmetic, Start};
+use crate::pair::{ImpactPair, Wall, within};
+use crate::periodic::Attractor;
+use crate::periodic::bifurcation::Over;
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// The parameter and its range.
+    pub over: Over,
+    /// Cells that it is cut into, equally wide.
+    pub cells: u32,
+    /// How often a cell is halved where nothing is proved of all of it.
+    pub halvings: u32,
+    /// The most impacts of a horseshoe's words.
+    pub depth: usize,
+}
+
+/// What is proved for all values of the parameter in a stretch.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The impact map of each pair holds a horseshoe.
+    Horseshoe {
+        /// Lower bounds of the topological entropy an impact, and a cycle.
+        entropy: [f64; 2],
+        /// What it was proved with.
+        bases: Vec<Base>,
+    },
+    /// The orbit of the scene's own start converges to a stable periodic orbit; a horseshoe may be there all the same.
+    Attracted {
+        /// The word of the period, from that impact on that makes it the first one in the alphabet of L and R.
+        word: Word,
+        /// How many cycles it takes.
+        cycles: u32,
+    },
+    /// Neither of both is proved.
+    Undecided,
+}
+
+impl Verdict {
+    /// The verdict in a word.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Horseshoe { .. } => "horseshoe",
+            Self::Attracted { .. } => "attracted",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
+/// Neighbouring values of a parameter of which the same is proved, both ends among them.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    /// The least value.
+    pub low: Exact,
+    /// The greatest value.
+    pub high: Exact,
+    /// What is proved.
+    pub verdict: Verdict,
+}
+
+/// The values of a parameter, by what is proved: without gaps, in their order.
+///
+/// **Enclosure**: each verdict holds for every value in its stretch, both ends among them. Lemmas D11, D12, D14, Q3
+/// **Cost**: some seconds of a processor for a cell with a horseshoe; milliseconds for one that attracts, as often as it is halved.
+#[derive(Clone, Debug)]
+pub struct Cells {
+    /// What is proved.
+    pub stretches: Vec<Stretch>,
+    /// Whether it was told to stop; what was not looked at is undecided.
+    pub interrupted: bool,
+}
+
+/// Impacts after which it is asked whether an orbit is attracted.
+const IMPACTS: u64 = 1000;
+/// Horseshoes are looked for in cells that are halved so often at most, and in every other generation of them.
+const SEARCHED: u32 = 4;
+const EVERY: u32 = 2;
+
+/// A search at work.
+struct Work<'w> {
+    pair: &'w ImpactPair,
+    start: &'w Start,
+    asked: &'w Asked,
+    goes_on: &'w (dyn Fn() -> bool + Sync),
+}
+
+impl Cells {
+    /// What is proved of the pairs with each value of the parameter.
+    ///
+    /// `goes_on` is told how many cells are done and says whether to go on; what is proved until then stays. The cells do not know of
+    /// one another, so threads decide nothing.
+    ///
+    /// # Errors
+    /// Under several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
+    pub fn of(
+        pair: &ImpactPair,
+        start: &Start,
+        asked: &Asked,
+        goes_on: &(dyn Fn(u32) -> bool + Sync),
+    ) -> Result<Self, Error> {
+        let Over { key, low, high } = &asked.over;
+        Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
+        let (next, done) = (AtomicU32::new(0), AtomicU32::new(0));
+        let finished = || goes_on(done.load(Ordering::Relaxed));
+        let work = Work { pair, start, asked, goes_on: &finished };
+        let found = Mutex::new(Vec::new());
+        let each = || {
+            loop {
+                let cell = next.fetch_add(1, Ordering::Relaxed);
+                if cell >= asked.cells {
+                    break;
+                }
+                let stretches = work.cell(cell);
+                found.lock().expect("no thread has panicked").push((cell, stretches));
+                done.fetch_add(1, Ordering::Relaxed);
+            }
+        };
+        let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+        thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(each)));
+        let mut found = found.into_inner().expect("no thread has panicked");
+        found.sort_by_key(|(cell, _)| *cell);
+        let mut stretches: Vec<Stretch> = Vec::new();
+        for (_, cell) in found {
+            cell?.into_iter().for_each(|stretch| join(&mut stretches, stretch));
+        }
+        Ok(Self { stretches, interrupted: !goes_on(asked.cells) })
+    }
+}
+
+/// What messages name.
+const NAME: &str = "the parameter";
+
+/// Adds a stretch behind the others, to the last one where the same is proved of both.
+fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
+    match stretches.last_mut() {
+        // Lemma D14: they have the end in common
+        Some(last) if last.verdict == stretch.verdict => last.high = stretch.high,
+        _ => stretches.push(stretch),
+    }
+}
+
+impl Work<'_> {
+    /// An edge between cells.
+    fn edge(&self, index: u32) -> Result<Exact, ExactError> {
+        let Asked { over: Over { low, high, .. }, cells, .. } = self.asked;
+        match index {
+            0 => Ok(low.clone()),
+            _ if index == *cells => Ok(high.clone()),
+            _ => {
+                let part = Exact::from(i64::from(index)).checked_div(&Exact::from(i64::from(*cells)))?;
+                low.checked_add(&high.checked_sub(low)?.checked_mul(&part)?)
+            }
+        }
+    }
+
+    fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {
+        let edge = |index| within(NAME, &self.asked.over.low, self.edge(index));
+        let mut stretches = Vec::new();
+        self.decide([edge(index)?, edge(index + 1)?], 0, &mut Vec::new(), &mut stretches)?;
+        Ok(stretches)
+    }
+
+    /// Decides a cell, or its halves; `known` are bases that the last horseshoe was proved with.
+    fn decide(
+        &self,
+        [low, high]: [Exact; 2],
+        halved: u32,
+        known: &mut Vec<Base>,
+        found: &mut Vec<Stretch>,
+    ) -> Result<(), Error> {
+        let all = within(NAME, &low, Exact::interval(&low, &high))?;
+        let pair = self.pair.with(self.asked.over.key, all)?;
+        let middle = within(NAME, &low, low.checked_add(&high).and_then(|sum| sum.checked_div(&Exact::from(2))))?;
+        let mut verdict = Verdict::Undecided;
+        if (self.goes_on)() {
+            verdict = self.attracted(&pair)?;
+            if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
+                verdict = self.horseshoe(&pair, [&middle, &low, &high], known)?;
+            }
+            if verdict == Verdict::Undecided && halved < self.asked.halvings {
+                self.decide([low, middle.clone()], halved + 1, known, found)?;
+                return self.decide([middle, high], halved + 1, known, found);
+            }
+        }
+        join(found, Stretch { low, high, verdict });
+        Ok(())
+    }
+
+    fn attracted(&self, pair: &ImpactPair) -> Result<Verdict, Error> {
+        let attractor = attracted(pair, self.start, (Arithmetic::Interval, IMPACTS), self.goes_on)?;
+        Ok(attractor.map_or(Verdict::Undecided, |attractor| {
+            let Attractor { word, cycles, .. } = *attractor;
+            Verdict::Attracted { word: told_from_its_least(&word), cycles }
+        }))
+    }
+
+    /// Bases that are known, or else those that a floating orbit in the cell leads to, are tried for all of the cell.
+    fn horseshoe(&self, pair: &ImpactPair, values: [&Exact; 3], known: &mut Vec<Base>) -> Result<Verdict, Error> {
+        let law = Law::of(pair)?;
+        let mut chaotic = None;
+        for value in values {
+            let one = self.pair.with(self.asked.over.key, value.clone())?;
+            let guess = Guess::new(&Law::of(&one)?);
+            let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
+            chaotic = orbit.filter(Seen::is_chaotic);
+            if chaotic.is_some() {
+                break;
+            }
+        }
+        let Some(orbit) = chaotic else { return Ok(Verdict::Undecided) };
+        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.goes_on);
+        for again in [true, false] {
+            let bases = if again { known.clone() } else { found() };
+            if problem(&bases).is_some() {
+                continue;
+            }
+            let chaos = Chaos::proved(&law, bases, self.asked.depth, &|_, _| (self.goes_on)());
+            if chaos.entropy() > 0.0 {
+                let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
+                known.clone_from(&bases);
+                return Ok(Verdict::Horseshoe { entropy, bases });
+            }
+        }
+        Ok(Verdict::Undecided)
+    }
+}
+
+/// Impacts of a floating orbit after a transient, for pictures: nothing is proved of them. None where it ends.
+///
+/// # Errors
+/// Under several harmonics, and when a value is beyond the range of flights.
+pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usize; 2]) -> Result<Vec<State>, Error> {
+    let guess = Guess::new(&Law::of(pair)?);
+    let Some(first) = visited(pair, start, 1)?.last().map(Visited::middle) else { return Ok(Vec::new()) };
+    // proposes: shown
+    let next = |state: &State| guess.map(*state).map(|image| [image.state[0].rem_euclid(1.0), image.state[1]]);
+    Ok(iter::successors(Some(first), next).skip(transient).take(impacts).collect())
+}
+
+/// A word from that impact on that makes it the first one in the alphabet of L and R.
+fn told_from_its_least(word: &Word) -> Word {
+    let mappings = word.mappings();
+    let rotated = |shift: usize| mappings.iter().cycle().skip(shift).take(mappings.len()).copied();
+    let is_right = |shift: &usize| rotated(*shift).map(|mapping| mapping.walls().0 == Wall::Right).collect::<Vec<_>>();
+    let shift = (0..mappings.len()).min_by_key(is_right).unwrap_or(0); // exact: a word has impacts
+    let mappings: Vec<Mapping> = rotated(shift).collect();
+    Word::new(mappings).expect("a closed word can be turned")
+}

@@ -1,0 +1,78 @@
+//! What becomes of the scene's own orbit: whether a horseshoe is where it goes, or elsewhere.
+
+use std::ops::ControlFlow;
+
+use super::region::Trap;
+use super::words::Base;
+use crate::Error;
+use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
+use crate::pair::ImpactPair;
+use crate::periodic::Attractor;
+
+/// What is proved of the orbit of the scene's own start; where nothing is, it may still be so.
+///
+/// **Enclosure**: for every parameter of the pair the orbit converges to the one periodic orbit, or is in the region from the impact
+/// on that is told. Lemmas Q3, D5, D13
+#[derive(Debug, Default)]
+pub struct Fate {
+    /// The stable periodic orbit that it converges to: what else is found is not what it tends to.
+    pub attractor: Option<Box<Attractor>>,
+    /// A region that it enters.
+    pub region: Option<Entered>,
+}
+
+/// A region that the orbit of the scene's own start enters and does not leave.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entered {
+    /// How many boxes it has.
+    pub boxes: usize,
+    /// The impact from which on all are in it, 0 for the start.
+    pub at_impact: u64,
+    /// Whether all bases are proved to lie in it: then the horseshoe does, with all its images.
+    pub holds_bases: bool,
+}
+
+/// Impacts after which it is asked whether the orbit converges, and with what: in doubles, in as many bits as it takes.
+const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
+
+impl Fate {
+    /// That of an orbit; the region is looked for where there are bases.
+    pub(super) fn of(
+        pair: &ImpactPair,
+        start: &Start,
+        bases: &[Base],
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, Error> {
+        let mut attractor = None;
+        for asked in ASKED {
+            if attractor.is_none() {
+                attractor = attracted(pair, start, asked, goes_on)?;
+            }
+        }
+        let region = match bases {
+            [] => None,
+            _ => Trap::of_pair(pair, start, 0, &|_| goes_on())?.ok(),
+        };
+        let entered = |region: Trap| {
+            let holds_bases = bases.iter().all(|base| region.holds(base));
+            Some(Entered { boxes: region.boxes(), at_impact: region.entered()?, holds_bases })
+        };
+        Ok(Self { attractor, region: region.and_then(entered) })
+    }
+}
+
+/// The periodic orbit that so many impacts of an orbit prove it to converge to. Lemma Q3
+pub(super) fn attracted(
+    pair: &ImpactPair,
+    start: &Start,
+    (arithmetic, impacts): (Arithmetic, u64),
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<Option<Box<Attractor>>, Error> {
+    let settings = Settings { impacts: Some(impacts), arithmetic, attractor: true, ..Settings::default() };
+    let mut orbit = Orbit::new(pair, start, settings)?;
+    let _ = orbit.follow(&goes_on, |_, _| ControlFlow::<()>::Continue(()));
+    Ok(match orbit.outcome() {
+        Some(Outcome::Attracted(attractor)) => Some(attractor.clone()),
+        _ => None,
+    })
+}
