@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
+use impact_pair_plot::picture::Theme;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
@@ -48,8 +49,11 @@ pub struct TradeArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the rungs: the time of an impact over the certified digits
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    pub theme: Theme,
     /// No notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,

@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 use impact_pair::exact::Exact;
 use impact_pair::pair::Wall;
 use impact_pair::two_impact::{COUNTS, CYCLES};
+use impact_pair_plot::picture::Theme;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
@@ -62,8 +63,11 @@ pub struct TwoImpactArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw the manifold
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    pub theme: Theme,
     /// No notes on stderr
     #[arg(long, short)]
     pub quiet: bool,

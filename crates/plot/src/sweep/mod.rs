@@ -18,7 +18,7 @@ use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 
 use self::cells::Cells;
-use crate::picture::{self, Axis, Canvas, SCALE, on_top};
+use crate::picture::{self, Axis, Canvas, Element, SCALE};
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
@@ -55,16 +55,14 @@ pub enum Show {
 /// When it cannot be drawn, or the sweep cannot be read.
 pub fn svg(sweep: &mut impl Records, show: Show) -> Result<String> {
     let grid = sweep::grid(sweep.head())?;
-    let mut data = String::new();
-    let mut svg = picture::svg(SIZE, SCALE, |root| {
-        data = match grid.axes() {
+    picture::svg(SIZE, SCALE, |root| {
+        let data = match grid.axes() {
             [x] => diagram::draw(sweep, x, show, root)?,
             _ => map::draw(sweep, &grid, root)?,
         };
+        root.draw(&Element(data))?;
         Ok(())
-    })?;
-    on_top(&mut svg, &data);
-    Ok(svg)
+    })
 }
 
 /// The pixels of a plot, across and down.

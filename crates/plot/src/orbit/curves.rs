@@ -1,0 +1,101 @@
+//! The curves of a panel: Bézier segments, thin and translucent where there are many, so that density shows.
+
+use std::fmt::Write;
+
+use super::frame::Frame;
+use super::panel::{Plane, Style};
+use super::trace::{Part, Point};
+use crate::picture::{Canvas, Drawn, Element, Path, Place, SCALE, hermite, hex};
+
+/// A segment goes over so many points of a stroke: a twenty-fourth of a turn.
+pub const POINTS: usize = 4;
+/// From so many flights on they are translucent, and at least so much of them is left.
+const MANY: f64 = 30.0;
+const FAINTEST: f64 = 0.2;
+/// How much of that a jump has.
+const JUMP: f64 = 0.45;
+
+/// A stroke's curve on a panel.
+pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
+    let middle = |point: &Point| frame.place(point).map(|span| span.middle);
+    // How far a point goes in so many turns.
+    let way = |point: &Point, turns: f64| -> Place {
+        let (from, rate) = (middle(point), frame.rate(point));
+        let (a, b) =
+            (plane.place(from), plane.place([rate[0].mul_add(turns, from[0]), rate[1].mul_add(turns, from[1])]));
+        (b.0 - a.0, b.1 - a.1)
+    };
+    let mut path = Path::default();
+    let last = points.len() - 1;
+    let knots: Vec<&Point> = (0..last).step_by(POINTS).chain([last]).map(|at| &points[at]).collect();
+    path.move_to(plane.place(middle(knots[0])));
+    for pair in knots.windows(2) {
+        let turns = pair[1].at - pair[0].at;
+        let end = |point: &Point| (plane.place(middle(point)), way(point, turns));
+        path.curve_to(hermite(end(pair[0]), end(pair[1])));
+    }
+    path
+}
+
+/// How a kind of strokes is drawn: their parts, width in pixels as they are shown, and opacity.
+type Look = (&'static [Part], f64, f64);
+
+/// Draws all curves of a panel, those of the transient first.
+pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -> Drawn {
+    let (left, right) = plane.pixels[0];
+    let (bottom, top) = plane.pixels[1];
+    // Lines on the edge of the panel are drawn whole.
+    let edge = 3 * SCALE;
+    let id = format!("panel-{left}-{top}");
+    let mut svg = format!(
+        "<clipPath id=\"{id}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n<g fill=\"none\" clip-path=\"url(#{id})\">\n",
+        left - edge,
+        top - edge,
+        right - left + 2 * edge,
+        bottom - top + 2 * edge
+    );
+    for is_transient in [true, false] {
+        let of = |parts: &'static [Part]| {
+            let strokes =
+                frame.strokes().filter(move |(stroke, points)| parts.contains(&stroke.part) && points.len() > 1);
+            strokes.filter(|(stroke, _)| (stroke.impacts < style.transient) == is_transient)
+        };
+        let flights = of(&[Part::Flight]).count() as f64;
+        let is_dense = !frame.panel.is_of_time() && flights > MANY;
+        let (width, opacity) = if is_dense { (1.0, (MANY / flights).sqrt().max(FAINTEST)) } else { (1.5, 1.0) };
+        let looks: [Look; 3] = [
+            (&[Part::Jump], 1.0, JUMP * opacity),
+            (&[Part::Flight], width, opacity),
+            (&[Part::Chatter, Part::Rest], 5.0, 1.0),
+        ];
+        for (parts, width, opacity) in looks {
+            let paths: Vec<Path> = of(parts).map(|(_, points)| path(points, frame, plane)).collect();
+            if !paths.is_empty() {
+                let colour = hex(style.curve(if is_transient { 0 } else { style.transient }));
+                group(&mut svg, &paths, &colour, (width, opacity));
+            }
+        }
+    }
+    svg.push_str("</g>");
+    root.draw(&Element(svg))?;
+    Ok(())
+}
+
+/// Paths of one look; where they are translucent each is drawn by itself, so that they darken each other.
+fn group(svg: &mut String, paths: &[Path], colour: &str, (width, opacity): (f64, f64)) {
+    let width = width * f64::from(SCALE);
+    // Writing to a String cannot fail.
+    let _ = write!(
+        svg,
+        "<g stroke=\"{colour}\" stroke-width=\"{width}\" stroke-opacity=\"{opacity:.2}\" stroke-linejoin=\"round\">"
+    );
+    let data = paths.iter().map(Path::data);
+    if opacity < 1.0 {
+        data.for_each(|data| {
+            let _ = write!(svg, "<path d=\"{data}\"/>");
+        });
+    } else {
+        let _ = write!(svg, "<path d=\"{}\"/>", data.collect::<String>());
+    }
+    svg.push_str("</g>\n");
+}
