@@ -10,7 +10,7 @@ use impact_pair::scene::Run;
 use impact_pair_plot::orbit::Panel;
 use impact_pair_plot::picture::Theme;
 
-use crate::arguments::{ARITHMETICS, bits, digits, point, shown_digits};
+use crate::arguments::{ARITHMETICS, bits, digits, point, shown_digits, window};
 
 pub const HELP: &str = "\
 Examples:
@@ -28,16 +28,6 @@ interrupted, or is wider than --digits (the picture holds all that is certified,
 
 /// What is drawn where nothing says how many impacts: sections need many points.
 const SECTION_IMPACTS: u64 = 4000;
-
-/// Reads two times, the earlier one first, as places on an axis: about what they are.
-fn window(text: &str) -> Result<[f64; 2], String> {
-    let number = |text: &str| Ok::<f64, String>(point(text)?.enclose(64).mid_rad().0);
-    let (from, to) = text.split_once("..").ok_or("accepted are two times such as 0.2..0.5")?;
-    match (number(from)?, number(to)?) {
-        (from, to) if from < to => Ok([from, to]),
-        _ => Err("accepted are two times, the earlier one first".into()),
-    }
-}
 
 #[derive(Args, Debug)]
 #[command(group(ArgGroup::new("shown").required(true).args(["panels", "all"])))]

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use super::frame::Frame;
-use super::panel::{Plane, Style};
+use super::panel::Style;
 use super::trace::{Part, Point};
-use crate::picture::{Canvas, Drawn, Element, Path, Place, SCALE, hermite, hex};
+use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 
 /// A segment goes over so many points of a stroke: a twenty-fourth of a turn.
 pub const POINTS: usize = 4;
@@ -18,20 +18,15 @@ const JUMP: f64 = 0.45;
 /// A stroke's curve on a panel.
 pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     let middle = |point: &Point| frame.place(point).map(|span| span.middle);
-    // How far a point goes in so many turns.
-    let way = |point: &Point, turns: f64| -> Place {
-        let (from, rate) = (middle(point), frame.rate(point));
-        let (a, b) =
-            (plane.place(from), plane.place([rate[0].mul_add(turns, from[0]), rate[1].mul_add(turns, from[1])]));
-        (b.0 - a.0, b.1 - a.1)
-    };
     let mut path = Path::default();
     let last = points.len() - 1;
     let knots: Vec<&Point> = (0..last).step_by(POINTS).chain([last]).map(|at| &points[at]).collect();
     path.move_to(plane.place(middle(knots[0])));
     for pair in knots.windows(2) {
         let turns = pair[1].at - pair[0].at;
-        let end = |point: &Point| (plane.place(middle(point)), way(point, turns));
+        let end = |point: &Point| {
+            (plane.place(middle(point)), plane.way(middle(point), frame.rate(point).map(|rate| rate * turns)))
+        };
         path.curve_to(hermite(end(pair[0]), end(pair[1])));
     }
     path
@@ -42,18 +37,7 @@ type Look = (&'static [Part], f64, f64);
 
 /// Draws all curves of a panel, those of the transient first.
 pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -> Drawn {
-    let (left, right) = plane.pixels[0];
-    let (bottom, top) = plane.pixels[1];
-    // Lines on the edge of the panel are drawn whole.
-    let edge = 3 * SCALE;
-    let id = format!("panel-{left}-{top}");
-    let mut svg = format!(
-        "<clipPath id=\"{id}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n<g fill=\"none\" clip-path=\"url(#{id})\">\n",
-        left - edge,
-        top - edge,
-        right - left + 2 * edge,
-        bottom - top + 2 * edge
-    );
+    let mut svg = String::new();
     for is_transient in [true, false] {
         let of = |parts: &'static [Part]| {
             let strokes =
@@ -76,8 +60,7 @@ pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -
             }
         }
     }
-    svg.push_str("</g>");
-    root.draw(&Element(svg))?;
+    root.draw(&Element(plane.clipped(&svg)))?;
     Ok(())
 }
 

@@ -9,7 +9,7 @@ use super::curves;
 use super::frame::Frame;
 use super::symbols::{self, hatch, symbol};
 use super::trace::Span;
-use crate::picture::{Axis, BLUE, Canvas, Dots, Drawn, GREEN, GREY, Place, SCALE, VERMILION, hull, words};
+use crate::picture::{BLUE, Canvas, Dots, Drawn, GREEN, GREY, Plane, SCALE, VERMILION, hull, words};
 
 /// Heights of letters.
 pub const FONT: i32 = 17 * SCALE;
@@ -47,44 +47,18 @@ impl Style {
 
 type Pixel = (i32, i32);
 
-/// The pixels of a panel.
-pub struct Plane {
-    axes: [Axis; 2],
-    /// Left to right, bottom to top.
-    pub pixels: [(i32, i32); 2],
+fn middle(plane: &Plane, [x, y]: [Span; 2]) -> Pixel {
+    plane.pixel([x.middle, y.middle])
 }
 
-impl Plane {
-    fn pixel(&self, [x, y]: [f64; 2]) -> Pixel {
-        let clamped = |axis: usize, value: f64| {
-            let (from, to) = self.pixels[axis];
-            self.axes[axis].map(&value, (from, to)).clamp(from.min(to), from.max(to))
-        };
-        (clamped(0, x), clamped(1, y))
-    }
+fn corners(plane: &Plane, [x, y]: [Span; 2]) -> [Pixel; 2] {
+    [plane.pixel([x.low, y.high]), plane.pixel([x.high, y.low])]
+}
 
-    /// Where it is, in parts of pixels, and maybe outside.
-    pub fn place(&self, place: [f64; 2]) -> Place {
-        let at = |axis: usize| {
-            let (from, to) = self.pixels[axis];
-            f64::from(to - from).mul_add(self.axes[axis].part(place[axis]), f64::from(from))
-        };
-        (at(0), at(1))
-    }
-
-    fn middle(&self, [x, y]: [Span; 2]) -> Pixel {
-        self.pixel([x.middle, y.middle])
-    }
-
-    fn corners(&self, [x, y]: [Span; 2]) -> [Pixel; 2] {
-        [self.pixel([x.low, y.high]), self.pixel([x.high, y.low])]
-    }
-
-    /// Whether a box is wider than a pixel as it is shown.
-    fn is_wide(&self, place: [Span; 2]) -> bool {
-        let [a, b] = self.corners(place);
-        (b.0 - a.0).max(b.1 - a.1) > SCALE
-    }
+/// Whether a box is wider than a pixel as it is shown.
+fn is_wide(plane: &Plane, place: [Span; 2]) -> bool {
+    let [a, b] = corners(plane, place);
+    (b.0 - a.0).max(b.1 - a.1) > SCALE
 }
 
 /// Draws the panel into `area` of `root`, with a frame around what is magnified elsewhere. Says whether any box was
@@ -111,10 +85,10 @@ pub fn draw(
     curves::draw(frame, style, &plane, root)?;
     has_boxes |= impacts(frame, style, &plane, root)?;
     for (kind, place) in frame.marks() {
-        symbol(root, kind, plane.middle(place))?;
+        symbol(root, kind, middle(&plane, place))?;
     }
     if let Some(place) = frame.last() {
-        symbols::open(root, plane.middle(place))?;
+        symbols::open(root, middle(&plane, place))?;
     }
     if let Some(inner) = magnified {
         window(inner, &plane, root)?;
@@ -136,13 +110,13 @@ fn impacts(
             .crossings()
             .filter(|(impacts, of, _)| *of == wall && (*impacts < style.transient) == is_transient)
             .map(|(_, _, place)| place)
-            .partition(|place| plane.is_wide(*place));
+            .partition(|place| is_wide(plane, *place));
         has_boxes |= !wide.is_empty();
         for place in wide.into_iter().flat_map(|place| frame.wrapped(place)) {
-            root.draw(&Rectangle::new(plane.corners(place), colour.mix(0.3).filled()))?;
-            root.draw(&Rectangle::new(plane.corners(place), colour.stroke_width(SCALE as u32 / 2)))?;
+            root.draw(&Rectangle::new(corners(plane, place), colour.mix(0.3).filled()))?;
+            root.draw(&Rectangle::new(corners(plane, place), colour.stroke_width(SCALE as u32 / 2)))?;
         }
-        let places: Vec<Pixel> = narrow.into_iter().map(|place| plane.middle(place)).collect();
+        let places: Vec<Pixel> = narrow.into_iter().map(|place| middle(plane, place)).collect();
         if !places.is_empty() {
             root.draw(&Dots { colour, places }.element())?;
         }
@@ -231,17 +205,17 @@ fn band(
     plane: &Plane,
     root: &Canvas<'_>,
 ) -> Result<bool, Box<dyn std::error::Error>> {
-    let mut is_wide = false;
-    for pair in places.windows(2).filter(|pair| pair.iter().any(|place| plane.is_wide(*place))) {
+    let mut has_boxes = false;
+    for pair in places.windows(2).filter(|pair| pair.iter().any(|place| is_wide(plane, *place))) {
         let corners = pair.iter().flat_map(|place| {
-            let [a, b] = plane.corners(*place);
+            let [a, b] = corners(plane, *place);
             [a, b, (a.0, b.1), (b.0, a.1)]
         });
         // Opaque, so that bands on top of each other look like one.
         let RGBColor(r, g, b) = colour;
         let tint = |part: u8| 255 - (255 - part) / 4;
         root.draw(&Polygon::new(hull(corners.collect()), RGBColor(tint(r), tint(g), tint(b)).filled()))?;
-        is_wide = true;
+        has_boxes = true;
     }
-    Ok(is_wide)
+    Ok(has_boxes)
 }

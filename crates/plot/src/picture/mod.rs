@@ -6,6 +6,7 @@ mod file;
 mod hull;
 mod math;
 mod path;
+mod plane;
 mod svg;
 mod theme;
 
@@ -21,6 +22,7 @@ pub use file::{encoded, path};
 pub use hull::hull;
 pub use math::{greek, letters};
 pub use path::{Path, Place, hermite};
+pub use plane::Plane;
 pub use svg::{Element, Svg};
 pub use theme::Theme;
 
