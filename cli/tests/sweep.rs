@@ -272,7 +272,7 @@ fn pictures_show_all_outcomes() {
             "A = 0.36, Ω = π",
             "LR in 1 cycle, L at 5.14 rad",
             "#E69F00",
-            "an attractor's first impact"
+            "an attractor, where it hits the left wall"
         ]
         .iter()
         .all(|part| map.contains(part))

@@ -93,6 +93,9 @@ pub struct SweepArguments {
     /// What the diagram shows over the parameter
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,
+    /// Of a diagram only this range of the vertical axis
+    #[arg(long, value_name = "LO..HI", value_parser = crate::arguments::window, requires = "plot", allow_hyphen_values = true)]
+    pub within: Option<[f64; 2]>,
     /// No notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,

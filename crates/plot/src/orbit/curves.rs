@@ -12,7 +12,7 @@ pub const POINTS: usize = 4;
 /// From so many flights on they are translucent, and at least so much of them is left.
 const MANY: f64 = 30.0;
 const FAINTEST: f64 = 0.2;
-/// How much of that a jump has.
+/// Jumps are fainter than flights, but do not darken each other: they lie on walls.
 const JUMP: f64 = 0.45;
 
 /// A stroke's curve on a panel.
@@ -47,16 +47,13 @@ pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -
         let flights = of(&[Part::Flight]).count() as f64;
         let is_dense = !frame.panel.is_of_time() && flights > MANY;
         let (width, opacity) = if is_dense { (1.0, (MANY / flights).sqrt().max(FAINTEST)) } else { (1.5, 1.0) };
-        let looks: [Look; 3] = [
-            (&[Part::Jump], 1.0, JUMP * opacity),
-            (&[Part::Flight], width, opacity),
-            (&[Part::Chatter, Part::Rest], 5.0, 1.0),
-        ];
+        let looks: [Look; 3] =
+            [(&[Part::Jump], 1.0, JUMP), (&[Part::Flight], width, opacity), (&[Part::Chatter, Part::Rest], 5.0, 1.0)];
         for (parts, width, opacity) in looks {
             let paths: Vec<Path> = of(parts).map(|(_, points)| path(points, frame, plane)).collect();
             if !paths.is_empty() {
                 let colour = hex(style.curve(if is_transient { 0 } else { style.transient }));
-                group(&mut svg, &paths, &colour, (width, opacity));
+                group(&mut svg, &paths, is_dense && parts == [Part::Flight], &colour, (width, opacity));
             }
         }
     }
@@ -64,8 +61,8 @@ pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -
     Ok(())
 }
 
-/// Paths of one look; where they are translucent each is drawn by itself, so that they darken each other.
-fn group(svg: &mut String, paths: &[Path], colour: &str, (width, opacity): (f64, f64)) {
+/// Paths of one look; dense ones each by itself, so that they darken each other.
+fn group(svg: &mut String, paths: &[Path], is_dense: bool, colour: &str, (width, opacity): (f64, f64)) {
     let width = width * f64::from(SCALE);
     // Writing to a String cannot fail.
     let _ = write!(
@@ -73,7 +70,7 @@ fn group(svg: &mut String, paths: &[Path], colour: &str, (width, opacity): (f64,
         "<g stroke=\"{colour}\" stroke-width=\"{width}\" stroke-opacity=\"{opacity:.2}\" stroke-linejoin=\"round\">"
     );
     let data = paths.iter().map(Path::data);
-    if opacity < 1.0 {
+    if is_dense {
         data.for_each(|data| {
             let _ = write!(svg, "<path d=\"{data}\"/>");
         });

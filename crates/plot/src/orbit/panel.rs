@@ -15,7 +15,7 @@ use crate::picture::{BLUE, Canvas, Dots, Drawn, GREEN, GREY, Plane, SCALE, VERMI
 pub const FONT: i32 = 17 * SCALE;
 const TICK_FONT: i32 = 15 * SCALE;
 /// The least height and width of the frame around what is magnified elsewhere.
-const LEAST: i32 = 7 * SCALE;
+const LEAST: i32 = 20 * SCALE;
 
 /// How a trace is drawn.
 #[derive(Clone, Copy, Debug)]

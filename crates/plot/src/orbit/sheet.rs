@@ -102,7 +102,8 @@ impl Sheet<'_> {
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
-        let others = [data, mappings(&self.verdict), format!("{}; {PROGRAM}", self.shown())];
+        let program = PROGRAM.replace(' ', "\u{a0}");
+        let others = [data, mappings(&self.verdict), format!("{}; {program}", self.shown())];
         let wrap = |(text, size): (String, i32)| {
             let most = f64::from(width) / (LETTER * f64::from(size));
             wrapped(&text, most).into_iter().map(move |line| (line, size))
@@ -113,8 +114,10 @@ impl Sheet<'_> {
     /// How much of the motion the panels show.
     fn shown(&self) -> String {
         let letters = |is_in: &dyn Fn(Panel) -> bool| {
-            let of = self.panels.iter().filter(|panel| is_in(**panel));
-            of.map(|panel| format!("({})", panel.letter())).collect::<Vec<_>>().join(", ")
+            let of: Vec<Panel> = self.panels.iter().copied().filter(|panel| is_in(*panel)).collect();
+            let letters: Vec<String> = of.iter().map(|panel| format!("({})", panel.letter())).collect();
+            let is_row = of.len() > 2 && of.windows(2).all(|pair| pair[0] as u8 + 1 == pair[1] as u8);
+            if is_row { format!("{}–{}", letters[0], letters[of.len() - 1]) } else { letters.join(", ") }
         };
         let trace = self.trace;
         let cycles = |asked: u32| match f64::from(asked) {
@@ -153,7 +156,7 @@ fn write(caption: &[(String, i32)], root: &Canvas<'_>) -> Drawn {
 fn wrapped(text: &str, most: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut is_math = false;
-    for word in text.split_whitespace() {
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
         match lines.last_mut().filter(|line| letters(line) + 1.0 + letters(word) <= most) {
             Some(line) => *line = format!("{line} {word}"),
             None => {

@@ -59,7 +59,7 @@ pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<S
     let attractors: Vec<_> =
         if is_plane_of_starts && starts_left { attractors(&outcomes.kinds, &colours) } else { Vec::new() };
     if !attractors.is_empty() {
-        entries.push((Mark::Ring, "an attractor's first impact on the left wall".to_owned()));
+        entries.push((Mark::Ring, "an attractor, where it hits the left wall".to_owned()));
     }
     let lines = legend::keys(root, &entries)?;
     let (_, area) = root.split_vertically(CAPTION + lines * LINE + LINE / 2);

@@ -49,15 +49,15 @@ pub enum Show {
     Velocity,
 }
 
-/// The picture as SVG: a diagram over one key, a map over two.
+/// The picture as SVG: a diagram over one key, all of it or a range of its vertical axis, a map over two.
 ///
 /// # Errors
 /// When it cannot be drawn, or the sweep cannot be read.
-pub fn svg(sweep: &mut impl Records, show: Show) -> Result<String> {
+pub fn svg(sweep: &mut impl Records, show: Show, within: Option<[f64; 2]>) -> Result<String> {
     let grid = sweep::grid(sweep.head())?;
     picture::svg(SIZE, SCALE, |root| {
         let data = match grid.axes() {
-            [x] => diagram::draw(sweep, x, show, root)?,
+            [x] => diagram::draw(sweep, x, (show, within), root)?,
             _ => map::draw(sweep, &grid, root)?,
         };
         root.draw(&Element(data))?;
@@ -93,6 +93,12 @@ impl Plane {
             .draw()?;
         let (across, down) = chart.plotting_area().get_pixel_range();
         Ok(Self { axes, pixels: [(across.start, across.end), (down.start, down.end)] })
+    }
+
+    /// Whether any number between these is on the vertical axis.
+    fn shows(&self, [low, high]: [f64; 2]) -> bool {
+        let range = self.axes[1].range();
+        low <= range.end && high >= range.start
     }
 
     /// The pixel across of `x`.

@@ -1,7 +1,6 @@
 //! The manifolds of figures 10 and 11 as SVG.
 
 mod curve;
-mod inset;
 
 use anyhow::Result;
 use impact_pair::Scene;
@@ -14,10 +13,10 @@ use plotters::style::text_anchor::HPos;
 
 use crate::picture::{self, Canvas, Drawn, Element, Plane, SCALE, hex};
 use curve::{Kind, Slope};
-pub use inset::Window;
 
-/// The picture as it is shown.
+/// The picture as it is shown, and how much taller it is with a window of it magnified below.
 const SIZE: (u32, u32) = (900, 640);
+const BELOW: u32 = 280;
 const FONT: i32 = 15 * SCALE;
 /// Heights of the lines above the plot.
 const CAPTION: i32 = 70 * SCALE;
@@ -25,14 +24,18 @@ const LEGEND: i32 = 62 * SCALE;
 /// Amplitudes beyond so many gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
 
+/// What is magnified: from where to where, on both axes.
+pub type Window = [[f64; 2]; 2];
+
 /// The picture as SVG; over v with both walls, since one is the mirror image of the other (72). A window of it may be
-/// shown again, magnified.
+/// shown again below, magnified.
 ///
 /// # Errors
 /// When it cannot be drawn.
 pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>) -> Result<String> {
     let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
-    picture::svg(SIZE, SCALE, |root| {
+    let height = SIZE.1 + if window.is_some() { BELOW } else { 0 };
+    picture::svg((SIZE.0, height), SCALE, |root| {
         caption(scene, axis, root)?;
         legend(root)?;
         picture.draw(window, root)
@@ -75,28 +78,17 @@ impl Picture<'_> {
         let highest = all().map(|[_, amplitude]| amplitude).fold(0.0, f64::max).min(HIGHEST * self.gap);
         let axes = [picture::Axis::over(ends.0, ends.1), picture::Axis::over(0.0, 1.05 * highest)];
         let (_, below) = root.split_vertically(CAPTION + LEGEND);
-        let plane = mesh(&below, axes, Some(self.axis))?;
+        let (upper, lower) = below.split_vertically(SIZE.1 as i32 * SCALE - CAPTION - LEGEND);
+        let plane = mesh(&upper, axes, Some(self.axis))?;
         self.asymptote(&plane, root)?;
         self.content(&plane, root)?;
         names(&points, &plane, root)?;
-        let Some(window) = window else { return Ok(()) };
-        let framed = inset::window(&plane, window);
-        let covered: Vec<_> = all().map(|place| plane.place(place)).chain(self.level(&plane)).collect();
-        let area = inset::place(&plane, framed, &covered);
-        let thin = BLACK.mix(0.5).stroke_width(SCALE as u32);
-        root.draw(&Rectangle::new([(framed.left, framed.top), (framed.right, framed.bottom)], thin))?;
-        if area.bottom < framed.top {
-            for (from, to) in [(framed.left, area.left), (framed.right, area.right)] {
-                root.draw(&PathElement::new([(from, framed.top), (to, area.bottom)], thin))?;
-            }
-        }
-        let corners = [(area.left, area.top), (area.right, area.bottom)];
-        root.draw(&Rectangle::new(corners, WHITE.filled()))?;
-        root.draw(&Rectangle::new(corners, thin))?;
-        let size = ((area.right - area.left) as u32, (area.bottom - area.top) as u32);
-        let part = root.clone().shrink((area.left, area.top), size);
-        let [x, y] = window.map(|[low, high]| picture::Axis::over(low, high));
-        let plane = mesh(&part, [x, y], None)?;
+        let Some([across, up]) = window else { return Ok(()) };
+        let corners = [plane.pixel([across[0], up[1]]), plane.pixel([across[1], up[0]])];
+        root.draw(&Rectangle::new(corners, BLACK.mix(0.6).stroke_width(SCALE as u32)))?;
+        let (title, lower) = lower.split_vertically(24 * SCALE);
+        title.draw(&Text::new("in the frame, magnified:", (16 * SCALE, 14 * SCALE), words(FONT, HPos::Left)))?;
+        let plane = mesh(&lower, [across, up].map(|[low, high]| picture::Axis::over(low, high)), None)?;
         self.content(&plane, root)
     }
 
@@ -107,23 +99,16 @@ impl Picture<'_> {
         let elements: String = curves.map(|(curve, half)| curve::elements(curve, &self.slope, plane, half)).collect();
         root.draw(&Element(plane.clipped(&elements)))?;
         for (mark, place) in self.curves.iter().flat_map(|curve| self.points(curve)) {
-            if let Some(mark) = mark.filter(|_| inset::is_inside(plane, place)) {
+            if let Some(mark) = mark.filter(|_| is_inside(plane, place)) {
                 symbol(root, mark, plane.pixel(place))?;
             }
         }
         Ok(())
     }
 
-    /// Places along the asymptote.
-    fn level<'p>(&self, plane: &'p Plane) -> impl Iterator<Item = (f64, f64)> + use<'p> {
-        let (left, right) = plane.pixels[0];
-        let (_, y) = plane.place([0.0, 0.5 * self.gap]);
-        (left..right).step_by(SCALE as usize).map(move |x| (f64::from(x), y))
-    }
-
     /// `A_N` tends to `d/2` for large W and for small v.
     fn asymptote(&self, plane: &Plane, root: &Canvas<'_>) -> Drawn {
-        if !inset::is_inside(plane, [plane.axes[0].range().start, 0.5 * self.gap]) {
+        if !is_inside(plane, [plane.axes[0].range().start, 0.5 * self.gap]) {
             return Ok(());
         }
         let ((left, right), (_, y)) = (plane.pixels[0], plane.pixel([0.0, 0.5 * self.gap]));
@@ -138,6 +123,11 @@ impl Picture<'_> {
     }
 }
 
+/// Whether a place is on the axes.
+fn is_inside(plane: &Plane, place: [f64; 2]) -> bool {
+    (0..2).all(|axis| plane.axes[axis].range().contains(&place[axis]))
+}
+
 /// The axes, with their names if they are the picture's.
 fn mesh(
     area: &Canvas<'_>,
@@ -145,14 +135,13 @@ fn mesh(
     axis: Option<Axis>,
 ) -> Result<Plane, Box<dyn std::error::Error>> {
     let axes = [x.clone(), y.clone()];
-    let (room, size, right) = if axis.is_some() { ((62, 48), FONT, 52) } else { ((40, 24), FONT - 3 * SCALE, 6) };
     let mut chart = ChartBuilder::on(area)
         .margin(10 * SCALE)
-        .margin_right(right * SCALE)
-        .x_label_area_size(room.1 * SCALE)
-        .y_label_area_size(room.0 * SCALE)
+        .margin_right(52 * SCALE)
+        .x_label_area_size(if axis.is_some() { 48 } else { 26 } * SCALE)
+        .y_label_area_size(62 * SCALE)
         .build_cartesian_2d(x, y)?;
-    let font = ("sans-serif", size);
+    let font = ("sans-serif", FONT);
     let mut mesh = chart.configure_mesh();
     mesh.label_style(font)
         .axis_desc_style(font)
@@ -179,7 +168,7 @@ fn mesh(
 fn names(points: &[(u32, Vec<Marked>)], plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let ends = |is_last: bool| -> Vec<(u32, (i32, i32))> {
         let shown = points.iter().filter_map(|(cycles, points)| {
-            let mut inside = points.iter().filter(|(_, place)| inset::is_inside(plane, *place));
+            let mut inside = points.iter().filter(|(_, place)| is_inside(plane, *place));
             let end = if is_last { inside.next_back() } else { inside.next() };
             end.map(|(_, place)| (*cycles, plane.pixel(*place)))
         });
