@@ -154,10 +154,11 @@ fn write(caption: &[(String, i32)], root: &Canvas<'_>) -> Drawn {
 
 /// The words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
 fn wrapped(text: &str, most: f64) -> Vec<String> {
+    let width = |text: &str| letters(&text.replace('$', ""));
     let mut lines: Vec<String> = Vec::new();
     let mut is_math = false;
     for word in text.split(' ').filter(|word| !word.is_empty()) {
-        match lines.last_mut().filter(|line| letters(line) + 1.0 + letters(word) <= most) {
+        match lines.last_mut().filter(|line| width(line) + 1.0 + width(word) <= most) {
             Some(line) => *line = format!("{line} {word}"),
             None => {
                 if let Some(line) = lines.last_mut().filter(|_| is_math) {

@@ -221,7 +221,8 @@ fn what_is_drawn_is_within_a_tenth_of_a_pixel_of_the_motion() {
         .filter(|stroke| stroke.part == Part::Flight)
         .map(|stroke| stroke.points.iter().map(|point| pixel(point.time.middle, point.displacement.middle)).collect())
         .collect();
-    let drawn = along(&part(&part(&svg, "stroke=\"#0072B2\" stroke-width=\"6\"", "</g>"), " d=\"", "\""), 200);
+    let drawn =
+        along(&part(&part(&svg, "stroke=\"#0072B2\" stroke-width=\"6\" stroke-opacity", "</g>"), " d=\"", "\""), 200);
     assert_eq!(drawn.len(), flights.len());
     let mut worst = 0.0f64;
     for (points, curve) in flights.iter().zip(&drawn) {

@@ -91,7 +91,7 @@ fn all_runs(text: &str) -> Vec<Run> {
         .into_iter()
         .flat_map(|(part, is_math)| if is_math { runs(&part, Level::Line) } else { plain(part) });
     let mut joined: Vec<Run> = Vec::new();
-    for run in all {
+    for run in all.filter(|run| !run.text.is_empty()) {
         match joined.last_mut().filter(|last| (last.is_italic, last.level) == (run.is_italic, run.level)) {
             Some(last) => last.text.push_str(&run.text),
             None => joined.push(run),
