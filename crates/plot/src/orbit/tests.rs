@@ -120,6 +120,14 @@ fn along(data: &str, count: u32) -> Vec<Vec<(f64, f64)>> {
     parts
 }
 
+/// From a place to the line between two others.
+fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f64 {
+    let (u, v) = (x1 - x0, y1 - y0);
+    let length = u * u + v * v;
+    let part = if length > 0.0 { (((x - x0) * u + (y - y0) * v) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (x - x0 - part * u).hypot(y - y0 - part * v)
+}
+
 /// Hermite's bound for a twenty-fourth of a turn, in amplitudes.
 const MISSED: f64 = 1.3e-5;
 
@@ -227,7 +235,7 @@ fn what_is_drawn_is_within_a_tenth_of_a_pixel_of_the_motion() {
     let mut worst = 0.0f64;
     for (points, curve) in flights.iter().zip(&drawn) {
         for point in points {
-            let near = curve.iter().map(|place| (place.0 - point.0).hypot(place.1 - point.1)).fold(f64::MAX, f64::min);
+            let near = curve.windows(2).map(|pair| distance(*point, pair[0], pair[1])).fold(f64::MAX, f64::min);
             worst = worst.max(near);
         }
     }
