@@ -77,7 +77,7 @@ fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
         "Ωt mod 2π [rad]",
         "3π/2",
         "impact on the right wall, Σ+",
-        "(a), (b): 8 cycles; (c), (d): 30.0 cycles; (e)–(h): 60 impacts",
+        "(a), (b): 8 cycles; (c), (d): 29.9 cycles; (e)–(h): 60 impacts",
     ];
     let written = common::words(&svg);
     for words in shown {
