@@ -173,6 +173,11 @@ impl Clock {
     pub fn velocity(&self, velocity: &Enclosure) -> Enclosure {
         velocity.mul(&self.speed, self.shown)
     }
+
+    /// Encloses an acceleration \[length/time^2\] given in gaps a turn squared.
+    pub fn acceleration(&self, acceleration: &Enclosure) -> Enclosure {
+        self.velocity(acceleration).mul(&self.rate.enclose(self.shown), self.shown)
+    }
 }
 
 /// `rate * time + shift`

@@ -61,10 +61,10 @@ PARTS = [
     cargo("formatting", "cargo fmt --all --check"),
     cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
     cargo("tests", TEST,
-          f"{MANY} {TEST} --features png,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
+          f"{MANY} {TEST} --features png,pdf,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
-          f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,parquet -- -D warnings"
+          f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
     cargo("no C", f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test flight --test orbit", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {' '.join(PROFILE)} --no-deps --workspace --quiet", after=("lints",)),

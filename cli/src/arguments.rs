@@ -433,3 +433,13 @@ pub fn point(text: &str) -> Result<Exact, String> {
     let number = Exact::parse(text).map_err(|error| error.to_string())?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
 }
+
+/// Reads a range on an axis of a picture: about what its ends are.
+pub fn window(text: &str) -> Result<[f64; 2], String> {
+    let number = |text: &str| Ok::<f64, String>(point(text)?.enclose(64).mid_rad().0);
+    let (low, high) = text.split_once("..").ok_or("accepted is a range such as 0.2..0.5")?;
+    match (number(low)?, number(high)?) {
+        (low, high) if low < high => Ok([low, high]),
+        _ => Err("accepted is a range whose lower end is first".into()),
+    }
+}

@@ -29,10 +29,13 @@ fn bad_questions_are_refused() {
 #[test]
 fn other_endings_are_refused() {
     let scene = "scenes/figure-12.toml";
-    assert_cmd_snapshot!("pdf", plot(&[scene, "--all", "--output", "a.pdf"]));
-    assert_cmd_snapshot!("no_ending", plot(&[scene, "--all", "--output", "-"]));
-    #[cfg(not(feature = "png"))]
-    assert_cmd_snapshot!("no_png", plot(&[scene, "--all", "--output", "a.png"]));
+    #[cfg(not(any(feature = "png", feature = "pdf")))]
+    for (name, file) in [("pdf", "a.pdf"), ("no_png", "a.png"), ("no_ending", "-"), ("another_ending", "a.eps")] {
+        assert_cmd_snapshot!(name, plot(&[scene, "--all", "--output", file]));
+    }
+    assert_eq!(plot(&[scene, "--all", "--output", "a.eps"]).output().unwrap().status.code(), Some(2));
+    assert_cmd_snapshot!("zoom_backwards", plot(&[scene, "--all", "--zoom", "2..1", "--output", "a.svg"]));
+    assert_cmd_snapshot!("no_such_theme", plot(&[scene, "--all", "--theme", "grey", "--output", "a.svg"]));
 }
 
 #[test]
@@ -69,14 +72,16 @@ fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
         "(h) ",
         "A = 2, Ω = π",
         "certified: 60 impacts",
-        "impact-pair ",
+        "impact-pair\u{a0}",
         "d/2",
         "Ωt mod 2π [rad]",
         "3π/2",
         "impact on the right wall, Σ+",
+        "(a), (b): 8 cycles; (c), (d): 29.9 cycles; (e)–(h): 60 impacts",
     ];
+    let written = common::words(&svg);
     for words in shown {
-        assert!(svg.contains(words), "{words}");
+        assert!(written.contains(words), "{words}");
     }
     assert!(svg.starts_with("<svg width=\"1120\"") && svg.ends_with("</svg>\n") && svg.len() < 500_000);
 }
@@ -119,6 +124,37 @@ fn floats_claim_nothing() {
     let svg = fs::read_to_string(&picture).unwrap();
     assert!(svg.contains("motion, not certified") && svg.contains("computed, not certified: "));
     assert!(!svg.contains("#0072B2"), "the colour of what is certified");
+}
+
+#[test]
+fn a_dark_picture_has_the_same_words_and_another_ground() {
+    let folder = folder("plot-dark");
+    let drawn = |theme: &str| {
+        let picture = folder.join(format!("{theme}.svg"));
+        let arguments = ["scenes/figure-13.toml", "--panel", "c", "--transient", "4", "--theme", theme, "--output"];
+        assert!(plot(&arguments).arg(&picture).output().unwrap().status.success());
+        fs::read_to_string(picture).unwrap()
+    };
+    let (light, dark) = (drawn("light"), drawn("dark"));
+    assert!(light.contains("fill=\"#FFFFFF\"") && !dark.contains("#FFFFFF") && dark.contains("fill=\"#121212\""));
+    assert!(light.len() == dark.len() && dark.contains("transient: the first 4 impacts"));
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn a_pdf_has_its_letters_and_its_curves() {
+    let picture = folder("plot-pdf").join("a.pdf");
+    let answer = plot(&["scenes/figure-12.toml", "--panel", "c", "--output"]).arg(&picture).output().unwrap();
+    assert!(answer.status.success(), "{answer:?}");
+    let pdf = fs::read(&picture).unwrap();
+    let holds = |words: &[u8]| pdf.windows(words.len()).any(|part| part == words);
+    assert!(
+        pdf.starts_with(b"%PDF-")
+            && holds(b"DejaVuSans")
+            && holds(b"DejaVuSans-Oblique")
+            && !holds(b"/Subtype/Image")
+            && !holds(b"/Subtype /Image")
+    );
 }
 
 #[cfg(feature = "png")]

@@ -71,7 +71,7 @@ fn document_and_picture_appear_whole() {
     let read: TradeDocument = serde_json::from_value(document.clone()).unwrap();
     assert_eq!(serde_json::to_value(&read).unwrap(), document);
     has_the_shape_of_a_trade(&document);
-    let picture = fs::read_to_string(&picture).unwrap();
+    let picture = common::words(&fs::read_to_string(&picture).unwrap());
     let judged = if cfg!(feature = "multiprecision") { "wrong word from" } else { "judged to" };
     let wrong = &format!("float ({judged} impact ");
     for word in ["<svg", "Figure 14", "A = 8, Ω = π", wrong, "certified digits", "[µs]", "</svg>"] {

@@ -60,13 +60,25 @@ fn manifolds() {
 #[test]
 fn a_picture_has_all_curves_and_kinds() {
     let picture = folder("two-impact-picture").join("figure-10.svg");
-    let arguments = ["scenes/figure-10.toml", "--manifold", "frequency=1..60:200", "--cycles", "1..7"];
+    let arguments =
+        ["scenes/figure-10.toml", "--manifold", "frequency=1..60:200", "--cycles", "1..7", "--inset", "7..21:0..0.8"];
     let answer = two_impact(&arguments).arg("--plot").arg(&picture).output().unwrap();
     assert!(answer.status.success(), "{answer:?}");
-    let svg = fs::read_to_string(picture).unwrap();
-    let texts =
-        ["N = 1", "N = 3", "N = 5", "N = 7", "physical and stable", "a wall is touched earlier", "width=\"900\""];
+    let svg = common::words(&fs::read_to_string(picture).unwrap());
+    let texts = [
+        "N = 1",
+        "N = 3",
+        "N = 5",
+        "N = 7",
+        "d/2",
+        "amplitude AN",
+        "physical and stable",
+        "a wall is touched earlier",
+        "width=\"900\"",
+    ];
     assert!(texts.iter().all(|text| svg.contains(text)));
+    // The plot and its inset.
+    assert_eq!(svg.matches("<clipPath").count(), 2);
     // Stable parts, unstable and unphysical ones.
     assert!(["#0072B2", "#D55E00", "#999999"].iter().all(|colour| svg.contains(colour)));
 }
@@ -83,6 +95,7 @@ fn the_command_line() {
         two_impact(&[scene, "--manifold", "frequency=1..2:3", "--cycles", "2"])
     );
     assert_cmd_snapshot!("motions_as_csv", two_impact(&[scene, "--format", "csv"]));
+    assert_cmd_snapshot!("inset_of_one_range", two_impact(&[scene, "--plot", "a.svg", "--inset", "1..2"]));
     assert_cmd_snapshot!("plot_without_manifold", two_impact(&[scene, "--plot", "a.svg"]));
     assert_cmd_snapshot!("speed_of_a_start_inside", two_impact(&["scenes/graze.toml", "--solve-for", "gap"]));
 }

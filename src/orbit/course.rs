@@ -35,6 +35,22 @@ pub struct CoursePoint {
     pub absolute_displacement: Enclosure,
     /// `x' = y' + E'(t)`
     pub absolute_velocity: Enclosure,
+    /// `y''`. **Equation** (10); 0 at rest
+    pub acceleration: Enclosure,
+    /// `x'' = y'' + E''(t)`: 0 between impacts, the box's at rest
+    pub absolute_acceleration: Enclosure,
+}
+
+/// What forces act on the ball.
+#[derive(Clone, Copy)]
+enum State {
+    Flies,
+    Rests,
+}
+
+/// `y` on a wall, in gaps.
+fn on(wall: Wall) -> Ball {
+    Ball::exact(-0.5 * wall.sign())
 }
 
 impl Orbit {
@@ -68,7 +84,7 @@ impl Orbit {
 
     /// The flight from a wall.
     fn leaving(&self, wall: Wall, turns: i64, phase: Ball, velocity: Ball) -> Course {
-        self.course(turns, phase, Ball::exact(-0.5 * wall.sign()), velocity)
+        self.course(turns, phase, on(wall), velocity)
     }
 
     /// The flight from a height `y` in gaps.
@@ -80,24 +96,35 @@ impl Orbit {
     /// The point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
     pub fn course_point(&self, course: &Course, turns: i64, phase: Ball) -> Option<CoursePoint> {
         let (displacement, velocity) = self.along(course, turns, phase);
-        self.point(turns, phase, displacement, velocity)
+        self.point((turns, phase), displacement, velocity, State::Flies)
     }
 
     /// The ball on its wall, just before and just after an impact. **Equation** (15)
     pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
         let Impact { wall, turns, phase, velocity, .. } = *impact;
-        let on_wall = |velocity| self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), velocity);
+        let on_wall = |velocity| self.point((turns, phase), on(wall), velocity, State::Flies);
         Some([on_wall(velocity)?, on_wall(self.engine.pair.rebound_of(velocity))?])
     }
 
     /// The point of the motion at that phase while the ball rests on `wall`.
     pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
-        self.point(turns, phase, Ball::exact(-0.5 * wall.sign()), Ball::exact(0.0))
+        self.point((turns, phase), on(wall), Ball::exact(0.0), State::Rests)
     }
 
     /// From turns and gaps to the units of the scene.
-    fn point(&self, turns: i64, phase: Ball, displacement: Ball, velocity: Ball) -> Option<CoursePoint> {
-        let (shift, speed) = self.shaking(turns, phase);
+    fn point(
+        &self,
+        (turns, phase): (i64, Ball),
+        displacement: Ball,
+        velocity: Ball,
+        state: State,
+    ) -> Option<CoursePoint> {
+        let [shift, speed, pull] = self.engine.given.shaken.displacement(turns, phase);
+        let still = Ball::exact(0.0);
+        let (acceleration, absolute_acceleration) = match state {
+            State::Flies => (pull, still),
+            State::Rests => (still, -pull),
+        };
         let clock = &self.clock;
         Some(CoursePoint {
             time: clock.time(turns, &phase.enclosure()?),
@@ -105,6 +132,8 @@ impl Orbit {
             velocity: clock.velocity(&velocity.enclosure()?),
             absolute_displacement: clock.length(&(displacement + shift).enclosure()?),
             absolute_velocity: clock.velocity(&(velocity + speed).enclosure()?),
+            acceleration: clock.acceleration(&acceleration.enclosure()?),
+            absolute_acceleration: clock.acceleration(&absolute_acceleration.enclosure()?),
         })
     }
 

@@ -41,17 +41,18 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
     let ending = Ending::of(&orbit, conclusion, &settings);
     let trace = recorder.finish(&orbit, &settings, impacts);
-    let style = Style { is_certified: is_certified(settings.arithmetic) };
+    let style = Style { is_certified: is_certified(settings.arithmetic), transient: arguments.transient };
     let sheet = Sheet {
         scene: &scene,
         trace: &trace,
         panels: arguments.panels(),
         cycles: arguments.cycles,
         orbit_cycles: arguments.orbit_cycles,
+        zoom: arguments.zoom,
         style,
         verdict: ending.to_string(),
     };
-    out.draw(&arguments.output, || sheet.svg())?;
+    out.draw(&arguments.output, || Ok(arguments.theme.of(&sheet.svg()?)))?;
     if !arguments.quiet {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{ending}");

@@ -6,6 +6,7 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
 use impact_pair::sweep::Axis;
+use impact_pair_plot::picture::Theme;
 use impact_pair_plot::sweep::Show;
 
 use crate::arguments::Destination;
@@ -83,11 +84,17 @@ pub struct SweepArguments {
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
     /// Draw the bifurcation diagram, or of two keys the map of outcomes
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    pub theme: Theme,
     /// What the diagram shows over the parameter
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,
+    /// Of a diagram only this range of the vertical axis
+    #[arg(long, value_name = "LO..HI", value_parser = crate::arguments::window, requires = "plot", allow_hyphen_values = true)]
+    pub within: Option<[f64; 2]>,
     #[command(flatten)]
     pub destination: Destination,
 }

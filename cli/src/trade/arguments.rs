@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
+use impact_pair_plot::picture::Theme;
 
 use crate::arguments::Destination;
 
@@ -47,8 +48,11 @@ pub struct TradeArguments {
     #[arg(long, value_enum, default_value_t)]
     pub format: TradeFormat,
     /// Draw the rungs: the time of an impact over the certified digits
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path)]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    pub theme: Theme,
     #[command(flatten)]
     pub destination: Destination,
 }

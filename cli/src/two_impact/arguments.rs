@@ -8,6 +8,8 @@ use clap::{Args, ValueEnum};
 use impact_pair::exact::Exact;
 use impact_pair::pair::Wall;
 use impact_pair::two_impact::{COUNTS, CYCLES};
+use impact_pair_plot::picture::Theme;
+use impact_pair_plot::two_impact::Window;
 
 use crate::arguments::Destination;
 
@@ -37,6 +39,13 @@ first contact, stability or the sign of sin th0 change, and what is proved betwe
 Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
 (the output holds all that is proved until then); 2 usage, bad input, I/O.";
 
+/// Reads two ranges, one for each axis.
+fn window(text: &str) -> Result<Window, String> {
+    let range = crate::arguments::window;
+    let (across, up) = text.split_once(':').ok_or("accepted are two ranges such as 7..21:0..0.8")?;
+    Ok([range(across)?, range(up)?])
+}
+
 #[derive(Args, Debug)]
 pub struct TwoImpactArguments {
     /// Scene file (TOML), or - for stdin
@@ -61,8 +70,14 @@ pub struct TwoImpactArguments {
     #[arg(long, value_enum, default_value_t)]
     pub format: TwoImpactFormat,
     /// Draw the manifold
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
+    /// Show this window of the picture again, magnified
+    #[arg(long, value_name = "X0..X1:Y0..Y1", value_parser = window, allow_hyphen_values = true, requires = "plot")]
+    pub inset: Option<Window>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    pub theme: Theme,
     #[command(flatten)]
     pub destination: Destination,
 }

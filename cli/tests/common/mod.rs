@@ -45,6 +45,15 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
+/// A picture whose words are in one piece: without the spans of subscripts and slanted letters.
+pub fn words(svg: &str) -> String {
+    let mut parts = svg.replace("</tspan>", "").split("<tspan").map(str::to_owned).collect::<Vec<_>>();
+    for part in parts.iter_mut().skip(1) {
+        *part = part.split_once('>').unwrap().1.to_owned();
+    }
+    parts.concat()
+}
+
 /// The names of what is in a folder, in order.
 pub fn files(folder: &Path) -> Vec<String> {
     let file = |file: io::Result<fs::DirEntry>| file.unwrap().file_name().into_string().unwrap();

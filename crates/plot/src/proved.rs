@@ -9,7 +9,7 @@ use impact_pair::exact::Exact;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREY, LETTER, SCALE, VERMILION, on_top, words};
+use crate::picture::{self, Axis, BLUE, Canvas, Drawn, Element, GREY, LETTER, SCALE, VERMILION, words};
 use crate::sweep::{Cells as Rectangles, Plane, described};
 
 const SIZE: (u32, u32) = (960, 680);
@@ -55,9 +55,9 @@ struct Column {
 /// When it cannot be drawn.
 pub fn cells(scene: &Scene, asked: &Asked, found: &Cells) -> Result<String> {
     let columns: Vec<Column> = (0..COLUMNS).map(|number| column(scene, asked, found, number)).collect::<Result<_>>()?;
-    let mut data = String::new();
-    let mut svg = picture::svg(SIZE, SCALE, |root| {
+    picture::svg(SIZE, SCALE, |root| {
         let plane = frame(scene, asked, root)?;
+        let mut data = String::new();
         for (number, (_, colour)) in LEGEND.iter().enumerate() {
             let mut all = Rectangles::default();
             let stretches = found.stretches.iter().filter(|stretch| kind(&stretch.verdict) == number);
@@ -68,10 +68,8 @@ pub fn cells(scene: &Scene, asked: &Asked, found: &Cells) -> Result<String> {
             columns.iter().filter(|column| column.kind == number).for_each(|column| column.draw(&plane, &mut all));
             data += &all.element(*colour);
         }
-        Ok(())
-    })?;
-    on_top(&mut svg, &data);
-    Ok(svg)
+        Ok(root.draw(&Element(data))?)
+    })
 }
 
 fn column(scene: &Scene, asked: &Asked, found: &Cells, number: u32) -> Result<Column> {

@@ -51,8 +51,11 @@ impl Panel {
 pub struct Frame<'t> {
     pub panel: Panel,
     trace: &'t Trace,
-    /// Turns since the start up to which curves are drawn, and the axis of time goes.
+    /// Turns since the start from which and up to which curves are drawn, and the axis of time goes.
+    begin: f64,
     end: f64,
+    /// Whether a part of the time is magnified.
+    pub is_magnified: bool,
 }
 
 impl Panel {
@@ -70,22 +73,22 @@ impl Panel {
             Self::AbsolutePhasePlane => "phase plane, absolute",
             Self::SwitchPlane => "switch-planes, relative",
             Self::AbsoluteSwitchPlane => "switch-planes, absolute",
-            Self::SectionLeft => "Poincaré section of Σ−, the left wall",
-            Self::SectionRight => "Poincaré section of Σ+, the right wall",
+            Self::SectionLeft => "Poincaré section of $Σ_-$, the left wall",
+            Self::SectionRight => "Poincaré section of $Σ_+$, the right wall",
         }
     }
 
     /// The quantities on its axes, with their units.
     pub fn quantities(self) -> [&'static str; 2] {
         match self {
-            Self::Displacement => ["t [time]", "y [length]"],
-            Self::Velocity => ["t [time]", "y′ [length/time]"],
-            Self::PhasePlane => ["y [length]", "y′ [length/time]"],
-            Self::AbsolutePhasePlane => ["x = y + E(t) [length]", "x′ [length/time]"],
+            Self::Displacement => ["$t$ [time]", "$y$ [length]"],
+            Self::Velocity => ["$t$ [time]", "$y′$ [length/time]"],
+            Self::PhasePlane => ["$y$ [length]", "$y′$ [length/time]"],
+            Self::AbsolutePhasePlane => ["$x = y + E(t)$ [length]", "$x′$ [length/time]"],
             Self::SwitchPlane | Self::SectionLeft | Self::SectionRight => {
-                ["Ωt mod 2π [rad]", "y′ before the impact [length/time]"]
+                ["$Ωt$ mod 2π [rad]", "$y′$ before the impact [length/time]"]
             }
-            Self::AbsoluteSwitchPlane => ["x [length]", "x′ before the impact [length/time]"],
+            Self::AbsoluteSwitchPlane => ["$x$ [length]", "$x′$ before the impact [length/time]"],
         }
     }
 
@@ -100,7 +103,13 @@ impl<'t> Frame<'t> {
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
         // Where nothing more is proved the rest of what was asked is shown as open.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
-        Self { panel, trace, end }
+        Self { panel, trace, begin: 0.0, end, is_magnified: false }
+    }
+
+    /// The panel of time between these two times.
+    pub fn magnified(panel: Panel, trace: &'t Trace, [from, to]: [f64; 2]) -> Self {
+        let turns = |time: f64| (time - trace.start) / trace.period;
+        Self { panel, trace, begin: turns(from), end: turns(to), is_magnified: true }
     }
 
     /// Where a state is on this panel.
@@ -113,29 +122,55 @@ impl<'t> Frame<'t> {
         }
     }
 
-    /// The curves shown, those of impacts' jumps among them.
-    pub fn strokes(&self) -> impl Iterator<Item = (&'t Stroke, Vec<[Span; 2]>)> {
+    /// How fast that changes, per turn.
+    pub fn rate(&self, point: &Point) -> [f64; 2] {
+        let (acceleration, absolute) = point.accelerations;
+        let rate = match self.panel {
+            Panel::Displacement => [1.0, point.velocity.middle],
+            Panel::Velocity => [1.0, acceleration],
+            Panel::PhasePlane => [point.velocity.middle, acceleration],
+            _ => [point.absolute.1.middle, absolute],
+        };
+        rate.map(|rate| rate * self.trace.period)
+    }
+
+    /// The curves shown, those of impacts' jumps among them. Of what is magnified whole strokes, which the frame cuts.
+    pub fn strokes(&self) -> impl Iterator<Item = (&'t Stroke, &'t [Point])> {
         let strokes = if self.panel.is_section() { &[] } else { self.trace.strokes.as_slice() };
-        strokes.iter().map(|stroke| {
-            let shown = stroke.points.iter().filter(|point| point.at <= self.end);
-            (stroke, shown.map(|point| self.place(point)).collect())
+        let (begin, end) = (self.begin, self.end);
+        let is_magnified = self.is_magnified;
+        strokes.iter().filter_map(move |stroke| {
+            let points = stroke.points.as_slice();
+            let shown = points.partition_point(|point| point.at <= end);
+            if is_magnified {
+                let meets = shown > 0 && points.last().is_some_and(|last| last.at >= begin);
+                return meets.then_some((stroke, points));
+            }
+            (shown > 0).then(|| (stroke, &points[..shown]))
         })
     }
 
-    /// The impacts shown.
-    pub fn crossings(&self) -> impl Iterator<Item = (Wall, [Span; 2])> {
-        let shown = move |crossing: &&Crossing| match self.panel {
+    /// Where the curves shown are.
+    fn places(&self) -> impl Iterator<Item = [Span; 2]> {
+        let shown = self.begin..=self.end;
+        let points = self.strokes().flat_map(|(_, points)| points);
+        points.filter(move |point| shown.contains(&point.at)).map(|point| self.place(point))
+    }
+
+    /// The impacts shown, and how many are before each of them.
+    pub fn crossings(&self) -> impl Iterator<Item = (usize, Wall, [Span; 2])> {
+        let shown = move |(_, crossing): &(usize, &Crossing)| match self.panel {
             Panel::SwitchPlane | Panel::AbsoluteSwitchPlane => true,
             Panel::SectionLeft => crossing.wall == Wall::Left,
             Panel::SectionRight => crossing.wall == Wall::Right,
             _ => false,
         };
-        self.trace.crossings.iter().filter(shown).map(|crossing| {
+        self.trace.crossings.iter().enumerate().filter(shown).map(|(impacts, crossing)| {
             let place = match self.panel {
                 Panel::AbsoluteSwitchPlane => [crossing.absolute.0, crossing.absolute.1],
                 _ => [crossing.phase, crossing.velocity],
             };
-            (crossing.wall, place)
+            (impacts, crossing.wall, place)
         })
     }
 
@@ -153,7 +188,8 @@ impl<'t> Frame<'t> {
     /// Grazes, rests and releases shown.
     pub fn marks(&self) -> impl Iterator<Item = (super::trace::Kind, [Span; 2])> {
         let marks = if self.panel.is_section() { &[] } else { self.trace.marks.as_slice() };
-        marks.iter().filter(|mark| mark.point.at <= self.end).map(|mark| (mark.kind, self.place(&mark.point)))
+        let shown = self.begin..=self.end;
+        marks.iter().filter(move |mark| shown.contains(&mark.point.at)).map(|mark| (mark.kind, self.place(&mark.point)))
     }
 
     /// Where the walls are, on the axis they are on.
@@ -169,7 +205,7 @@ impl<'t> Frame<'t> {
 
     /// From when to when nothing is proved \[time\].
     pub fn open(&self) -> Option<(f64, f64)> {
-        let (from, to) = (self.trace.known, self.end);
+        let (from, to) = (self.trace.known.max(self.begin), self.end);
         (self.panel.is_of_time() && self.trace.is_open && from < to).then(|| (self.time(from), self.time(to)))
     }
 
@@ -189,17 +225,18 @@ impl<'t> Frame<'t> {
     /// The axes: all that is shown lies on them.
     pub fn axes(&self) -> [Axis; 2] {
         let all = |axis: usize| {
-            let curves = self.strokes().flat_map(move |(_, points)| points.into_iter().map(move |place| place[axis]));
-            let crossings = self.crossings().map(move |(_, place)| place[axis]);
-            Axis::around(curves.chain(crossings).flat_map(|span| [span.low, span.high]))
+            let curves = self.places().map(move |place| place[axis]);
+            let crossings = self.crossings().map(move |(_, _, place)| place[axis]);
+            let ends = curves.chain(crossings).flat_map(|span| [span.low, span.high]);
+            if self.is_magnified { Axis::close_around(ends) } else { Axis::around(ends) }
         };
-        let time = || Axis::over(self.time(0.0), self.time(self.end));
+        let time = || Axis::over(self.time(self.begin), self.time(self.end));
         let gap = || {
             let half = (1.0 + 2.0 * BEYOND_THE_WALLS) * self.trace.wall.high;
             Axis::over(-half, half)
         };
         match self.panel {
-            Panel::Displacement => [time(), gap()],
+            Panel::Displacement => [time(), if self.is_magnified { all(1) } else { gap() }],
             Panel::Velocity => [time(), all(1)],
             Panel::PhasePlane => [gap(), all(1)],
             Panel::SwitchPlane | Panel::SectionLeft | Panel::SectionRight => [Axis::angle(), all(1)],

@@ -1,5 +1,6 @@
 //! An orbit in the eight panels of figures 12-17.
 
+mod curves;
 mod frame;
 mod panel;
 mod recorder;

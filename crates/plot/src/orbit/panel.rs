@@ -1,84 +1,73 @@
 //! Draws one panel.
 
-use std::collections::BTreeSet;
-
 use impact_pair::pair::Wall;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
+use super::curves;
 use super::frame::Frame;
 use super::symbols::{self, hatch, symbol};
-use super::trace::{Part, Span};
-use crate::picture::{Axis, BLUE, Canvas, Dots, Drawn, GREEN, SCALE, Shape, VERMILION, hull, simplified, words};
+use super::trace::Span;
+use crate::picture::{BLUE, Canvas, Dots, Drawn, GREEN, GREY, Plane, SCALE, VERMILION, hull, words};
 
 /// Heights of letters.
 pub const FONT: i32 = 17 * SCALE;
 const TICK_FONT: i32 = 15 * SCALE;
+/// The least height and width of the frame around what is magnified elsewhere.
+const LEAST: i32 = 20 * SCALE;
 
 /// How a trace is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
     /// Whether it is certified: what is not has a colour of its own.
     pub is_certified: bool,
+    /// The first so many impacts are the transient, which is grey.
+    pub transient: usize,
 }
 
 impl Style {
-    /// The colour of curves.
-    pub fn curve(self) -> RGBColor {
-        if self.is_certified { BLUE } else { VERMILION }
+    /// The colour of curves after so many impacts.
+    pub fn curve(self, impacts: usize) -> RGBColor {
+        match (impacts < self.transient, self.is_certified) {
+            (true, _) => GREY,
+            (false, true) => BLUE,
+            (false, false) => VERMILION,
+        }
     }
 
-    /// Shape and colour of an impact.
-    pub fn impact(self, wall: Wall) -> (Shape, RGBColor) {
-        match (wall, self.is_certified) {
-            (Wall::Left, _) => (Shape::Dot, self.curve()),
-            (Wall::Right, true) => (Shape::Cross, GREEN),
-            (Wall::Right, false) => (Shape::Cross, VERMILION),
+    /// The colour of the impact on a wall that so many are before.
+    pub fn impact(self, wall: Wall, impacts: usize) -> RGBColor {
+        match (self.curve(impacts), wall) {
+            (BLUE, Wall::Right) => GREEN,
+            (colour, _) => colour,
         }
     }
 }
 
 type Pixel = (i32, i32);
 
-/// The pixels of a panel.
-struct Plane {
-    axes: [Axis; 2],
-    /// Left to right, bottom to top.
-    pixels: [(i32, i32); 2],
+fn middle(plane: &Plane, [x, y]: [Span; 2]) -> Pixel {
+    plane.pixel([x.middle, y.middle])
 }
 
-impl Plane {
-    fn pixel(&self, [x, y]: [f64; 2]) -> Pixel {
-        let clamped = |axis: usize, value: f64| {
-            let (from, to) = self.pixels[axis];
-            self.axes[axis].map(&value, (from, to)).clamp(from.min(to), from.max(to))
-        };
-        (clamped(0, x), clamped(1, y))
-    }
-
-    fn middle(&self, [x, y]: [Span; 2]) -> Pixel {
-        self.pixel([x.middle, y.middle])
-    }
-
-    fn corners(&self, [x, y]: [Span; 2]) -> [Pixel; 2] {
-        [self.pixel([x.low, y.high]), self.pixel([x.high, y.low])]
-    }
-
-    /// Whether a box is wider than a pixel as it is shown.
-    fn is_wide(&self, place: [Span; 2]) -> bool {
-        let [a, b] = self.corners(place);
-        (b.0 - a.0).max(b.1 - a.1) > SCALE
-    }
+fn corners(plane: &Plane, [x, y]: [Span; 2]) -> [Pixel; 2] {
+    [plane.pixel([x.low, y.high]), plane.pixel([x.high, y.low])]
 }
 
-/// Draws the panel into `area` of `root`; the dots of sections are added to `dots`. Says whether any box was wide
-/// enough to be drawn.
+/// Whether a box is wider than a pixel as it is shown.
+fn is_wide(plane: &Plane, place: [Span; 2]) -> bool {
+    let [a, b] = corners(plane, place);
+    (b.0 - a.0).max(b.1 - a.1) > SCALE
+}
+
+/// Draws the panel into `area` of `root`, with a frame around what is magnified elsewhere. Says whether any box was
+/// wide enough to be drawn.
 pub fn draw(
     frame: &Frame<'_>,
+    magnified: Option<&Frame<'_>>,
     style: Style,
     (root, area): (&Canvas<'_>, &Canvas<'_>),
-    dots: &mut Vec<Dots>,
 ) -> Result<bool, Box<dyn std::error::Error>> {
     let plane = axes(frame, area)?;
     if let Some((from, to)) = frame.open() {
@@ -89,43 +78,48 @@ pub fn draw(
     walls(frame, &plane, root)?;
     // Bands first: they cover no line.
     let mut has_boxes = false;
-    for (_, places) in frame.strokes() {
-        has_boxes |= band(&places, style, &plane, root)?;
+    for (stroke, points) in frame.strokes() {
+        let places: Vec<[Span; 2]> = points.iter().map(|point| frame.place(point)).collect();
+        has_boxes |= band(&places, style.curve(stroke.impacts), &plane, root)?;
     }
-    for (stroke, places) in frame.strokes().filter(|(stroke, _)| stroke.part != Part::Either) {
-        let pixels: Vec<Pixel> = places.iter().map(|place| plane.middle(*place)).collect();
-        let pixels = simplified(&pixels);
-        let line = match stroke.part {
-            Part::Flight => style.curve().stroke_width(3 * SCALE as u32 / 2),
-            Part::Jump | Part::Either => style.curve().mix(0.45).stroke_width(SCALE as u32),
-            Part::Chatter | Part::Rest => style.curve().stroke_width(5 * SCALE as u32),
-        };
-        if pixels.len() > 1 {
-            root.draw(&PathElement::new(pixels, line))?;
-        }
-    }
-    for wall in [Wall::Left, Wall::Right] {
-        let (shape, colour) = style.impact(wall);
-        let (wide, narrow): (Vec<_>, Vec<_>) = frame
-            .crossings()
-            .filter(|(of, _)| *of == wall)
-            .map(|(_, place)| place)
-            .partition(|place| plane.is_wide(*place));
-        has_boxes |= !wide.is_empty();
-        for place in wide.into_iter().flat_map(|place| frame.wrapped(place)) {
-            root.draw(&Rectangle::new(plane.corners(place), colour.mix(0.3).filled()))?;
-            root.draw(&Rectangle::new(plane.corners(place), colour.stroke_width(SCALE as u32 / 2)))?;
-        }
-        // Impacts on one pixel look like one.
-        let places: BTreeSet<Pixel> = narrow.into_iter().map(|place| plane.middle(place)).collect();
-        let places = places.into_iter().collect();
-        dots.push(Dots { shape, colour, places });
-    }
+    curves::draw(frame, style, &plane, root)?;
+    has_boxes |= impacts(frame, style, &plane, root)?;
     for (kind, place) in frame.marks() {
-        symbol(root, kind, plane.middle(place))?;
+        symbol(root, kind, middle(&plane, place))?;
     }
     if let Some(place) = frame.last() {
-        symbols::open(root, plane.middle(place))?;
+        symbols::open(root, middle(&plane, place))?;
+    }
+    if let Some(inner) = magnified {
+        window(inner, &plane, root)?;
+    }
+    Ok(has_boxes)
+}
+
+/// The impacts on both walls, those of the transient first.
+fn impacts(
+    frame: &Frame<'_>,
+    style: Style,
+    plane: &Plane,
+    root: &Canvas<'_>,
+) -> Result<bool, Box<dyn std::error::Error>> {
+    let mut has_boxes = false;
+    for (is_transient, wall) in [(true, Wall::Left), (true, Wall::Right), (false, Wall::Left), (false, Wall::Right)] {
+        let colour = style.impact(wall, if is_transient { 0 } else { style.transient });
+        let (wide, narrow): (Vec<_>, Vec<_>) = frame
+            .crossings()
+            .filter(|(impacts, of, _)| *of == wall && (*impacts < style.transient) == is_transient)
+            .map(|(_, _, place)| place)
+            .partition(|place| is_wide(plane, *place));
+        has_boxes |= !wide.is_empty();
+        for place in wide.into_iter().flat_map(|place| frame.wrapped(place)) {
+            root.draw(&Rectangle::new(corners(plane, place), colour.mix(0.3).filled()))?;
+            root.draw(&Rectangle::new(corners(plane, place), colour.stroke_width(SCALE as u32 / 2)))?;
+        }
+        let places: Vec<Pixel> = narrow.into_iter().map(|place| middle(plane, place)).collect();
+        if !places.is_empty() {
+            root.draw(&Dots { colour, places }.element())?;
+        }
     }
     Ok(has_boxes)
 }
@@ -133,7 +127,8 @@ pub fn draw(
 /// Title, mesh and names of the axes.
 fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::error::Error>> {
     let (title, below) = area.split_vertically(28 * SCALE);
-    let text = format!("({})  {}", frame.panel.letter(), frame.panel.title());
+    let magnified = if frame.is_magnified { ", magnified" } else { "" };
+    let text = format!("({})  {}{magnified}", frame.panel.letter(), frame.panel.title());
     title.draw(&Text::new(text, (14 * SCALE, 16 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
     let axes = frame.axes();
     let [x, y] = axes.clone();
@@ -142,7 +137,7 @@ fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::erro
     let mut chart = ChartBuilder::on(&below)
         .margin_top(above)
         .margin_left(6 * SCALE)
-        .margin_right(34 * SCALE)
+        .margin_right(38 * SCALE)
         .margin_bottom(4 * SCALE)
         .x_label_area_size(48 * SCALE)
         .y_label_area_size(74 * SCALE)
@@ -166,7 +161,10 @@ fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::erro
 /// The walls, as wide as they are known to be, with their names.
 fn walls(frame: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let Some((axis, walls)) = frame.walls() else { return Ok(()) };
-    for (span, name) in walls.into_iter().zip(["−d/2", "d/2"]) {
+    for (span, name) in walls.into_iter().zip(["$-d/2$", "$d/2$"]) {
+        if !plane.axes[axis].range().contains(&span.middle) {
+            continue;
+        }
         let line = BLACK.stroke_width(2 * SCALE as u32);
         let at = |value: f64| match axis {
             0 => [(plane.pixel([value, 0.0]).0, plane.pixels[1].0), (plane.pixel([value, 0.0]).0, plane.pixels[1].1)],
@@ -187,24 +185,37 @@ fn walls(frame: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
+/// The frame around what another panel magnifies.
+fn window(inner: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
+    let [x, y] = inner.axes().map(|axis| axis.range());
+    let ((left, bottom), (right, top)) = (plane.pixel([x.start, y.start]), plane.pixel([x.end, y.end]));
+    let wider = |low: i32, high: i32| {
+        let lacking = (LEAST - (high - low)).max(0) / 2;
+        (low - lacking, high + lacking)
+    };
+    let ((left, right), (top, bottom)) = (wider(left, right), wider(top, bottom));
+    root.draw(&Rectangle::new([(left, top), (right, bottom)], BLACK.stroke_width(SCALE as u32)))?;
+    Ok(())
+}
+
 /// What the boxes of a curve sweep, where they are wide enough to be seen.
 fn band(
     places: &[[Span; 2]],
-    style: Style,
+    colour: RGBColor,
     plane: &Plane,
     root: &Canvas<'_>,
 ) -> Result<bool, Box<dyn std::error::Error>> {
-    let mut is_wide = false;
-    for pair in places.windows(2).filter(|pair| pair.iter().any(|place| plane.is_wide(*place))) {
+    let mut has_boxes = false;
+    for pair in places.windows(2).filter(|pair| pair.iter().any(|place| is_wide(plane, *place))) {
         let corners = pair.iter().flat_map(|place| {
-            let [a, b] = plane.corners(*place);
+            let [a, b] = corners(plane, *place);
             [a, b, (a.0, b.1), (b.0, a.1)]
         });
         // Opaque, so that bands on top of each other look like one.
-        let RGBColor(r, g, b) = style.curve();
+        let RGBColor(r, g, b) = colour;
         let tint = |part: u8| 255 - (255 - part) / 4;
         root.draw(&Polygon::new(hull(corners.collect()), RGBColor(tint(r), tint(g), tint(b)).filled()))?;
-        is_wide = true;
+        has_boxes = true;
     }
-    Ok(is_wide)
+    Ok(has_boxes)
 }

@@ -128,9 +128,10 @@ impl Recorder {
         if let Some(ends) = ends
             && at <= self.window
         {
-            self.trace.strokes.push(Stroke { part: Part::Jump, points: ends.to_vec() });
-            let either = self.either(orbit, impact);
-            self.trace.strokes.extend(either);
+            self.stroke(Part::Jump, ends.to_vec());
+            if let Some(either) = self.either(orbit, impact) {
+                self.stroke(Part::Either, either);
+            }
         }
         self.trace.crossings.push(Crossing::new(orbit, impact, self.trace.period));
         (self.now, self.has_grazed) = (Now::Flies(orbit.course_after(impact)), false);
@@ -139,7 +140,7 @@ impl Recorder {
 
     /// Where the ball may be in the second half of the time of an impact if it has not come yet, and in the first half
     /// if it has.
-    fn either(&self, orbit: &Orbit, impact: &Impact) -> Option<Stroke> {
+    fn either(&self, orbit: &Orbit, impact: &Impact) -> Option<Vec<Point>> {
         let half = 0.5 * impact.phase.rad();
         let over = |course: &Course, from_middle: f64| {
             // Half of the ball, and what the sum may have been rounded by.
@@ -150,7 +151,11 @@ impl Recorder {
         };
         let Now::Flies(before) = &self.now else { return None };
         let points = vec![over(before, half)?, over(&orbit.course_after(impact), -half)?];
-        (half > 0.0).then_some(Stroke { part: Part::Either, points })
+        (half > 0.0).then_some(points)
+    }
+
+    fn stroke(&mut self, part: Part, points: Vec<Point>) {
+        self.trace.strokes.push(Stroke { part, impacts: self.trace.crossings.len(), points });
     }
 
     /// An event with no velocity.
@@ -194,7 +199,7 @@ impl Recorder {
         let inner = inner(first, last.min(self.window)).into_iter().filter_map(|at| self.point(orbit, self.phase(at)));
         let start = self.after.or_else(|| self.point(orbit, self.last));
         let points = start.into_iter().chain(inner).chain(end).collect();
-        self.trace.strokes.push(Stroke { part, points });
+        self.stroke(part, points);
     }
 
     /// What is known after the last event.

@@ -10,7 +10,7 @@ use super::frame::{Frame, Panel};
 use super::panel::{self, FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::picture::{self, Canvas, Dots, Drawn, LETTER, SCALE, greek, words};
+use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, letters, words};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
 const ALONE: (i32, i32) = (900, 560);
@@ -31,6 +31,8 @@ pub struct Sheet<'s> {
     pub cycles: u32,
     /// Cycles that the phase planes show.
     pub orbit_cycles: u32,
+    /// From when to when the time panels are magnified \[time\].
+    pub zoom: Option<[f64; 2]>,
     /// How it is drawn.
     pub style: Style,
     /// What is certified, in one line.
@@ -50,40 +52,48 @@ impl Sheet<'_> {
 
     /// The picture, with or without boxes in its legend, and whether there are any in its panels.
     fn drawn(&self, explains_boxes: bool) -> Result<(String, bool)> {
-        let panels = &self.panels;
-        let columns = if panels.len() == 1 { 1 } else { 2 };
+        let frames = self.frames();
+        let columns = if frames.len() == 1 { 1 } else { 2 };
         let (width, height) = if columns == 1 { ALONE } else { TOGETHER };
-        let rows = panels.len().div_ceil(columns);
+        let rows = frames.len().div_ceil(columns);
         let whole = SCALE * width * columns as i32;
         let caption = self.caption(whole - 2 * MARGIN);
         let head = MARGIN + LINE * caption.len() as i32;
-        let entries = symbols::entries(self.trace, panels, explains_boxes);
+        let entries = symbols::entries(self.trace, &self.panels, self.style, explains_boxes);
         let (legend, lines) = symbols::lay_out(&entries, self.style, whole - 2 * MARGIN);
         let top = head + lines * symbols::LINE + MARGIN / 2;
         let size = (whole / SCALE, top / SCALE + height * rows as i32);
-        let (mut dots, mut has_boxes) = (Vec::new(), false);
-        let mut svg = picture::svg((size.0 as u32, size.1 as u32), SCALE, |root| {
+        let mut has_boxes = false;
+        let svg = picture::svg((size.0 as u32, size.1 as u32), SCALE, |root| {
             write(&caption, root)?;
             for (entry, (x, y)) in legend {
                 symbols::draw(entry, self.style, root, (MARGIN + x, head + y))?;
             }
             let (_, below) = root.split_vertically(top);
-            for (&panel, area) in panels.iter().zip(below.split_evenly((rows, columns))) {
-                let frame = Frame::new(panel, self.trace, self.cycles(panel));
-                has_boxes |= panel::draw(&frame, self.style, (root, &area), &mut dots)?;
+            for (frame, area) in frames.iter().zip(below.split_evenly((rows, columns))) {
+                let magnified = frames.iter().find(|other| other.is_magnified && other.panel == frame.panel);
+                let magnified = magnified.filter(|_| !frame.is_magnified);
+                has_boxes |= panel::draw(frame, magnified, self.style, (root, &area))?;
             }
             Ok(())
         })?;
-        dots.iter().for_each(|dots: &Dots| dots.append_to(&mut svg));
         Ok((svg, has_boxes))
     }
 
-    fn cycles(&self, panel: Panel) -> u32 {
-        if panel.is_of_time() { self.cycles } else { self.orbit_cycles }
+    /// The panels in their order, time panels that are magnified after those that are not.
+    fn frames(&self) -> Vec<Frame<'_>> {
+        let shown = |panel: &Panel| {
+            let cycles = if panel.is_of_time() { self.cycles } else { self.orbit_cycles };
+            Frame::new(*panel, self.trace, cycles)
+        };
+        let Some(zoom) = self.zoom else { return self.panels.iter().map(shown).collect() };
+        let (time, others): (Vec<Panel>, Vec<Panel>) = self.panels.iter().partition(|panel| panel.is_of_time());
+        let magnified = time.iter().map(|panel| Frame::magnified(*panel, self.trace, zoom));
+        time.iter().map(shown).chain(magnified).chain(others.iter().map(shown)).collect()
     }
 
-    /// Title, parameters, start, what is certified, and the program; each in lines of this width.
-    fn caption(&self, width: i32) -> Vec<String> {
+    /// Title, parameters, start, what is certified, what is shown, and the program; in lines of this width, and their sizes.
+    fn caption(&self, width: i32) -> Vec<(String, i32)> {
         let scene = self.scene;
         let excitation = scene.pair().excitation();
         let of_what = match excitation.only() {
@@ -91,29 +101,73 @@ impl Sheet<'_> {
             None => format!("; cycles and phases of W = {}", excitation.reference().frequency()),
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
-        let said = format!("{}; {PROGRAM}", self.verdict);
-        let title = scene.title().map(str::to_owned);
-        let letters = (f64::from(width) / (LETTER * f64::from(FONT))) as usize;
-        title.into_iter().chain([data, said]).flat_map(|text| wrapped(&text, letters)).collect()
+        let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
+        let program = PROGRAM.replace(' ', "\u{a0}");
+        let others = [data, mappings(&self.verdict), format!("{}; {program}", self.shown())];
+        let wrap = |(text, size): (String, i32)| {
+            let most = f64::from(width) / (LETTER * f64::from(size));
+            wrapped(&text, most).into_iter().map(move |line| (line, size))
+        };
+        title.into_iter().chain(others.map(|text| (text, FONT))).flat_map(wrap).collect()
+    }
+
+    /// How much of the motion the panels show.
+    fn shown(&self) -> String {
+        let letters = |is_in: &dyn Fn(Panel) -> bool| {
+            let of: Vec<Panel> = self.panels.iter().copied().filter(|panel| is_in(*panel)).collect();
+            let letters: Vec<String> = of.iter().map(|panel| format!("({})", panel.letter())).collect();
+            let is_row = of.len() > 2 && of.windows(2).all(|pair| pair[0] as u8 + 1 == pair[1] as u8);
+            if is_row { format!("{}–{}", letters[0], letters[of.len() - 1]) } else { letters.join(", ") }
+        };
+        let trace = self.trace;
+        let cycles = |asked: u32| match f64::from(asked) {
+            whole if trace.is_open || whole <= trace.known => {
+                format!("{asked} cycle{}", if asked == 1 { "" } else { "s" })
+            }
+            _ => format!("{:.1} cycles", trace.known),
+        };
+        let is_of_time = |panel: Panel| panel.is_of_time();
+        let is_plane = |panel: Panel| !panel.is_of_time() && !panel.is_section();
+        let shown = [
+            (letters(&is_of_time), cycles(self.cycles)),
+            (letters(&is_plane), cycles(self.orbit_cycles)),
+            (letters(&Panel::is_section), format!("{} impacts", trace.crossings.len())),
+        ];
+        let shown = shown.into_iter().filter(|(letters, _)| !letters.is_empty());
+        let shown = shown.map(|(letters, what)| format!("{letters}: {what}")).collect::<Vec<_>>().join("; ");
+        format!("shown from the start on, no transient left out: {shown}")
     }
 }
 
-fn write(caption: &[String], root: &Canvas<'_>) -> Drawn {
-    for (line, text) in caption.iter().enumerate() {
+/// The paper's names of mappings as they are set in print.
+fn mappings(verdict: &str) -> String {
+    (1..=4).fold(verdict.to_owned(), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
+}
+
+fn write(caption: &[(String, i32)], root: &Canvas<'_>) -> Drawn {
+    for (line, (text, size)) in caption.iter().enumerate() {
         let place = (MARGIN, MARGIN + LINE / 2 + LINE * line as i32);
-        root.draw(&Text::new(text.clone(), place, words(FONT, &BLACK, HPos::Left)))?;
+        root.draw(&Text::new(text.clone(), place, words(*size, &BLACK, HPos::Left)))?;
     }
     Ok(())
 }
 
-/// The words in lines of at most so many letters, as far as a word fits.
-fn wrapped(text: &str, letters: usize) -> Vec<String> {
+/// The words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
+fn wrapped(text: &str, most: f64) -> Vec<String> {
+    let width = |text: &str| letters(&text.replace('$', ""));
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut().filter(|line| line.chars().count() + 1 + word.chars().count() <= letters) {
+    let mut is_math = false;
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        match lines.last_mut().filter(|line| width(line) + 1.0 + width(word) <= most) {
             Some(line) => *line = format!("{line} {word}"),
-            None => lines.push(word.to_owned()),
+            None => {
+                if let Some(line) = lines.last_mut().filter(|_| is_math) {
+                    line.push('$');
+                }
+                lines.push(format!("{}{word}", if is_math { "$" } else { "" }));
+            }
         }
+        is_math ^= word.matches('$').count() % 2 == 1;
     }
     lines
 }
@@ -124,7 +178,8 @@ mod tests {
 
     #[test]
     fn lines_break_between_words() {
-        assert_eq!(wrapped("A = 8, Ω = π, d = 9", 8), ["A = 8, Ω", "= π, d =", "9"]);
-        assert_eq!(wrapped("incomprehensible", 5), ["incomprehensible"]);
+        assert_eq!(wrapped("A = 8, Ω = π, d = 9", 8.0), ["A = 8, Ω", "= π, d =", "9"]);
+        assert_eq!(wrapped("$A = 8, d = 9$; more", 6.0), ["$A = 8,$", "$d = 9$;", "more"]);
+        assert_eq!(wrapped("incomprehensible", 5.0), ["incomprehensible"]);
     }
 }

@@ -1,12 +1,13 @@
 //! Marks of events, hatching, and what the legend says of them.
 
+use impact_pair::pair::Wall;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::frame::Panel;
 use super::panel::{FONT, Style};
 use super::trace::{Kind, Part, Trace};
-use crate::picture::{Canvas, Drawn, LETTER, SCALE, Shape, VERMILION, words};
+use crate::picture::{Canvas, Drawn, GREY, LETTER, SCALE, VERMILION, letters, words};
 
 /// The distance of hatching lines.
 const HATCH: i32 = 12 * SCALE;
@@ -52,6 +53,7 @@ pub fn hatch(root: &Canvas<'_>, (left, top): (i32, i32), (right, bottom): (i32, 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entry {
     Motion,
+    Transient,
     Jump,
     Rest,
     Mark(Kind),
@@ -62,20 +64,22 @@ pub enum Entry {
 }
 
 impl Entry {
-    fn words(self, style: Style) -> &'static str {
-        match self {
+    fn words(self, style: Style) -> String {
+        let words = match self {
             Self::Motion if style.is_certified => "motion, certified",
             Self::Motion => "motion, not certified",
+            Self::Transient => return format!("transient: the first {} impacts", style.transient),
             Self::Jump => "impact",
             Self::Rest => "at rest on a wall, or in chatter too small to list",
             Self::Mark(Kind::Graze) => "graze",
             Self::Mark(Kind::Rest) => "rest begins",
             Self::Mark(Kind::Release) => "release",
-            Self::Left => "impact on the left wall, Σ−",
-            Self::Right => "impact on the right wall, Σ+",
+            Self::Left => "impact on the left wall, $Σ_-$",
+            Self::Right => "impact on the right wall, $Σ_+$",
             Self::Box => "the truth lies in here",
             Self::Open => "nothing is proved from here on",
-        }
+        };
+        words.to_owned()
     }
 
     fn sample(self, style: Style, root: &Canvas<'_>, (x, y): (i32, i32)) -> Drawn {
@@ -84,9 +88,13 @@ impl Entry {
             let style = ShapeStyle { color: colour, filled: false, stroke_width: width as u32 };
             root.draw(&PathElement::new([(left, y), (right, y)], style))
         };
-        let curve = style.curve();
+        let curve = style.curve(style.transient);
         match self {
             Self::Motion => line(curve.to_rgba(), 3 * SCALE / 2)?,
+            Self::Transient => {
+                line(GREY.to_rgba(), 3 * SCALE / 2)?;
+                root.draw(&Circle::new((x, y), 3 * SCALE, GREY.filled()))?;
+            }
             Self::Jump => {
                 let ends = [(x, y - 9 * SCALE), (x, y + 9 * SCALE)];
                 root.draw(&PathElement::new(ends, curve.mix(0.45).stroke_width(SCALE as u32)))?;
@@ -94,18 +102,8 @@ impl Entry {
             Self::Rest => line(curve.to_rgba(), 5 * SCALE)?,
             Self::Mark(kind) => symbol(root, kind, (x, y))?,
             Self::Left | Self::Right => {
-                let wall =
-                    if self == Self::Left { impact_pair::pair::Wall::Left } else { impact_pair::pair::Wall::Right };
-                let (shape, colour) = style.impact(wall);
-                match shape {
-                    Shape::Dot => root.draw(&Circle::new((x, y), 3 * SCALE, colour.filled()))?,
-                    Shape::Cross => {
-                        let arm = 5 * SCALE;
-                        let line = colour.stroke_width(SCALE as u32);
-                        root.draw(&PathElement::new([(x - arm, y), (x + arm, y)], line))?;
-                        root.draw(&PathElement::new([(x, y - arm), (x, y + arm)], line))?;
-                    }
-                }
+                let wall = if self == Self::Left { Wall::Left } else { Wall::Right };
+                root.draw(&Circle::new((x, y), 3 * SCALE, style.impact(wall, style.transient).filled()))?;
             }
             Self::Box => {
                 let corners = [(left, y - 6 * SCALE), (right, y + 6 * SCALE)];
@@ -121,7 +119,7 @@ impl Entry {
 }
 
 /// What these panels of a trace need to have said, boxes if there are any wide enough.
-pub fn entries(trace: &Trace, panels: &[Panel], has_boxes: bool) -> Vec<Entry> {
+pub fn entries(trace: &Trace, panels: &[Panel], style: Style, has_boxes: bool) -> Vec<Entry> {
     let mut entries = Vec::new();
     let has_curves = panels.iter().any(|panel| !panel.is_section());
     if has_curves {
@@ -133,6 +131,7 @@ pub fn entries(trace: &Trace, panels: &[Panel], has_boxes: bool) -> Vec<Entry> {
         let marked = kinds.filter(|kind| trace.marks.iter().any(|mark| mark.kind == *kind));
         entries.extend(marked.map(Entry::Mark));
     }
+    entries.extend((style.transient > 0).then_some(Entry::Transient));
     let has_impacts = |but: Panel| panels.iter().any(|panel| panel.is_section() && *panel != but);
     entries.extend(has_impacts(Panel::SectionRight).then_some(Entry::Left));
     entries.extend(has_impacts(Panel::SectionLeft).then_some(Entry::Right));
@@ -149,7 +148,7 @@ pub fn lay_out(entries: &[Entry], style: Style, width: i32) -> (Vec<Placed>, i32
     let (mut x, mut y) = (0, 0);
     let mut places = Vec::new();
     for &entry in entries {
-        let needed = 40 * SCALE + (LETTER * f64::from(FONT) * entry.words(style).chars().count() as f64) as i32;
+        let needed = 40 * SCALE + (LETTER * f64::from(FONT) * letters(&entry.words(style))) as i32;
         if x > 0 && x + needed > width {
             (x, y) = (0, y + LINE);
         }

@@ -7,9 +7,14 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
 
+use super::curves::POINTS;
 use super::frame::{Frame, Panel};
+use super::panel::Style;
 use super::recorder::{Recorder, end_of};
+use super::sheet::Sheet;
 use super::trace::{Kind, Part, Span, Trace};
+use plotters::coord::ranged1d::Ranged;
+
 use crate::tolerances::{DRAWN, DRAWN_END, DRAWN_PHASE};
 
 fn scene(name: &str) -> Scene {
@@ -75,6 +80,190 @@ fn curves_meet_the_walls_at_the_impacts_and_nowhere_else() {
     }
 }
 
+/// The commands of a path's data, each with its numbers.
+fn commands(data: &str) -> Vec<(char, Vec<f64>)> {
+    let command = |text: &str| {
+        let spaced = text[1..].replace('-', " -");
+        (text.chars().next().unwrap(), spaced.split_whitespace().map(|number| number.parse().unwrap()).collect())
+    };
+    data.replace(['M', 'l', 'c'], "\n")
+        .lines()
+        .skip(1)
+        .zip(data.matches(['M', 'l', 'c']))
+        .map(|(text, name)| command(&format!("{name}{text}")))
+        .collect()
+}
+
+/// Places along a path, so many on each segment.
+fn along(data: &str, count: u32) -> Vec<Vec<(f64, f64)>> {
+    let (mut parts, mut at): (Vec<Vec<(f64, f64)>>, _) = (Vec::new(), (0.0, 0.0));
+    for (command, numbers) in commands(data) {
+        let ends: Vec<(f64, f64)> = numbers.chunks(2).map(|pair| (at.0 + pair[0], at.1 + pair[1])).collect();
+        let controls = match (command, &ends[..]) {
+            ('M', _) => {
+                at = (numbers[0], numbers[1]);
+                parts.push(vec![at]);
+                continue;
+            }
+            ('l', [end]) => [at, at, *end, *end],
+            ('c', [first, second, end]) => [at, *first, *second, *end],
+            _ => panic!("{command} {numbers:?}"),
+        };
+        let weigh = |t: f64| [(1.0 - t).powi(3), 3.0 * t * (1.0 - t).powi(2), 3.0 * t * t * (1.0 - t), t.powi(3)];
+        let places = (1..=count).map(|k| {
+            let pairs = weigh(f64::from(k) / f64::from(count)).into_iter().zip(controls);
+            pairs.fold((0.0, 0.0), |sum, (weight, place)| (sum.0 + weight * place.0, sum.1 + weight * place.1))
+        });
+        parts.last_mut().unwrap().extend(places);
+        at = controls[3];
+    }
+    parts
+}
+
+/// From a place to the line between two others.
+fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f64 {
+    let (u, v) = (x1 - x0, y1 - y0);
+    let length = u * u + v * v;
+    let part = if length > 0.0 { (((x - x0) * u + (y - y0) * v) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (x - x0 - part * u).hypot(y - y0 - part * v)
+}
+
+/// Hermite's bound for a twenty-fourth of a turn, in amplitudes.
+const MISSED: f64 = 1.3e-5;
+
+#[test]
+fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
+    for name in ["figure-12", "figure-13", "figure-14", "figure-16", "figure-17", "two-tones"] {
+        let scene = scene(name);
+        let mut orbit: Orbit = Orbit::of(&scene, impacts(40)).unwrap();
+        let mut recorder = Recorder::new(&orbit, 1000);
+        let (mut course, mut turns, phase) = orbit.first_course();
+        let mut flights = vec![];
+        let mut from = phase.mid();
+        loop {
+            let step = orbit.advance();
+            recorder.record(&orbit, &step);
+            let Progress::Impact(impact) = step else { break };
+            flights.push((course, turns, from));
+            (course, turns, from) = (orbit.course_after(&impact), impact.turns, impact.phase.mid());
+        }
+        let trace = recorder.finish(&orbit, &impacts(40), 40);
+        let sum: f64 =
+            scene.pair().excitation().harmonics().iter().map(|term| term.amplitude().enclose(64).mid_rad().0).sum();
+        let omega = TAU / trace.period;
+        let strokes = trace.strokes.iter().filter(|stroke| stroke.part == Part::Flight);
+        let mut seed = 0.0f64;
+        for (stroke, (course, turns, from)) in strokes.zip(flights) {
+            for pair in stroke.points.windows(POINTS + 1).step_by(POINTS) {
+                let [a, b] = [&pair[0], &pair[POINTS]];
+                // A low-discrepancy sequence: other places on each segment.
+                seed = (seed + 0.618_033_988_749_894_9).fract();
+                let at = seed.mul_add(b.at - a.at, a.at);
+                let phase = from + (at - stroke.points[0].at);
+                let ball = impact_pair::number::Ball::exact(phase - phase.round());
+                let truth = orbit.course_point(&course, turns + phase.round() as i64, ball).unwrap();
+                let frame = |panel: Panel| Frame::new(panel, &trace, 1000);
+                let cubic = |frame: &Frame<'_>| {
+                    let end = |point: &super::trace::Point| {
+                        let (place, rate) = (frame.place(point), frame.rate(point));
+                        ((place[0].middle, place[1].middle), (rate[0] * (b.at - a.at), rate[1] * (b.at - a.at)))
+                    };
+                    let (start, [first, second, last]) = (end(a).0, crate::picture::hermite(end(a), end(b)));
+                    let (s, t) = (1.0 - seed, seed);
+                    let along = |a: f64, b: f64, c: f64, d: f64| {
+                        s * s * s * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t * t * t * d
+                    };
+                    [along(start.0, first.0, second.0, last.0), along(start.1, first.1, second.1, last.1)]
+                };
+                let near = |x: f64, truth: Span, bound: f64| {
+                    let room = bound + 1e-9 * (truth.low.abs() + truth.high.abs() + 1.0);
+                    assert!(x >= truth.low - room && x <= truth.high + room, "{name}: {x} {truth:?} {bound:e}");
+                };
+                let [y, v] = cubic(&frame(Panel::PhasePlane));
+                near(y, (&truth.displacement).into(), MISSED * sum);
+                near(v, (&truth.velocity).into(), MISSED * sum * omega);
+                let [t, y] = cubic(&frame(Panel::Displacement));
+                near(t, (&truth.time).into(), 0.0);
+                near(y, (&truth.displacement).into(), MISSED * sum);
+                let [x, u] = cubic(&frame(Panel::AbsolutePhasePlane));
+                near(x, (&truth.absolute_displacement).into(), 0.0);
+                near(u, (&truth.absolute_velocity).into(), 0.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_drawn_is_within_a_tenth_of_a_pixel_of_the_motion() {
+    let scene = scene("figure-17");
+    let (trace, _) = trace(&scene, &impacts(40), 8);
+    let style = Style { is_certified: true, transient: 0 };
+    let sheet = Sheet {
+        scene: &scene,
+        trace: &trace,
+        panels: vec![Panel::Displacement],
+        cycles: 8,
+        orbit_cycles: 8,
+        zoom: None,
+        style,
+        verdict: String::new(),
+    };
+    let svg = sheet.svg().unwrap();
+    let part = |text: &str, from: &str, to: &str| {
+        let text = &text[text.find(from).unwrap() + from.len()..];
+        text[..text.find(to).unwrap()].to_owned()
+    };
+    let clip: Vec<f64> = ["x=\"", "y=\"", "width=\"", "height=\""]
+        .map(|name| part(&part(&svg, "<clipPath", "/clipPath"), &format!(" {name}"), "\"").parse().unwrap())
+        .to_vec();
+    let edge = 3.0 * f64::from(crate::picture::SCALE);
+    let [time, height] = Frame::new(Panel::Displacement, &trace, 8).axes();
+    let pixel = |time_at: f64, y: f64| {
+        let x = clip[0] + edge + (clip[2] - 2.0 * edge) * time.part(time_at);
+        (x, clip[1] + clip[3] - edge - (clip[3] - 2.0 * edge) * height.part(y))
+    };
+    // All points recorded, four times as many as those that segments end at.
+    let flights: Vec<Vec<(f64, f64)>> = trace
+        .strokes
+        .iter()
+        .filter(|stroke| stroke.part == Part::Flight)
+        .map(|stroke| stroke.points.iter().map(|point| pixel(point.time.middle, point.displacement.middle)).collect())
+        .collect();
+    let drawn =
+        along(&part(&part(&svg, "stroke=\"#0072B2\" stroke-width=\"6\" stroke-opacity", "</g>"), " d=\"", "\""), 200);
+    assert_eq!(drawn.len(), flights.len());
+    let mut worst = 0.0f64;
+    for (points, curve) in flights.iter().zip(&drawn) {
+        for point in points {
+            let near = curve.windows(2).map(|pair| distance(*point, pair[0], pair[1])).fold(f64::MAX, f64::min);
+            worst = worst.max(near);
+        }
+    }
+    assert!(worst < 0.1 * f64::from(crate::picture::SCALE), "{worst} of the canvas");
+}
+
+#[test]
+fn the_transient_is_grey_and_what_is_magnified_is_close() {
+    let scene = scene("chatter");
+    let (trace, _) = trace(&scene, &impacts(40), 3);
+    let sheet = Sheet {
+        scene: &scene,
+        trace: &trace,
+        panels: vec![Panel::Displacement, Panel::SectionLeft],
+        cycles: 3,
+        orbit_cycles: 3,
+        zoom: Some([0.2, 0.4]),
+        style: Style { is_certified: true, transient: 5 },
+        verdict: String::new(),
+    };
+    let svg = sheet.svg().unwrap();
+    for words in ["#999999", "transient: the first 5 impacts", "magnified", "(a): 3 cycles; (g): "] {
+        assert!(svg.contains(words), "{words}");
+    }
+    let [time, height] = Frame::magnified(Panel::Displacement, &trace, [0.2, 0.4]).axes().map(|axis| axis.range());
+    assert!(time == (0.2..0.4) && height.end - height.start < 0.5, "{height:?}");
+}
+
 #[test]
 fn absolute_coordinates_move_with_no_force_between_impacts() {
     let (trace, _) = trace(&scene("figure-17"), &impacts(40), 1000);
@@ -98,7 +287,7 @@ fn crossings_lie_on_their_walls_at_their_phases() {
     for (panel, wall) in [(Panel::SectionLeft, Wall::Left), (Panel::SectionRight, Wall::Right)] {
         let frame = Frame::new(panel, &trace, 1);
         let count = impacts.iter().filter(|(of, ..)| *of == wall).count();
-        assert!(count > 10 && frame.crossings().count() == count && frame.crossings().all(|(of, _)| of == wall));
+        assert!(count > 10 && frame.crossings().count() == count && frame.crossings().all(|(_, of, _)| of == wall));
     }
 }
 

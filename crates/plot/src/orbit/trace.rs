@@ -43,6 +43,8 @@ pub struct Point {
     pub velocity: Span,
     /// `x` and `x'`
     pub absolute: (Span, Span),
+    /// About `y''` and `x''`: how curves bend between the points.
+    pub accelerations: (f64, f64),
 }
 
 impl Point {
@@ -55,6 +57,7 @@ impl Point {
             displacement: Span::from(&point.displacement).map(|y| y.clamp(-wall, wall)),
             velocity: (&point.velocity).into(),
             absolute: ((&point.absolute_displacement).into(), (&point.absolute_velocity).into()),
+            accelerations: (Span::from(&point.acceleration).middle, Span::from(&point.absolute_acceleration).middle),
         }
     }
 }
@@ -78,6 +81,8 @@ pub enum Part {
 #[derive(Clone, Debug)]
 pub struct Stroke {
     pub part: Part,
+    /// Impacts before it.
+    pub impacts: usize,
     pub points: Vec<Point>,
 }
 

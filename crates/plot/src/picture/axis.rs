@@ -38,13 +38,22 @@ impl Axis {
     /// Holds all these, and has free room beyond them; at least a tenth of the greatest of them long, lest the tail of
     /// a spiral look like a motion.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
+        Self::holding(values, 0.1)
+    }
+
+    /// The same, however near to each other they are.
+    pub fn close_around(values: impl Iterator<Item = f64>) -> Self {
+        Self::holding(values, 0.0)
+    }
+
+    fn holding(values: impl Iterator<Item = f64>, least: f64) -> Self {
         // Below the normal doubles there is no room for ticks, beyond the finite ones none for anything.
         let values = values.filter(|x| x.is_finite()).map(|x| if x.is_subnormal() { 0.0 } else { x });
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
             return Self::over(-1.0, 1.0);
         }
-        let lacking = (0.1 * low.abs().max(high.abs()) - (high - low)).max(0.0) / 2.0;
+        let lacking = (least * low.abs().max(high.abs()) - (high - low)).max(0.0) / 2.0;
         let room = lacking + MARGIN * (high - low);
         Self::over(low - room, high + room)
     }
@@ -52,6 +61,11 @@ impl Axis {
     /// Angles in `[0, 2 pi]`.
     pub fn angle() -> Self {
         Self::turn(0.0)
+    }
+
+    /// Where a value is on it: 0 at its beginning, 1 at its end.
+    pub fn part(&self, value: f64) -> f64 {
+        (value - self.range.start) / (self.range.end - self.range.start)
     }
 
     /// The same, with this much room at both ends.
@@ -78,8 +92,7 @@ impl Ranged for Axis {
     type ValueType = f64;
 
     fn map(&self, &value: &f64, (left, right): (i32, i32)) -> i32 {
-        let part = (value - self.range.start) / (self.range.end - self.range.start);
-        left.saturating_add((f64::from(right - left) * part).round() as i32)
+        left.saturating_add((f64::from(right - left) * self.part(value)).round() as i32)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {

@@ -1,68 +1,69 @@
-//! Thousands of points as one SVG path: an element for each of them would be ten times as long.
+//! Thousands of points as a few SVG paths, translucent, so that where many lie is darker.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use plotters::style::RGBColor;
 
-use super::{SCALE, hex, on_top};
+use super::{Element, SCALE, hex};
 
-/// What stands at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// A disc.
-    Dot,
-    /// A cross.
-    Cross,
-}
-
-/// Points of one shape and colour, in pixels of the canvas.
+/// Points of one colour, in pixels of the canvas.
 #[derive(Clone, Debug)]
 pub struct Dots {
-    /// Their shape.
-    pub shape: Shape,
     /// Their colour.
     pub colour: RGBColor,
     /// Where they are.
     pub places: Vec<(i32, i32)>,
 }
 
-/// Diameter of a dot, arm of a cross, and how thick that is; twice as much where points are so few.
-const DOT: i32 = 9 * SCALE / 4;
-const ARM: i32 = 7 * SCALE / 4;
-const LINE: i32 = SCALE / 2;
+/// Diameter of a dot where dots are many and where they are few.
+const DOT: i32 = 2 * SCALE;
+const LARGE: i32 = 9 * SCALE / 2;
 const FEW: usize = 100;
+/// Dots are dealt to so many paths, each of this opacity: within a path they cover each other unseen.
+const LAYERS: usize = 6;
+const OPACITY: f64 = 0.55;
+/// From here on their places are told apart by half a pixel as it is shown only, lest the file be too large.
+const VERY_MANY: usize = 20_000;
 
 impl Dots {
-    fn enlarged(&self) -> i32 {
-        if self.places.len() > FEW { 1 } else { 2 }
+    /// Whether there are so many that density is shown.
+    fn are_many(&self) -> bool {
+        self.places.iter().collect::<BTreeSet<_>>().len() > FEW
     }
 
-    /// Puts them on top of a picture.
-    pub fn append_to(&self, svg: &mut String) {
-        if self.places.is_empty() {
-            return;
+    /// The dots as an element.
+    pub fn element(&self) -> Element {
+        let many = self.are_many();
+        let (layers, width, opacity) = if many { (LAYERS, DOT, OPACITY) } else { (1, LARGE, 1.0) };
+        let grain = if self.places.len() > VERY_MANY { SCALE / 2 } else { 1 };
+        let mut group = format!(
+            "<g fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\" stroke-linecap=\"round\" stroke-opacity=\"{opacity}\">",
+            hex(self.colour)
+        );
+        for layer in 0..layers {
+            let dealt = self.places.iter().skip(layer).step_by(layers);
+            let places: BTreeSet<(i32, i32)> = dealt.map(|(x, y)| (x / grain * grain, y / grain * grain)).collect();
+            if !places.is_empty() {
+                // Writing to a String cannot fail.
+                let _ = write!(group, "<path d=\"{}\"/>", data(places));
+            }
         }
-        let (width, cap) = match self.shape {
-            Shape::Dot => (DOT * self.enlarged(), "round"),
-            Shape::Cross => (LINE * self.enlarged(), "butt"),
-        };
-        let colour = hex(self.colour);
-        let mut path =
-            format!("<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"{cap}\" d=\"");
-        let arm = ARM * self.enlarged();
-        for &(x, y) in &self.places {
-            // Writing to a string does not fail.
-            let _ = match self.shape {
-                Shape::Dot => write!(path, "M{x} {y}h0"),
-                Shape::Cross => {
-                    let (left, top, size) = (x - arm, y - arm, 2 * arm);
-                    write!(path, "M{left} {y}h{size}M{x} {top}v{size}")
-                }
-            };
-        }
-        path.push_str("\"/>\n");
-        on_top(svg, &path);
+        group.push_str("</g>");
+        Element(group)
     }
+}
+
+/// The data of a path of dots: lines of no length, each told from the one before.
+fn data(places: BTreeSet<(i32, i32)>) -> String {
+    let (mut data, mut at) = (String::new(), (0, 0));
+    for (x, y) in places {
+        let down = y - at.1;
+        // Writing to a String cannot fail.
+        let _ = write!(data, "m{}{}{down}h0", x - at.0, if down < 0 { "" } else { " " });
+        at = (x, y);
+    }
+    data
 }
 
 #[cfg(test)]
@@ -70,13 +71,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_path_holds_all_points_and_the_picture_ends_as_before() {
-        let mut svg = "<svg>\n</svg>\n".to_owned();
-        Dots { shape: Shape::Dot, colour: RGBColor(0, 1, 255), places: vec![(1, 2), (30, 4)] }.append_to(&mut svg);
-        Dots { shape: Shape::Cross, colour: RGBColor(0, 0, 0), places: vec![(100, 200)] }.append_to(&mut svg);
-        Dots { shape: Shape::Cross, colour: RGBColor(0, 0, 0), places: Vec::new() }.append_to(&mut svg);
-        assert!(svg.contains("stroke=\"#0001FF\" stroke-width=\"18\" stroke-linecap=\"round\" d=\"M1 2h0M30 4h0\"/>"));
-        assert!(svg.contains("d=\"M86 200h28M100 186v28\"/>\n</svg>\n"), "{svg}");
-        assert_eq!(svg.matches("<path").count(), 2);
+    fn few_dots_are_one_opaque_path() {
+        let dots = Dots { colour: RGBColor(0, 1, 255), places: vec![(30, 4), (1, 2), (1, 2)] };
+        let Element(svg) = dots.element();
+        assert!(svg.contains("stroke=\"#0001FF\" stroke-width=\"18\""), "{svg}");
+        assert!(svg.ends_with("stroke-opacity=\"1\"><path d=\"m1 2h0m29 2h0\"/></g>"), "{svg}");
+    }
+
+    #[test]
+    fn many_dots_are_darker_where_they_lie_on_each_other() {
+        let spread = (0..300).map(|i| (10 * i, 7 * i));
+        let heap = (0..300).map(|_| (5, 5));
+        let Element(svg) =
+            Dots { colour: RGBColor(0, 0, 0), places: spread.zip(heap).flat_map(|(a, b)| [a, b]).collect() }.element();
+        assert_eq!(svg.matches("<path").count(), LAYERS);
+        // In all layers that the heap is dealt to.
+        let paths = svg.split("<path").skip(1);
+        assert_eq!(paths.filter(|path| path.contains("m5 5h0") || path.contains("m5 5")).count(), LAYERS / 2);
     }
 }

@@ -1,8 +1,16 @@
-//! The file of a picture: SVG, or PNG of the same drawing.
+//! The file of a picture: SVG, or PNG or PDF of the same drawing.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+
+/// The endings of names that this build writes, as they are said.
+const ENDINGS: &str = match (cfg!(feature = "png"), cfg!(feature = "pdf")) {
+    (true, true) => "accepted is a name that ends in .svg, .png or .pdf",
+    (true, false) => "accepted is a name that ends in .svg or .png, or in .pdf in a build with --features pdf",
+    (false, true) => "accepted is a name that ends in .svg or .pdf, or in .png in a build with --features png",
+    (false, false) => "accepted is a name that ends in .svg, or in .png or .pdf in a build with --features png,pdf",
+};
 
 /// Reads the name of a picture.
 ///
@@ -13,43 +21,58 @@ pub fn path(text: &str) -> Result<PathBuf, String> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => Ok(path),
         Some("png") if cfg!(feature = "png") => Ok(path),
-        Some("png") => {
-            Err("accepted is a name that ends in .svg; this build has no PNG: build with --features png".into())
-        }
-        _ => Err("accepted is a name that ends in .svg, or in .png in a build with --features png".into()),
+        Some("pdf") if cfg!(feature = "pdf") => Ok(path),
+        _ => Err(ENDINGS.into()),
     }
 }
 
 /// The bytes of the picture for a file of this name.
 ///
 /// # Errors
-/// When it cannot be turned into a PNG.
+/// When it cannot be turned into a PNG or PDF.
 pub fn encoded(svg: String, path: &Path) -> Result<Vec<u8>> {
-    match path.extension().is_some_and(|ending| ending == "png") {
+    match path.extension().and_then(|ending| ending.to_str()) {
         #[cfg(feature = "png")]
-        true => png(&svg),
+        Some("png") => png(&svg),
+        #[cfg(feature = "pdf")]
+        Some("pdf") => pdf(&svg),
         _ => Ok(svg.into_bytes()),
     }
+}
+
+/// The SVG with its words in the fonts that this program carries.
+#[cfg(any(feature = "png", feature = "pdf"))]
+fn tree(svg: &str) -> Result<usvg::Tree> {
+    let mut options = usvg::Options::default();
+    let fonts = options.fontdb_mut();
+    fonts.load_font_data(dejavu::sans::regular().to_vec());
+    fonts.load_font_data(dejavu::sans::oblique().to_vec());
+    fonts.set_sans_serif_family("DejaVu Sans");
+    Ok(usvg::Tree::from_str(svg, &options)?)
 }
 
 /// Pixels of a PNG for each one of the picture as it is shown.
 #[cfg(feature = "png")]
 const PIXELS: f32 = 2.0;
 
-/// The SVG in pixels, its words in the font that this program carries.
+/// The SVG in pixels.
 #[cfg(feature = "png")]
 fn png(svg: &str) -> Result<Vec<u8>> {
     use anyhow::Context;
     use resvg::tiny_skia::{Pixmap, Transform};
-    use resvg::usvg::{Options, Tree};
 
-    let mut options = Options::default();
-    let fonts = options.fontdb_mut();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.set_sans_serif_family("DejaVu Sans");
-    let tree = Tree::from_str(svg, &options)?;
+    let tree = tree(svg)?;
     let size = tree.size().to_int_size().scale_by(PIXELS).context("no pixels")?;
     let mut pixels = Pixmap::new(size.width(), size.height()).context("too many pixels")?;
     resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
     Ok(pixels.encode_png()?)
+}
+
+/// The SVG on a page of its size, its letters as letters of fonts that the file holds.
+#[cfg(feature = "pdf")]
+fn pdf(svg: &str) -> Result<Vec<u8>> {
+    use anyhow::anyhow;
+    use svg2pdf::{ConversionOptions, PageOptions, to_pdf};
+
+    to_pdf(&tree(svg)?, ConversionOptions::default(), PageOptions::default()).map_err(|error| anyhow!("{error}"))
 }

@@ -4,7 +4,11 @@ mod axis;
 mod dots;
 mod file;
 mod hull;
-mod lines;
+mod math;
+mod path;
+mod plane;
+mod svg;
+mod theme;
 
 use std::error::Error as StdError;
 
@@ -13,10 +17,14 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 pub use axis::Axis;
-pub use dots::{Dots, Shape};
+pub use dots::Dots;
 pub use file::{encoded, path};
 pub use hull::hull;
-pub use lines::simplified;
+pub use math::{greek, letters};
+pub use path::{Path, Place, hermite};
+pub use plane::Plane;
+pub use svg::{Element, Svg};
+pub use theme::Theme;
 
 /// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;
@@ -42,7 +50,7 @@ pub const YELLOW: RGBColor = RGBColor(0xf0, 0xe4, 0x42);
 pub const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
 
 /// A canvas that becomes SVG.
-pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+pub type Canvas<'a> = DrawingArea<Svg<'a>, plotters::coord::Shift>;
 /// Whether something could be drawn.
 pub type Drawn = Result<(), Box<dyn StdError>>;
 
@@ -52,20 +60,12 @@ pub type Drawn = Result<(), Box<dyn StdError>>;
 /// Those of `draw`.
 pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn) -> Result<String> {
     let mut text = String::new();
-    let drawn = (size.0 * scale as u32, size.1 * scale as u32);
     {
-        let root = SVGBackend::with_string(&mut text, drawn).into_drawing_area();
+        let root = Svg::new(&mut text, size, scale as u32).into_drawing_area();
         let all = root.fill(&WHITE).map_err(Box::from).and_then(|()| draw(&root));
         all.and_then(|()| root.present().map_err(Box::from)).map_err(|error: Box<dyn StdError>| anyhow!("{error}"))?;
     }
-    let head = |(width, height): (u32, u32)| format!("<svg width=\"{width}\" height=\"{height}\"");
-    Ok(text.replacen(&head(drawn), &head(size), 1))
-}
-
-/// Puts SVG elements on top of a picture.
-pub fn on_top(svg: &mut String, elements: &str) {
-    let end = svg.rfind("</svg>").unwrap_or(svg.len());
-    svg.insert_str(end, elements);
+    Ok(text)
 }
 
 /// A colour as SVG writes it.
@@ -76,20 +76,4 @@ pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
 /// Words of this size, up to this side of their place and centred on its height.
 pub fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
     TextStyle::from(("sans-serif", size).into_font()).color(colour).pos(Pos::new(side, VPos::Center))
-}
-
-/// The words of a scene as they are set in print.
-pub fn greek(words: &str) -> String {
-    let letters = [
-        ("tau", "τ"),
-        ("sqrt(", "√("),
-        ("*pi", "π"),
-        ("2 pi", "2π"),
-        ("pi", "π"),
-        ("A W", "AΩ"),
-        ("W", "Ω"),
-        ("-", "−"),
-        ("'", "′"),
-    ];
-    letters.iter().fold(words.to_owned(), |words, (ascii, greek)| words.replace(ascii, greek))
 }

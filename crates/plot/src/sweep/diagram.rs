@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use impact_pair::sweep;
 use plotters::prelude::*;
 
-use super::legend::{self, CAPTION, LINE, described};
+use super::legend::{self, CAPTION, LINE, Mark, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
 use super::{Records, Show};
 use crate::picture::{Axis, BLUE, Canvas, GREEN, SCALE, VERMILION};
@@ -62,25 +62,31 @@ impl Class {
 type Columns = BTreeMap<i32, Vec<i32>>;
 
 /// Draws axes and words; the data are handed back.
-pub fn draw(sweep: &mut impl Records, axis: &sweep::Axis, show: Show, root: &Canvas<'_>) -> Drawn<String> {
+pub fn draw(
+    sweep: &mut impl Records,
+    axis: &sweep::Axis,
+    (show, within): (Show, Option<[f64; 2]>),
+    root: &Canvas<'_>,
+) -> Drawn<String> {
     let (present, greatest) = survey(sweep)?;
     legend::caption(sweep.head(), root)?;
-    for (i, class) in present.iter().enumerate() {
-        let place = ((24 + 310 * (i as i32 % 3)) * SCALE, CAPTION + LINE * (i as i32 / 3) + LINE / 2);
-        legend::key(root, place, class.colour(), class.name())?;
-    }
-    let (_, below) = root.split_vertically(CAPTION + LINE * present.len().div_ceil(3) as i32);
+    let entries: Vec<(Mark, String)> =
+        present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
+    let lines = legend::keys(root, &entries)?;
+    let (_, below) = root.split_vertically(CAPTION + LINE * lines);
     let across = Axis::over(value(&axis.low), value(&axis.high));
     let (up, name) = match show {
-        Show::Phase => (Axis::angle(), "phase Ωt + τ of the impact [rad]"),
+        Show::Phase => (Axis::angle(), "phase $Ωt + τ$ of the impact [rad]"),
         Show::Velocity => {
-            (Axis::over(-1.05 * greatest, 1.05 * greatest), "relative velocity y′ before the impact [length/time]")
+            (Axis::over(-1.05 * greatest, 1.05 * greatest), "relative velocity $y′$ before the impact [length/time]")
         }
     };
+    let up = within.map_or(up, |[low, high]| Axis::over(low, high));
     let plane = Plane::draw(&below, [across, up], [&described(axis.key), name])?;
     let (left, right) = plane.pixels[0];
     let spacing = (right - left) / i32::try_from(axis.count - 1).unwrap_or(i32::MAX);
-    let cell = spacing.clamp(CELL, LARGEST);
+    // Each point has a column of its own, next to its neighbours', or one of those that can be seen.
+    let (grain, width) = if spacing < CELL { (CELL, CELL) } else { (1, (spacing + 1).min(LARGEST)) };
     let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
     sweep.each_record(|record| {
@@ -88,8 +94,12 @@ pub fn draw(sweep: &mut impl Records, axis: &sweep::Axis, show: Show, root: &Can
         let column = plane.column(value(&axis.value(record.point)?));
         for state in &record.states {
             // A box when it is wide enough to be seen, from its upper bound down.
-            let [bottom, top] = bounds(state, show)?.map(|y| plane.row(y) / cell);
-            let rows = columns.entry(class).or_default().entry(column / cell).or_default();
+            let bounds = bounds(state, show)?;
+            if !plane.shows(bounds) {
+                continue;
+            }
+            let [bottom, top] = bounds.map(|y| plane.row(y) / CELL);
+            let rows = columns.entry(class).or_default().entry(column / grain).or_default();
             rows.extend(top..=bottom);
             if rows.len() > 1 << 14 {
                 rows.sort_unstable();
@@ -97,11 +107,11 @@ pub fn draw(sweep: &mut impl Records, axis: &sweep::Axis, show: Show, root: &Can
             }
         }
         if class == Class::Undecided {
-            bars.add((column - cell / 2, plane.pixels[1].0 - BAR), (cell.max(SCALE), BAR));
+            bars.add((column - width / 2, plane.pixels[1].0 - BAR), (width.max(SCALE), BAR));
         }
         Ok(())
     })?;
-    let data: String = columns.into_iter().map(|(class, columns)| path(class, columns, cell)).collect();
+    let data: String = columns.into_iter().map(|(class, columns)| path(class, columns, (grain, width))).collect();
     Ok(data + &bars.element(VERMILION))
 }
 
@@ -130,16 +140,16 @@ fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
 }
 
 /// The cells of a class, those below each other in one.
-fn path(class: Class, columns: Columns, cell: i32) -> String {
+fn path(class: Class, columns: Columns, (grain, width): (i32, i32)) -> String {
     // Lines are made thick enough to be seen, dense clouds are not.
-    let edge = if class == Class::NotAttracted && cell < LARGEST { 0 } else { EDGE };
+    let edge = if class == Class::NotAttracted && width < LARGEST { 0 } else { EDGE };
     let mut cells = Cells::default();
     for (column, mut rows) in columns {
         rows.sort_unstable();
         rows.dedup();
         for run in rows.chunk_by(|a, b| a + 1 == *b) {
-            let corner = (column * cell - cell / 2 - edge, run[0] * cell - cell / 2 - edge);
-            cells.add(corner, (cell + 2 * edge, cell * run.len() as i32 + 2 * edge));
+            let corner = (column * grain - width / 2 - edge, run[0] * CELL - CELL / 2 - edge);
+            cells.add(corner, (width + 2 * edge, CELL * run.len() as i32 + 2 * edge));
         }
     }
     cells.element(class.colour())

@@ -6,24 +6,45 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::{Drawn, FONT};
-use crate::picture::{Canvas, SCALE, greek, words};
+use crate::picture::{Canvas, LETTER, SCALE, greek, letters, words};
 
 /// Height of the caption above the plot.
 pub const CAPTION: i32 = 76 * SCALE;
 /// A line of the legend.
 pub const LINE: i32 = 22 * SCALE;
 
-/// An entry of a legend.
-pub fn key(root: &Canvas<'_>, (x, y): (i32, i32), colour: RGBColor, name: &str) -> Drawn<()> {
-    let half = 5 * SCALE;
-    root.draw(&Rectangle::new([(x, y - half), (x + 2 * half, y + half)], colour.filled()))?;
-    root.draw(&Text::new(name.to_owned(), (x + 3 * half, y), words(FONT, &BLACK, HPos::Left)))?;
-    Ok(())
+/// What an entry of a legend explains.
+#[derive(Clone, Copy, Debug)]
+pub enum Mark {
+    Cell(RGBColor),
+    Ring,
+}
+
+/// The entries of a legend below the caption, in lines; how many lines.
+pub fn keys(root: &Canvas<'_>, entries: &[(Mark, String)]) -> Drawn<i32> {
+    let (half, left, right) = (5 * SCALE, 24 * SCALE, root.dim_in_pixel().0 as i32 - 16 * SCALE);
+    let (mut x, mut line) = (left, 0);
+    for (mark, name) in entries {
+        let width = 3 * half + (LETTER * f64::from(FONT) * letters(name)) as i32;
+        if x > left && x + width > right {
+            (x, line) = (left, line + 1);
+        }
+        let y = CAPTION + LINE * line + LINE / 2;
+        match mark {
+            Mark::Cell(colour) => {
+                root.draw(&Rectangle::new([(x, y - half), (x + 2 * half, y + half)], colour.filled()))?
+            }
+            Mark::Ring => root.draw(&Circle::new((x + half, y), half, BLACK.stroke_width(SCALE as u32)))?,
+        }
+        root.draw(&Text::new(name.clone(), (x + 3 * half, y), words(FONT, &BLACK, HPos::Left)))?;
+        x += width + 24 * SCALE;
+    }
+    Ok(if entries.is_empty() { 0 } else { line + 1 })
 }
 
 /// Title, parameters, and how it was computed.
 pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
-    let varied: Vec<String> = varied(head).map(|key| key.symbol().0).collect();
+    let varied: Vec<String> = varied(head).map(|key| format!("${}$", key.symbol().0)).collect();
     let varied = format!("{} varied", varied.join(" and "));
     let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
     let last = head.transient + head.impacts;
@@ -31,13 +52,14 @@ pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
         1 => format!("impact {last}"),
         _ => format!("impacts {} to {last}", head.transient + 1),
     };
+    let left_out = if head.transient > 0 { " (the transient before is left out)" } else { "" };
     let arithmetic = &head.arithmetic.kind;
     let certified = match (head.certified, head.claim) {
         (true, None) => format!("certified ({arithmetic}, {} digits)", head.digits),
         (true, Some(_)) => format!("certified ({} digits; chaos: one true orbit near each start)", head.digits),
         (false, _) => "floats, not certified".into(),
     };
-    let made = format!("{} points, {impacts} of each, {certified}; {}", head.points, head.program);
+    let made = format!("{} points, {impacts} of each{left_out}, {certified}; {}", head.points, head.program);
     let lines = [(title, FONT + 3 * SCALE), (parameters(head), FONT), (made, FONT)];
     for (line, (text, size)) in lines.into_iter().enumerate() {
         root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, &BLACK, HPos::Left)))?;
@@ -100,7 +122,7 @@ pub fn described(key: Key) -> String {
         Key::StartVelocity => "relative velocity at the start",
     };
     match key.symbol() {
-        (symbol, "") => format!("{name} {symbol}"),
-        (symbol, unit) => format!("{name} {symbol} [{unit}]"),
+        (symbol, "") => format!("{name} ${symbol}$"),
+        (symbol, unit) => format!("{name} ${symbol}$ [{unit}]"),
     }
 }

@@ -4,18 +4,20 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+use impact_pair::mapping::Word;
+use impact_pair::pair::Wall;
 use impact_pair::scene::Key;
 use impact_pair::sweep::{self, Grid};
 use plotters::prelude::*;
 
 use super::Records;
 use super::kind::{Kind, OTHER, UNDECIDED, colours};
-use super::legend::{self, CAPTION, LINE, described};
-use super::{Cells, Drawn, Plane, value};
+use super::legend::{self, CAPTION, LINE, Mark, described};
+use super::{Cells, Drawn, Plane, middle, value};
 use crate::picture::{Axis, Canvas, SCALE, hex};
 
-/// Width of the legend beside the map.
-const BESIDE: i32 = 250 * SCALE;
+/// Radius of the ring around an attractor.
+const RING: i32 = 6 * SCALE;
 
 /// What is known of all points.
 struct Outcomes {
@@ -51,15 +53,46 @@ pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<S
     let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
     let colours = colours(&outcomes.kinds);
     legend::caption(sweep.head(), root)?;
-    let left = root.dim_in_pixel().0 as i32 - BESIDE;
-    beside(root, left, &outcomes.kinds, &colours, is_one_pair)?;
-    let (area, _) = root.split_vertically(CAPTION).1.split_horizontally(left);
+    let is_plane_of_starts = [x.key, y.key] == [Key::StartPhase, Key::StartVelocity];
+    let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
+    let mut entries = entries(&outcomes.kinds, &colours, is_one_pair);
+    let attractors: Vec<_> =
+        if is_plane_of_starts && starts_left { attractors(&outcomes.kinds, &colours) } else { Vec::new() };
+    if !attractors.is_empty() {
+        entries.push((Mark::Ring, "an attractor, where it hits the left wall".to_owned()));
+    }
+    let lines = legend::keys(root, &entries)?;
+    let (_, area) = root.split_vertically(CAPTION + lines * LINE + LINE / 2);
     let plane = Plane::draw(&area, [scale(x), scale(y)], [&described(x.key), &described(y.key)])?;
     let colour = |point: u64| {
         let kind = outcomes.points.get(point as usize).copied().flatten()?;
         Some(colours[kind])
     };
-    Ok(cells(&plane, x.count, y.count, colour))
+    let rings: String = attractors
+        .into_iter()
+        .map(|(phase, velocity, colour)| ring((plane.column(phase), plane.row(velocity)), colour))
+        .collect();
+    Ok(cells(&plane, x.count, y.count, colour) + &rings)
+}
+
+/// Where attractors hit the left wall first, as far as that is known, and their colours.
+fn attractors(kinds: &[Kind], colours: &[RGBColor]) -> Vec<(f64, f64, RGBColor)> {
+    let place = |(kind, colour): (&Kind, &RGBColor)| {
+        let period = kind.period.as_ref()?;
+        let word: Word = period.word.as_deref()?.parse().ok()?;
+        let first = period.first.as_ref().filter(|_| word.mappings()[0].walls().0 == Wall::Left)?;
+        Some((middle(&first.phase).ok()?, middle(&first.velocity).ok()?, *colour))
+    };
+    kinds.iter().zip(colours).filter_map(place).collect()
+}
+
+/// A ring that is seen on every colour, with that of its basin inside.
+fn ring((x, y): (i32, i32), colour: RGBColor) -> String {
+    let (white, black) = (RING + SCALE, SCALE);
+    format!(
+        "<circle cx=\"{x}\" cy=\"{y}\" r=\"{white}\" fill=\"#FFFFFF\"/><circle cx=\"{x}\" cy=\"{y}\" r=\"{RING}\" fill=\"{}\" stroke=\"#000000\" stroke-width=\"{black}\"/>\n",
+        hex(colour)
+    )
 }
 
 /// An axis with room for half a cell at both ends.
@@ -98,18 +131,15 @@ fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<
     drawn
 }
 
-/// The legend beside the map, the most frequent outcome first.
-fn beside(root: &Canvas<'_>, left: i32, kinds: &[Kind], colours: &[RGBColor], is_one_pair: bool) -> Drawn<()> {
+/// The legend, the most frequent outcome first.
+fn entries(kinds: &[Kind], colours: &[RGBColor], is_one_pair: bool) -> Vec<(Mark, String)> {
     let mut order: Vec<usize> = (0..kinds.len()).filter(|&i| colours[i] != OTHER).collect();
     order.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
-    let mut entries: Vec<(RGBColor, String)> =
-        order.into_iter().map(|i| (colours[i], kinds[i].name(is_one_pair))).collect();
+    let mut entries: Vec<(Mark, String)> =
+        order.into_iter().map(|i| (Mark::Cell(colours[i]), kinds[i].name(is_one_pair))).collect();
     let others = colours.iter().filter(|colour| **colour == OTHER).count();
     if others > 0 {
-        entries.push((OTHER, format!("{others} other periodic orbits")));
+        entries.push((Mark::Cell(OTHER), format!("{others} other periodic orbits")));
     }
-    for (line, (colour, name)) in entries.into_iter().enumerate() {
-        legend::key(root, (left, CAPTION + (line as i32 + 1) * LINE), colour, &name)?;
-    }
-    Ok(())
+    entries
 }

@@ -19,7 +19,7 @@ use plotters::prelude::*;
 
 pub(crate) use self::cells::Cells;
 pub(crate) use self::legend::described;
-use crate::picture::{self, Axis, Canvas, SCALE, on_top};
+use crate::picture::{self, Axis, Canvas, Element, SCALE};
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
@@ -50,22 +50,20 @@ pub enum Show {
     Velocity,
 }
 
-/// The picture as SVG: a diagram over one key, a map over two.
+/// The picture as SVG: a diagram over one key, all of it or a range of its vertical axis, a map over two.
 ///
 /// # Errors
 /// When it cannot be drawn, or the sweep cannot be read.
-pub fn svg(sweep: &mut impl Records, show: Show) -> Result<String> {
+pub fn svg(sweep: &mut impl Records, show: Show, within: Option<[f64; 2]>) -> Result<String> {
     let grid = sweep::grid(sweep.head())?;
-    let mut data = String::new();
-    let mut svg = picture::svg(SIZE, SCALE, |root| {
-        data = match grid.axes() {
-            [x] => diagram::draw(sweep, x, show, root)?,
+    picture::svg(SIZE, SCALE, |root| {
+        let data = match grid.axes() {
+            [x] => diagram::draw(sweep, x, (show, within), root)?,
             _ => map::draw(sweep, &grid, root)?,
         };
+        root.draw(&Element(data))?;
         Ok(())
-    })?;
-    on_top(&mut svg, &data);
-    Ok(svg)
+    })
 }
 
 /// The pixels of a plot, across and down.
@@ -101,6 +99,12 @@ impl Plane {
     /// Pixels across, and down.
     pub fn size(&self) -> [i32; 2] {
         self.pixels.map(|(from, to)| to - from)
+    }
+
+    /// Whether any number between these is on the vertical axis.
+    fn shows(&self, [low, high]: [f64; 2]) -> bool {
+        let range = self.axes[1].range();
+        low <= range.end && high >= range.start
     }
 
     /// The pixel across of `x`.

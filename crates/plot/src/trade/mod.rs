@@ -123,7 +123,7 @@ fn draw(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     chart
         .configure_mesh()
         .x_desc(format!(
-            "certified digits n: −log₁₀ of the greatest guaranteed width (times in 2π/Ω, velocities in {}); scale log(1+n)",
+            "certified digits $n$: $-log_{{10}}$ of the greatest guaranteed width (times in $2π/Ω$, velocities in {}); scale $log(1+n)$",
             greek(&trade.units.speed.to_string())
         ))
         .y_desc("time an impact [µs]")

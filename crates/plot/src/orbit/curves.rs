@@ -1,0 +1,81 @@
+//! The curves of a panel: Bézier segments, thin and translucent where there are many, so that density shows.
+
+use std::fmt::Write;
+
+use super::frame::Frame;
+use super::panel::Style;
+use super::trace::{Part, Point};
+use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
+
+/// A segment goes over so many points of a stroke: a twenty-fourth of a turn.
+pub const POINTS: usize = 4;
+/// From so many flights on they are translucent, and at least so much of them is left.
+const MANY: f64 = 30.0;
+const FAINTEST: f64 = 0.2;
+/// Jumps are fainter than flights, but do not darken each other: they lie on walls.
+const JUMP: f64 = 0.45;
+
+/// A stroke's curve on a panel.
+pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
+    let middle = |point: &Point| frame.place(point).map(|span| span.middle);
+    let mut path = Path::default();
+    let last = points.len() - 1;
+    let knots: Vec<&Point> = (0..last).step_by(POINTS).chain([last]).map(|at| &points[at]).collect();
+    path.move_to(plane.place(middle(knots[0])));
+    for pair in knots.windows(2) {
+        let turns = pair[1].at - pair[0].at;
+        let end = |point: &Point| {
+            (plane.place(middle(point)), plane.way(middle(point), frame.rate(point).map(|rate| rate * turns)))
+        };
+        path.curve_to(hermite(end(pair[0]), end(pair[1])));
+    }
+    path
+}
+
+/// How a kind of strokes is drawn: their parts, width in pixels as they are shown, and opacity.
+type Look = (&'static [Part], f64, f64);
+
+/// Draws all curves of a panel, those of the transient first.
+pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -> Drawn {
+    let mut svg = String::new();
+    for is_transient in [true, false] {
+        let of = |parts: &'static [Part]| {
+            let strokes =
+                frame.strokes().filter(move |(stroke, points)| parts.contains(&stroke.part) && points.len() > 1);
+            strokes.filter(|(stroke, _)| (stroke.impacts < style.transient) == is_transient)
+        };
+        let flights = of(&[Part::Flight]).count() as f64;
+        let is_dense = !frame.panel.is_of_time() && flights > MANY;
+        let (width, opacity) = if is_dense { (1.0, (MANY / flights).sqrt().max(FAINTEST)) } else { (1.5, 1.0) };
+        let looks: [Look; 3] =
+            [(&[Part::Jump], 1.0, JUMP), (&[Part::Flight], width, opacity), (&[Part::Chatter, Part::Rest], 5.0, 1.0)];
+        for (parts, width, opacity) in looks {
+            let paths: Vec<Path> = of(parts).map(|(_, points)| path(points, frame, plane)).collect();
+            if !paths.is_empty() {
+                let colour = hex(style.curve(if is_transient { 0 } else { style.transient }));
+                group(&mut svg, &paths, is_dense && parts == [Part::Flight], &colour, (width, opacity));
+            }
+        }
+    }
+    root.draw(&Element(plane.clipped(&svg)))?;
+    Ok(())
+}
+
+/// Paths of one look; dense ones each by itself, so that they darken each other.
+fn group(svg: &mut String, paths: &[Path], is_dense: bool, colour: &str, (width, opacity): (f64, f64)) {
+    let width = width * f64::from(SCALE);
+    // Writing to a String cannot fail.
+    let _ = write!(
+        svg,
+        "<g stroke=\"{colour}\" stroke-width=\"{width}\" stroke-opacity=\"{opacity:.2}\" stroke-linejoin=\"round\">"
+    );
+    let data = paths.iter().map(Path::data);
+    if is_dense {
+        data.for_each(|data| {
+            let _ = write!(svg, "<path d=\"{data}\"/>");
+        });
+    } else {
+        let _ = write!(svg, "<path d=\"{}\"/>", data.collect::<String>());
+    }
+    svg.push_str("</g>\n");
+}

@@ -1,0 +1,122 @@
+//! Curves as SVG paths: lines and cubic Bézier segments, in tenths of a pixel of the canvas.
+
+use std::fmt::Write;
+
+/// A place on the canvas.
+pub type Place = (f64, f64);
+/// What is told apart, a pixel of the canvas in parts.
+const PARTS: f64 = 10.0;
+/// How far a curve may be from its chord to be drawn as that: a twentieth of a pixel as it is shown.
+const STRAIGHT: f64 = 0.2;
+
+/// Two cubic Bézier control points and the end of what begins at `from`: the cubic that has these places and, over its
+/// whole length, these rates at its ends (Hermite).
+///
+/// A motion `f` over a time `h` stays within `h^4/384 max |f''''|` of it. The motion has `f'''' = A W^4 sin` (11), so
+/// over a twenty-fourth of a turn its displacement is missed by less than `A/80,000`, its velocity by less than
+/// `A W/80,000`; under several harmonics by less than the same of their sum, since W is the greatest.
+pub fn hermite((from, start): (Place, Place), (to, end): (Place, Place)) -> [Place; 3] {
+    let along = |place: Place, rate: Place, part: f64| (rate.0.mul_add(part, place.0), rate.1.mul_add(part, place.1));
+    [along(from, start, 1.0 / 3.0), along(to, end, -1.0 / 3.0), to]
+}
+
+/// The data of a path.
+#[derive(Clone, Debug, Default)]
+pub struct Path {
+    data: String,
+    /// Where it has come to, in tenths: differences of these do not add up rounding errors.
+    at: (i64, i64),
+}
+
+fn tenths((x, y): Place) -> (i64, i64) {
+    ((x * PARTS).round() as i64, (y * PARTS).round() as i64)
+}
+
+impl Path {
+    /// Begins a new part.
+    pub fn move_to(&mut self, place: Place) {
+        let at = tenths(place);
+        self.write('M', &[(at.0, at.1)]);
+        self.at = at;
+    }
+
+    /// A straight part.
+    pub fn line_to(&mut self, place: Place) {
+        let to = tenths(place);
+        if to != self.at {
+            self.write('l', &[self.from_here(to)]);
+            self.at = to;
+        }
+    }
+
+    /// A Bézier segment, or a line where nobody sees that it is none.
+    pub fn curve_to(&mut self, [first, second, end]: [Place; 3]) {
+        let from = (self.at.0 as f64 / PARTS, self.at.1 as f64 / PARTS);
+        let is_straight = [first, second].iter().all(|control| off_chord(*control, from, end) < STRAIGHT);
+        if is_straight {
+            return self.line_to(end);
+        }
+        let places = [first, second, end].map(tenths);
+        self.write('c', &places.map(|place| self.from_here(place)));
+        self.at = places[2];
+    }
+
+    fn from_here(&self, (x, y): (i64, i64)) -> (i64, i64) {
+        (x - self.at.0, y - self.at.1)
+    }
+
+    fn write(&mut self, command: char, places: &[(i64, i64)]) {
+        self.data.push(command);
+        let mut is_first = true;
+        for number in places.iter().flat_map(|place| [place.0, place.1]) {
+            if !is_first && number >= 0 {
+                self.data.push(' ');
+            }
+            is_first = false;
+            let (sign, whole, part) = (if number < 0 { "-" } else { "" }, number.abs() / 10, number.abs() % 10);
+            // Writing to a String cannot fail.
+            let _ = match part {
+                0 => write!(self.data, "{sign}{whole}"),
+                _ => write!(self.data, "{sign}{whole}.{part}"),
+            };
+        }
+    }
+
+    /// The data, as the attribute `d` of a path has them.
+    pub fn data(&self) -> &str {
+        &self.data
+    }
+}
+
+/// How far a place is from the chord between two others.
+fn off_chord((x, y): Place, (x0, y0): Place, (x1, y1): Place) -> f64 {
+    let (u, v) = (x1 - x0, y1 - y0);
+    let length = u * u + v * v;
+    let along = if length > 0.0 { (((x - x0) * u + (y - y0) * v) / length).clamp(0.0, 1.0) } else { 0.0 };
+    let (x, y) = (x - x0 - along * u, y - y0 - along * v);
+    // No hypot: what that rounds to depends on the machine.
+    (x * x + y * y).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cubic_is_its_own_curve_and_a_chord_is_a_line() {
+        // t, t^3 over [0, 1]
+        let [first, second, end] = hermite(((0.0, 0.0), (1.0, 0.0)), ((1.0, 1.0), (1.0, 3.0)));
+        for t in [0.25f64, 0.5, 0.9] {
+            let s = 1.0 - t;
+            let at = |a: f64, b: f64, c: f64| 3.0 * s * s * t * a + 3.0 * s * t * t * b + t * t * t * c;
+            let y = at(first.1, second.1, end.1);
+            assert!((y - t * t * t).abs() < 1e-15 && (at(first.0, second.0, end.0) - t).abs() < 1e-15);
+        }
+        let mut path = Path::default();
+        path.move_to((0.0, 100.0));
+        path.curve_to([(10.0, 100.0), (20.0, 100.1), (30.0, 100.0)]);
+        path.line_to((30.04, 100.0));
+        path.curve_to([(40.0, 100.0), (60.26, 80.0), (60.0, 50.5)]);
+        assert_eq!(path.data(), "M0 100l30 0c10 0 30.3-20 30-49.5");
+    }
+}

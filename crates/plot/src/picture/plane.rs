@@ -1,0 +1,51 @@
+//! From the numbers on two axes to the pixels of a plot.
+
+use plotters::coord::ranged1d::Ranged;
+
+use super::{Axis, Place, SCALE};
+
+/// The pixels of a plot.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    /// Its axes, across and up.
+    pub axes: [Axis; 2],
+    /// Left to right, bottom to top.
+    pub pixels: [(i32, i32); 2],
+}
+
+impl Plane {
+    /// The pixel at which it is, or the one on the edge that is next to it.
+    pub fn pixel(&self, [x, y]: [f64; 2]) -> (i32, i32) {
+        let clamped = |axis: usize, value: f64| {
+            let (from, to) = self.pixels[axis];
+            self.axes[axis].map(&value, (from, to)).clamp(from.min(to), from.max(to))
+        };
+        (clamped(0, x), clamped(1, y))
+    }
+
+    /// Where it is, in parts of pixels, and maybe outside.
+    pub fn place(&self, place: [f64; 2]) -> Place {
+        let at = |axis: usize| {
+            let (from, to) = self.pixels[axis];
+            f64::from(to - from).mul_add(self.axes[axis].part(place[axis]), f64::from(from))
+        };
+        (at(0), at(1))
+    }
+
+    /// How far it is from `place` to where these rates lead from it.
+    pub fn way(&self, place: [f64; 2], rate: [f64; 2]) -> Place {
+        let (a, b) = (self.place(place), self.place([place[0] + rate[0], place[1] + rate[1]]));
+        (b.0 - a.0, b.1 - a.1)
+    }
+
+    /// Elements of which nothing is seen beyond the plot; lines on its edge are drawn whole.
+    pub fn clipped(&self, elements: &str) -> String {
+        let ((left, right), (bottom, top)) = (self.pixels[0], self.pixels[1]);
+        let edge = 3 * SCALE;
+        let (x, y, width, height) = (left - edge, top - edge, right - left + 2 * edge, bottom - top + 2 * edge);
+        format!(
+            "<clipPath id=\"plot-{left}-{top}\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/></clipPath>\n\
+             <g fill=\"none\" clip-path=\"url(#plot-{left}-{top})\">\n{elements}</g>"
+        )
+    }
+}

@@ -1,0 +1,252 @@
+//! The manifolds of figures 10 and 11 as SVG.
+
+mod curve;
+
+use anyhow::Result;
+use impact_pair::Scene;
+use impact_pair::certificate::document::PROGRAM;
+use impact_pair::exact::Enclosure;
+use impact_pair::two_impact::{Axis, Manifold, Mark, Point};
+use plotters::coord::ranged1d::Ranged;
+use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
+
+use crate::picture::{self, Canvas, Drawn, Element, Plane, SCALE, hex};
+use curve::{Kind, Slope};
+
+/// The picture as it is shown, and how much taller it is with a window of it magnified below.
+const SIZE: (u32, u32) = (900, 640);
+const BELOW: u32 = 280;
+const FONT: i32 = 15 * SCALE;
+/// Heights of the lines above the plot.
+const CAPTION: i32 = 70 * SCALE;
+const LEGEND: i32 = 62 * SCALE;
+/// Amplitudes beyond so many gaps are cut off: near W = 0 they have no bound.
+const HIGHEST: f64 = 0.75;
+
+/// What is magnified: from where to where, on both axes.
+pub type Window = [[f64; 2]; 2];
+
+/// The picture as SVG; over v with both walls, since one is the mirror image of the other (72). A window of it may be
+/// shown again below, magnified.
+///
+/// # Errors
+/// When it cannot be drawn.
+pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>) -> Result<String> {
+    let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
+    let height = SIZE.1 + if window.is_some() { BELOW } else { 0 };
+    picture::svg((SIZE.0, height), SCALE, |root| {
+        caption(scene, axis, root)?;
+        legend(root)?;
+        picture.draw(window, root)
+    })
+}
+
+fn middle(x: &Enclosure) -> f64 {
+    x.mid_rad().0
+}
+
+/// What is drawn.
+struct Picture<'m> {
+    curves: &'m [Manifold],
+    slope: Slope,
+    gap: f64,
+    axis: Axis,
+}
+
+/// A mark and where it is.
+type Marked = (Option<Mark>, [f64; 2]);
+
+impl Picture<'_> {
+    /// The points of a curve and, over v, their mirror images after or before them.
+    fn points(&self, curve: &Manifold) -> Vec<Marked> {
+        let point = |point: &Point| (point.mark, [middle(&point.at), middle(&point.amplitude)]);
+        let mut points: Vec<Marked> = curve.points.iter().map(point).collect();
+        if let Axis::Velocity(_) = self.axis {
+            let mirrored = points.iter().map(|(mark, [at, amplitude])| (*mark, [-at, *amplitude]));
+            points.extend(mirrored.collect::<Vec<_>>());
+            points.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+        }
+        points
+    }
+
+    fn draw(&self, window: Option<Window>, root: &Canvas<'_>) -> Drawn {
+        let points: Vec<(u32, Vec<Marked>)> =
+            self.curves.iter().map(|curve| (curve.cycles, self.points(curve))).collect();
+        let all = || points.iter().flat_map(|(_, points)| points).map(|(_, place)| *place);
+        let ends = all().fold((f64::MAX, f64::MIN), |(low, high), [at, _]| (low.min(at), high.max(at)));
+        let highest = all().map(|[_, amplitude]| amplitude).fold(0.0, f64::max).min(HIGHEST * self.gap);
+        let axes = [picture::Axis::over(ends.0, ends.1), picture::Axis::over(0.0, 1.05 * highest)];
+        let (_, below) = root.split_vertically(CAPTION + LEGEND);
+        let (upper, lower) = below.split_vertically(SIZE.1 as i32 * SCALE - CAPTION - LEGEND);
+        let plane = mesh(&upper, axes, Some(self.axis))?;
+        self.asymptote(&plane, root)?;
+        self.content(&plane, root)?;
+        names(&points, &plane, root)?;
+        let Some([across, up]) = window else { return Ok(()) };
+        let corners = [plane.pixel([across[0], up[1]]), plane.pixel([across[1], up[0]])];
+        root.draw(&Rectangle::new(corners, BLACK.mix(0.6).stroke_width(SCALE as u32)))?;
+        let (title, lower) = lower.split_vertically(24 * SCALE);
+        title.draw(&Text::new("in the frame, magnified:", (16 * SCALE, 14 * SCALE), words(FONT, HPos::Left)))?;
+        let plane = mesh(&lower, [across, up].map(|[low, high]| picture::Axis::over(low, high)), None)?;
+        self.content(&plane, root)
+    }
+
+    /// Curves and marks.
+    fn content(&self, plane: &Plane, root: &Canvas<'_>) -> Drawn {
+        let halves = if let Axis::Velocity(_) = self.axis { &[false, true][..] } else { &[false] };
+        let curves = self.curves.iter().flat_map(|curve| halves.iter().map(move |half| (curve, *half)));
+        let elements: String = curves.map(|(curve, half)| curve::elements(curve, &self.slope, plane, half)).collect();
+        root.draw(&Element(plane.clipped(&elements)))?;
+        for (mark, place) in self.curves.iter().flat_map(|curve| self.points(curve)) {
+            if let Some(mark) = mark.filter(|_| is_inside(plane, place)) {
+                symbol(root, mark, plane.pixel(place))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// `A_N` tends to `d/2` for large W and for small v.
+    fn asymptote(&self, plane: &Plane, root: &Canvas<'_>) -> Drawn {
+        if !is_inside(plane, [plane.axes[0].range().start, 0.5 * self.gap]) {
+            return Ok(());
+        }
+        let ((left, right), (_, y)) = (plane.pixels[0], plane.pixel([0.0, 0.5 * self.gap]));
+        let line = format!(
+            "<path stroke=\"{}\" stroke-width=\"{SCALE}\" stroke-dasharray=\"{SCALE} {}\" d=\"M{left} {y}H{right}\"/>",
+            hex(BLACK),
+            3 * SCALE
+        );
+        root.draw(&Element(line))?;
+        root.draw(&Text::new("$d/2$", (right + 5 * SCALE, y - 5 * SCALE), words(FONT, HPos::Left)))?;
+        Ok(())
+    }
+}
+
+/// Whether a place is on the axes.
+fn is_inside(plane: &Plane, place: [f64; 2]) -> bool {
+    (0..2).all(|axis| plane.axes[axis].range().contains(&place[axis]))
+}
+
+/// The axes, with their names if they are the picture's.
+fn mesh(
+    area: &Canvas<'_>,
+    [x, y]: [picture::Axis; 2],
+    axis: Option<Axis>,
+) -> Result<Plane, Box<dyn std::error::Error>> {
+    let axes = [x.clone(), y.clone()];
+    let mut chart = ChartBuilder::on(area)
+        .margin(10 * SCALE)
+        .margin_right(52 * SCALE)
+        .x_label_area_size(if axis.is_some() { 48 } else { 26 } * SCALE)
+        .y_label_area_size(62 * SCALE)
+        .build_cartesian_2d(x, y)?;
+    let font = ("sans-serif", FONT);
+    let mut mesh = chart.configure_mesh();
+    mesh.label_style(font)
+        .axis_desc_style(font)
+        .bold_line_style(BLACK.mix(0.12).stroke_width(SCALE as u32))
+        .max_light_lines(0)
+        .set_all_tick_mark_size(5 * SCALE)
+        .axis_style(BLACK.stroke_width(SCALE as u32));
+    match axis {
+        Some(Axis::Frequency) => {
+            mesh.x_desc("angular frequency $Ω$ [rad/time]").y_desc("amplitude $A_N$ of the box [length]");
+        }
+        Some(Axis::Velocity(_)) => {
+            mesh.x_desc("relative velocity $v$ before the impact [length/time]: on the left wall $v < 0$, on the right wall $v > 0$")
+                .y_desc("amplitude $A_N$ of the box [length]");
+        }
+        None => {}
+    }
+    mesh.draw()?;
+    let (across, down) = chart.plotting_area().get_pixel_range();
+    Ok(Plane { axes, pixels: [(across.start, across.end - 1), (down.end - 1, down.start)] })
+}
+
+/// The names of the curves, at the ends that have more room.
+fn names(points: &[(u32, Vec<Marked>)], plane: &Plane, root: &Canvas<'_>) -> Drawn {
+    let ends = |is_last: bool| -> Vec<(u32, (i32, i32))> {
+        let shown = points.iter().filter_map(|(cycles, points)| {
+            let mut inside = points.iter().filter(|(_, place)| is_inside(plane, *place));
+            let end = if is_last { inside.next_back() } else { inside.next() };
+            end.map(|(_, place)| (*cycles, plane.pixel(*place)))
+        });
+        shown.collect()
+    };
+    let (first, last) = (ends(false), ends(true));
+    let is_last = room(&last) >= room(&first);
+    for (cycles, (x, y)) in if is_last { last } else { first } {
+        let place = if is_last { (x + 5 * SCALE, y) } else { (x + 8 * SCALE, y - 9 * SCALE) };
+        root.draw(&Text::new(format!("$N = {cycles}$"), place, words(FONT, HPos::Left)))?;
+    }
+    Ok(())
+}
+
+/// How far apart names at these places are, at least: from 1 on they do not cover each other.
+fn room(places: &[(u32, (i32, i32))]) -> f64 {
+    let distance = |a: (i32, i32), b: (i32, i32)| {
+        let part = |a: i32, b: i32, size: i32| f64::from((a - b).abs()) / f64::from(size);
+        part(a.0, b.0, 3 * FONT).max(part(a.1, b.1, FONT))
+    };
+    let pairs =
+        places.iter().enumerate().flat_map(|(i, (_, a))| places[..i].iter().map(move |(_, b)| distance(*a, *b)));
+    pairs.fold(f64::INFINITY, f64::min)
+}
+
+/// Title, parameters and program.
+fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Drawn {
+    let (pair, start) = (scene.pair(), scene.start());
+    let given = match axis {
+        Axis::Frequency => format!("v = {}", start.velocity()),
+        Axis::Velocity(_) => format!("W = {}", pair.excitation().reference().frequency()),
+    };
+    let title = scene.title().unwrap_or("Equispaced motions with two impacts in N cycles").to_owned();
+    let parameters = picture::greek(&format!("d = {}, e = {}, {given}", pair.gap(), pair.restitution()));
+    let program = format!("$A_N$ of equation (68) for odd $N$, equispaced impacts, every part proved; {PROGRAM}");
+    for (line, (text, size)) in [(title, FONT + 3 * SCALE), (parameters, FONT), (program, FONT)].into_iter().enumerate()
+    {
+        root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, HPos::Left)))?;
+    }
+    Ok(())
+}
+
+/// What lines and symbols say.
+fn legend(root: &Canvas<'_>) -> Drawn {
+    let upper = CAPTION + 16 * SCALE;
+    for (kind, x) in [(Kind::Stable, 24), (Kind::Unstable, 240), (Kind::Unphysical, 446)] {
+        let (colour, width) = kind.look();
+        let line = colour.stroke_width(width as u32);
+        root.draw(&PathElement::new([(x * SCALE, upper), ((x + 34) * SCALE, upper)], line))?;
+        root.draw(&Text::new(kind.name(), ((x + 42) * SCALE, upper), words(FONT, HPos::Left)))?;
+    }
+    root.draw(&Text::new("solid: $sin θ_0 > 0$, dashed: $< 0$", (676 * SCALE, upper), words(FONT, HPos::Left)))?;
+    let lower = upper + 26 * SCALE;
+    for (mark, text, x) in
+        [(Mark::Fold, "fold", 36), (Mark::Pitchfork, "pitchfork", 130), (Mark::Graze, "graze of the near wall", 262)]
+    {
+        symbol(root, mark, (x * SCALE, lower))?;
+        root.draw(&Text::new(text, ((x + 14) * SCALE, lower), words(FONT, HPos::Left)))?;
+    }
+    Ok(())
+}
+
+/// The symbol of a mark; where `sin th0 = 0` the line itself changes.
+fn symbol(root: &Canvas<'_>, mark: Mark, (x, y): (i32, i32)) -> Drawn {
+    let (line, half) = (BLACK.stroke_width(SCALE as u32), 9 * SCALE / 2);
+    match mark {
+        Mark::Level => {}
+        // Hollow, since what is between them may be short.
+        Mark::Fold => root.draw(&Circle::new((x, y), 5 * SCALE, line))?,
+        Mark::Pitchfork => {
+            let corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)];
+            root.draw(&PathElement::new(corners.map(|(a, b)| (x + a, y + b)), line))?;
+        }
+        Mark::Graze => root.draw(&Cross::new((x, y), 5 * SCALE, line))?,
+    }
+    Ok(())
+}
+
+fn words<'a>(size: i32, side: HPos) -> TextStyle<'a> {
+    picture::words(size, &BLACK, side)
+}
