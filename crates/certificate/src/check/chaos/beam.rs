@@ -92,8 +92,8 @@ pub(super) struct Beam {
     drift: Span,
     /// `e w`
     after: Span,
-    /// `2 pi` times each side's phase, and `e` times its speed.
-    sides: [Spot; 3],
+    /// `2 pi` times each side's phase, and `e` times its speed; the last one is that of `e` itself.
+    sides: [Spot; 4],
 }
 
 /// A departure is proved for this time at first, and for no shorter one than the other.
@@ -110,8 +110,8 @@ pub(super) struct Landing {
     pub centre: Spot,
     /// `epsilon sin th1`
     bend: Span,
-    /// By side: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
-    changes: [Spot; 3],
+    /// By side, by `e` and by `D`: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
+    changes: [Spot; 5],
     /// Times of flight \[turns\].
     pub times: Span,
 }
@@ -126,8 +126,11 @@ impl Beam {
         let (phase, speed, centre) = (hull(0), hull(1), quad.centre());
         let (sin, cos) = phase.sin_cos();
         let (centre_sin, centre_cos) = centre[0].sin_cos();
-        let drift = e * centre[1] + centre_cos;
-        let sides = quad.sides().map(|[u, w]| [u.turned(), e * w]);
+        // V12: the centre's `e` is the middle one, and `e` a direction like the others
+        let (middle, around) = e.parted();
+        let drift = middle * centre[1] + centre_cos;
+        let [a, b, c] = quad.sides().map(|[u, w]| [u.turned(), e * w]);
+        let sides = [a, b, c, [Span::point(0.0), around * speed]];
         Self { gap: law.gap, phase, speed, centre, sin, cos, centre_sin, drift, after: e * speed, sides }
     }
 
@@ -137,8 +140,8 @@ impl Beam {
     }
 
     fn spread(&self, change: impl Fn(Spot) -> Span) -> Span {
-        let [a, b, c] = self.sides.map(|side| change(side).around());
-        a + b + c
+        let [a, b, c, e] = self.sides.map(|side| change(side).around());
+        a + b + c + e
     }
 
     /// All flights at one time.
@@ -243,15 +246,18 @@ impl Beam {
     fn landing(&self, is_far: bool, guess: f64, bracket: Span, rate: Span) -> Option<Landing> {
         let guess = Span::point(guess);
         let (centre_sin, _) = (self.centre[0] + guess).sin_cos();
-        let miss = self.drift * guess.turned() - centre_sin + self.centre_sin - self.level(is_far);
+        // V12: the centre's wall is the middle one
+        let (level, around) = self.level(is_far).parted();
+        let miss = self.drift * guess.turned() - centre_sin + self.centre_sin - level;
         let time = guess - miss.signed(is_far).over(rate.turned())?;
         let phase = self.centre[0] + time;
         let speed = (self.drift - phase.sin_cos().1).signed(is_far);
         let angle = bracket.turned();
         let bend = (self.phase + bracket).sin_cos().0.signed(is_far);
         let rate = rate.signed(is_far);
-        let mut changes = [[Span::point(0.0); 2]; 3];
-        let mut times = time;
+        let mut changes = [[Span::point(0.0); 2]; 5];
+        changes[4][0] = around.over(rate)?;
+        let mut times = time + changes[4][0].unturned().around();
         for ([u, w], change) in self.sides.into_iter().zip(&mut changes) {
             // What the drift changes by counts once, so that a side that is contracted is seen to be.
             let drift = w - self.sin * u;
@@ -268,7 +274,8 @@ impl Landing {
     /// Holds `n (x - q)` for all images `x`.
     pub fn along(&self, [n, m]: Spot, [u, w]: Spot) -> Span {
         let sheared = n.unturned() + m * self.bend;
-        let [a, b, c] = self.changes.map(|[delay, speed]| (sheared * delay + m * speed).around());
-        n * (self.centre[0] - u) + m * (self.centre[1] - w) + (a + b + c)
+        let changes = self.changes.map(|[delay, speed]| (sheared * delay + m * speed).around());
+        let centre = n * (self.centre[0] - u) + m * (self.centre[1] - w);
+        changes.into_iter().fold(centre, |sum, change| sum + change)
     }
 }

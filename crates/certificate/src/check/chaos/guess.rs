@@ -12,6 +12,8 @@ use super::beam::State;
 pub(super) struct Guess {
     gap: f64,
     restitution: f64,
+    /// Their radii.
+    radii: [f64; 2],
 }
 
 /// By rows, of phases and speeds.
@@ -26,6 +28,8 @@ pub(super) struct Image {
     /// \[turns\]
     pub time: f64,
     pub jacobian: Matrix,
+    /// How far `D` and `e` move it, each by its radius.
+    pub moved: [State; 2],
 }
 
 /// Flights are looked at in steps of this, no more than so many.
@@ -36,7 +40,8 @@ const AHEAD: usize = 4;
 
 impl Guess {
     pub fn new(law: &Law) -> Self {
-        Self { gap: law.gap.mid(), restitution: law.restitution.mid() }
+        let radii = [law.gap, law.restitution].map(|x| x.parted().1.hi());
+        Self { gap: law.gap.mid(), restitution: law.restitution.mid(), radii }
     }
 
     /// The next impact; `None` where none is found.
@@ -77,7 +82,12 @@ impl Guess {
                 let jacobian =
                     [[by_phase, by_speed], [of_speed(by_phase, -TAU * sin0), of_speed(by_speed, self.restitution)]];
                 let state = [start + time + if is_far { 0.5 } else { 0.0 }, rate.abs()];
-                return Some(Image { state, is_far, time, jacobian });
+                let [gap, change] = [if is_far { self.radii[0] } else { 0.0 }, self.radii[1] * speed];
+                let moved = [[gap, 0.0], [-angle * change, change]].map(|[ahead, drift]| {
+                    let by = ahead / (TAU * rate);
+                    [by, of_speed(by, drift)]
+                });
+                return Some(Image { state, is_far, time, jacobian, moved });
             }
             (from, rate_before) = (to, rate);
         }

@@ -152,7 +152,9 @@ impl Making {
         for k in 1..count {
             let start = kept[kept.len() - 1];
             let next = (k + 1).min(count - 1);
-            let most = (0.4 * self.longest).min(0.3 * lengths[start].min(all - lengths[next]));
+            // As long at least as intervals of parameters move images to and fro.
+            let moved = samples[k].image().moved.map(in_radians).map(length);
+            let most = (0.4 * self.longest).min(0.3 * lengths[start].min(all - lengths[next])).max(moved[0] + moved[1]);
             let is_needed = k + 1 == count || lengths[next] - lengths[start] > most;
             if is_needed || !self.is_straight(&samples[start..=next]) {
                 kept.push(k);
@@ -189,13 +191,19 @@ impl Making {
         let state = sample.image().state;
         let long = length(tangent);
         let lean = |direction: State| cross(tangent, direction) / (long * length(direction));
-        let radians = |[u, w]: State| [TAU * u, w];
-        let contracted = guess.contracting(state).map(radians).filter(|&direction| lean(direction).abs() > 0.05);
+        let contracted = guess.contracting(state).map(in_radians).filter(|&direction| lean(direction).abs() > 0.05);
         let direction = contracted.unwrap_or_else(|| sample.thick());
         let sine = lean(direction);
-        let thick = (cross(tangent, sample.thick()) / (long * sine)).abs();
-        let reach = (self.margin * thick + self.pad) * sine.signum() / length(direction);
+        let across = |direction: State| (cross(tangent, direction) / (long * sine)).abs();
+        let moved = sample.image().moved.map(in_radians).map(across);
+        let reach = (self.margin * (across(sample.thick()) + moved[0] + moved[1]) + self.pad) * sine.signum()
+            / length(direction);
         let end = |sign: f64| [state[0] + sign * reach * direction[0] / TAU, state[1] + sign * reach * direction[1]];
         (reach.is_finite() && sine != 0.0).then(|| Chord { bottom: end(-1.0), top: end(1.0) })
     }
+}
+
+/// A vector with its phase in radians.
+fn in_radians([u, w]: State) -> State {
+    [TAU * u, w]
 }

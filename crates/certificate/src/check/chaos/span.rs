@@ -53,6 +53,12 @@ impl Span {
         Self { lo: -most, hi: most }
     }
 
+    /// Its middle, and `[-r, r]` for the others' distance from it.
+    pub fn parted(self) -> (Self, Self) {
+        let middle = Self::point(self.mid());
+        (middle, (self - middle).around())
+    }
+
     pub fn lo(self) -> f64 {
         self.lo
     }
