@@ -5,6 +5,7 @@
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D11 of `docs/proofs.md`.
 
 mod bases;
+pub mod cycles;
 mod entropy;
 mod flights;
 mod guess;

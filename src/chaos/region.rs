@@ -121,6 +121,11 @@ impl Trap {
         Self { region, flight, entered }
     }
 
+    /// Its boxes.
+    pub(super) fn region(&self) -> &Region {
+        &self.region
+    }
+
     /// How many boxes it has.
     pub fn boxes(&self) -> usize {
         self.region.cells.len()

@@ -25,6 +25,7 @@ mod physical;
 pub mod precondition;
 mod prove;
 mod search;
+pub(crate) use search::interval::Interval;
 mod several;
 mod stability;
 mod unshaken;
@@ -44,7 +45,8 @@ pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
 use chained::Chained;
-use identity::{Identity, is_one_orbit};
+pub(crate) use identity::Identity as Beside;
+use identity::{Identity, is_one_orbit, is_one_reduced};
 use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
 pub use measured::{MeasuredImpact, MeasuredOrbit};
@@ -213,6 +215,18 @@ impl Problem {
         Census { orbits: found, interrupted, ..Census::default() }
     }
 
+    /// Whether all chains of a box of phases, impact by impact, that are orbits are this one or its mirror image. Lemma T6
+    pub(crate) fn holds(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
+        let balls: Vec<Ball> = phases.iter().map(|x| x.ball()).collect();
+        let whole = Proved { domain: balls.clone(), at: balls };
+        is_one_reduced(&self.chain, &whole, &orbit.proved) == Some(true)
+    }
+
+    /// After how many impacts an orbit is first what it was, or its mirror image.
+    pub(crate) fn reduced_impacts(&self, orbit: &PeriodicOrbit) -> Option<usize> {
+        identity::reduced_impacts(&self.chain, &orbit.proved)
+    }
+
     /// The orbit near a guess, and whether it is one of those known: what the digits asked for do not tell apart is proved to
     /// more. Lemma T6
     fn prove_beside<'o>(
@@ -221,11 +235,31 @@ impl Problem {
         precision: Precision,
         known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
     ) -> Option<(PeriodicOrbit, Identity)> {
+        self.prove_beside_by(guess, precision, known, is_one_orbit)
+    }
+
+    /// The same, mirror images taken for one.
+    pub(crate) fn prove_reduced<'o>(
+        &self,
+        guess: &[f64],
+        precision: Precision,
+        known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
+    ) -> Option<(PeriodicOrbit, Identity)> {
+        self.prove_beside_by(guess, precision, known, is_one_reduced)
+    }
+
+    fn prove_beside_by<'o>(
+        &self,
+        guess: &[f64],
+        precision: Precision,
+        known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
+        is_one: impl Fn(&Chain, &Proved<Ball>, &Proved<Ball>) -> Option<bool>,
+    ) -> Option<(PeriodicOrbit, Identity)> {
         let mut found = None;
         for digits in [precision.digits, FINE_DIGITS, 2 * FINE_DIGITS] {
             let digits = digits.max(precision.digits); // proposes: digits to prove it to
             let orbit = self.prove(guess, Precision { digits, ..precision })?;
-            let verdicts = known.clone().map(|other| is_one_orbit(&self.chain, &orbit.proved, &other.proved));
+            let verdicts = known.clone().map(|other| is_one(&self.chain, &orbit.proved, &other.proved));
             let identity = Identity::of(verdicts);
             found = Some((orbit, identity));
             if identity != Identity::Open {
