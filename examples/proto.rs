@@ -2,6 +2,9 @@ fn main() {
     let a: Vec<String> = std::env::args().collect();
     let scene = impact_pair::Scene::parse(&std::fs::read_to_string(&a[1]).unwrap()).unwrap();
     let p = |i: usize| a[i].parse::<usize>().unwrap();
-    let r = impact_pair::chaos::cycles::count(&scene, p(2) as u32, p(3)..=p(4), 1.0 / p(5) as f64, p(6) as i64, p(7) as i64).unwrap();
-    println!("{r:?}");
+    for n in p(3)..=p(4) {
+    let begun = std::time::Instant::now();
+    let r = impact_pair::chaos::Cycles::of(&scene, p(2) as u32, n..=n, Default::default(), &|_| true).unwrap().unwrap();
+    println!("{n}: {:?} cycles {} undecided {} no attractor {} {:?}", r.fixed_points(), r.cycles().len(), r.undecided().len(), r.has_no_attractor(), begun.elapsed());
+    }
 }

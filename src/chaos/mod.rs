@@ -5,7 +5,7 @@
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D11 of `docs/proofs.md`.
 
 mod bases;
-pub mod cycles;
+mod cycles;
 mod entropy;
 mod flights;
 mod guess;
@@ -19,6 +19,7 @@ mod trap;
 mod tube;
 mod words;
 
+pub use cycles::{Cycle, Cycles, Stage};
 pub use flights::{Chord, State};
 pub use horseshoe::{Chaos, Question, Word};
 pub use region::{Trap, Untrapped};

@@ -36,7 +36,7 @@ use crate::Error;
 use crate::exact::log2_of_digits;
 use crate::mapping::Word;
 use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced};
+use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
 use crate::shaken::{One, Several};
 pub use attractor::{Attractor, Passing};
@@ -45,8 +45,8 @@ pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
 use chained::Chained;
-pub(crate) use identity::Identity as Beside;
-use identity::{Identity, is_one_orbit, is_one_reduced};
+pub(crate) use identity::Identity;
+use identity::{is_one_orbit, is_one_reduced};
 use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
 pub use measured::{MeasuredImpact, MeasuredOrbit};
@@ -215,16 +215,34 @@ impl Problem {
         Census { orbits: found, interrupted, ..Census::default() }
     }
 
-    /// Whether all chains of a box of phases, impact by impact, that are orbits are this one or its mirror image. Lemma T6
-    pub(crate) fn holds(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
+    /// Whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
+    pub(crate) fn is_all_of(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
         let balls: Vec<Ball> = phases.iter().map(|x| x.ball()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
         is_one_reduced(&self.chain, &whole, &orbit.proved) == Some(true)
     }
 
-    /// After how many impacts an orbit is first what it was, or its mirror image.
+    /// Whether both are one orbit, or mirror images. Lemma T6
+    pub(crate) fn is_reduced(&self, one: &PeriodicOrbit, other: &PeriodicOrbit) -> Option<bool> {
+        is_one_reduced(&self.chain, &one.proved, &other.proved)
+    }
+
+    /// After how many impacts an orbit is first what it was, or its mirror image. Lemma T6
     pub(crate) fn reduced_impacts(&self, orbit: &PeriodicOrbit) -> Option<usize> {
         identity::reduced_impacts(&self.chain, &orbit.proved)
+    }
+
+    /// What asks for an orbit that is after so many impacts what it was, or its mirror image: for one round of it, or two where
+    /// walls are exchanged; and the phases of that.
+    pub(crate) fn least(&self, impacts: usize, orbit: &PeriodicOrbit) -> Option<(Self, Vec<Interval>)> {
+        let (walls, count) = (self.chain.walls(), self.chain.impacts());
+        let rounds = if walls[impacts % count] == walls[0] { 1 } else { 2 };
+        let least = rounds * impacts;
+        let text: String = walls[..least].iter().map(|wall| if *wall == Wall::Left { 'L' } else { 'R' }).collect();
+        let cycles = self.chain.cycles() as usize * least / count; // exact: a divisor
+        let problem = Self::new(&self.impact_pair, &text.parse().ok()?, u32::try_from(cycles).ok()?).ok()?;
+        let phases = orbit.proved.at[..least].iter().map(|&phase| Interval::of(phase)).collect();
+        Some((problem, phases))
     }
 
     /// The orbit near a guess, and whether it is one of those known: what the digits asked for do not tell apart is proved to

@@ -1,39 +1,43 @@
-//! What two neighbouring impacts have to do with one another, over boxes of phases: smooth at grazes as well.
+//! What an impact and the next one have to do with each other, over boxes of their phases: Lemma D20.
 
-use super::super::flights::{Law, Side};
+use crate::chaos::flights::{Law, Side};
 use crate::periodic::Interval;
 
 /// The pair over intervals.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Relation {
     gap: Interval,
+    /// `e`
     pub restitution: Interval,
 }
 
-/// The flights between two boxes of phases, told about a state of each.
+/// All flights between two boxes of phases, told about a member of each.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leg {
-    /// The speed after the first impact, and before the last one.
+    /// `a`, the speeds after the first impact.
     pub after: Interval,
+    /// `b`, the speeds before the second one.
     pub before: Interval,
-    /// Both between the two centres.
+    /// Both between the two members.
     pub centre: [Interval; 2],
-    /// Their derivatives by both phases, over the box.
+    /// The derivatives of each by both phases.
     pub slopes: [[Interval; 2]; 2],
 }
 
-const PI: Interval = Interval::new(std::f64::consts::PI, std::f64::consts::PI.next_up());
-
-/// Half a turn where the walls change.
-pub(super) fn shift(side: Side) -> f64 {
-    if side == Side::Far { 0.5 } else { 0.0 }
-}
-
-/// Speeds after and before, and both over the time.
+/// `a`, `b`, `a/h` and `b/h`.
 struct Speeds {
     after: Interval,
     before: Interval,
     rates: [Interval; 2],
+}
+
+const PI: Interval = Interval::new(std::f64::consts::PI, std::f64::consts::PI.next_up());
+
+impl Side {
+    /// What is added to the phase of an impact on it, in turns.
+    pub(super) fn shift(self) -> f64 {
+        if self == Self::Far { 0.5 } else { 0.0 }
+    }
 }
 
 impl Relation {
@@ -43,64 +47,60 @@ impl Relation {
         Self { gap: Interval::of(law.gap), restitution }
     }
 
-    /// The flights between two phases, each in a box, as they come from the formulas; `None` where there may be none.
-    fn speeds(&self, side: Side, from: Interval, to: Interval, cosines: [Interval; 2]) -> Option<Speeds> {
-        let time = to - from;
-        let time = Interval::new(time.lo.max(0.0), time.hi);
-        if time.lo > time.hi {
-            return None;
-        }
+    /// The flights from a phase to another one that is not earlier; `None` where one may take no time to the far wall.
+    fn speeds(&self, side: Side, from: Interval, to: Interval) -> Option<Speeds> {
+        let time = (to - from).from(0.0)?;
         let middle = (from + to).times(0.5);
         let mean = time.sinc() * middle.cos();
         match side {
             Side::Far => {
                 let drift = self.gap.over((PI * time).times(2.0))? + mean;
-                let after = drift - cosines[0];
-                let before = drift - cosines[1];
+                let (after, before) = (drift - from.cos(), drift - to.cos());
                 Some(Speeds { after, before, rates: [after.over(time)?, before.over(time)?] })
             }
             Side::Near => {
-                let (after, before) = (mean - cosines[0], cosines[1] - mean);
-                let bend = time.bend() * middle.cos();
+                let (after, before) = (mean - from.cos(), to.cos() - mean);
+                let (bend, quarter) = (time.bend() * middle.cos(), time.times(0.25));
                 let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
-                let quarter = time.times(0.25);
-                let mut rates = [-(bend + swing(middle - quarter)), bend - swing(middle + quarter)];
-                for (rate, speed) in rates.iter_mut().zip([after, before]) {
-                    if let Some(direct) = speed.over(time) {
-                        *rate = rate.cut(direct).unwrap_or(*rate);
-                    }
-                }
+                let rates = [-(bend + swing(middle - quarter)), bend - swing(middle + quarter)];
                 Some(Speeds { after, before, rates })
             }
         }
     }
 
-    /// The flights from a box of phases to a box of reduced phases, about these members.
+    /// The flights to a wall from a box of phases to a box of reduced phases, about these members.
     pub fn leg(&self, side: Side, [from, to]: [Interval; 2], centres: [Interval; 2]) -> Option<Leg> {
-        let shift = Interval::point(shift(side));
+        let shift = Interval::point(side.shift());
         let offsets = [from - centres[0], to - centres[1]];
-        let (to, centres) = (to - shift, [centres[0], centres[1] - shift]);
-        let sign = if side == Side::Far { 1.0 } else { -1.0 };
-        let at = self.speeds(side, centres[0], centres[1], centres.map(Interval::cos))?;
-        let Speeds { mut after, mut before, mut rates } = self.speeds(side, from, to, [from.cos(), to.cos()])?;
-        let [sine, other] = [from, to].map(|x| (PI * x.sin()).times(2.0));
-        let time = to - from;
-        let mut slopes = [[Interval::point(0.0); 2]; 2];
-        for _ in 0..2 {
-            slopes = [
-                [rates[0] + sine, -rates[1].signed(sign)],
-                [rates[0].signed(sign), other.signed(sign) - rates[1]],
-            ];
-            let told = |centre: Interval, row: [Interval; 2]| centre + row[0] * offsets[0] + row[1] * offsets[1];
-            let (a, b) = (told(at.after, slopes[0]), told(at.before, slopes[1]));
-            after = after.cut(a).unwrap_or(after);
-            before = before.cut(b).unwrap_or(before);
+        let to = to - shift;
+        (centres[1] - shift - centres[0]).lo.is_sign_positive().then_some(())?;
+        let at = self.speeds(side, centres[0], centres[1] - shift)?;
+        let Speeds { mut after, mut before, mut rates } = self.speeds(side, from, to)?;
+        let [first, second] = [from, to].map(|x| (PI * x.sin()).times(2.0));
+        let (time, sign) = (to - from, if side == Side::Far { 1.0 } else { -1.0 });
+        let mut slopes;
+        let mut rounds = 2;
+        loop {
             for (rate, speed) in rates.iter_mut().zip([after, before]) {
-                if let Some(direct) = speed.over(time) {
-                    *rate = rate.cut(direct).unwrap_or(*rate);
-                }
+                *rate = both(*rate, speed.over(time));
             }
+            let [by_after, by_before] = rates;
+            slopes = [
+                [by_after + first, -by_before.signed(sign)],
+                [by_after.signed(sign), second.signed(sign) - by_before],
+            ];
+            if rounds == 0 {
+                return Some(Leg { after, before, centre: [at.after, at.before], slopes });
+            }
+            rounds -= 1;
+            let told = |centre: Interval, row: [Interval; 2]| centre + row[0] * offsets[0] + row[1] * offsets[1];
+            after = both(after, Some(told(at.after, slopes[0])));
+            before = both(before, Some(told(at.before, slopes[1])));
         }
-        Some(Leg { after, before, centre: [at.after, at.before], slopes })
     }
+}
+
+/// What two enclosures of the same numbers leave.
+fn both(x: Interval, y: Option<Interval>) -> Interval {
+    y.and_then(|y| x.cut(y)).unwrap_or(x) // D20: each holds them
 }
