@@ -41,7 +41,7 @@ const ROOMS: [(&str, &[&str]); 23] = [
         ],
     ),
     ("lyapunov", &["number", "orbit"]),
-    ("chaos", &["number", "pair", "flight", "mapping", "contact", "orbit"]),
+    ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
     ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),

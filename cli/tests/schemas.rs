@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use impact_pair_certificate::document::{
-    AuditDocument, BifurcationDocument, ChaosDocument, EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd,
+    AuditDocument, BifurcationDocument, ChaosDocument, CyclesDocument, EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd,
     OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TradeDocument, TrapDocument, TwoImpactDocument,
 };
 use schemars::{JsonSchema, schema_for};
@@ -36,6 +36,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<BifurcationDocument>("bifurcations");
     assert_is_kept::<TrapDocument>("trap");
     assert_is_kept::<ChaosDocument>("chaos");
+    assert_is_kept::<CyclesDocument>("cycles");
     assert_is_kept::<AuditDocument>("audit");
     assert_is_kept::<SweepHead>("sweep-head");
     assert_is_kept::<SweepRecord>("sweep-point");
@@ -78,6 +79,7 @@ fn what_is_written_is_read_back_the_same() {
     assert_is::<BifurcationDocument>(&written(&[&over[..], &word].concat()));
     assert_is::<TrapDocument>(&written(&["trap", "scene.toml", "--format", "json"]));
     assert_is::<ChaosDocument>(&written(&["chaos", "scene.toml", "--format", "json"]));
+    assert_is::<CyclesDocument>(&written(&["cycles", "scene.toml", "--impacts", "1..2", "--format", "json"]));
     assert_is::<TwoImpactDocument>(&written(&["two-impact", "scene.toml", "--format", "json"]));
     let manifold = ["two-impact", "scene.toml", "--manifold", "frequency=2..4:5", "--format", "json"];
     assert_is::<ManifoldDocument>(&written(&manifold));

@@ -57,14 +57,14 @@ pub struct Cycle {
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
-/// let cycles = Cycles::of(&scene, 0, 1..=5, Default::default(), &|_| true)?.expect("a region");
+/// let cycles = Cycles::of(&scene, 0, &(1..=5), Default::default(), &|_| true)?.expect("a region");
 /// assert!(cycles.fixed_points().values().eq(&[1, 1, 4, 1, 11]) && cycles.has_no_attractor());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Cycles {
     trap: Trap,
-    asked: RangeInclusive<usize>,
+    asked: RangeInclusive<u32>,
     fixed_points: BTreeMap<usize, usize>,
     cycles: Vec<Cycle>,
     undecided: Vec<(usize, Region)>,
@@ -96,7 +96,7 @@ impl Cycles {
     pub fn of(
         scene: &Scene,
         finer: u32,
-        impacts: RangeInclusive<usize>,
+        asked: &RangeInclusive<u32>,
         precision: Precision,
         goes_on: &(dyn Fn(Stage) -> bool + Sync),
     ) -> Result<Result<Self, Untrapped>, Error> {
@@ -109,8 +109,8 @@ impl Cycles {
         let [shortest, longest] = trap.flight();
         let laws = Laws { relation: Relation::new(&law), times: Interval::new(shortest, longest) };
         let (cycles, undecided) = (Vec::new(), Vec::new());
-        let mut all = Self { trap, asked: impacts.clone(), fixed_points: BTreeMap::new(), cycles, undecided };
-        for impacts in impacts {
+        let mut all = Self { trap, asked: asked.clone(), fixed_points: BTreeMap::new(), cycles, undecided };
+        for impacts in asked.clone().map(|impacts| impacts as usize) { // exact: a small whole number
             let done = AtomicUsize::new(0);
             let of = graph.blocks.len();
             let goes_on = || goes_on(Stage::Impacts { impacts, blocks: done.load(Ordering::Relaxed), of });
@@ -219,7 +219,7 @@ impl Cycles {
     }
 
     /// How many impacts were asked for.
-    pub fn asked(&self) -> &RangeInclusive<usize> {
+    pub fn asked(&self) -> &RangeInclusive<u32> {
         &self.asked
     }
 
@@ -240,7 +240,12 @@ impl Cycles {
 
     /// Whether there are no others of all the numbers of impacts that were asked for.
     pub fn is_exhaustive(&self) -> bool {
-        self.asked.clone().all(|impacts| self.fixed_points.contains_key(&impacts))
+        self.asked.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
+    }
+
+    /// Whether all that was asked is proved: that there are no others, and whether each of them is stable, as narrowly as asked.
+    pub fn is_certified(&self) -> bool {
+        self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.is_decided() && cycle.orbit.is_narrow)
     }
 
     /// Whether it is proved that none of these numbers of impacts has a cycle that attracts.
