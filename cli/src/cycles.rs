@@ -165,13 +165,20 @@ fn conclusion(found: Result<&Cycles, Untrapped>) -> String {
         let certified = if found.is_certified() { "certified" } else { "not all certified" };
         let all = match found.cycles().len() {
             0 => format!("the region has no cycle of {asked}"),
-            1 => format!("the region has one cycle of {asked} and no other; {}", if stable == 1 { "it attracts" } else { &attracts }),
+            1 => format!(
+                "the region has one cycle of {asked} and no other; {}",
+                if stable == 1 { "it attracts" } else { &attracts }
+            ),
             count => format!("the region has {count} cycles of {asked} and no others; {attracts}"),
         };
         return format!("{certified}: {all}");
     }
-    let missing: Vec<String> =
-        found.asked().clone().filter(|n| !found.fixed_points().contains_key(&(*n as usize))).map(|n| n.to_string()).collect();
+    let missing: Vec<String> = found
+        .asked()
+        .clone()
+        .filter(|n| !found.fixed_points().contains_key(&(*n as usize)))
+        .map(|n| n.to_string())
+        .collect();
     format!(
         "not all certified: {} proved, {attracts}; there may be others of {} impacts ({} left)",
         counted(found.cycles().len() as u32, "cycle"),

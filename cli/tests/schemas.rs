@@ -5,8 +5,8 @@ use std::path::Path;
 use std::process::Command;
 
 use impact_pair_certificate::document::{
-    AuditDocument, BifurcationDocument, ChaosDocument, CyclesDocument, EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd,
-    OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TradeDocument, TrapDocument, TwoImpactDocument,
+    AuditDocument, BifurcationDocument, ChaosDocument, CyclesDocument, EventDocument, ManifoldDocument, OrbitDocument,
+    OrbitEnd, OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TradeDocument, TrapDocument, TwoImpactDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;

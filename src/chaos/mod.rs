@@ -1,8 +1,9 @@
-//! Chaos, proved: regions that no motion leaves, and horseshoes with a lower bound of their topological entropy.
+//! Chaos, proved: regions that no motion leaves and all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words` and `trap`.
+//! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words`, `trap` and
+//! `cycles`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D11 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D11 and D20-D23 of `docs/proofs.md`.
 
 mod bases;
 mod cycles;

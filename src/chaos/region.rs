@@ -117,7 +117,8 @@ impl Trap {
     fn around(region: Region, visited: &[Visited]) -> Self {
         let times = region.cells.values().map(|reach| reach.time);
         let flight = times.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]); // D5: the outer ends
-        let entered = visited.iter().find(|state| region.holds(state.phase, state.speed) == Some(true)).map(|state| state.index);
+        let entered =
+            visited.iter().find(|state| region.holds(state.phase, state.speed) == Some(true)).map(|state| state.index);
         Self { region, flight, entered }
     }
 

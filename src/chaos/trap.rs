@@ -108,13 +108,7 @@ impl Grid {
     }
 
     /// Goes along the phases of arrival, column by column where a wall may be touched, until it certainly has been.
-    fn march(
-        &self,
-        law: &Law,
-        flights: &Flights,
-        from: f64,
-        note: &mut dyn FnMut(Arrivals),
-    ) -> Result<Reach, Refusal> {
+    fn march(&self, law: &Law, flights: &Flights, from: f64, note: &mut dyn FnMut(Arrivals)) -> Result<Reach, Refusal> {
         let columns = self.columns as f64; // exact: a power of two
         let mut reach = Reach { time: [f64::INFINITY, 0.0], sides: [false; 2] };
         let mut column = (from * columns).floor() as i64; // D4: the column that it is in

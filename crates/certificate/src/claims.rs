@@ -4,9 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Deserializer, Value};
 
-use crate::document::{
-    BIFURCATION_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, counted,
-};
+use crate::document::{BIFURCATION_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, counted};
 use crate::{
     BifurcationCertificate, Certificate, ClaimKind, Effort, Finding, PeriodicCertificate, SweepCertificate, Verdict,
 };

@@ -77,7 +77,14 @@ impl Graph {
     }
 
     /// Which boxes are reached after each number of steps, in this block and those after it, and where `held` is.
-    fn walk(&self, links: &Links, from: &[u32], block: usize, steps: usize, held: Option<&[Vec<bool>]>) -> Vec<Vec<bool>> {
+    fn walk(
+        &self,
+        links: &Links,
+        from: &[u32],
+        block: usize,
+        steps: usize,
+        held: Option<&[Vec<bool>]>,
+    ) -> Vec<Vec<bool>> {
         let none = || vec![false; self.cells.len()];
         let mut layers = vec![none()];
         from.iter().for_each(|&cell| layers[0][cell as usize] = true); // exact: an index
@@ -178,9 +185,17 @@ impl Layer {
     pub fn parts(&self, phases: Interval, speeds: Interval, width: i64) -> Vec<[Interval; 2]> {
         let Grid { columns, rows } = self.grid;
         let per_turn = columns as f64; // exact: a power of two
-        let [first, last] = [phases.lo, phases.hi].map(|x| (x * per_turn).floor() as i64); // D21: the box of an end
-        let [low, high] = [speeds.lo, speeds.hi].map(|x| (x * rows).floor() as i32); // D21: the box of an end
-        let (mut parts, mut held) = (Vec::new(), Vec::new());
+        let across = [phases.lo, phases.hi].map(|x| (x * per_turn).floor() as i64); // D21: the box of an end
+        let along = [speeds.lo, speeds.hi].map(|x| (x * rows).floor() as i32); // D21: the box of an end
+        let cut = |[u, w]: [Interval; 2]| phases.cut(u).zip(speeds.cut(w)).map(|(u, w)| [u, w]);
+        self.rectangles(across, along, width).into_iter().filter_map(cut).collect()
+    }
+
+    /// Rectangles, each at most so many columns wide, that hold the boxes of these columns and rows.
+    fn rectangles(&self, [first, last]: [i64; 2], [low, high]: [i32; 2], width: i64) -> Vec<[Interval; 2]> {
+        let Grid { columns, rows } = self.grid;
+        let per_turn = columns as f64; // exact: a power of two
+        let (mut rectangles, mut held) = (Vec::new(), Vec::new());
         let mut from = first;
         while from <= last {
             let to = last.min((from.div_euclid(width) + 1) * width - 1); // D21: any columns
@@ -196,11 +211,11 @@ impl Layer {
                 // exact: edges of boxes
                 let across = Interval::new(left as f64 / per_turn, (right + 1) as f64 / per_turn);
                 let along = Interval::new(bottom / rows, (top + 1.0) / rows);
-                parts.extend(phases.cut(across).zip(speeds.cut(along)).map(|(u, w)| [u, w]));
+                rectangles.push([across, along]);
             }
             from = to + 1;
         }
-        parts
+        rectangles
     }
 
     /// A rectangle that holds all states of the layer with such phases and speeds.
@@ -211,8 +226,6 @@ impl Layer {
 
     /// Rectangles that hold the whole layer, with phases from 0 to 1.
     pub fn whole(&self, width: i64) -> Vec<[Interval; 2]> {
-        let top = self.rows.iter().copied().max().unwrap_or(0); // D21: no row is above
-        let speeds = Interval::new(0.0, (f64::from(top) + 1.0) / self.grid.rows);
-        self.parts(Interval::new(0.0, 1_f64.next_down()), speeds, width)
+        self.rectangles([0, self.grid.columns - 1], [0, i32::MAX], width)
     }
 }

@@ -85,10 +85,8 @@ impl Relation {
                 *rate = both(*rate, speed.over(time));
             }
             let [by_after, by_before] = rates;
-            slopes = [
-                [by_after + first, -by_before.signed(sign)],
-                [by_after.signed(sign), second.signed(sign) - by_before],
-            ];
+            slopes =
+                [[by_after + first, -by_before.signed(sign)], [by_after.signed(sign), second.signed(sign) - by_before]];
             if rounds == 0 {
                 return Some(Leg { after, before, centre: [at.after, at.before], slopes });
             }

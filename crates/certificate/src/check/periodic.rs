@@ -44,7 +44,9 @@ impl PeriodicCertificate {
 
     /// What is said of all orbits together.
     fn whole(&self) -> Result<(), Doubt> {
-        if self.says_all_is_proved() && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest()) {
+        if self.says_all_is_proved()
+            && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())
+        {
             return Err(Doubt::False("not all is proved that is asked of the orbits".into()));
         }
         if self.orbits().is_empty() {
