@@ -140,7 +140,10 @@ def main():
         scene = tomllib.load(file)
     shaking, pair = scene["excitation"], scene["pair"]
     the_map = Map(number(pair["gap"]) / number(shaking["amplitude"]), number(pair["restitution"]))
-    state, orbit = (1.0, 0.7), []
+    start, frequency = scene["start"], number(shaking["frequency"])
+    phase = frequency * number(start["time"]) + number(shaking["phase"]) + (math.pi if start["wall"] == "right" else 0)
+    speed = abs(number(start["velocity"])) / (frequency * number(shaking["amplitude"]))
+    state, orbit = (phase % TURN, speed), []
     for k in range(arguments.orbit + 1000):
         found = the_map.step(*state)
         if found is None:
