@@ -10,6 +10,7 @@ use impact_pair::Scene;
 use impact_pair::chaos::{Cycle, Cycles, Stage, Untrapped};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
+use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 
 use crate::Answer;
@@ -116,7 +117,7 @@ fn table(scene: &Scene, found: Result<&Cycles, Untrapped>) -> Result<String, fmt
             writeln!(out, "{impacts:>7}  {count:>12}  {:>6}  {stable:>6}", own().count())?;
         }
         if !found.cycles().is_empty() {
-            writeln!(out, "\nimpacts  {:10}  {:13}  {:22}  word, time", "stability", "", "largest eigenvalue")?;
+            writeln!(out, "\nimpacts  {:10}  {:13}  {:22}       time  walls", "stability", "", "largest eigenvalue")?;
         }
         for cycle in found.cycles() {
             writeln!(out, "{}", row(cycle))?;
@@ -143,7 +144,9 @@ fn row(cycle: &Cycle) -> String {
     let eigenvalue = decimal_digits(&largest.re) + &turned;
     let time = counted(problem.chain().cycles(), "cycle");
     let stability = orbit.stability.name();
-    format!("{impacts:>7}  {stability:10}  {symmetric:13}  {eigenvalue:22}  {}, {time}", problem.word())
+    let walls: String =
+        problem.chain().walls().iter().map(|&wall| if wall == Wall::Left { 'L' } else { 'R' }).collect();
+    format!("{impacts:>7}  {stability:10}  {symmetric:13}  {eigenvalue:22}  {time:>9}  {walls}")
 }
 
 /// How much of what was asked is proved.
@@ -164,12 +167,12 @@ fn conclusion(found: Result<&Cycles, Untrapped>) -> String {
     if found.is_exhaustive() {
         let certified = if found.is_certified() { "certified" } else { "not all certified" };
         let all = match found.cycles().len() {
-            0 => format!("the region has no cycle of {asked}"),
+            0 => format!("the region has no cycle that closes after {asked}"),
             1 => format!(
-                "the region has one cycle of {asked} and no other; {}",
+                "the region has one cycle that closes after {asked}, and no other; {}",
                 if stable == 1 { "it attracts" } else { &attracts }
             ),
-            count => format!("the region has {count} cycles of {asked} and no others; {attracts}"),
+            count => format!("the region has {count} cycles that close after {asked}, and no others; {attracts}"),
         };
         return format!("{certified}: {all}");
     }
