@@ -114,7 +114,8 @@ proptest! {
     }
 }
 
-/// The numbers are those of `validation/cycles/search.py`, which finds the cycles in floats from orbits and shares nothing with this.
+/// The numbers are those of `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floats from orbits
+/// and shares nothing with this.
 #[test]
 fn counts_are_those_of_an_independent_search() {
     for (number, counts) in [(14, vec![1, 1, 4, 1, 11, 22, 15]), (17, vec![1, 1, 10, 21]), (16, vec![0, 0, 0, 4, 10])] {
