@@ -297,7 +297,7 @@ fn region(task: &Task, chain: &Chain) -> Region {
     let mut crossed = 0_u32;
     let impact = |i: usize| {
         crossed += u32::from(i > 0 && chain.sides[i - 1].shift() > 0.0);
-        let wall = if crossed % 2 == 0 { Wall::Left } else { Wall::Right };
+        let wall = if crossed.is_multiple_of(2) { Wall::Left } else { Wall::Right };
         let phase = chain.phases[i] - Interval::point(0.5 * f64::from(crossed));
         let speed = (chain.speeds[i] * fastest).signed(-wall.sign());
         PeriodicImpact { wall, phase: enclosure(phase), velocity: enclosure(speed) }

@@ -23,10 +23,10 @@ impl Told {
         let word = |from: usize| (from..from + count).map(is_far);
         let first = (0..count).min_by(|&a, &b| word(a).cmp(word(b)))?;
         let crossings = word(0).filter(|is_far| *is_far).count();
-        let rounds = if crossings % 2 == 0 { 1 } else { 2 };
+        let rounds = if crossings.is_multiple_of(2) { 1 } else { 2 };
         let (mut walls, mut phases, mut crossed) = (String::new(), Vec::new(), 0_u32);
         for i in first..first + rounds * count {
-            walls.push(if crossed % 2 == 0 { 'L' } else { 'R' });
+            walls.push(if crossed.is_multiple_of(2) { 'L' } else { 'R' });
             let added = (i / count) as f64 * turns - 0.5 * f64::from(crossed); // exact: multiples of a half
             phases.push(chain.phases[i % count] + Interval::point(added));
             crossed += u32::from(is_far(i));
