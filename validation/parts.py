@@ -74,7 +74,7 @@ PARTS = [
     Part("gallery", *2 * ("docs/gallery/make --check",), ("program",)),
     Part("stability", *2 * ("docs/stability/make --check",), ("program",)),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
-    *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "coq"]),
+    *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "cycles", "coq"]),
     cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),
 ]

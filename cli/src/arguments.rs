@@ -18,6 +18,7 @@ use impact_pair::scene::{DIGITS, Run};
 
 use crate::audit::arguments as audit;
 use crate::chaos;
+use crate::cycles;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
 use crate::trade::arguments as trade;
@@ -64,6 +65,9 @@ pub enum Verb {
     /// Prove chaos: words of impacts that follow one another in any order, and a lower bound of the entropy
     #[command(after_help = EXIT_CODES, after_long_help = chaos::HELP)]
     Chaos(chaos::ChaosArguments),
+    /// Find all periodic motions of so many impacts in a region that the motion does not leave, and whether one attracts
+    #[command(after_help = EXIT_CODES, after_long_help = cycles::HELP)]
+    Cycles(cycles::CyclesArguments),
     /// Prove every claim of a JSON document again, by another route, from its own numbers
     #[command(after_help = CHECK_EXIT_CODES, after_long_help = CHECK_HELP)]
     Check(CheckArguments),
@@ -298,7 +302,7 @@ found lies inside its bounds, refuted when it lies outside. JSON Lines are read 
 Of a shadowed orbit (run --arithmetic shadow) it is proved that one start within the bounds told has all the impacts, each in its \
 box: link by link, by all processors.
 
-Of periodic and two-impact each orbit is found again: that there is one in its bounds, and no other, its stability, symmetry, and \
+Of periodic, two-impact and cycles each orbit is found again: that there is one in its bounds, and no other, its stability, symmetry, and \
 whether a wall is touched earlier; not that there are no others elsewhere. Of bifurcations each fold, pitchfork and period doubling is \
 found again; not the grazes. Of a sweep the listed impacts are found again; not what becomes of them. Of trap the listed boxes are \
 proved to be closed, of chaos each listed word is proved along tubes made anew, and that the entropies follow from the words. Of \

@@ -5,6 +5,7 @@ mod audit;
 mod bifurcations;
 mod chaos;
 mod check;
+mod cycles;
 mod ending;
 mod heading;
 mod listing;
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
         Verb::Trap(arguments) => trap::trap(&arguments),
         Verb::Chaos(arguments) => chaos::chaos(&arguments),
+        Verb::Cycles(arguments) => cycles::cycles(&arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

@@ -7,12 +7,13 @@ use std::path::PathBuf;
 
 use common::program;
 
-const VERBS: [&str; 14] = [
+const VERBS: [&str; 15] = [
     "run",
     "periodic",
     "bifurcations",
     "trap",
     "chaos",
+    "cycles",
     "sweep",
     "plot",
     "check",

@@ -5,9 +5,9 @@ use std::path::Path;
 use std::process::Command;
 
 use impact_pair_certificate::document::{
-    AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, EventDocument, ManifoldDocument,
-    OrbitDocument, OrbitEnd, OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TradeDocument, TrapDocument,
-    TwoImpactDocument,
+    AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CyclesDocument, EventDocument,
+    ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TradeDocument,
+    TrapDocument, TwoImpactDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -38,6 +38,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<TrapDocument>("trap");
     assert_is_kept::<ChaosDocument>("chaos");
     assert_is_kept::<ChaosCellsDocument>("chaos-cells");
+    assert_is_kept::<CyclesDocument>("cycles");
     assert_is_kept::<AuditDocument>("audit");
     assert_is_kept::<SweepHead>("sweep-head");
     assert_is_kept::<SweepRecord>("sweep-point");
@@ -82,6 +83,7 @@ fn what_is_written_is_read_back_the_same() {
     assert_is::<ChaosDocument>(&written(&["chaos", "scene.toml", "--format", "json"]));
     let cells = ["chaos", "scene.toml", "--over", "amplitude=1..1.01:1", "--format", "json"];
     assert_is::<ChaosCellsDocument>(&written(&cells));
+    assert_is::<CyclesDocument>(&written(&["cycles", "scene.toml", "--impacts", "1..2", "--format", "json"]));
     assert_is::<TwoImpactDocument>(&written(&["two-impact", "scene.toml", "--format", "json"]));
     let manifold = ["two-impact", "scene.toml", "--manifold", "frequency=2..4:5", "--format", "json"];
     assert_is::<ManifoldDocument>(&written(&manifold));

@@ -87,7 +87,7 @@ struct Slope {
 }
 
 /// Which wall a flight ends on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Side {
     /// The wall it left.
     Near,

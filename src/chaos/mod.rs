@@ -1,11 +1,13 @@
-//! Chaos, proved: regions that no motion leaves, and horseshoes with a lower bound of their topological entropy.
+//! Chaos, proved: regions that no motion leaves and all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words` and `trap`.
+//! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words`, `trap` and
+//! `cycles`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 and D20-D23 of `docs/proofs.md`.
 
 mod bases;
 mod cells;
+mod cycles;
 mod entropy;
 mod fate;
 mod flights;
@@ -21,6 +23,7 @@ mod tube;
 mod words;
 
 pub use cells::{Asked, Cells, Stretch, Verdict, seen_impacts};
+pub use cycles::{Cycle, Cycles, Stage};
 pub use fate::{Entered, Fate};
 pub use flights::{Chord, State};
 pub use horseshoe::{Chaos, Question, Word};

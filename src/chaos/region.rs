@@ -134,8 +134,14 @@ impl Trap {
     fn around(region: Region, visited: &[Visited]) -> Self {
         let times = region.cells.values().map(|reach| reach.time);
         let flight = times.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]); // D5: the outer ends
-        let entered = visited.iter().find(|state| region.holds(state.phase, state.speed)).map(|state| state.index);
+        let entered =
+            visited.iter().find(|state| region.holds(state.phase, state.speed) == Some(true)).map(|state| state.index);
         Self { region, flight, entered }
+    }
+
+    /// Its boxes.
+    pub(super) fn region(&self) -> &Region {
+        &self.region
     }
 
     /// How many boxes it has.
@@ -231,8 +237,8 @@ fn grown(
 }
 
 impl Region {
-    /// Whether all states with such a phase and speed are proved to be in it.
-    fn holds(&self, phase: Ball, speed: Ball) -> bool {
+    /// Whether all states with such a phase and speed are proved to be in it, or none of them is.
+    pub(super) fn holds(&self, phase: Ball, speed: Ball) -> Option<bool> {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {
             // D5: the boxes of both ends, outward; where there are too many nothing is claimed
@@ -240,15 +246,14 @@ impl Region {
             let [low, high] = ends.map(f64::floor); // D5: the box of an end
             (high - low < 1e3 && high.abs() < 1e15).then_some(low as i64..=high as i64) // exact: small whole numbers
         };
-        let (Some(across), Some(up)) = (cells(phase, columns as f64), cells(speed, rows)) else { return false }; // exact: a power of two
+        let (Some(across), Some(up)) = (cells(phase, columns as f64), cells(speed, rows)) else { return None }; // exact: a power of two
         // Speeds are not negative.
         let up = up.filter(|&row| row >= 0).collect::<Vec<_>>();
         let all = across.flat_map(|column| up.iter().map(move |&row| (column.rem_euclid(columns), row)));
-        let mut count = 0;
-        let are_in = all.into_iter().all(|(column, row)| {
-            count += 1;
+        let mut are_in = all.into_iter().map(|(column, row)| {
             i32::try_from(row).is_ok_and(|row| self.cells.contains_key(&(column as i32, row))) // exact: fewer than 2^31
         });
-        are_in && count > 0
+        let first = are_in.next()?;
+        are_in.all(|is_in| is_in == first).then_some(first)
     }
 }

@@ -27,6 +27,16 @@ pub(crate) struct Reach {
     pub sides: [bool; 2],
 }
 
+/// Flights that land in a column of phases.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Arrivals {
+    /// Counted on from that of the start, where they land.
+    pub column: i64,
+    pub side: Side,
+    /// Bounds of their speeds.
+    pub speeds: [f64; 2],
+}
+
 /// Why a box is not proved to fly into others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Refusal {
@@ -59,13 +69,29 @@ impl Grid {
 
     /// Adds the boxes that all images of the states of a rectangle lie in. Lemma D4
     pub fn image(&self, law: &Law, quad: &Quad, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
-        self.cut_image(law, quad, CUTS, found)
+        self.landings(law, quad, &mut |Arrivals { column, side, speeds }| {
+            let shift = if side == Side::Far { self.columns / 2 } else { 0 };
+            let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
+            let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // D4: of both ends
+            found.extend((rows[0]..=rows[1]).map(|row| (column, row)));
+        })
     }
 
-    fn cut_image(&self, law: &Law, quad: &Quad, cuts: u32, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
+    /// Notes where all flights from a rectangle may land, column by column. Lemma D4
+    pub fn landings(&self, law: &Law, quad: &Quad, note: &mut dyn FnMut(Arrivals)) -> Result<Reach, Refusal> {
+        self.cut_landings(law, quad, CUTS, note)
+    }
+
+    fn cut_landings(
+        &self,
+        law: &Law,
+        quad: &Quad,
+        cuts: u32,
+        note: &mut dyn FnMut(Arrivals),
+    ) -> Result<Reach, Refusal> {
         let flights = Flights::new(law, quad);
         match flights.depart() {
-            Some(from) => self.march(law, &flights, from, found),
+            Some(from) => self.march(law, &flights, from, note),
             None if cuts == 0 => Err(Refusal::Rest),
             None => {
                 let ([u, w], [r, s]) = (quad.centre, [0.5 * quad.sides[0][0], 0.5 * quad.sides[1][1]]);
@@ -73,7 +99,7 @@ impl Grid {
                 for (phase, speed) in [(u - r, w - s), (u - r, w + s), (u + r, w - s), (u + r, w + s)] {
                     // exact: cut in halves
                     let part = Quad::rectangle([phase, speed], [r, s], speed - s);
-                    let reach = self.cut_image(law, &part, cuts - 1, found)?;
+                    let reach = self.cut_landings(law, &part, cuts - 1, note)?;
                     all = Some(all.map_or(reach, |all| all.with(&reach)));
                 }
                 all.ok_or(Refusal::Rest)
@@ -82,7 +108,7 @@ impl Grid {
     }
 
     /// Goes along the phases of arrival, column by column where a wall may be touched, until it certainly has been.
-    fn march(&self, law: &Law, flights: &Flights, from: f64, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
+    fn march(&self, law: &Law, flights: &Flights, from: f64, note: &mut dyn FnMut(Arrivals)) -> Result<Reach, Refusal> {
         let columns = self.columns as f64; // exact: a power of two
         let mut reach = Reach { time: [f64::INFINITY, 0.0], sides: [false; 2] };
         let mut column = (from * columns).floor() as i64; // D4: the column that it is in
@@ -107,10 +133,7 @@ impl Grid {
             }
             for (k, side) in [Side::Near, Side::Far].into_iter().enumerate() {
                 if let Some(speeds) = flights.arrivals(side, low, high, &view) {
-                    let shift = if side == Side::Far { self.columns / 2 } else { 0 };
-                    let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
-                    let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // D4: of both ends
-                    found.extend((rows[0]..=rows[1]).map(|row| (column, row)));
+                    note(Arrivals { column, side, speeds });
                     reach.sides[k] = true;
                     let time = flights.times(low, high);
                     reach.time = [reach.time[0].min(time[0]), reach.time[1].max(time[1])]; // D4: the outer ends

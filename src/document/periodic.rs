@@ -48,23 +48,15 @@ impl Units {
 
     /// The document of what is found of a problem; `start` only names the scene.
     pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
-        // Flights that differ by whole common periods differ in nothing else.
-        let is_told = problem.chain().cycles() > problem.period();
-        let cycle = |impact: &PeriodicImpact| is_told.then(|| impact.cycle());
         let region = |region: &Region| {
             let impact = |impact: &PeriodicImpact| PeriodicImpactDocument {
-                cycle: cycle(impact),
+                cycle: cycle(problem, impact),
                 ..self.impact(impact, (f64::MANTISSA_DIGITS, problem.period()))
             };
             RegionDocument {
                 impacts: region.impacts.iter().map(impact).collect(),
                 reason: region.reason.name().to_owned(),
             }
-        };
-        let orbit = |orbit: &PeriodicOrbit| {
-            let mut document = periodic_orbit(&self.measured(orbit));
-            document.impacts.iter_mut().zip(&orbit.impacts).for_each(|(told, impact)| told.cycle = cycle(impact));
-            document
         };
         let undecided = census.undecided.iter().map(region).collect();
         PeriodicDocument {
@@ -74,15 +66,27 @@ impl Units {
             cycles: problem.chain().cycles(),
             exhaustive: census.exhaustive,
             certified: census.is_certified(),
-            orbits: census.orbits.iter().map(orbit).collect(),
+            orbits: census.orbits.iter().map(|orbit| self.orbit(problem, orbit)).collect(),
             undecided: (!census.undecided.is_empty()).then_some(undecided),
         }
+    }
+
+    /// An orbit of a problem.
+    pub(super) fn orbit(&self, problem: &Problem, orbit: &PeriodicOrbit) -> PeriodicOrbitDocument {
+        let mut document = periodic_orbit(&self.measured(orbit));
+        document.impacts.iter_mut().zip(&orbit.impacts).for_each(|(told, impact)| told.cycle = cycle(problem, impact));
+        document
     }
 
     /// An impact of a search or of a bifurcation, in so many bits and turns of the common period.
     pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> PeriodicImpactDocument {
         periodic_impact(&measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)), period)
     }
+}
+
+/// The turn that an impact is in, where it is told: flights that differ by whole common periods differ in nothing else.
+fn cycle(problem: &Problem, impact: &PeriodicImpact) -> Option<i64> {
+    (problem.chain().cycles() > problem.period()).then(|| impact.cycle())
 }
 
 /// An orbit in the units that `velocity` turns gaps a turn into.

@@ -56,7 +56,7 @@ impl View {
 
 /// Whether an orbit is one of those known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Identity {
+pub(crate) enum Identity {
     /// It is proved to be none of them.
     New,
     /// It is proved to be one of them.
@@ -79,6 +79,28 @@ impl Identity {
 /// Whether `one` is the orbit `other`, told from whichever impact.
 pub(super) fn is_one_orbit<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(View::of(chain, false).map(|view| view.is_same(chain, one, other)))
+}
+
+/// Whether `one` is the orbit `other` or its mirror image, told from whichever impact.
+pub(super) fn is_one_reduced<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
+    any(views(chain).map(|view| view.is_same(chain, one, other)))
+}
+
+/// After how many impacts an orbit is first what it was, or its mirror image.
+pub(super) fn reduced_impacts<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
+    let mut views: Vec<View> = views(chain).filter(|view| view.shift > 0).collect();
+    views.sort_by_key(|view| view.shift);
+    for view in views {
+        if view.is_same(chain, orbit, orbit)? {
+            return Some(view.shift);
+        }
+    }
+    Some(chain.impacts())
+}
+
+/// All views, mirrored or not.
+fn views(chain: &Chain) -> impl Iterator<Item = View> {
+    View::of(chain, false).chain(View::of(chain, true))
 }
 
 /// Whether the orbit is its own mirror image.

@@ -25,6 +25,7 @@ mod physical;
 pub mod precondition;
 mod prove;
 mod search;
+pub(crate) use search::interval::Interval;
 mod several;
 mod stability;
 mod unshaken;
@@ -35,7 +36,7 @@ use crate::Error;
 use crate::exact::log2_of_digits;
 use crate::mapping::Word;
 use crate::number::Ball;
-use crate::pair::{ImpactPair, Reduced};
+use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
 use crate::shaken::{One, Several};
 pub use attractor::{Attractor, Passing};
@@ -44,7 +45,8 @@ pub use basin::Basin;
 pub use census::{Census, Region};
 pub use chain::Chain;
 use chained::Chained;
-use identity::{Identity, is_one_orbit};
+pub(crate) use identity::Identity;
+use identity::{is_one_orbit, is_one_reduced};
 use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
 pub use measured::{MeasuredImpact, MeasuredOrbit};
@@ -213,6 +215,36 @@ impl Problem {
         Census { orbits: found, interrupted, ..Census::default() }
     }
 
+    /// Whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
+    pub(crate) fn is_all_of(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
+        let balls: Vec<Ball> = phases.iter().map(|x| x.ball()).collect();
+        let whole = Proved { domain: balls.clone(), at: balls };
+        is_one_reduced(&self.chain, &whole, &orbit.proved) == Some(true)
+    }
+
+    /// Whether both are one orbit, or mirror images. Lemma T6
+    pub(crate) fn is_reduced(&self, one: &PeriodicOrbit, other: &PeriodicOrbit) -> Option<bool> {
+        is_one_reduced(&self.chain, &one.proved, &other.proved)
+    }
+
+    /// After how many impacts an orbit is first what it was, or its mirror image. Lemma T6
+    pub(crate) fn reduced_impacts(&self, orbit: &PeriodicOrbit) -> Option<usize> {
+        identity::reduced_impacts(&self.chain, &orbit.proved)
+    }
+
+    /// What asks for an orbit that is after so many impacts what it was, or its mirror image: for one round of it, or two where
+    /// walls are exchanged; and the phases of that.
+    pub(crate) fn least(&self, impacts: usize, orbit: &PeriodicOrbit) -> Option<(Self, Vec<Interval>)> {
+        let (walls, count) = (self.chain.walls(), self.chain.impacts());
+        let rounds = if walls[impacts % count] == walls[0] { 1 } else { 2 };
+        let least = rounds * impacts;
+        let text: String = walls[..least].iter().map(|wall| if *wall == Wall::Left { 'L' } else { 'R' }).collect();
+        let cycles = self.chain.cycles() as usize * least / count; // exact: a divisor
+        let problem = Self::new(&self.impact_pair, &text.parse().ok()?, u32::try_from(cycles).ok()?).ok()?;
+        let phases = orbit.proved.at[..least].iter().map(|&phase| Interval::of(phase)).collect();
+        Some((problem, phases))
+    }
+
     /// The orbit near a guess, and whether it is one of those known: what the digits asked for do not tell apart is proved to
     /// more. Lemma T6
     fn prove_beside<'o>(
@@ -221,11 +253,31 @@ impl Problem {
         precision: Precision,
         known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
     ) -> Option<(PeriodicOrbit, Identity)> {
+        self.prove_beside_by(guess, precision, known, is_one_orbit)
+    }
+
+    /// The same, mirror images taken for one.
+    pub(crate) fn prove_reduced<'o>(
+        &self,
+        guess: &[f64],
+        precision: Precision,
+        known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
+    ) -> Option<(PeriodicOrbit, Identity)> {
+        self.prove_beside_by(guess, precision, known, is_one_reduced)
+    }
+
+    fn prove_beside_by<'o>(
+        &self,
+        guess: &[f64],
+        precision: Precision,
+        known: impl Iterator<Item = &'o PeriodicOrbit> + Clone,
+        is_one: impl Fn(&Chain, &Proved<Ball>, &Proved<Ball>) -> Option<bool>,
+    ) -> Option<(PeriodicOrbit, Identity)> {
         let mut found = None;
         for digits in [precision.digits, FINE_DIGITS, 2 * FINE_DIGITS] {
             let digits = digits.max(precision.digits); // proposes: digits to prove it to
             let orbit = self.prove(guess, Precision { digits, ..precision })?;
-            let verdicts = known.clone().map(|other| is_one_orbit(&self.chain, &orbit.proved, &other.proved));
+            let verdicts = known.clone().map(|other| is_one(&self.chain, &orbit.proved, &other.proved));
             let identity = Identity::of(verdicts);
             found = Some((orbit, identity));
             if identity != Identity::Open {

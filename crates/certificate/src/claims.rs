@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::document::{
-    BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRAP_SCHEMA,
-    counted,
+    BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA,
+    SWEEP_SCHEMA, TRAP_SCHEMA, counted,
 };
 use crate::{
     BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, Effort, Finding, PeriodicCertificate,
@@ -19,7 +19,7 @@ use impact_pair_model::Error;
 pub enum Claims {
     /// An orbit JSON: all its events and its outcome are checked.
     Orbit(Box<Certificate>),
-    /// A periodic JSON, or that of two-impact motions: all its orbits are checked, not that there are no others.
+    /// A periodic JSON, or that of two-impact motions, or of all cycles: all its orbits are checked, not that there are no others.
     Periodic(Box<PeriodicCertificate>),
     /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
     Bifurcations(Box<BifurcationCertificate>),
@@ -55,6 +55,7 @@ impl Claims {
                 Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
             }
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
+            Some(CYCLES_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse_cycles(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
             Some(CHAOS_CELLS_SCHEMA) => {

@@ -1,21 +1,29 @@
 //! The periodic JSON, read back: what it claims of its orbits, as exact fractions.
 
 use super::attraction::ClaimedOrbit;
-use crate::document::{PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument, value};
+use crate::document::{
+    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument, value,
+};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
-/// What a periodic JSON claims of periodic orbits, or that of two-impact motions.
+/// What a periodic JSON claims of periodic orbits, or that of two-impact motions, or of all cycles.
 #[derive(Clone, Debug)]
 pub struct PeriodicCertificate {
     pair: ImpactPair,
     start: Start,
-    word: Word,
-    cycles: u64,
-    orbits: Vec<ClaimedOrbit>,
+    orbits: Vec<OrbitOf>,
     says_all_is_proved: bool,
     has_no_rest: bool,
     unjudged: Vec<String>,
+}
+
+/// An orbit, its word and the cycles of that.
+#[derive(Clone, Debug)]
+pub(super) struct OrbitOf {
+    pub word: Word,
+    pub cycles: u64,
+    pub orbit: ClaimedOrbit,
 }
 
 impl PeriodicCertificate {
@@ -67,31 +75,54 @@ impl PeriodicCertificate {
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
-        // Of what is no motion it is not judged whether there are others, one of them its mirror image.
-        for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.physical != Some(true)) {
-            unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
-        }
-        unjudged.sort();
-        unjudged.dedup();
         let (pair, _) = document.scene.model()?;
-        // Phases are counted from the time 0; no orbit depends on the scene's start.
-        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
         let mut word: Word = document.word.parse()?;
         // Both words of two impacts are the same motion, told from the one wall or the other.
         let begins = |orbit: &ClaimedOrbit| orbit.impacts.first().map(|first| first.wall);
         if is_two_impact && orbits.first().and_then(begins).is_some_and(|wall| word.mappings()[0].walls().0 != wall) {
             word = Word::new(word.mappings().iter().rev().copied().collect())?;
         }
-        Ok(Self {
-            pair,
-            start,
-            word,
-            cycles: document.cycles.into(),
-            orbits,
-            says_all_is_proved: document.certified && !is_two_impact,
-            has_no_rest: !has_rest,
-            unjudged,
-        })
+        let cycles = document.cycles.into();
+        let orbits = orbits.into_iter().map(|orbit| OrbitOf { word: word.clone(), cycles, orbit }).collect();
+        Self::new(pair, orbits, (document.certified && !is_two_impact, !has_rest), unjudged)
+    }
+
+    /// Reads the JSON of all cycles: its orbits, not that there are no others.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse_cycles(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, CYCLES_SCHEMA)?;
+        let document: CyclesDocument = whole.read()?;
+        let mut unjudged = whole.unread::<CyclesDocument>()?;
+        unjudged.extend(whole.keys_but(&["schema", "scene", "certified", "orbits"]));
+        unjudged.extend(["orbits.reduced_impacts", "scene.start"].map(str::to_owned));
+        let (pair, _) = document.scene.model()?;
+        let places = whole.get("orbits")?.list()?;
+        let orbits = document.orbits.iter().zip(&places).map(|(cycle, place)| {
+            let orbit = ClaimedOrbit::of(&cycle.orbit, place)?;
+            Ok(OrbitOf { word: cycle.word.parse()?, cycles: cycle.cycles.into(), orbit })
+        });
+        let orbits = orbits.collect::<Result<_, Error>>()?;
+        Self::new(pair, orbits, (document.certified, document.undecided.is_empty()), unjudged)
+    }
+
+    fn new(
+        pair: ImpactPair,
+        orbits: Vec<OrbitOf>,
+        (says_all_is_proved, has_no_rest): (bool, bool),
+        mut unjudged: Vec<String>,
+    ) -> Result<Self, Error> {
+        // Of what is no motion it is not judged whether there are others, one of them its mirror image.
+        for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.orbit.physical != Some(true)) {
+            unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
+        }
+        unjudged.sort();
+        unjudged.dedup();
+        // Phases are counted from the time 0; no orbit depends on the scene's start.
+        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
+        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, unjudged })
     }
 
     /// The impact pair.
@@ -103,17 +134,7 @@ impl PeriodicCertificate {
         &self.start
     }
 
-    /// The word of the orbits.
-    pub fn word(&self) -> &Word {
-        &self.word
-    }
-
-    /// The cycles of the word.
-    pub fn cycles(&self) -> u64 {
-        self.cycles
-    }
-
-    pub(super) fn orbits(&self) -> &[ClaimedOrbit] {
+    pub(super) fn orbits(&self) -> &[OrbitOf] {
         &self.orbits
     }
 

@@ -12,7 +12,7 @@ use crate::number::{Ball, UNIT, up};
 
 /// All real numbers between two finite doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Interval {
+pub(crate) struct Interval {
     pub lo: f64,
     pub hi: f64,
 }

@@ -4,7 +4,7 @@
 mod cell;
 mod cut;
 mod grow;
-mod interval;
+pub(crate) mod interval;
 mod newton;
 
 use std::sync::Mutex;

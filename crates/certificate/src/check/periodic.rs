@@ -14,7 +14,7 @@ use super::frame::Frame;
 use super::round::Round;
 use super::target::{BITS, Target};
 use super::{Effort, Verdict, one_by_one};
-use crate::periodic::PeriodicCertificate;
+use crate::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
 use std::sync::atomic::AtomicBool;
@@ -33,8 +33,8 @@ impl PeriodicCertificate {
     ) -> Result<Verdict, Error> {
         let budget = Budget::new(0, effort.parts, stop);
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
-        let judge = |claim| {
-            let target = Target::new(&data, self.word(), self.cycles(), claim)?;
+        let judge = |OrbitOf { word, cycles, orbit }: &OrbitOf| {
+            let target = Target::new(&data, word, *cycles, orbit)?;
             target.is_an_orbit(effort.pieces).map(|()| BITS)
         };
         let each = one_by_one(self.orbits().iter().enumerate(), (&budget, effort.work), judge, progress);
@@ -44,7 +44,9 @@ impl PeriodicCertificate {
 
     /// What is said of all orbits together.
     fn whole(&self) -> Result<(), Doubt> {
-        if self.says_all_is_proved() && !(self.orbits().iter().all(|orbit| orbit.is_decided()) && self.has_no_rest()) {
+        if self.says_all_is_proved()
+            && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())
+        {
             return Err(Doubt::False("not all is proved that is asked of the orbits".into()));
         }
         if self.orbits().is_empty() {

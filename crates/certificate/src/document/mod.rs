@@ -6,6 +6,7 @@
 mod audit;
 mod bifurcation;
 mod chaos;
+mod cycles;
 mod layout;
 mod number;
 mod orbit;
@@ -19,6 +20,7 @@ mod trade;
 pub use audit::*;
 pub use bifurcation::*;
 pub use chaos::*;
+pub use cycles::*;
 pub use layout::{one_a_line, write_orbit};
 pub use number::{Bounds, Decimal, Written, bounds};
 pub use orbit::*;

@@ -1,0 +1,191 @@
+//! `impact-pair cycles SCENE --impacts LO..HI`: all periodic motions of a region, proved.
+
+use std::fmt::{self, Write};
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use impact_pair::Scene;
+use impact_pair::chaos::{Cycle, Cycles, Stage, Untrapped};
+use impact_pair::document::{self, counted};
+use impact_pair::exact::decimal_digits;
+use impact_pair::pair::Wall;
+use impact_pair::periodic::{Precision, Stability};
+
+use crate::Answer;
+use crate::arguments::{PeriodicFormat, digits};
+use crate::heading::heading;
+use crate::output::Output;
+use crate::progress::{Progress, goes_on, interruption};
+use crate::scene;
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair cycles scenes/figure-14.toml --impacts 1..7
+  impact-pair cycles scenes/figure-14.toml --impacts 1..5 --format json --output cycles.json
+
+In the region of the verb trap, with every impact mirrored to the left wall, a periodic motion and its mirror image are one cycle. All \
+cycles of so many impacts are found: chains of boxes that the region allows are cut by the impact law until each is excluded or holds one \
+proved cycle. Counted are the states that come again after so many impacts (fixed points), those of shorter cycles included, and the cycles \
+of just so many impacts. A cycle on a single wall or with an odd number of crossings is one in this count as any other. Outside the \
+region there may be others. Of one harmonic.
+
+Exit code: 0 these are all, and of each it is proved whether it is stable; 1 something of it is not proved, or it was interrupted (what is \
+proved is written); 2 usage, bad input, I/O.";
+
+/// The most impacts of a cycle.
+const MOST: u32 = 64;
+
+#[derive(Args, Debug)]
+pub struct CyclesArguments {
+    /// Scene file (TOML), or - for stdin
+    scene: PathBuf,
+    /// The numbers of impacts of a cycle, 1..N, or one of them; each one more takes up to twice as long
+    #[arg(long, value_name = "LO..HI", value_parser = impacts)]
+    impacts: RangeInclusive<u32>,
+    /// Enclosures are asked to be at most 10^-D wide: of phases in turns, of velocities in A W [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Halve the boxes of the coarsest region so often: where something stays undecided
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
+    finer: u32,
+    /// How they are written; json is schema impact-pair/cycles/1
+    #[arg(long, value_enum, default_value_t)]
+    format: PeriodicFormat,
+    /// Write to FILE, which appears whole or not at all, instead of stdout
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// No notes and no progress on stderr
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Reads `LO..HI`, or one number.
+fn impacts(text: &str) -> Result<RangeInclusive<u32>, String> {
+    let (low, high) = text.split_once("..").unwrap_or((text, text));
+    let number = |text: &str| text.trim().parse::<u32>().ok();
+    match (number(low), number(high)) {
+        (Some(low), Some(high)) if (1..=high).contains(&low) && high <= MOST => Ok(low..=high),
+        _ => Err(format!("accepted are numbers from 1 to {MOST}, such as 1..7 or 5")),
+    }
+}
+
+pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
+    let scene = scene::read(&arguments.scene)?;
+    let named = || scene::name(&arguments.scene);
+    scene::keep(&arguments.scene, arguments.output.as_deref())?;
+    let out = Output::open(arguments.output.as_deref())?;
+    let usual = Precision::default();
+    let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
+    // From here on Ctrl-C keeps what is proved.
+    interruption();
+    let progress = Progress::boxes(!arguments.quiet);
+    let watch = |stage: Stage| {
+        match stage {
+            Stage::Region(boxes) => progress.boxed("region: ", boxes as u64),
+            Stage::Impacts { impacts, blocks, of } => {
+                progress.boxed(&format!("{}, of {of} blocks of ", counted(impacts as u32, "impact")), blocks as u64);
+            }
+        }
+        goes_on()
+    };
+    let precision = Precision { digits, ..usual };
+    let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &watch).with_context(named)?;
+    progress.clear();
+    let found = found.as_ref().map_err(|why| *why);
+    let text = match arguments.format {
+        PeriodicFormat::Table => table(&scene, found)?,
+        PeriodicFormat::Json => {
+            serde_json::to_string(&document::cycles(&scene, &arguments.impacts, found).with_context(named)?)? + "\n"
+        }
+    };
+    let is_certified = found.is_ok_and(Cycles::is_certified);
+    let open = (!is_certified).then(|| conclusion(found));
+    out.answer(&text, open, (arguments.quiet, arguments.format == PeriodicFormat::Table))
+}
+
+fn table(scene: &Scene, found: Result<&Cycles, Untrapped>) -> Result<String, fmt::Error> {
+    let mut out = heading(scene);
+    if let Ok(found) = found {
+        writeln!(out, "region of {} boxes\n", found.trap().boxes())?;
+        writeln!(out, "impacts  fixed points  cycles  stable")?;
+        for impacts in found.asked().clone() {
+            let count = found.fixed_points().get(&(impacts as usize)).map_or("?".to_owned(), ToString::to_string);
+            let own = || found.cycles().iter().filter(|cycle| cycle.impacts == impacts as usize);
+            let stable = own().filter(|cycle| cycle.orbit.stability == Stability::Stable).count();
+            writeln!(out, "{impacts:>7}  {count:>12}  {:>6}  {stable:>6}", own().count())?;
+        }
+        if !found.cycles().is_empty() {
+            writeln!(out, "\nimpacts  {:10}  {:13}  {:22}       time  walls", "stability", "", "largest eigenvalue")?;
+        }
+        for cycle in found.cycles() {
+            writeln!(out, "{}", row(cycle))?;
+        }
+    }
+    writeln!(out, "\n{}", conclusion(found))?;
+    Ok(out)
+}
+
+/// What is proved of a cycle.
+fn row(cycle: &Cycle) -> String {
+    let Cycle { impacts, problem, orbit } = cycle;
+    let symmetric = match orbit.symmetric {
+        Some(true) => "symmetric",
+        Some(false) => "not symmetric",
+        None => "undecided",
+    };
+    let largest = &orbit.eigenvalues[0];
+    let turned = if largest.im.is_point() && largest.im.inf().is_zero() {
+        String::new()
+    } else {
+        format!(" + {} i", decimal_digits(&largest.im))
+    };
+    let eigenvalue = decimal_digits(&largest.re) + &turned;
+    let time = counted(problem.chain().cycles(), "cycle");
+    let stability = orbit.stability.name();
+    let walls: String =
+        problem.chain().walls().iter().map(|&wall| if wall == Wall::Left { 'L' } else { 'R' }).collect();
+    format!("{impacts:>7}  {stability:10}  {symmetric:13}  {eigenvalue:22}  {time:>9}  {walls}")
+}
+
+/// How much of what was asked is proved.
+fn conclusion(found: Result<&Cycles, Untrapped>) -> String {
+    let found = match found {
+        Ok(found) => found,
+        Err(why) => return format!("undecided: no region is proved; {}", why.words()),
+    };
+    let (low, high) = (found.asked().start(), found.asked().end());
+    let asked = if low == high { counted(*low, "impact") } else { format!("{low} to {high} impacts") };
+    let of = |wanted| found.cycles().iter().filter(|cycle| cycle.orbit.stability == wanted).count();
+    let (stable, open) = (of(Stability::Stable), of(Stability::Undecided));
+    let attracts = match (stable, open) {
+        (0, 0) => "none of them attracts".to_owned(),
+        (stable, 0) => format!("{stable} of them attracting"),
+        (stable, open) => format!("{stable} of them attracting, of {open} that is undecided"),
+    };
+    if found.is_exhaustive() {
+        let certified = if found.is_certified() { "certified" } else { "not all certified" };
+        let all = match found.cycles().len() {
+            0 => format!("the region has no cycle that closes after {asked}"),
+            1 => format!(
+                "the region has one cycle that closes after {asked}, and no other; {}",
+                if stable == 1 { "it attracts" } else { &attracts }
+            ),
+            count => format!("the region has {count} cycles that close after {asked}, and no others; {attracts}"),
+        };
+        return format!("{certified}: {all}");
+    }
+    let missing: Vec<String> = found
+        .asked()
+        .clone()
+        .filter(|n| !found.fixed_points().contains_key(&(*n as usize)))
+        .map(|n| n.to_string())
+        .collect();
+    format!(
+        "not all certified: {} proved, {attracts}; there may be others of {} impacts ({} left)",
+        counted(found.cycles().len() as u32, "cycle"),
+        missing.join(", "),
+        counted(found.undecided().len() as u32, "part"),
+    )
+}

@@ -1,0 +1,53 @@
+//! `impact-pair cycles`: snapshots, and what of a document may be relied on.
+
+#![cfg(feature = "multiprecision")]
+
+mod common;
+
+use std::fs;
+
+use common::{folder, program};
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+
+macro_rules! snapshots {
+    ($($name:ident: $arguments:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            assert_cmd_snapshot!(stringify!($name), program(&$arguments));
+        })*
+    };
+}
+
+snapshots! {
+    cycles_of_figure_14: ["cycles", "scenes/figure-14.toml", "--impacts", "1..5"];
+    cycles_of_figure_12: ["cycles", "scenes/figure-12.toml", "--impacts", "1..2"];
+    cycles_of_figure_16: ["cycles", "scenes/figure-16.toml", "--impacts", "3"];
+    cycles_of_chatter: ["cycles", "scenes/chatter.toml", "--impacts", "1..3"];
+    cycles_under_two_harmonics: ["cycles", "scenes/two-tones.toml", "--impacts", "1..3"];
+    numbers_of_impacts_that_are_none: ["cycles", "scenes/figure-14.toml", "--impacts", "5..4"];
+    arguments_of_cycles: ["cycles", "--help"];
+}
+
+/// The orbits of a document are proved again, and a spoiled one is refused.
+#[test]
+fn a_document_is_checked_orbit_by_orbit() {
+    let folder = folder("cycles");
+    let path = folder.join("cycles.json").to_str().unwrap().to_owned();
+    let arguments =
+        ["cycles", "scenes/figure-14.toml", "--impacts", "1..3", "--format", "json", "--output", &path, "--quiet"];
+    assert!(program(&arguments).status().unwrap().success());
+    let text = fs::read_to_string(&path).unwrap();
+    let document: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(document["schema"], "impact-pair/cycles/1");
+    assert_eq!(document["fixed_points"], serde_json::json!({ "1": 1, "2": 1, "3": 4 }));
+    assert!(document["exhaustive"] == true && document["no_attractor"] == true);
+    assert_eq!(document["orbits"][1]["reduced_impacts"], 3);
+    let checked = program(&["check", &path]).output().unwrap();
+    let said = String::from_utf8(checked.stdout).unwrap();
+    assert!(checked.status.success() && said.starts_with("confirmed: 2 orbits"), "{said}");
+    assert!(said.contains("exhaustive") && said.contains("fixed_points"), "{said}");
+    fs::write(&path, text.replace("\"unstable\"", "\"stable\"")).unwrap();
+    let checked = program(&["check", &path]).output().unwrap();
+    assert!(String::from_utf8(checked.stdout).unwrap().starts_with("refuted: orbits[0]"));
+}

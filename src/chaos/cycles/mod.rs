@@ -1,0 +1,306 @@
+//! All periodic motions of so many impacts in a region: Lemmas D20-D23 of `docs/proofs.md`.
+//!
+//! The reduced map takes them for its cycles. In `graph` the boxes of the region say where a cycle may be when; in `search`
+//! chains of boxes grow impact by impact, cut by all that `relation` and `chain` know of neighbouring impacts, which is smooth at grazes as well; what closes
+//! is cut and halved until it is excluded or lies where a proved orbit is the only one.
+
+mod chain;
+mod graph;
+mod relation;
+mod search;
+#[cfg(test)]
+mod tests;
+mod told;
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use super::flights::Law;
+use super::region::{Trap, Untrapped};
+use crate::contact::Reason;
+use crate::exact::Enclosure;
+use crate::number::{Ball, Number};
+use crate::pair::Wall;
+use crate::periodic::{Identity, Interval, PeriodicImpact, PeriodicOrbit, Precision, Problem, Region, Stability};
+use crate::{Error, Scene};
+use chain::{Chain, Laws};
+use graph::Graph;
+use relation::Relation;
+use search::{Found, Search, Task};
+
+/// A cycle of the reduced map: a periodic motion, and its mirror image if that is another one.
+#[derive(Clone, Debug)]
+pub struct Cycle {
+    /// The least number of impacts after which the motion is what it was, or its mirror image.
+    pub impacts: usize,
+    /// What it is an orbit of: its word, from the left wall on, and its cycles of the excitation.
+    pub problem: Problem,
+    /// The orbit.
+    pub orbit: PeriodicOrbit,
+}
+
+/// The cycles of a region, proved.
+///
+/// **Enclosure**: [`fixed_points`](Cycles::fixed_points) of `n` counts all states of the region that the reduced map maps to
+/// themselves by `n` impacts; it is told only where no part of the region is left undecided, and their orbits are all listed. Lemmas D20-D23
+/// **Cost**: figure 14 to 12 impacts in less than a second; each impact more takes about `exp(h)` times as long, with the topological
+/// entropy `h`.
+///
+/// ```
+/// use impact_pair::Scene;
+/// use impact_pair::chaos::Cycles;
+/// let scene = Scene::parse(r#"
+///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+///     pair = { gap = 9.42497, restitution = 0.5 }
+///     start = { time = 0, wall = "left", velocity = -12.56636 }
+/// "#)?;
+/// let cycles = Cycles::of(&scene, 0, &(1..=5), Default::default(), &|_| true)?.expect("a region");
+/// assert!(cycles.fixed_points().values().eq(&[1, 1, 4, 1, 11]) && cycles.has_no_attractor());
+/// # Ok::<(), impact_pair::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Cycles {
+    trap: Trap,
+    asked: RangeInclusive<u32>,
+    fixed_points: BTreeMap<usize, usize>,
+    cycles: Vec<Cycle>,
+    undecided: Vec<(usize, Region)>,
+}
+
+/// How far a search for cycles has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// So many boxes of the region are known.
+    Region(usize),
+    /// Of the cycles of so many impacts.
+    Impacts {
+        /// How many impacts.
+        impacts: usize,
+        /// Blocks of the region that are done.
+        blocks: usize,
+        /// All of them.
+        of: usize,
+    },
+}
+
+impl Cycles {
+    /// All cycles of so many impacts in the region that [`Trap::of`] finds.
+    ///
+    /// `goes_on` is told how far it has come and says whether to go on; numbers of impacts that are not done then have no count.
+    ///
+    /// # Errors
+    /// Under several harmonics, and when a value is beyond the range of double-precision flights.
+    pub fn of(
+        scene: &Scene,
+        finer: u32,
+        asked: &RangeInclusive<u32>,
+        precision: Precision,
+        goes_on: &(dyn Fn(Stage) -> bool + Sync),
+    ) -> Result<Result<Self, Untrapped>, Error> {
+        let trap = match Trap::of(scene, finer, &|boxes| goes_on(Stage::Region(boxes)))? {
+            Ok(trap) => trap,
+            Err(why) => return Ok(Err(why)),
+        };
+        let law = Law::of(scene.pair())?;
+        let graph = Graph::new(&law, trap.region());
+        let [shortest, longest] = trap.flight();
+        let laws = Laws { relation: Relation::new(&law), times: Interval::new(shortest, longest) };
+        let (cycles, undecided) = (Vec::new(), Vec::new());
+        let mut all = Self { trap, asked: asked.clone(), fixed_points: BTreeMap::new(), cycles, undecided };
+        for impacts in asked.clone().map(|impacts| impacts as usize) {
+            // exact: a small whole number
+            let done = AtomicUsize::new(0);
+            let of = graph.blocks.len();
+            let goes_on = || goes_on(Stage::Impacts { impacts, blocks: done.load(Ordering::Relaxed), of });
+            let task = Task { pair: scene.pair(), law, laws, precision, goes_on: &goes_on };
+            all.gather(&task, impacts, searched(&task, &graph, impacts, &done));
+            if !goes_on() {
+                break;
+            }
+        }
+        all.cycles.sort_by(|a, b| {
+            let word = |cycle: &Cycle| cycle.problem.word().to_string();
+            let phases = [a, b].map(|cycle| cycle.orbit.phases()[0].mid());
+            (a.impacts, word(a)).cmp(&(b.impacts, word(b))).then(phases[0].total_cmp(&phases[1]))
+        });
+        Ok(Ok(all))
+    }
+
+    /// Takes up what the blocks found of so many impacts, block by block. Lemma D23
+    fn gather(&mut self, task: &Task, impacts: usize, blocks: Vec<Block>) {
+        let before = self.undecided.len();
+        let is_whole = blocks.iter().all(|block| block.is_whole);
+        let mut distinct: BTreeMap<String, Vec<PeriodicOrbit>> = BTreeMap::new();
+        let mut count = 0;
+        for block in blocks {
+            self.undecided.extend(block.undecided.iter().map(|chain| (impacts, region(task, chain))));
+            for found in block.found {
+                match self.is_counted(task, &found) {
+                    Some(false) => continue,
+                    Some(true) => {}
+                    None => {
+                        self.leave(impacts, &found.orbit);
+                        continue;
+                    }
+                }
+                let key = format!("{} {}", found.problem.chain().cycles(), found.problem.word());
+                let known = distinct.entry(key).or_default();
+                let guess: Vec<f64> = found.orbit.phases().iter().map(|phase| phase.mid()).collect();
+                let proved = found.problem.prove_reduced(&guess, task.precision, known.iter());
+                let proved = proved.filter(|(orbit, _)| found.problem.is_reduced(&found.orbit, orbit) == Some(true));
+                match proved {
+                    Some((_, Identity::Known)) => {}
+                    Some((orbit, Identity::New)) => match self.list(task, &found.problem, &orbit) {
+                        Some(least) => {
+                            count += least;
+                            known.push(orbit);
+                        }
+                        None => self.leave(impacts, &orbit),
+                    },
+                    _ => self.leave(impacts, &found.orbit),
+                }
+            }
+        }
+        if is_whole && self.undecided.len() == before {
+            self.fixed_points.insert(impacts, count);
+        }
+    }
+
+    /// Leaves an orbit undecided.
+    fn leave(&mut self, impacts: usize, orbit: &PeriodicOrbit) {
+        self.undecided.push((impacts, Region { impacts: orbit.impacts.clone(), reason: Reason::Precision }));
+    }
+
+    /// Whether an orbit is a motion in the region.
+    fn is_counted(&self, task: &Task, found: &Found) -> Option<bool> {
+        if !found.orbit.physical? {
+            return Some(false);
+        }
+        let fastest = Ball::exact(1.0).turn().checked_div(task.law.gap)?;
+        let impacts = found.orbit.impacts.iter().zip(found.orbit.phases());
+        let mut places = impacts.map(|(impact, &phase)| {
+            let (low, high) = impact.velocity.to_f64_bounds();
+            let speed = Interval::new(low, high).ball().checked_div(fastest)?;
+            match impact.wall {
+                Wall::Left => self.trap.region().holds(phase, -speed),
+                Wall::Right => self.trap.region().holds(phase + Ball::exact(0.5), speed),
+            }
+        });
+        // One impact in the region has all later ones there, so all.
+        places.find_map(|place| place)
+    }
+
+    /// Lists the cycle that an orbit runs through, if it is not listed, and tells its impacts; `None` where it is not proved which it is.
+    fn list(&mut self, task: &Task, problem: &Problem, orbit: &PeriodicOrbit) -> Option<usize> {
+        let impacts = problem.reduced_impacts(orbit)?;
+        let (problem, phases) = problem.least(impacts, orbit)?;
+        let same = |cycle: &&Cycle| {
+            let (one, other) = (cycle.problem.chain(), problem.chain());
+            cycle.problem.word() == problem.word() && one.cycles() == other.cycles()
+        };
+        let known = self.cycles.iter().filter(same).map(|cycle| &cycle.orbit);
+        let guess: Vec<f64> = phases.iter().map(|phase| phase.middle()).collect();
+        let (least, identity) = problem.prove_reduced(&guess, task.precision, known)?;
+        let is_it = problem.is_all_of(&phases, &least) && least.physical == Some(true);
+        if !is_it || identity == Identity::Open {
+            return None;
+        }
+        if identity == Identity::New {
+            self.cycles.push(Cycle { impacts, problem, orbit: least });
+        }
+        Some(impacts)
+    }
+
+    /// The region.
+    pub fn trap(&self) -> &Trap {
+        &self.trap
+    }
+
+    /// How many impacts were asked for.
+    pub fn asked(&self) -> &RangeInclusive<u32> {
+        &self.asked
+    }
+
+    /// By the number of impacts: how many states of the region come again after so many, for those numbers where that is proved.
+    pub fn fixed_points(&self) -> &BTreeMap<usize, usize> {
+        &self.fixed_points
+    }
+
+    /// The cycles, each once, by their impacts, words and phases.
+    pub fn cycles(&self) -> &[Cycle] {
+        &self.cycles
+    }
+
+    /// Where there may be others, by the number of impacts.
+    pub fn undecided(&self) -> &[(usize, Region)] {
+        &self.undecided
+    }
+
+    /// Whether there are no others of all the numbers of impacts that were asked for.
+    pub fn is_exhaustive(&self) -> bool {
+        self.asked.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
+    }
+
+    /// Whether all that was asked is proved: that there are no others, and whether each of them is stable, as narrowly as asked.
+    pub fn is_certified(&self) -> bool {
+        self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.is_decided() && cycle.orbit.is_narrow)
+    }
+
+    /// Whether it is proved that none of these numbers of impacts has a cycle that attracts.
+    pub fn has_no_attractor(&self) -> bool {
+        self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.stability == Stability::Unstable)
+    }
+}
+
+/// What the search in a block leaves.
+struct Block {
+    found: Vec<Found>,
+    undecided: Vec<Chain>,
+    is_whole: bool,
+}
+
+/// Searches all blocks, side by side; in their order.
+fn searched(task: &Task, graph: &Graph, impacts: usize, done: &AtomicUsize) -> Vec<Block> {
+    let (queue, results) = (Mutex::new(0..graph.blocks.len()), Mutex::new(BTreeMap::new()));
+    let work = || {
+        loop {
+            let Some(at) = queue.lock().expect("no thread has panicked").next() else { break };
+            let block = (task.goes_on)().then(|| searched_block(task, graph, at, impacts));
+            let stopped = Block { found: Vec::new(), undecided: Vec::new(), is_whole: false };
+            results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is claimed
+            done.fetch_add(1, Ordering::Relaxed);
+        }
+    };
+    let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
+    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+    results.into_inner().expect("no thread has panicked").into_values().collect()
+}
+
+fn searched_block(task: &Task, graph: &Graph, block: usize, impacts: usize) -> Block {
+    let Some(layers) = graph.layers(block, impacts) else {
+        return Block { found: Vec::new(), undecided: Vec::new(), is_whole: true };
+    };
+    let mut search = Search::new(task, &layers);
+    search.search();
+    let Search { found, undecided, is_whole, .. } = search;
+    Block { found: found.into_values().flatten().collect(), undecided, is_whole }
+}
+
+/// A chain that is left undecided, as the whole system sees it.
+fn region(task: &Task, chain: &Chain) -> Region {
+    let fastest = Interval::of(Ball::exact(1.0).turn()).over(Interval::of(task.law.gap));
+    let fastest = fastest.expect("a gap is larger than 0");
+    let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.lo, x.hi).expect("finite intervals");
+    let mut crossed = 0_u32;
+    let impact = |i: usize| {
+        crossed += u32::from(i > 0 && chain.sides[i - 1].shift() > 0.0);
+        let wall = if crossed.is_multiple_of(2) { Wall::Left } else { Wall::Right };
+        let phase = chain.phases[i] - Interval::point(0.5 * f64::from(crossed));
+        let speed = (chain.speeds[i] * fastest).signed(-wall.sign());
+        PeriodicImpact { wall, phase: enclosure(phase), velocity: enclosure(speed) }
+    };
+    Region { impacts: (0..chain.len()).map(impact).collect(), reason: Reason::Precision }
+}

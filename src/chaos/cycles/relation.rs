@@ -1,0 +1,104 @@
+//! What an impact and the next one have to do with each other, over boxes of their phases: Lemma D20.
+
+use crate::chaos::flights::{Law, Side};
+use crate::periodic::Interval;
+
+/// The pair over intervals.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relation {
+    gap: Interval,
+    /// `e`
+    pub restitution: Interval,
+}
+
+/// All flights between two boxes of phases, told about a member of each.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    /// `a`, the speeds after the first impact.
+    pub after: Interval,
+    /// `b`, the speeds before the second one.
+    pub before: Interval,
+    /// Both between the two members.
+    pub centre: [Interval; 2],
+    /// The derivatives of each by both phases.
+    pub slopes: [[Interval; 2]; 2],
+}
+
+/// `a`, `b`, `a/h` and `b/h`.
+struct Speeds {
+    after: Interval,
+    before: Interval,
+    rates: [Interval; 2],
+}
+
+const PI: Interval = Interval::new(std::f64::consts::PI, std::f64::consts::PI.next_up());
+
+impl Side {
+    /// What is added to the phase of an impact on it, in turns.
+    pub(super) fn shift(self) -> f64 {
+        if self == Self::Far { 0.5 } else { 0.0 }
+    }
+}
+
+impl Relation {
+    pub fn new(law: &Law) -> Self {
+        let restitution = Interval::of(law.restitution);
+        let restitution = Interval::new(restitution.lo.max(0.0), restitution.hi.min(1.0)); // exact: from 0 to 1
+        Self { gap: Interval::of(law.gap), restitution }
+    }
+
+    /// The flights from a phase to another one that is not earlier; `None` where one may take no time to the far wall.
+    fn speeds(&self, side: Side, from: Interval, to: Interval) -> Option<Speeds> {
+        let time = (to - from).from(0.0)?;
+        let middle = (from + to).times(0.5);
+        let mean = time.sinc() * middle.cos();
+        match side {
+            Side::Far => {
+                let drift = self.gap.over((PI * time).times(2.0))? + mean;
+                let (after, before) = (drift - from.cos(), drift - to.cos());
+                Some(Speeds { after, before, rates: [after.over(time)?, before.over(time)?] })
+            }
+            Side::Near => {
+                let (after, before) = (mean - from.cos(), to.cos() - mean);
+                let (bend, quarter) = (time.bend() * middle.cos(), time.times(0.25));
+                let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
+                let rates = [-(bend + swing(middle - quarter)), bend - swing(middle + quarter)];
+                Some(Speeds { after, before, rates })
+            }
+        }
+    }
+
+    /// The flights to a wall from a box of phases to a box of reduced phases, about these members.
+    pub fn leg(&self, side: Side, [from, to]: [Interval; 2], centres: [Interval; 2]) -> Option<Leg> {
+        let shift = Interval::point(side.shift());
+        let offsets = [from - centres[0], to - centres[1]];
+        let to = to - shift;
+        (centres[1] - shift - centres[0]).lo.is_sign_positive().then_some(())?;
+        let at = self.speeds(side, centres[0], centres[1] - shift)?;
+        let Speeds { mut after, mut before, mut rates } = self.speeds(side, from, to)?;
+        let [first, second] = [from, to].map(|x| (PI * x.sin()).times(2.0));
+        let (time, sign) = (to - from, if side == Side::Far { 1.0 } else { -1.0 });
+        let mut slopes;
+        let mut rounds = 2;
+        loop {
+            for (rate, speed) in rates.iter_mut().zip([after, before]) {
+                *rate = both(*rate, speed.over(time));
+            }
+            let [by_after, by_before] = rates;
+            slopes =
+                [[by_after + first, -by_before.signed(sign)], [by_after.signed(sign), second.signed(sign) - by_before]];
+            if rounds == 0 {
+                return Some(Leg { after, before, centre: [at.after, at.before], slopes });
+            }
+            rounds -= 1;
+            let told = |centre: Interval, row: [Interval; 2]| centre + row[0] * offsets[0] + row[1] * offsets[1];
+            after = both(after, Some(told(at.after, slopes[0])));
+            before = both(before, Some(told(at.before, slopes[1])));
+        }
+    }
+}
+
+/// What two enclosures of the same numbers leave.
+fn both(x: Interval, y: Option<Interval>) -> Interval {
+    y.and_then(|y| x.cut(y)).unwrap_or(x) // D20: each holds them
+}

@@ -1,0 +1,228 @@
+//! All closed chains of so many impacts through a block of boxes: Lemma D22.
+
+use std::collections::BTreeMap;
+
+use super::chain::{Chain, Laws};
+use super::graph::Layer;
+use super::told::Told;
+use crate::chaos::flights::{Law, Quad, Side};
+use crate::chaos::trap::{Arrivals, Grid};
+use crate::number::up;
+use crate::pair::ImpactPair;
+use crate::periodic::{Identity, Interval, PeriodicOrbit, Precision, Problem};
+
+/// Parts of a turn that boxes are at most as wide as, when a chain grows by them.
+const PARTS: i64 = 32;
+/// Flights that are cut anew when a chain grows.
+const FELT: usize = 6;
+/// Columns in a turn that landings are told by.
+const COLUMNS: Grid = Grid { columns: 256, rows: 1.0 };
+/// Chains as narrow as that, in turns, are asked whether a known orbit is there.
+const NEAR: f64 = 1.0 / 16.0;
+/// Chains as narrow as that are asked whether one is there that is not known, if Newton's equation determines their phases.
+const CERTAIN: f64 = 1e-7;
+/// Chains as narrow as that are not halved.
+const NARROWEST: f64 = 1e-12;
+/// The least part of a closed chain that a round takes off for another one to be made.
+const WORTH: f64 = 0.2;
+/// Chains left undecided at which a block is given up: there is a continuum of cycles, or nearly one.
+const MOST_UNDECIDED: usize = 64;
+
+/// What is searched for.
+pub(super) struct Task<'t> {
+    pub pair: &'t ImpactPair,
+    pub law: Law,
+    pub laws: Laws,
+    pub precision: Precision,
+    /// Whether the search goes on.
+    pub goes_on: &'t (dyn Fn() -> bool + Sync),
+}
+
+/// An orbit of a closed chain, motion or not.
+pub(super) struct Found {
+    pub problem: Problem,
+    pub orbit: PeriodicOrbit,
+}
+
+/// The search in a block.
+pub(super) struct Search<'t> {
+    task: &'t Task<'t>,
+    layers: &'t [Layer],
+    /// By walls and cycles.
+    pub found: BTreeMap<(String, u32), Vec<Found>>,
+    pub undecided: Vec<Chain>,
+    /// Whether it went through all of it.
+    pub is_whole: bool,
+}
+
+impl<'t> Search<'t> {
+    pub fn new(task: &'t Task<'t>, layers: &'t [Layer]) -> Self {
+        Self { task, layers, found: BTreeMap::new(), undecided: Vec::new(), is_whole: true }
+    }
+
+    /// How many columns wide boxes are at most.
+    fn width(&self) -> i64 {
+        (self.layers[0].columns() / PARTS).max(1) // D22: any width
+    }
+
+    /// Whether it goes on.
+    fn goes_on(&mut self) -> bool {
+        self.is_whole &= self.undecided.len() < MOST_UNDECIDED && (self.task.goes_on)();
+        self.is_whole
+    }
+
+    /// Searches it.
+    pub fn search(&mut self) {
+        let mut open: Vec<Chain> = self.layers[0].whole(self.width()).into_iter().map(Chain::new).collect();
+        while let Some(chain) = open.pop() {
+            if !self.goes_on() {
+                return;
+            }
+            let last = chain.sides.len();
+            match self.landings(chain.phases[last], chain.speeds[last]) {
+                Some(landings) => open.extend(self.longer(&chain, &landings)),
+                None => self.cut_off(chain, &mut open),
+            }
+        }
+    }
+
+    /// A chain whose flights on are not followed is halved.
+    fn cut_off(&mut self, chain: Chain, open: &mut Vec<Chain>) {
+        let last = chain.sides.len();
+        if chain.phases[last].wid() <= NARROWEST {
+            self.undecided.push(chain);
+            return;
+        }
+        for mut half in chain.halves(last) {
+            let [u, w] = [half.phases[last], half.speeds[last]];
+            let first = last.saturating_sub(FELT); // D22: any flights
+            let Some([u, w]) = self.layers[last].hull(u, w) else { continue };
+            (half.phases[last], half.speeds[last]) = (u, w);
+            if half.narrow(&self.task.laws, first).is_some() {
+                open.push(half);
+            }
+        }
+    }
+
+    /// The chains with one flight more; those that close are searched at once.
+    fn longer(&mut self, chain: &Chain, landings: &[(Side, [Interval; 2])]) -> Vec<Chain> {
+        let (next, impacts) = (chain.sides.len() + 1, self.layers.len() - 1);
+        let mut all = Vec::new();
+        for &(side, [phases, speeds]) in landings {
+            for [phase, speed] in self.layers[next].parts(phases, speeds, self.width()) {
+                let mut longer = chain.clone();
+                longer.sides.push(side);
+                if next == impacts {
+                    self.close(&longer, phase, speed);
+                    continue;
+                }
+                longer.phases.push(phase);
+                longer.speeds.push(speed);
+                let first = next.saturating_sub(FELT); // D22: any flights
+                if longer.narrow(&self.task.laws, first).is_some() {
+                    all.push(longer);
+                }
+            }
+        }
+        all
+    }
+
+    /// Where the flights from a rectangle may land: on which wall, and rectangles of reduced phases and speeds. Lemma D4
+    ///
+    /// `None` where they are not followed.
+    fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
+        let whole = phases.lo.floor(); // D22: any whole turns
+        let [u, w] = [phases - Interval::point(whole), speeds];
+        let radius = |x: Interval| up((x.middle() - x.lo).max(x.hi - x.middle())); // D22: the farther end
+        let quad = Quad::rectangle([u.middle(), w.middle()], [radius(u), radius(w)], w.lo);
+        let mut columns = Vec::new();
+        let mut note = |landing| columns.push(landing);
+        COLUMNS.landings(&self.task.law, &quad, &mut note).ok()?;
+        columns.sort_unstable_by_key(|landing| (landing.side, landing.column));
+        let runs = columns.chunk_by(|a, b| a.side == b.side && b.column - a.column <= 1);
+        let rectangle = |run: &[Arrivals]| {
+            let (first, last) = (run[0], run[run.len() - 1]);
+            // exact: edges of columns
+            let [low, high] = [first.column, last.column + 1].map(|column| column as f64 / COLUMNS.columns as f64);
+            let speeds = run.iter().map(|landing| Interval::new(landing.speeds[0], landing.speeds[1]));
+            let speeds = speeds.reduce(Interval::hull)?;
+            Some((first.side, [Interval::new(low, high) + Interval::point(whole + first.side.shift()), speeds]))
+        };
+        runs.map(rectangle).collect()
+    }
+
+    /// Searches the chains that are closed by a last impact in a rectangle, which is the first one again.
+    fn close(&mut self, chain: &Chain, phase: Interval, speed: Interval) {
+        let later = phase - chain.phases[0];
+        let [low, high] = [later.lo.ceil(), later.hi.floor()]; // D22: whole turns in between
+        let mut turns = low;
+        while turns <= high {
+            let first = chain.phases[0].cut(phase - Interval::point(turns));
+            if let (Some(phase), Some(speed)) = (first, chain.speeds[0].cut(speed)) {
+                let mut closed = chain.clone();
+                (closed.phases[0], closed.speeds[0]) = (phase, speed);
+                closed.turns = Some(turns);
+                self.settle(closed);
+            }
+            turns += 1.0;
+        }
+    }
+
+    /// Cuts and halves a closed chain until nothing is left, or all of it lies where known orbits are the only ones.
+    fn settle(&mut self, chain: Chain) {
+        let mut open = vec![chain];
+        while let Some(mut chain) = open.pop() {
+            if !self.goes_on() {
+                return;
+            }
+            let Some(is_regular) = self.cut(&mut chain) else { continue };
+            let (widest, wid) = chain.widest();
+            let is_last = wid <= NARROWEST;
+            if wid <= NEAR && self.is_known(&chain, is_last || is_regular && wid <= CERTAIN) {
+                continue;
+            }
+            if is_last {
+                self.undecided.push(chain);
+            } else {
+                open.extend(chain.halves(widest));
+            }
+        }
+    }
+
+    /// Cuts a closed chain by all that is known; whether Newton's equation determined all its phases. `None` when nothing is left.
+    fn cut(&self, chain: &mut Chain) -> Option<bool> {
+        loop {
+            let before = chain.size(0);
+            let is_regular = chain.narrow(&self.task.laws, 0)?;
+            for (i, layer) in self.layers.iter().enumerate().take(chain.len()) {
+                let [u, w] = layer.hull(chain.phases[i], chain.speeds[i])?;
+                (chain.phases[i], chain.speeds[i]) = (u, w);
+            }
+            if chain.size(0) > (1.0 - WORTH) * before {
+                return Some(is_regular);
+            }
+        }
+    }
+
+    /// Whether the chain lies where a known orbit is the only one; if not, and if asked, looks for an orbit.
+    fn is_known(&mut self, chain: &Chain, looks: bool) -> bool {
+        let Some(told) = Told::new(chain) else { return false };
+        let known = self.found.entry((told.walls.clone(), told.cycles)).or_default();
+        if known.iter().any(|found| found.problem.is_all_of(&told.phases, &found.orbit)) {
+            return true;
+        }
+        let found = looks.then(|| {
+            let problem = told.problem(self.task.pair)?;
+            let guess: Vec<f64> = told.phases.iter().map(|x| x.middle()).collect();
+            let orbits = known.iter().map(|found| &found.orbit);
+            let (orbit, identity) = problem.prove_reduced(&guess, self.task.precision, orbits)?;
+            Some((Found { problem, orbit }, identity))
+        });
+        let Some((found, identity)) = found.flatten() else { return false };
+        let is_known = identity != Identity::Open && found.problem.is_all_of(&told.phases, &found.orbit);
+        if identity == Identity::New {
+            known.push(found);
+        }
+        is_known
+    }
+}

@@ -1,0 +1,52 @@
+//! The JSON of all cycles of a region.
+
+use std::ops::RangeInclusive;
+
+use impact_pair_certificate::document::{
+    CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument,
+};
+
+use super::Units;
+use crate::chaos::{Cycle, Cycles, Untrapped};
+use crate::periodic::Region;
+use crate::{Error, Scene};
+
+/// The cycles of so many impacts that are proved of a scene, or why none is.
+///
+/// # Errors
+/// When a value is beyond what exact expressions hold.
+pub fn cycles(
+    scene: &Scene,
+    asked: &RangeInclusive<u32>,
+    found: Result<&Cycles, Untrapped>,
+) -> Result<CyclesDocument, Error> {
+    let units = Units::new(scene.pair())?;
+    let cycle = |cycle: &Cycle| CycleDocument {
+        reduced_impacts: cycle.impacts as u32,
+        word: cycle.problem.word().to_string(),
+        cycles: cycle.problem.chain().cycles(),
+        orbit: units.orbit(&cycle.problem, &cycle.orbit),
+    };
+    let open = |(impacts, region): &(usize, Region)| OpenCycleDocument {
+        reduced_impacts: *impacts as u32,
+        impacts: region.impacts.iter().map(|impact| units.impact(impact, (f64::MANTISSA_DIGITS, 1))).collect(),
+        reason: region.reason.name().to_owned(),
+    };
+    let all = found.ok();
+    let (cycles, undecided) = (all.map_or(&[][..], Cycles::cycles), all.map_or(&[][..], Cycles::undecided));
+    let counts = all.map(Cycles::fixed_points).into_iter().flatten();
+    Ok(CyclesDocument {
+        schema: CYCLES_SCHEMA.to_owned(),
+        program: PROGRAM.to_owned(),
+        certified: all.is_some_and(Cycles::is_certified),
+        exhaustive: all.is_some_and(Cycles::is_exhaustive),
+        scene: SceneDocument::new(scene.pair(), scene.start()),
+        reason: found.err().map(|why| why.words().to_owned()),
+        boxes: all.map_or(0, |all| all.trap().boxes() as u64),
+        impacts: [*asked.start(), *asked.end()],
+        fixed_points: counts.map(|(&impacts, &count)| (impacts as u32, count as u64)).collect(),
+        no_attractor: all.is_some_and(Cycles::has_no_attractor),
+        orbits: cycles.iter().map(cycle).collect(),
+        undecided: undecided.iter().map(open).collect(),
+    })
+}
