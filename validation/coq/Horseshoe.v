@@ -147,18 +147,18 @@ Proof.
 Qed.
 
 (* Parallelograms of the plane: centre + xi long + eta wide, |xi|, |eta| <= 1. *)
-Definition plane := (R * R)%type.
-Record frame := { centre : plane; long : plane; wide : plane }.
+Definition state := (R * R)%type.
+Record frame := { centre : state; long : state; wide : state }.
 Definition area (N : frame) : R := fst (long N) * snd (wide N) - snd (long N) * fst (wide N).
-Definition along_area (N : frame) (x : plane) : R := snd (wide N) * (fst x - fst (centre N)) - fst (wide N) * (snd x - snd (centre N)).
-Definition across_area (N : frame) (x : plane) : R := fst (long N) * (snd x - snd (centre N)) - snd (long N) * (fst x - fst (centre N)).
-Definition along (N : frame) (x : plane) : R := along_area N x / area N.
-Definition across (N : frame) (x : plane) : R := across_area N x / area N.
-Definition put (N : frame) (xi eta : R) : plane :=
+Definition along_area (N : frame) (x : state) : R := snd (wide N) * (fst x - fst (centre N)) - fst (wide N) * (snd x - snd (centre N)).
+Definition across_area (N : frame) (x : state) : R := fst (long N) * (snd x - snd (centre N)) - snd (long N) * (fst x - fst (centre N)).
+Definition along (N : frame) (x : state) : R := along_area N x / area N.
+Definition across (N : frame) (x : state) : R := across_area N x / area N.
+Definition put (N : frame) (xi eta : R) : state :=
   (fst (centre N) + fst (long N) * xi + fst (wide N) * eta, snd (centre N) + snd (long N) * xi + snd (wide N) * eta).
 (* The stretch a <= xi <= b. *)
-Definition stretch (N : frame) (a b : R) (x : plane) : Prop := a <= along N x <= b /\ -1 <= across N x <= 1.
-Definition in_frame (N : frame) : plane -> Prop := stretch N (-1) 1.
+Definition stretch (N : frame) (a b : R) (x : state) : Prop := a <= along N x <= b /\ -1 <= across N x <= 1.
+Definition in_frame (N : frame) : state -> Prop := stretch N (-1) 1.
 
 Lemma put_along N xi eta : area N <> 0 -> along N (put N xi eta) = xi.
 Proof. intros h. unfold along, along_area, put. cbn [fst snd]. unfold area in *. field. exact h. Qed.
@@ -167,23 +167,23 @@ Proof. intros h. unfold across, across_area, put. cbn [fst snd]. unfold area in 
 Lemma put_back N x : area N <> 0 -> put N (along N x) (across N x) = x.
 Proof. intros h. destruct x as [u v]. unfold put, along, across, along_area, across_area. cbn [fst snd]. unfold area in *. apply injective_projections; cbn [fst snd]; field; exact h. Qed.
 
-Lemma linear_continuous (a b c : R) (x : plane) : continuous (fun x : plane => a * fst x + b * snd x + c) x.
+Lemma linear_continuous (a b c : R) (x : state) : continuous (fun x : state => a * fst x + b * snd x + c) x.
 Proof.
   destruct x as [u v].
-  apply (continuous_plus (fun x : plane => a * fst x + b * snd x) (fun _ => c)); [|apply continuous_const].
-  apply (continuous_plus (fun x : plane => a * fst x) (fun x : plane => b * snd x)).
-  - apply (continuous_mult (fun _ : plane => a) (fun x : plane => fst x)); [apply continuous_const|apply continuous_fst].
-  - apply (continuous_mult (fun _ : plane => b) (fun x : plane => snd x)); [apply continuous_const|apply continuous_snd].
+  apply (continuous_plus (fun x : state => a * fst x + b * snd x) (fun _ => c)); [|apply continuous_const].
+  apply (continuous_plus (fun x : state => a * fst x) (fun x : state => b * snd x)).
+  - apply (continuous_mult (fun _ : state => a) (fun x : state => fst x)); [apply continuous_const|apply continuous_fst].
+  - apply (continuous_mult (fun _ : state => b) (fun x : state => snd x)); [apply continuous_const|apply continuous_snd].
 Qed.
 Lemma along_continuous N x : continuous (along N) x.
 Proof.
-  apply (continuous_ext (fun x : plane => snd (wide N) / area N * fst x + - fst (wide N) / area N * snd x
+  apply (continuous_ext (fun x : state => snd (wide N) / area N * fst x + - fst (wide N) / area N * snd x
     + (fst (wide N) * snd (centre N) - snd (wide N) * fst (centre N)) / area N)); [|apply linear_continuous].
   intros [u v]. unfold along, along_area, Rdiv. cbn [fst snd]. match goal with |- ?l = ?r => change (@eq R l r) end. ring.
 Qed.
 Lemma across_continuous N x : continuous (across N) x.
 Proof.
-  apply (continuous_ext (fun x : plane => - snd (long N) / area N * fst x + fst (long N) / area N * snd x
+  apply (continuous_ext (fun x : state => - snd (long N) / area N * fst x + fst (long N) / area N * snd x
     + (snd (long N) * fst (centre N) - fst (long N) * snd (centre N)) / area N)); [|apply linear_continuous].
   intros [u v]. unfold across, across_area, Rdiv. cbn [fst snd]. match goal with |- ?l = ?r => change (@eq R l r) end. ring.
 Qed.
@@ -195,13 +195,13 @@ Proof.
 Qed.
 
 (* The path c crosses the parallelogram while its parameter runs from p to q. *)
-Definition crosses (N : frame) (c : R -> plane) (p q : R) : Prop := p <= q /\ continuous_on (from_to p q) c /\
+Definition crosses (N : frame) (c : R -> state) (p q : R) : Prop := p <= q /\ continuous_on (from_to p q) c /\
   (forall t, p <= t <= q -> in_frame N (c t)) /\
   ((along N (c p) = -1 /\ along N (c q) = 1) \/ (along N (c p) = 1 /\ along N (c q) = -1)).
 
 (* g carries N across M, on a closed set S where it is continuous: so that a part of every path that crosses N is in S, and
    has an image that crosses M. *)
-Definition carries (N M : frame) (S : plane -> Prop) (g : plane -> plane) : Prop := closed S /\ continuous_on S g /\
+Definition carries (N M : frame) (S : state -> Prop) (g : state -> state) : Prop := closed S /\ continuous_on S g /\
   forall c p q, crosses N c p q -> exists p' q', p <= p' /\ q' <= q /\ (forall t, p' <= t <= q' -> S (c t)) /\ crosses M (fun t => g (c t)) p' q'.
 
 Lemma carries_nothing N : carries N N (fun _ => True) (fun x => x).
@@ -220,7 +220,7 @@ Proof.
 Qed.
 
 (* The covering relation: the ends of a stretch of N go beyond the two ends of M, and all of it between M's other edges. *)
-Theorem covering (N M : frame) (a b sign : R) (g : plane -> plane) : -1 <= a -> a <= b -> b <= 1 -> sign = 1 \/ sign = -1 ->
+Theorem covering (N M : frame) (a b sign : R) (g : state -> state) : -1 <= a -> a <= b -> b <= 1 -> sign = 1 \/ sign = -1 ->
   continuous_on (stretch N a b) g -> (forall x, stretch N a b x -> -1 <= across M (g x) <= 1) ->
   (forall x, stretch N a b x -> along N x = a -> sign * along M (g x) <= -1) ->
   (forall x, stretch N a b x -> along N x = b -> 1 <= sign * along M (g x)) ->
@@ -253,11 +253,11 @@ Qed.
 
 (* A sequence of such maps is followed for ever. *)
 Section Follow.
-Variables (N : nat -> frame) (S : nat -> plane -> Prop) (g : nat -> plane -> plane).
+Variables (N : nat -> frame) (S : nat -> state -> Prop) (g : nat -> state -> state).
 Hypothesis carried : forall n, carries (N n) (N (Datatypes.S n)) (S n) (g n).
-Fixpoint visit (n : nat) (x : plane) : plane := match n with O => x | Datatypes.S n => g n (visit n x) end.
+Fixpoint visit (n : nat) (x : state) : state := match n with O => x | Datatypes.S n => g n (visit n x) end.
 
-Variables (c : R -> plane) (p q : R).
+Variables (c : R -> state) (p q : R).
 Hypothesis crossing : crosses (N 0%nat) c p q.
 Let stays (n : nat) (t : R) : Prop := from_to p q t /\ forall k, (k < n)%nat -> S k (visit k (c t)).
 
@@ -309,8 +309,8 @@ Qed.
 (* What it means that the map R on a set L has the full shift on two symbols as a factor: L is closed and bounded, R is
    continuous there and does not leave it; each point of L has a sequence of letters, of which the first n are the same for all
    points of L near enough; R shifts the sequence; and every sequence is that of a point. *)
-Definition itinerary (letter : plane -> bool) (R : plane -> plane) (x : plane) (n : nat) : bool := letter (Nat.iter n R x).
-Record full_shift_factor (L : plane -> Prop) (letter : plane -> bool) (R : plane -> plane) : Prop := {
+Definition itinerary (letter : state -> bool) (R : state -> state) (x : state) (n : nat) : bool := letter (Nat.iter n R x).
+Record full_shift_factor (L : state -> Prop) (letter : state -> bool) (R : state -> state) : Prop := {
   factor_closed : closed L;
   factor_bounded : exists size, forall x, L x -> Rabs (fst x) <= size /\ Rabs (snd x) <= size;
   factor_invariant : forall x, L x -> L (R x);
@@ -322,20 +322,20 @@ Record full_shift_factor (L : plane -> Prop) (letter : plane -> bool) (R : plane
 (* Two words, one for each letter; parallelograms for the next three letters; S for the next four. *)
 Section Horseshoe.
 Variable base : bool -> bool -> bool -> frame.
-Variable S : bool -> bool -> bool -> bool -> plane -> Prop.
-Variable word : bool -> plane -> plane.
-Variable letter : plane -> bool.
+Variable S : bool -> bool -> bool -> bool -> state -> Prop.
+Variable word : bool -> state -> state.
+Variable letter : state -> bool.
 Hypothesis base_area : forall a b c, area (base a b c) <> 0.
 Hypothesis carried : forall a b c d, carries (base a b c) (base b c d) (S a b c d) (word a).
 Hypothesis told : forall a b c d x, S a b c d x -> letter x = a.
 Hypothesis bounded : exists size, forall a b c d x, S a b c d x -> Rabs (fst x) <= size /\ Rabs (snd x) <= size.
 
-Definition return_map (x : plane) : plane := word (letter x) x.
-Definition starting (x : plane) : Prop := exists a b c d, S a b c d x.
-Definition followers (x : plane) : Prop := forall n, starting (Nat.iter n return_map x).
+Definition return_map (x : state) : state := word (letter x) x.
+Definition starting (x : state) : Prop := exists a b c d, S a b c d x.
+Definition followers (x : state) : Prop := forall n, starting (Nat.iter n return_map x).
 
 (* The starts of one letter. *)
-Let starts (a : bool) (x : plane) : Prop := ((S a true true true x \/ S a true true false x) \/ (S a true false true x \/ S a true false false x)) \/
+Let starts (a : bool) (x : state) : Prop := ((S a true true true x \/ S a true true false x) \/ (S a true false true x \/ S a true false false x)) \/
   ((S a false true true x \/ S a false true false x) \/ (S a false false true x \/ S a false false false x)).
 Lemma starts_some a x : starts a x <-> exists b c d, S a b c d x.
 Proof.
