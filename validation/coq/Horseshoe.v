@@ -156,9 +156,9 @@ Definition along (N : frame) (x : state) : R := along_area N x / area N.
 Definition across (N : frame) (x : state) : R := across_area N x / area N.
 Definition put (N : frame) (xi eta : R) : state :=
   (fst (centre N) + fst (long N) * xi + fst (wide N) * eta, snd (centre N) + snd (long N) * xi + snd (wide N) * eta).
-(* The stretch a <= xi <= b. *)
-Definition stretch (N : frame) (a b : R) (x : state) : Prop := a <= along N x <= b /\ -1 <= across N x <= 1.
-Definition in_frame (N : frame) : state -> Prop := stretch N (-1) 1.
+(* The slice a <= xi <= b. *)
+Definition slice (N : frame) (a b : R) (x : state) : Prop := a <= along N x <= b /\ -1 <= across N x <= 1.
+Definition in_frame (N : frame) : state -> Prop := slice N (-1) 1.
 
 Lemma put_along N xi eta : area N <> 0 -> along N (put N xi eta) = xi.
 Proof. intros h. unfold along, along_area, put. cbn [fst snd]. unfold area in *. field. exact h. Qed.
@@ -187,7 +187,7 @@ Proof.
     + (snd (long N) * fst (centre N) - fst (long N) * snd (centre N)) / area N)); [|apply linear_continuous].
   intros [u v]. unfold across, across_area, Rdiv. cbn [fst snd]. match goal with |- ?l = ?r => change (@eq R l r) end. ring.
 Qed.
-Lemma closed_stretch N a b : closed (stretch N a b).
+Lemma closed_slice N a b : closed (slice N a b).
 Proof.
   apply closed_and.
   - apply (closed_comp (along N) (fun r => a <= r <= b)); [apply along_continuous|apply closed_from_to].
@@ -219,25 +219,25 @@ Proof.
     exists p2, q2. split; [lra|]. split; [lra|]. split; [|exact hc2]. intros t ht. split; [apply inside; destruct hc1; lra|apply inside'; exact ht].
 Qed.
 
-(* The covering relation: the ends of a stretch of N go beyond the two ends of M, and all of it between M's other edges. *)
+(* The covering relation: the ends of a slice of N go beyond the two ends of M, and all of it between M's other edges. *)
 Theorem covering (N M : frame) (a b sign : R) (g : state -> state) : -1 <= a -> a <= b -> b <= 1 -> sign = 1 \/ sign = -1 ->
-  continuous_on (stretch N a b) g -> (forall x, stretch N a b x -> -1 <= across M (g x) <= 1) ->
-  (forall x, stretch N a b x -> along N x = a -> sign * along M (g x) <= -1) ->
-  (forall x, stretch N a b x -> along N x = b -> 1 <= sign * along M (g x)) ->
-  carries N M (fun x => stretch N a b x /\ in_frame M (g x)) g.
+  continuous_on (slice N a b) g -> (forall x, slice N a b x -> -1 <= across M (g x) <= 1) ->
+  (forall x, slice N a b x -> along N x = a -> sign * along M (g x) <= -1) ->
+  (forall x, slice N a b x -> along N x = b -> 1 <= sign * along M (g x)) ->
+  carries N M (fun x => slice N a b x /\ in_frame M (g x)) g.
 Proof.
   intros ha ab hb sg cont flat left_end right_end.
-  split; [exact (closed_part _ _ g (closed_stretch N a b) cont (closed_stretch M _ _))|].
-  split; [apply (on_part (stretch N a b)); [tauto|exact cont]|].
+  split; [exact (closed_part _ _ g (closed_slice N a b) cont (closed_slice M _ _))|].
+  split; [apply (on_part (slice N a b)); [tauto|exact cont]|].
   intros c p q (pq & path & inside & ends).
   assert (xi : continuous_on (from_to p q) (fun t => along N (c t))).
   { apply (on_comp _ (fun _ => True) c (along N)); auto. apply continuous_on_forall. intros. apply along_continuous. }
   destruct (between (fun t => along N (c t)) p q a b pq ab xi) as (p1 & q1 & h1 & h2 & h3 & ends1 & part).
   { unfold goes. destruct ends as [[-> ->]|[-> ->]]; lra. }
-  assert (on : forall t, p1 <= t <= q1 -> stretch N a b (c t)).
+  assert (on : forall t, p1 <= t <= q1 -> slice N a b (c t)).
   { intros t ht. split; [exact (part t ht)|]. apply inside. lra. }
   assert (image : continuous_on (from_to p1 q1) (fun t => g (c t))).
-  { apply (on_comp _ (stretch N a b) c g); [|exact cont|exact on]. apply (on_part (from_to p q)); [unfold from_to; intros; lra|exact path]. }
+  { apply (on_comp _ (slice N a b) c g); [|exact cont|exact on]. apply (on_part (from_to p q)); [unfold from_to; intros; lra|exact path]. }
   assert (xi' : continuous_on (from_to p1 q1) (fun t => along M (g (c t)))).
   { apply (on_comp _ (fun _ => True) (fun t => g (c t)) (along M)); auto. apply continuous_on_forall. intros. apply along_continuous. }
   destruct (between (fun t => along M (g (c t))) p1 q1 (-1) 1 h2 ltac:(lra) xi') as (p2 & q2 & k1 & k2 & k3 & ends2 & part2).
@@ -303,7 +303,7 @@ Proof.
   - apply on_pair; apply continuous_on_forall; intros t _;
       match goal with |- continuous (fun x => ?a + ?b * x + ?c) t => apply (continuous_ext (fun x => b * x + (a + c))); [intros x; match goal with |- ?l = ?r => change (@eq R l r) end; ring|];
         apply (continuous_plus (fun x => b * x) (fun _ => a + c)); [apply (continuous_mult (fun _ => b) (fun x : R => x)); [apply continuous_const|apply continuous_id]|apply continuous_const] end.
-  - rewrite !put_along by exact h. split; [|left; lra]. intros t ht. unfold in_frame, stretch. rewrite put_along, put_across by exact h. lra.
+  - rewrite !put_along by exact h. split; [|left; lra]. intros t ht. unfold in_frame, slice. rewrite put_along, put_across by exact h. lra.
 Qed.
 
 (* What it means that the map R on a set L has the full shift on two symbols as a factor: L is closed and bounded, R is
