@@ -16,6 +16,35 @@ Record chart := Chart { cu : Z; cv : Z; lu : Z; lv : Z; wu : Z; wv : Z }.
 Definition frame_of (q : positive) (N : chart) : frame := {| centre := (grid q (cu N), grid q (cv N));
   long := (grid q (lu N), grid q (lv N)); wide := (grid q (wu N), grid q (wv N)) |}.
 
+Definition chart_area (N : chart) : Z := (lu N * wv N - lv N * wu N)%Z.
+Lemma chart_area_positive q N : (0 < chart_area N)%Z -> 0 < area (frame_of q N).
+Proof.
+  intros h. apply IZR_lt in h. unfold chart_area in h. rewrite minus_IZR, !mult_IZR in h.
+  unfold area, frame_of, grid. cbn [long wide fst snd]. assert (g := grid_step q). set (r := / IZR (2 ^ Zpos q)) in *.
+  replace (_ - _) with (r * r * (IZR (lu N) * IZR (wv N) - IZR (lv N) * IZR (wu N))) by ring.
+  apply Rmult_lt_0_compat; [nra|exact h].
+Qed.
+(* Bounds of a parallelogram. *)
+Lemma chart_bounds q N x : (0 < chart_area N)%Z -> in_frame (frame_of q N) x ->
+  Rabs (fst x - grid q (cu N)) <= grid q (Z.abs (lu N) + Z.abs (wu N)) /\ Rabs (snd x - grid q (cv N)) <= grid q (Z.abs (lv N) + Z.abs (wv N)).
+Proof.
+  intros h [hxi heta]. rewrite <- (put_back (frame_of q N) x) by (apply Rgt_not_eq, chart_area_positive, h).
+  set (xi := along _ x) in *. set (eta := across _ x) in *. unfold put, frame_of, grid. cbn [fst snd centre long wide].
+  assert (g := grid_step q). set (r := / IZR (2 ^ Zpos q)) in *. rewrite !plus_IZR, !abs_IZR.
+  assert (one : forall a b c : R, Rabs (r * a + r * b * xi + r * c * eta - r * a) <= r * (Rabs b + Rabs c)).
+  { intros a b c. replace (r * a + r * b * xi + r * c * eta - r * a) with (r * (b * xi + c * eta)) by ring.
+    rewrite Rabs_mult, (Rabs_pos_eq r) by lra. apply Rmult_le_compat_l; [lra|]. eapply Rle_trans; [apply Rabs_triang|].
+    assert (Rabs xi <= 1) by (apply Rabs_le; lra). assert (Rabs eta <= 1) by (apply Rabs_le; lra).
+    rewrite !Rabs_mult. assert (b0 := Rabs_pos b). assert (c0 := Rabs_pos c). nra. }
+  split; apply one.
+Qed.
+Lemma grid_at_most q m n k : (m * n <= k * 2 ^ Zpos q)%Z -> IZR m * grid q n <= IZR k.
+Proof.
+  intros h. apply IZR_le in h. rewrite !mult_IZR in h. unfold grid. assert (g := grid_step q).
+  assert (0 < IZR (2 ^ Zpos q)) by (apply IZR_lt, Z.pow_pos_nonneg; lia).
+  apply (Rmult_le_reg_r (IZR (2 ^ Zpos q))); [assumption|]. replace (_ * _ * _) with (IZR m * IZR n) by (field; lra). exact h.
+Qed.
+
 (* One covering relation: a stretch of the first parallelogram; brackets of the phases of arrival, a wide one that shows the
    first contact and a narrow one for the image; where flights are cut; two tilts, as in Certificate.v, for the image along and
    across the second parallelogram; whether it is turned over. *)
@@ -37,6 +66,11 @@ Lemma turned_continuous k : continuous_on (fun _ => True) (turned k).
 Proof.
   refine (on_pair _ _ _ _ (on_snd _)). exact (on_minus _ _ _ (on_fst _) (on_const _ _)).
 Qed.
+Lemma turned_none x : turned 0 x = x.
+Proof. destruct x as [u v]. unfold turned. cbn [fst snd]. f_equal. ring. Qed.
+(* Turns taken off a phase are periods taken off a time. *)
+Lemma turned_later w k x : W s <> 0 -> impact_at s w x = later (IZR k * period s) (impact_at s w (turned k x)).
+Proof. intros h. unfold later, impact_at, turned, period. cbn. f_equal. field. exact h. Qed.
 End Maps.
 
 Module Coverings (F : FloatOps with Definition sensible_format := true).
@@ -79,7 +113,6 @@ Definition image (b : box) (a : aspects) (N : chart) (w : wall) (n1 n2 n0 mu : I
   let side u v := add p (mul p by_phase (pt u)) (mul p by_speed (mul p (I.neg E) (pt v))) in
   add p (add p (add p middle (mul p (side (lu N) (lv N)) D)) (mul p (side (wu N) (wv N)) one)) (mul p by_arrival R).
 
-Definition chart_area (N : chart) : Z := (lu N * wv N - lv N * wu N)%Z.
 Definition area_over (N : chart) : I.type := sub p (mul p (pt (lu N)) (pt (wv N))) (mul p (pt (lv N)) (pt (wu N))).
 (* The second chart's coordinates, times its area, of the image. *)
 Definition along_of (h : hop_of) (M : chart) (image : I.type -> I.type -> I.type -> I.type) : I.type :=
@@ -147,21 +180,14 @@ Let eta := across (frame_of q N) x.
 Let thc := grid q (cu N) + grid q (lu N) * mid.
 Let uc := - e s * (grid q (cv N) + grid q (lv N) * mid).
 
-Lemma chart_area_positive M : (0 < chart_area M)%Z -> 0 < area (frame_of q M).
-Proof.
-  intros h. apply IZR_lt in h. unfold chart_area in h. rewrite minus_IZR, !mult_IZR in h.
-  unfold area, frame_of, grid. cbn [long wide fst snd]. assert (g := grid_step q). set (r := / IZR (2 ^ Zpos q)) in *.
-  replace (_ - _) with (r * r * (IZR (lu M) * IZR (wv M) - IZR (lv M) * IZR (wu M))) by ring.
-  apply Rmult_lt_0_compat; [nra|exact h].
-Qed.
 Lemma x_phase : fst x = thc + (grid q (lu N) * delta + grid q (wu N) * eta).
 Proof.
-  rewrite <- (put_back (frame_of q N) x) at 1 by (apply Rgt_not_eq, chart_area_positive, N_area).
+  rewrite <- (put_back (frame_of q N) x) at 1 by (apply Rgt_not_eq, (chart_area_positive q), N_area).
   unfold put, thc, delta, eta. cbn [fst snd frame_of centre long wide]. ring.
 Qed.
 Lemma x_speed : snd x = grid q (cv N) + grid q (lv N) * mid + (grid q (lv N) * delta + grid q (wv N) * eta).
 Proof.
-  rewrite <- (put_back (frame_of q N) x) at 1 by (apply Rgt_not_eq, chart_area_positive, N_area).
+  rewrite <- (put_back (frame_of q N) x) at 1 by (apply Rgt_not_eq, (chart_area_positive q), N_area).
   unfold put, delta, eta. cbn [fst snd frame_of centre long wide]. ring.
 Qed.
 Lemma holds_one : holds (one p) eta.
@@ -268,7 +294,7 @@ Definition held (h : hop_of) (N M : chart) (l : link) (x : state) : Prop :=
   slice (frame_of q N) (grid q (stretch_from l)) (grid q (stretch_to l)) x /\ in_frame (frame_of q M) (hop s h x).
 
 Theorem link_sound h N M l : check_link p q param h N M l = true ->
-  (forall x, held h N M l x -> flies s (off_wall h) (on_wall h) x) /\ carries (frame_of q N) (frame_of q M) (held h N M l) (hop s h).
+  (forall x, held h N M l x -> in_frame (frame_of q N) x /\ flies s (off_wall h) (on_wall h) x) /\ carries (frame_of q N) (frame_of q M) (held h N M l) (hop s h).
 Proof.
   intros check. unfold check_link in check. cbv zeta in check.
   set (w := off_wall h) in *. set (w1 := on_wall h) in *. set (a := stretch_from l) in *. set (b := stretch_to l) in *.
@@ -279,7 +305,7 @@ Proof.
   assert (o3 : (b <= 2 ^ Zpos q)%Z) by (apply Z.leb_le; assumption). assert (o4 : (0 <= r)%Z) by (apply Z.leb_le; assumption).
   assert (areaN : (0 < chart_area N)%Z) by (apply Z.ltb_lt; assumption). assert (areaM : (0 < chart_area M)%Z) by (apply Z.ltb_lt; assumption).
   assert (o5 : (wide_at l - wide_by l <= lo)%Z) by (apply Z.leb_le; assumption). assert (o6 : (hi <= wide_at l + wide_by l)%Z) by (apply Z.leb_le; assumption).
-  assert (posM := chart_area_positive M areaM). set (P := slice (frame_of q N) (grid q a) (grid q b)).
+  assert (posM := chart_area_positive q M areaM). set (P := slice (frame_of q N) (grid q a) (grid q b)).
   set (leg := Leg p p q w1 (wide_at l) (wide_by l) 0 0 (leave l) (arrive l) 0) in *.
   set (mid := (grid q a + grid q b) / 2). set (thc := grid q (cu N) + grid q (lu N) * mid).
   set (uc := - e s * (grid q (cv N) + grid q (lv N) * mid)).
@@ -379,11 +405,12 @@ Proof.
     - rewrite Rmult_1_l. exact hx. }
   assert (whole_unit : grid q (2 ^ Zpos q) = 1).
   { unfold grid. field. apply not_0_IZR. assert (0 < 2 ^ Zpos q)%Z by (apply Z.pow_pos_nonneg; lia). lia. }
-  split; [intros x [hx _]; apply (all x hx)|].
+  assert (ga := grid_le q _ _ o1). assert (gb := grid_le q _ _ o3). rewrite grid_opp, whole_unit in ga. rewrite whole_unit in gb.
+  split; [intros x [hx _]; change (P x) in hx; split; [destruct hx as [[? ?] ?]; split; [split; lra|assumption]|apply (all x hx)]|].
   apply (covering _ _ (grid q a) (grid q b) sign).
-  - assert (g := grid_le q _ _ o1). rewrite grid_opp, whole_unit in g. lra.
+  - lra.
   - apply grid_le, o2.
-  - assert (g := grid_le q _ _ o3). rewrite whole_unit in g. exact g.
+  - exact gb.
   - unfold sign. destruct (turned_over l); auto.
   - exact continuous.
   - intros x hx. assert (f := flat x hx).
@@ -411,13 +438,14 @@ Fixpoint keeps (word : list hop_of) (N : chart) (way : list (link * chart)) (x :
 Definition last_of (N : chart) (way : list (link * chart)) : chart := fold_left (fun _ step => snd step) way N.
 
 Theorem way_sound word : forall N way, check_way p q param word N way = true ->
-  carries (frame_of q N) (frame_of q (last_of N way)) (keeps word N way) (follow s word) /\ forall x, keeps word N way x -> flown s word x.
+  carries (frame_of q N) (frame_of q (last_of N way)) (keeps word N way) (follow s word) /\
+  forall x, keeps word N way x -> (word <> [] -> in_frame (frame_of q N) x) /\ flown s word x.
 Proof.
   induction word as [|h word IH]; intros N [|[l M] way] check; cbn [check_way] in check; try discriminate.
-  - split; [apply carries_nothing|]. intros x _. exact I.
+  - split; [apply carries_nothing|]. intros x _. split; [congruence|exact I].
   - split_checks. destruct (link_sound h N M l k) as [flights carried]. destruct (IH M way check) as [rest walls]. split.
     + exact (carries_then _ _ _ _ _ _ _ carried rest).
-    + intros x [here later]. split; [exact (flights x here)|exact (walls _ later)].
+    + intros x [here later]. destruct (flights x here) as [inside flight]. split; [intros _; exact inside|]. split; [exact flight|apply (walls _ later)].
 Qed.
 End Sound.
 End Coverings.

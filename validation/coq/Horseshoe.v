@@ -306,6 +306,9 @@ Proof.
   - rewrite !put_along by exact h. split; [|left; lra]. intros t ht. unfold in_frame, slice. rewrite put_along, put_across by exact h. lra.
 Qed.
 
+Lemma iter_next {X : Type} (f : X -> X) n x : Nat.iter n f (f x) = Nat.iter (S n) f x.
+Proof. induction n as [|n IH]; [reflexivity|]. exact (f_equal f IH). Qed.
+
 (* What it means that the map R on a set L has the full shift on two symbols as a factor: L is closed and bounded, R is
    continuous there and does not leave it; each point of L has a sequence of letters, of which the first n are the same for all
    points of L near enough; R shifts the sequence; and every sequence is that of a point. *)
@@ -365,10 +368,8 @@ Proof.
   apply on_either; try apply starts_closed;
     (eapply continuous_on_ext; [|apply word_continuous]; intros x h; unfold return_map; rewrite (starts_letter _ _ h); reflexivity).
 Qed.
-Lemma iter_back n x : Nat.iter n return_map (return_map x) = Nat.iter (Datatypes.S n) return_map x.
-Proof. induction n as [|n IH]; [reflexivity|]. exact (f_equal return_map IH). Qed.
 Lemma followers_return x : followers x -> followers (return_map x).
-Proof. intros h n. rewrite iter_back. apply h. Qed.
+Proof. intros h n. rewrite iter_next. apply h. Qed.
 Lemma iter_continuous n : continuous_on followers (Nat.iter n return_map).
 Proof.
   induction n as [|n IH]; cbn; [apply continuous_on_forall; intros; apply continuous_id|].
@@ -429,7 +430,7 @@ Proof.
   - exact followers_return.
   - apply (on_part starting); [intros x h; exact (h O)|exact return_continuous].
   - exact itinerary_near.
-  - intros x n. unfold itinerary. rewrite iter_back. reflexivity.
+  - intros x n. unfold itinerary. rewrite iter_next. reflexivity.
   - exact every_sequence.
 Qed.
 End Horseshoe.
