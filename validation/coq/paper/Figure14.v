@@ -1,13 +1,15 @@
 (* The title of the paper, "Chaotic motion of a horizontal impact pair", as a theorem about its figure 14.
 
    Each cycle of the motion is P1 P2 or P1 P2 P4, in any order: 20 parallelograms, of which 28 stretches are carried across one
-   another. Written by ../horseshoe. *)
+   another. The program ../horseshoe finds them. *)
 From Coq Require Import Reals Lra Lia List ZArith QArith Qreals Bool.
 From Coquelicot Require Import Coquelicot.
 From ImpactPair Require Import Model Step Horseshoe Return Certificate Covering.
 Import ListNotations.
 Open Scope R_scope.
+
 Local Open Scope Z_scope.
+(* Written by ../horseshoe. *)
 Definition at_aaa_0 := Chart 88802072333913 (-22792341190677) 20797243791 (-9178913402) 91645314452 127082893481.
 Definition at_aaa_1 := Chart 144034892386663 22945073387062 42204708642 18573007501 (-11683003331) 16158331951.
 Definition at_aab_0 := Chart 88662521597043 (-22729264918818) 30101868753 (-13326421105) 92055443378 128484730612.
@@ -84,6 +86,7 @@ Definition way (a b c d : bool) : list (link * chart) := match a, b, c, d with
   | false, false, false, true => [(from_bbb_0, at_bbb_1); (from_bbb_1, at_bbb_2); (from_bbb_2a, at_bba_0)]
   | false, false, false, false => [(from_bbb_0, at_bbb_1); (from_bbb_1, at_bbb_2); (from_bbb_2b, at_bbb_0)]
   end.
+(* End of what is written. *)
 Local Open Scope R_scope.
 
 Definition param : data := {| leading := {| amplitude := Exactly (Rational 8); frequency := Exactly Pi; shift := Exactly (Rational 0) |}; further := [];
@@ -98,9 +101,9 @@ Definition cycle (s : scene) (a : bool) (i j : impact) : Prop := wall_of i = lef
   if a then exists r, wall_of r = right /\ next s i r /\ next s r j
   else exists l r, wall_of l = left /\ wall_of r = right /\ next s i l /\ next s l r /\ next s r j.
 
-Definition for_all (f : bool -> bool) : bool := f true && f false.
+Definition for_all (f : bool -> bool) : bool := if f true then f false else false.
 Lemma for_all_each f : for_all f = true -> forall a, f a = true.
-Proof. unfold for_all. intros h a. apply andb_prop in h. destruct a; apply h. Qed.
+Proof. unfold for_all. intros h a. destruct (f true) eqn:t; [destruct a; assumption|discriminate]. Qed.
 Definition accepted (a b c d : bool) : bool := PlainCoverings.check_way 56 44 param (word a) (base a b c) (way a b c d).
 Lemma all_accepted : for_all (fun a => for_all (fun b => for_all (fun c => for_all (accepted a b c)))) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
@@ -218,4 +221,3 @@ Theorem figure_14_cycles x : chaotic figure_14 x ->
 Proof. intros h. exact (proj2 (back_is_a_cycle figure_14 figure_14_described x h)). Qed.
 Theorem figure_14_every_order (letters : nat -> bool) : exists starts : nat -> impact, forall n, cycle figure_14 (letters n) (starts n) (starts (S n)).
 Proof. destruct (every_order figure_14 figure_14_described letters) as [starts h]. exists starts. intros n. apply h. Qed.
-Print Assumptions figure_14_every_order.
