@@ -89,8 +89,9 @@ Definition way (a b c d : bool) : list (link * chart) := match a, b, c, d with
 (* End of what is written. *)
 Local Open Scope R_scope.
 
+(* Every gap from 9.42477 to 9.42498: the printed one, and 3 pi, of which it is a slip. *)
 Definition param : data := {| leading := {| amplitude := Exactly (Rational 8); frequency := Exactly Pi; shift := Exactly (Rational 0) |}; further := [];
-  gap := Exactly (Rational 9.42497); restitution := Exactly (Rational 0.5) |}%Q.
+  gap := Between (Rational 9.42477) (Rational 9.42498); restitution := Exactly (Rational 0.5) |}%Q.
 Definition figure_14 : scene := {| reference := {| A := 8; W := PI; tau := 0 |}; others := []; d := 9.42497; e := 0.5 |}.
 
 (* The words, from the left wall: true is P1 P2, false is P1 P2 P4. *)
