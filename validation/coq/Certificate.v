@@ -410,17 +410,23 @@ Definition check_departure (OS : list known) (b : box) (l : leg) : bool :=
      else is_not_negative (I.neg (sided w (U b))) &? sweep (pressed_over c OS q rough w) depth low (depart l))
   end.
 
-Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
+(* The flight of all launches of a box: its first contact is on the leg's wall, in the leg's bracket of phases. *)
+Definition check_flight (b : box) (l : leg) : bool :=
   let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
   let G := gamma_in p in let step := unit_step p q in let rough := unit_step c q in
   let a := look p OS b c in let ac := look c OS b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
-  (0 <=? rt l)%Z &? (0 <=? rv l)%Z &? (depart l <=? approach l)%Z &? (approach l <=? lo)%Z &?
+  (0 <=? rt l)%Z &? (depart l <=? approach l)%Z &? (approach l <=? lo)%Z &?
   is_positive (sub p (point p step lo) (T b)) &? check_departure OS b l &?
   sweep (inside_over c OS (gamma_in c) b ac q rough) depth (depart l) (approach l) &?
   sweep (inwards_over c OS b ac q rough (opposite w)) depth (approach l) hi &?
   is_positive (I.neg (sided w (add p (offset p G b w) (rise_at p OS b a q step lo)))) &?
-  is_not_negative (sided w (add p (offset p G b w) (rise_at p OS b a q step hi))) &?
-  between p step (arrival p OS G b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
+  is_not_negative (sided w (add p (offset p G b w) (rise_at p OS b a q step hi))).
+
+Definition check_leg (b : box) (l : leg) (printed : bounds) : bool :=
+  let p := bits l in let c := coarse l in let q := scale l in let w := hits l in let OS := known_in p in
+  let step := unit_step p q in let a := look p OS b c in let lo := (t l - rt l)%Z in let hi := (t l + rt l)%Z in
+  (0 <=? rv l)%Z &? check_flight b l &?
+  between p step (arrival p OS (gamma_in p) b c a q step w (t l) (rt l) (tilt l)) (v l - rv l) (v l + rv l) &?
   (let W := enclose_range p (frequency param) in let tau := enclose_range p (shift param) in
    let AW := mul p (enclose_range p (amplitude param)) W in
    let TH := stretch p step lo hi in let V := mul p AW (stretch p step (v l - rv l) (v l + rv l)) in
@@ -484,6 +490,58 @@ Proof.
     assert (0 <= grid q (approach l) - th0) by (apply (is_not_negative_sound _ _ check); enclose). lra.
 Qed.
 
+Lemma flight_sound b leg l thc uc : in_box (d s / A s) (place l / A s) (phase s (since l)) (unit_speed s (speed l)) thc uc b ->
+  check_flight b leg = true -> exists i, reaches s l i /\ wall_of i = hits leg /\
+    grid (scale leg) (t leg - rt leg) <= phase s (time i) <= grid (scale leg) (t leg + rt leg) /\
+    place l / A s + rise (companions s) (phase s (since l)) (unit_speed s (speed l)) (phase s (time i)) = side (hits leg) * (d s / A s / 2) /\
+    unit_speed s (velocity i) = rate (companions s) (phase s (since l)) (unit_speed s (speed l)) (phase s (time i)) /\
+    forall th, grid (scale leg) (t leg - rt leg) <= th <= grid (scale leg) (t leg + rt leg) ->
+      0 < side (hits leg) * rate (companions s) (phase s (since l)) (unit_speed s (speed l)) th.
+Proof.
+  intros inb check. unfold check_flight in check. cbv zeta in check.
+  set (p := bits leg) in *. set (c := coarse leg) in *. set (q := scale leg) in *.
+  set (lo := (t leg - rt leg)%Z) in *. set (hi := (t leg + rt leg)%Z) in *.
+  assert (Gp := holds_gamma p). assert (Gc := holds_gamma c).
+  assert (sp := unit_step_holds p q). assert (sc := unit_step_holds c q).
+  set (OS := known_in p) in *. set (os := companions s) in *. assert (hos : Forall2 knows OS os) by apply holds_known.
+  assert (ap := look_seen _ _ _ _ _ _ _ p _ c b hos inb). assert (ac := look_seen _ _ _ _ _ _ _ c _ c b hos inb).
+  split_checks. rename check into high_check.
+  set (th0 := phase s (since l)) in *. set (u := unit_speed s (speed l)) in *. set (gamma := d s / A s) in *.
+  set (y := place l / A s) in *.
+  assert (hT : holds (T b) th0) by apply inb.
+  assert (rt0 : (0 <= rt leg)%Z) by (apply Z.leb_le; assumption).
+  assert (order1 : (depart leg <= approach leg)%Z) by (apply Z.leb_le; assumption).
+  assert (order2 : (approach leg <= lo)%Z) by (apply Z.leb_le; assumption).
+  apply (grid_le q) in order1. apply (grid_le q) in order2.
+  assert (order3 : grid q lo <= grid q hi) by (apply grid_le; unfold lo, hi; lia).
+  assert (order4 : 0 < grid q lo - th0) by (apply (is_positive_sound _ _ k2); enclose).
+  destruct (departure_sound OS b leg gamma y th0 u thc uc hos inb k3) as (ta & departs & o1 & o2 & o3). fold q in o2, o3.
+  assert (off := holds_offset gamma y th0 u thc uc p _ Gp b inb (hits leg)).
+  assert (low := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp lo).
+  assert (high := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp hi).
+  assert (arriving : forall th, grid q (approach leg) <= th <= grid q hi -> 0 < side (hits leg) * rate os th0 u th).
+  { intros th r. replace (side (hits leg)) with (- side (opposite (hits leg))) by (destruct (hits leg); cbn; ring).
+    refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits leg)) * rate os th0 u x) _ _ _ _ k5 th _); [|lra].
+    intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ _ hos _ inb _ ac q _ sc _ _ _ h x rx). }
+  destruct (flight s A_positive W_positive l (hits leg) ta (grid q (approach leg)) (grid q lo) (grid q hi)) as (i & reach & same & r1 & onwall & vel).
+  - fold th0. destruct o3; lra.
+  - lra.
+  - fold th0. lra.
+  - replace (d s / A s / 2) with (gamma / 2) by reflexivity. exact departs.
+  - fold th0 u y os. intros th r. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
+    refine (sweep_sound q _ (fun x => Rabs (y + rise os th0 u x) < gamma / 2) _ _ _ _ k4 th _); [|lra].
+    intros i j h x rx. exact (inside_sound _ _ _ _ _ _ _ _ _ hos _ Gc _ inb _ ac q _ sc _ _ h x rx).
+  - fold th0 u os. exact arriving.
+  - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
+    assert (0 < - (side (hits leg) * (y - side (hits leg) * (gamma / 2) + rise os th0 u (grid q lo)))) by (apply (is_positive_sound _ _ k6); enclose).
+    destruct (hits leg); cbn [side] in *; lra.
+  - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
+    assert (0 <= side (hits leg) * (y - side (hits leg) * (gamma / 2) + rise os th0 u (grid q hi))) by (apply (is_not_negative_sound _ _ high_check); enclose).
+    destruct (hits leg); cbn [side] in *; lra.
+  - exists i. split; [exact reach|]. split; [exact same|]. split; [exact r1|]. split; [exact onwall|]. split; [exact vel|].
+    intros th r. apply arriving. lra.
+Qed.
+
 Lemma leg_sound b legs printed l : launched b l -> check_leg b legs printed = true ->
   exists i, reaches s l i /\ within printed i /\ wall_of i = hits legs /\
     grid (scale legs) (t legs - rt legs) <= phase s (time i) <= grid (scale legs) (t legs + rt legs) /\
@@ -492,59 +550,31 @@ Proof.
   intros (thc & uc & inb) check. unfold check_leg in check. cbv zeta in check.
   set (p := bits legs) in *. set (c := coarse legs) in *. set (q := scale legs) in *.
   set (lo := (t legs - rt legs)%Z) in *. set (hi := (t legs + rt legs)%Z) in *.
-  assert (Gp := holds_gamma p). assert (Gc := holds_gamma c).
-  assert (sp := unit_step_holds p q). assert (sc := unit_step_holds c q).
+  assert (sp := unit_step_holds p q).
   set (OS := known_in p) in *. set (os := companions s) in *. assert (hos : Forall2 knows OS os) by apply holds_known.
-  assert (ap := look_seen _ _ _ _ _ _ _ p _ c b hos inb). assert (ac := look_seen _ _ _ _ _ _ _ c _ c b hos inb).
+  assert (ap := look_seen _ _ _ _ _ _ _ p _ c b hos inb).
   split_checks. rename check into velocity_upper_check.
+  destruct (flight_sound b legs l thc uc inb k0) as (i & reach & same & r1 & onwall & vel & _). fold q in r1. fold os in onwall, vel.
+  assert (rt0 : (0 <= rt legs)%Z) by (apply Z.leb_le; unfold check_flight in k0; cbv zeta in k0; split_checks; reflexivity).
   set (th0 := phase s (since l)) in *. set (u := unit_speed s (speed l)) in *. set (gamma := d s / A s) in *.
   set (y := place l / A s) in *.
-  assert (hT : holds (T b) th0) by apply inb.
-  assert (rt0 : (0 <= rt legs)%Z) by (apply Z.leb_le; assumption).
-  assert (order1 : (depart legs <= approach legs)%Z) by (apply Z.leb_le; assumption).
-  assert (order2 : (approach legs <= lo)%Z) by (apply Z.leb_le; assumption).
-  apply (grid_le q) in order1. apply (grid_le q) in order2.
-  assert (order3 : grid q lo <= grid q hi) by (apply grid_le; unfold lo, hi; lia).
-  assert (order4 : 0 < grid q lo - th0) by (apply (is_positive_sound _ _ k3); enclose).
-  destruct (departure_sound OS b legs gamma y th0 u thc uc hos inb k4) as (ta & departs & o1 & o2 & o3). fold q in o2, o3.
-  assert (off := holds_offset gamma y th0 u thc uc p _ Gp b inb (hits legs)).
-  assert (low := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp lo).
-  assert (high := holds_rise_at gamma y th0 u thc uc os p OS hos b inb _ ap q _ sp hi).
-  destruct (flight s A_positive W_positive l (hits legs) ta (grid q (approach legs)) (grid q lo) (grid q hi)) as (i & reach & same & r1 & onwall & vel).
-  - fold th0. destruct o3; lra.
-  - lra.
-  - fold th0. lra.
-  - replace (d s / A s / 2) with (gamma / 2) by reflexivity. exact departs.
-  - fold th0 u y os. intros th r. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    refine (sweep_sound q _ (fun x => Rabs (y + rise os th0 u x) < gamma / 2) _ _ _ _ k5 th _); [|lra].
-    intros i j h x rx. exact (inside_sound _ _ _ _ _ _ _ _ _ hos _ Gc _ inb _ ac q _ sc _ _ h x rx).
-  - fold th0 u os. intros th r. replace (side (hits legs)) with (- side (opposite (hits legs))) by (destruct (hits legs); cbn; ring).
-    refine (sweep_sound q _ (fun x => 0 < - side (opposite (hits legs)) * rate os th0 u x) _ _ _ _ k6 th _); [|lra].
-    intros i j h x rx. exact (inwards_sound _ _ _ _ _ _ _ _ _ hos _ inb _ ac q _ sc _ _ _ h x rx).
-  - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    assert (0 < - (side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise os th0 u (grid q lo)))) by (apply (is_positive_sound _ _ k7); enclose).
-    destruct (hits legs); cbn [side] in *; lra.
-  - fold th0 u y os. replace (d s / A s / 2) with (gamma / 2) by reflexivity.
-    assert (0 <= side (hits legs) * (y - side (hits legs) * (gamma / 2) + rise os th0 u (grid q hi))) by (apply (is_not_negative_sound _ _ k8); enclose).
-    destruct (hits legs); cbn [side] in *; lra.
-  - fold th0 u y os in onwall, vel. replace (d s / A s / 2) with (gamma / 2) in onwall by reflexivity.
-    assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ Gp b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
-    assert (r2 := between_sound _ _ _ _ _ _ k9 speed_in). rewrite <- vel in r2.
-    exists i. split; [exact reach|]. split; [|repeat split; try assumption; apply r1 || apply r2].
-    destruct described as ((dA & dW & dt) & _).
-    assert (hA := holds_range p _ _ dA). assert (hW := holds_range p _ _ dW). assert (ht := holds_range p _ _ dt).
-    assert (hTH := holds_stretch p q _ sp lo hi _ r1). assert (hV := holds_stretch p q _ sp _ _ _ r2).
-    set (x := unit_speed s (velocity i)) in *.
-    assert (ev : velocity i = A s * W s * x) by (unfold x, unit_speed; field; lra).
-    assert (known : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
-    assert (k1' := known (time_lower printed)). assert (k2' := known (time_upper printed)).
-    assert (k3' := known (velocity_lower printed)). assert (k4' := known (velocity_upper printed)).
-    assert (0 <= phase s (time i) - (W s * Q2R (time_lower printed) + tau s)) by (apply (is_not_negative_sound _ _ k11); enclose).
-    assert (0 <= W s * Q2R (time_upper printed) + tau s - phase s (time i)) by (apply (is_not_negative_sound _ _ k12); enclose).
-    assert (0 <= A s * W s * x - Q2R (velocity_lower printed)) by (apply (is_not_negative_sound _ _ k13); enclose).
-    assert (0 <= Q2R (velocity_upper printed) - A s * W s * x) by (apply (is_not_negative_sound _ _ velocity_upper_check); enclose).
-    unfold within, phase in *. rewrite same, ev. repeat split; try nra.
-    destruct (hits legs), (on printed); congruence.
+  assert (speed_in := holds_arrival gamma y th0 u thc uc os p OS hos _ (holds_gamma p) b inb c _ ap q _ sp (hits legs) (t legs) (rt legs) (tilt legs) _ rt0 r1 onwall).
+  assert (r2 := between_sound _ _ _ _ _ _ k1 speed_in). rewrite <- vel in r2.
+  exists i. split; [exact reach|]. split; [|repeat split; try assumption; apply r1 || apply r2].
+  destruct described as ((dA & dW & dt) & _).
+  assert (hA := holds_range p _ _ dA). assert (hW := holds_range p _ _ dW). assert (ht := holds_range p _ _ dt).
+  assert (hTH := holds_stretch p q _ sp lo hi _ r1). assert (hV := holds_stretch p q _ sp _ _ _ r2).
+  set (x := unit_speed s (velocity i)) in *.
+  assert (ev : velocity i = A s * W s * x) by (unfold x, unit_speed; field; lra).
+  assert (known : forall r, holds (enclose p (Rational r)) (Q2R r)) by (intros r; exact (holds_enclose p (Rational r))).
+  assert (k1' := known (time_lower printed)). assert (k2' := known (time_upper printed)).
+  assert (k3' := known (velocity_lower printed)). assert (k4' := known (velocity_upper printed)).
+  assert (0 <= phase s (time i) - (W s * Q2R (time_lower printed) + tau s)) by (apply (is_not_negative_sound _ _ k3); enclose).
+  assert (0 <= W s * Q2R (time_upper printed) + tau s - phase s (time i)) by (apply (is_not_negative_sound _ _ k4); enclose).
+  assert (0 <= A s * W s * x - Q2R (velocity_lower printed)) by (apply (is_not_negative_sound _ _ k5); enclose).
+  assert (0 <= Q2R (velocity_upper printed) - A s * W s * x) by (apply (is_not_negative_sound _ _ velocity_upper_check); enclose).
+  unfold within, phase in *. rewrite same, ev. repeat split; try nra.
+  destruct (hits legs), (on printed); congruence.
 Qed.
 
 Lemma legs_sound legs : forall printed b l, launched b l -> check_legs b legs printed = true ->
@@ -556,7 +586,7 @@ Proof.
     assert (launched_next : launched (landing (bits leg) (enclose_range (bits leg) (restitution param)) (hits leg) (scale leg)
       (t leg) (rt leg) (v leg) (rv leg)) (rebound s j)).
     { exists (grid (scale leg) (t leg)), (- e s * grid (scale leg) (v leg)).
-      assert (rt0 : (0 <= rt leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; reflexivity).
+      assert (rt0 : (0 <= rt leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; unfold check_flight in k1; cbv zeta in k1; split_checks; reflexivity).
       assert (rv0 : (0 <= rv leg)%Z) by (apply Z.leb_le; unfold check_leg in k; cbv zeta in k; split_checks; reflexivity).
       assert (E := holds_range (bits leg) _ _ (proj2 (proj2 (proj2 described)))).
       assert (h := landing_in (bits leg) _ (hits leg) _ _ _ _ _ (d s / A s) _ _ _ rt0 rv0 E r1 r2).
