@@ -5,7 +5,6 @@ mod audit;
 mod bifurcations;
 mod chaos;
 mod check;
-mod ending;
 mod heading;
 mod listing;
 mod man;

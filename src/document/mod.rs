@@ -3,6 +3,7 @@
 mod bifurcation;
 mod chaos;
 mod conclusion;
+mod ending;
 mod event;
 mod orbit;
 mod periodic;
@@ -11,6 +12,7 @@ mod two_impact;
 pub use bifurcation::bifurcations;
 pub use chaos::{bases, chaos, told, trap};
 pub use conclusion::{Conclusion, counted};
+pub use ending::Ending;
 pub use event::{Bounds, Event, Events, Kind};
 pub use orbit::{arithmetic, head, is_certified, orbit};
 pub use periodic::Units;

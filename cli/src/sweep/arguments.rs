@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
-use impact_pair::sweep::Axis;
+use impact_pair::sweep::{Axis, MOST_IMPACTS};
 use impact_pair_plot::sweep::Show;
 
 pub const EXIT_CODES: &str = "\
@@ -94,8 +94,6 @@ pub struct SweepArguments {
     pub quiet: bool,
 }
 
-/// Impacts that can be asked for.
-const MOST_IMPACTS: u64 = 1_000_000_000;
 /// What shards have been told already.
 const MADE_ANEW: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];

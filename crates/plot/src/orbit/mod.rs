@@ -1,5 +1,6 @@
 //! An orbit in the eight panels of figures 12-17.
 
+mod figure;
 mod frame;
 mod panel;
 mod recorder;
@@ -7,6 +8,7 @@ mod sheet;
 mod symbols;
 mod trace;
 
+pub use figure::Figure;
 pub use frame::Panel;
 pub use panel::Style;
 pub use recorder::{Recorder, end_of};
