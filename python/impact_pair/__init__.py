@@ -7,7 +7,7 @@
 >>> sol[2].time
 Bounds('2.487100613920(68,71)')
 >>> float(sol(1.0).y[0])  # where the ball is at t = 1
--0.33106...
+2.84459...
 
 A bracket holds the last digits of both bounds, rounded outward. All that is certified contains the true value of the exact problem:
 ``"9.42497"`` is 942497/100000 and ``"pi"`` is pi. Units are those of the scene: length, time, radians.

@@ -1,7 +1,32 @@
 """The compiled module: scenes and exact texts in, JSON and bytes of doubles out."""
 
 from collections.abc import Callable
+from typing import final
 
+__all__ = [
+    "PROGRAM",
+    "Orbit",
+    "Scene",
+    "Sweep",
+    "__version__",
+    "audit",
+    "bifurcations",
+    "bracket",
+    "chaos",
+    "check",
+    "flights",
+    "manifold",
+    "outward",
+    "paper",
+    "periodic",
+    "plot",
+    "prove",
+    "read_orbit",
+    "run",
+    "trade",
+    "trap",
+    "two_impact",
+]
 __version__: str
 PROGRAM: str
 
@@ -9,6 +34,7 @@ _Progress = Callable[[int], object] | None
 # impacts, until, digits, arithmetic, splice, max_bits
 _Asked = tuple[int | None, str | None, int | None, str, int, int]
 
+@final
 class Scene:
     def __new__(cls, text: str) -> Scene: ...
     @property
@@ -17,6 +43,7 @@ class Scene:
     def words(self) -> tuple[str, str]: ...
     def varied(self, keys: list[tuple[str, str]]) -> str: ...
 
+@final
 class Orbit:
     def json(self) -> str: ...
     def about(self) -> tuple[str, str]: ...
@@ -25,6 +52,7 @@ class Orbit:
     def event(self, event: int) -> str | None: ...
     def at(self, times: bytes, progress: _Progress) -> bytes: ...
 
+@final
 class Sweep:
     def __new__(cls, scene: Scene, over: list[str], impacts: tuple[int, int], asked: tuple[int, str, int], summary: bool) -> Sweep: ...
     @property

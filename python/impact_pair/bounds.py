@@ -45,7 +45,7 @@ def radii(bounds: Doubles) -> Doubles:
 class Bounds:
     """A number that is proved to lie between two decimals, rounded outward.
 
-    >>> Bounds("2.48710061392068", "2.48710061392071")
+    >>> Bounds("2.48710061392068445", "2.48710061392070662")
     Bounds('2.487100613920(68,71)')
     """
 

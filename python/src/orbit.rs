@@ -50,7 +50,7 @@ struct Row {
 impl Orbit {
     fn rows(&self) -> PyResult<Vec<Row>> {
         let of_double = |ends: &[Decimal; 2]| -> PyResult<[f64; 2]> {
-            let end = |i: usize| doubles(ends[i].text()).map_err(|error| Fault::certificate(error));
+            let end = |i: usize| doubles(ends[i].text()).map_err(Fault::certificate);
             Ok([end(0)?[0], end(1)?[1]])
         };
         match &self.events {

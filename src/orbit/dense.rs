@@ -100,7 +100,11 @@ impl Dense {
             return None;
         }
         let mut hull: Option<DenseState> = None;
-        for (_, part) in &self.parts[first..end.unwrap_or(last + 1)] {
+        let possible = match end {
+            Some(end) => &self.parts[first..end],
+            None => &self.parts[first..],
+        };
+        for (_, part) in possible {
             let Some(state) = Self::state(orbit, part, phase)? else { continue };
             let joined = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.min(c), b.max(d)]; // O1: the hull
             hull = Some(hull.map_or(state, |known| [joined(known[0], state[0]), joined(known[1], state[1])]));
@@ -160,7 +164,7 @@ impl Dial {
     /// The phase of a time.
     pub fn phase(&self, time: f64) -> Option<Phase> {
         let since = Enclosure::from_f64_bounds(time, time)?.mul(&self.rate, BITS).add(&self.shift, BITS);
-        let whole = since.mid_rad().0.round();
+        let whole = since.mid_rad().0.round(); // proposes: any whole number
         let rest = since.sub(&Enclosure::from_f64_bounds(whole, whole)?, BITS);
         Some((turns::after(0, whole)?, ball(&rest)))
     }
