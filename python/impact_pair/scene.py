@@ -392,5 +392,7 @@ def toml(tables: Mapping[str, Any]) -> str:
         for key, value in table.items():
             if value is not None:
                 is_word = f"{name}.{key}" in WORDS
+                is_number = is_word and not isinstance(value, str)
+                value = int(value) if is_number else value
                 lines.append(f"{key} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
     return "\n".join(lines) + "\n"
