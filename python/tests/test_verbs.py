@@ -137,6 +137,7 @@ def test_defaults_are_those_of_the_command_line(cli):
     import inspect
     import re
 
+    compared = set()
     for verb, method in {
         "run": Scene.run,
         "sweep": Scene.sweep,
@@ -150,13 +151,15 @@ def test_defaults_are_those_of_the_command_line(cli):
         "two-impact": Scene.two_impact,
     }.items():
         here = {name: str(parameter.default) for name, parameter in inspect.signature(method).parameters.items()}
-        told = re.sub(r"\s+", " ", cli.text(verb, "--help").split("Options:")[1])
-        for option in re.split(r" (?=--[a-z]|-[a-z], --)", told):
-            name = re.match(r"(?:-\w, )?--([a-z-]+)", option)
-            default = re.search(r"\[default: ([^\];]+)\]", option)
-            key = name and name[1].replace("-", "_")
-            if default and key in here and default[1].split()[0] == default[1]:
-                assert here[key] == default[1].replace(",", ""), (verb, key)
+        # An option is a line of its own; what is said of it, its default at the end, stands below.
+        parts = re.split(r"^ {2,6}(?:-\w, )?--([a-z-]+)", cli.text(verb, "--help").split("Options:")[1], flags=re.MULTILINE)
+        for name, said in zip(parts[1::2], parts[2::2], strict=True):
+            default = re.search(r"\[default: ([^\]\s]+)\]", said)
+            key = name.replace("-", "_")
+            if default and key in here:
+                compared.add((verb, key))
+                assert here[key] == default[1], (verb, key)
+    assert len(compared) > 15
 
 
 def test_pictures_by_matplotlib():
