@@ -45,12 +45,27 @@ def test_scenes_and_defaults_are_those_of_the_repository(cli):
     assert shadow.claim == "shadowed"
 
 
-def test_arrays_hold_what_is_certified_rounded_outward(cli):
+def test_arrays_hold_what_is_certified_in_more_digits(cli):
+    orbit = Scene.named("figure-14").run(impacts=60)
+    narrow = cli.json("run", "scenes/figure-14.toml", "--impacts", 60, "--digits", 40)["events"]
+    for doubles, key in ((orbit.t_bounds, "time"), (orbit.v_bounds, "velocity")):
+        for (low, high), impact in zip(doubles, narrow, strict=True):
+            lower, upper = (Fraction(Decimal(end)) for end in impact[key])
+            assert Fraction(low) <= lower
+            assert upper <= Fraction(high)
+            assert high - low < 1e-8
+
+
+def test_arrays_and_events_are_those_of_the_document(cli):
     orbit = Scene.from_file(SCENES / "chatter.toml").run()
     events = cli.json("run", "scenes/chatter.toml")["events"]
     impacts = [event for event in events if event["event"] == "impact"]
-    assert_rounded_outward(orbit.t_bounds, [impact["time"] for impact in impacts])
-    assert_rounded_outward(orbit.v_bounds, [impact["velocity"] for impact in impacts])
+    # Decimals are rounded outward as well: what is read of them holds the doubles.
+    again = impact_pair.read_orbit(orbit.json())
+    assert_rounded_outward(again.t_bounds, [impact["time"] for impact in impacts])
+    assert_rounded_outward(again.v_bounds, [impact["velocity"] for impact in impacts])
+    assert (again.t_bounds[:, 0] <= orbit.t_bounds[:, 0]).all()
+    assert (again.t_bounds[:, 1] >= orbit.t_bounds[:, 1]).all()
     assert list(orbit.walls) == [impact["wall"] for impact in impacts] == list(orbit.wall)
     assert list(orbit.mappings) == [impact["mapping"] for impact in impacts]
     assert [type(event).__name__.lower() for event in orbit.events] == [event["event"] for event in events]
