@@ -13,6 +13,7 @@
 //! | fig. 1, (14) | gap, walls | [`ImpactPair`], [`pair::Wall`] |
 //! | (10)-(13) | motion between impacts | [`flight::Flight`] |
 //! | (10)-(13), figs 12-17 | where the ball is between impacts | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
+//! | (11), (12) | where the ball is at any time; the next impacts of many states | [`orbit::Dense`], [`orbit::Arrivals`] |
 //! | (15) | impact law | [`pair::rebound`] |
 //! | (14), (A.2), (A.4), (A.6) | the first contact, certified; by the textbook's method | [`contact::first_contact`], [`contact::textbook::first_contact`] |
 //! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |

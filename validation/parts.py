@@ -75,6 +75,7 @@ PARTS = [
     Part("stability", *2 * ("docs/stability/make --check",), ("program",)),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "cycles", "coq"]),
+    cargo("package", "python/test", "python/test --full", ("lints",)),
     cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),
 ]

@@ -165,13 +165,8 @@ pub struct RunArguments {
 impl RunArguments {
     /// How the scene is to be run: by its table `[run]`, as far as the command line does not say otherwise.
     pub fn settings(&self, scene: &Scene) -> Settings {
-        let run = scene.run();
-        let run = Run {
-            impacts: self.impacts.or(run.impacts),
-            until: self.until.clone().or_else(|| run.until.clone()),
-            digits: shown_digits(self.digits, self.arithmetic, scene),
-        };
-        Settings { max_bits: self.max_bits, splice: self.splice, ..run.settings(self.arithmetic) }
+        let run = Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits };
+        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_asked(run, self.arithmetic) }
     }
 }
 
@@ -391,15 +386,6 @@ pub enum Format {
 
 /// The arithmetics, as they are typed.
 pub const ARITHMETICS: &str = "auto|float|interval|inari|shadow|BITS";
-/// Digits of a shadow where none are asked for: it is as narrow as it is, and a scene's own are meant for what can be narrower.
-const SHADOW_DIGITS: u32 = 6;
-
-/// The digits of an orbit that are asked for: by the command line, or else by the scene.
-pub fn shown_digits(digits: Option<u32>, arithmetic: Arithmetic, scene: &Scene) -> Option<u32> {
-    let usual = if arithmetic == Arithmetic::Shadow { Some(SHADOW_DIGITS) } else { scene.run().digits };
-    digits.or(usual)
-}
-
 /// The digits of the command line, or else of the scene, or else the usual ones.
 fn precision(digits: Option<u32>, max_bits: u32, scene: &Scene) -> Precision {
     let digits = digits.or(scene.run().digits).unwrap_or(Precision::default().digits);

@@ -4,13 +4,12 @@ use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
 use impact_pair::certificate::document::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
-use impact_pair::document::{Event, Kind, arithmetic, head};
+use impact_pair::document::{Ending, Event, Kind, arithmetic, head};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use serde::Serialize;
 
 use crate::arguments::Format;
-use crate::ending::Ending;
 use crate::table;
 
 const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";

@@ -6,7 +6,6 @@ mod bifurcations;
 mod chaos;
 mod check;
 mod cycles;
-mod ending;
 mod heading;
 mod listing;
 mod man;

@@ -4,12 +4,11 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 use anyhow::{Context, Result};
-use impact_pair::document::{Conclusion, Event};
+use impact_pair::document::{Conclusion, Ending, Event};
 use impact_pair::orbit::{Orbit, Settings};
 
 use crate::Answer;
 use crate::arguments::{Format, RunArguments};
-use crate::ending::Ending;
 use crate::listing::Listing;
 use crate::output::Output;
 use crate::progress::{Progress, interruption};

@@ -3,11 +3,10 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::document::{Event, Kind, is_certified};
+use impact_pair::document::{Ending, Event, Kind, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 
-use crate::ending::Ending;
 use crate::heading::heading;
 
 pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {

@@ -1,9 +1,11 @@
 //! Orbits: chains of certified impacts from a point or a box of initial data.
 
+mod arrivals;
 mod aside;
 mod attraction;
 mod begin;
 mod course;
+mod dense;
 mod event;
 mod given;
 mod later;
@@ -26,7 +28,9 @@ mod units;
 mod watch;
 mod width;
 
+pub use arrivals::{Arrival, Arrivals};
 pub use course::{Course, CoursePoint};
+pub use dense::{Dense, DenseState};
 pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]

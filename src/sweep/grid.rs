@@ -118,6 +118,19 @@ impl Grid {
         self.axes.iter().map(|axis| axis.count).product()
     }
 
+    /// The points at the ends of all axes.
+    ///
+    /// Where they are scenes all points are: what a key accepts is an interval, and what two keys accept together, as `|y| < d/2`,
+    /// convex.
+    pub fn corners(&self) -> Vec<u64> {
+        match self.axes[..] {
+            [Axis { count: slow, .. }, Axis { count: fast, .. }] => {
+                vec![0, fast - 1, (slow - 1) * fast, slow * fast - 1]
+            }
+            _ => vec![0, self.points() - 1],
+        }
+    }
+
     /// Where a point lies on each axis, the numbers from 0.
     pub fn places(&self, point: u64) -> Vec<u64> {
         match &self.axes[..] {

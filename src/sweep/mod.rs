@@ -3,10 +3,12 @@
 //! A [`Grid`] has exact points; at each of them [`follow`] certifies one orbit and says what is proved of its future:
 //! a [`Point`]. Points do not know of each other, so they may be computed in any order, by any number of threads.
 
+mod columns;
 mod document;
 mod grid;
 mod point;
 
+pub use columns::{Cell, Kind, columns, csv_head, csv_rows, doubles, rows};
 pub use document::{grid, head, record};
 pub use grid::{Axis, Grid, MOST_POINTS};
-pub use point::{Asked, Attraction, Point, State, follow};
+pub use point::{Asked, Attraction, MOST_IMPACTS, Point, State, follow};

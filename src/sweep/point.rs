@@ -14,6 +14,9 @@ use crate::periodic::{Attractor, PeriodicImpact};
 use crate::scene::Scene;
 use crate::turns::in_radians;
 
+/// Impacts that can be asked for at a point.
+pub const MOST_IMPACTS: u64 = 1_000_000_000;
+
 /// What is asked at each point.
 #[derive(Clone, Debug)]
 pub struct Asked {

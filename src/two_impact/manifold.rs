@@ -4,7 +4,9 @@
 //! which they do not change are known, and what is said of a part holds for every point of it. Bounds are in the bits of the
 //! digits asked for, as doubles are not.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
+use std::ops::RangeInclusive;
 
 use crate::Error;
 use crate::exact::{Enclosure, Exact, whole_bits, working_bits};
@@ -122,6 +124,33 @@ struct Place {
 }
 
 impl Range<'_> {
+    /// The manifolds of some `N`, for as long as `goes_on` says so, and whether it said so to the end; none is empty.
+    ///
+    /// Even `N` have no equispaced motion (65): of a range the odd ones are told.
+    ///
+    /// # Errors
+    /// As [`Range::manifold`].
+    pub fn manifolds(
+        &self,
+        cycles: RangeInclusive<u32>,
+        digits: u32,
+        goes_on: impl Fn() -> bool,
+    ) -> Result<(Vec<Manifold>, bool), Error> {
+        let is_one = cycles.start() == cycles.end();
+        let went_on = Cell::new(goes_on());
+        let goes_on = || {
+            went_on.set(went_on.get() && goes_on());
+            went_on.get()
+        };
+        let mut curves: Vec<Manifold> = cycles
+            .filter(|n| is_one || n % 2 == 1)
+            .take_while(|_| goes_on())
+            .map(|n| self.manifold(n, digits, goes_on))
+            .collect::<Result<_, _>>()?;
+        curves.retain(|curve| !curve.points.is_empty());
+        Ok((curves, went_on.get()))
+    }
+
     /// The curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
     ///
     /// # Errors

@@ -48,7 +48,7 @@ mod unequispaced;
 pub use crate::periodic::{MeasuredOrbit, Stability};
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::Orbit;
-pub use question::{Answer, CYCLES, Question, Unknown};
+pub use question::{Answer, CYCLES, Question, Unknown, speed};
 
 #[cfg(test)]
 mod tests;

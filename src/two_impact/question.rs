@@ -2,12 +2,13 @@
 
 use std::ops::RangeInclusive;
 
+use impact_pair_model::{Place, Scene};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::Error;
 use crate::exact::{Dyadic, Enclosure, Exact, whole_bits, working_bits};
-use crate::pair::ImpactPair;
+use crate::pair::{ImpactPair, Wall, within};
 
 use super::closed_forms::{drift, slope};
 use super::data::{Data, Found};
@@ -68,6 +69,22 @@ pub struct Answer {
     pub is_exhaustive: bool,
     /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits asked for.
     pub is_complete: bool,
+}
+
+/// The speed before the impact that a scene starts with \[length/time\].
+///
+/// # Errors
+/// When it starts inside the gap.
+pub fn speed(scene: &Scene) -> Result<Exact, Error> {
+    let (start, key) = (scene.start(), "start.velocity");
+    match start.place() {
+        Place::Wall(Wall::Left) => within(key, start.velocity(), start.velocity().checked_neg()),
+        Place::Wall(Wall::Right) => Ok(start.velocity().clone()),
+        Place::Inside(_) => {
+            let message = "start.wall is missing, but the velocity asked for is that before an impact";
+            Err(Error::out_of_range("start.wall", message.to_owned()))
+        }
+    }
 }
 
 impl Question {

@@ -2,15 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgGroup, Args, ValueEnum};
-use impact_pair::Scene;
+use clap::{ArgGroup, Args};
 use impact_pair::exact::Exact;
-use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
+use impact_pair::orbit::{Arithmetic, MAX_BITS};
 use impact_pair::scene::Run;
-use impact_pair_plot::orbit::Panel;
+use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::picture::Theme;
 
-use crate::arguments::{ARITHMETICS, bits, digits, point, shown_digits, window};
+use crate::arguments::{ARITHMETICS, bits, digits, point, window};
 
 pub const HELP: &str = "\
 Examples:
@@ -26,9 +25,6 @@ another colour, and says that nothing is certified.
 Exit code: 0 all that is drawn is certified (or float, which certifies nothing); 1 the orbit became undecided, was \
 interrupted, or is wider than --digits (the picture holds all that is certified, and says so); 2 usage, bad input, I/O.";
 
-/// What is drawn where nothing says how many impacts: sections need many points.
-const SECTION_IMPACTS: u64 = 4000;
-
 #[derive(Args, Debug)]
 #[command(group(ArgGroup::new("shown").required(true).args(["panels", "all"])))]
 pub struct PlotArguments {
@@ -42,16 +38,16 @@ pub struct PlotArguments {
     all: bool,
     /// Excitation cycles that the time panels show
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    pub cycles: u32,
+    cycles: u32,
     /// Excitation cycles that the phase planes show
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    pub orbit_cycles: u32,
+    orbit_cycles: u32,
     /// So many impacts are the transient: they and the motion up to them are drawn grey
     #[arg(long, value_name = "N", default_value_t = 0)]
-    pub transient: usize,
+    transient: usize,
     /// Show the time panels again between these two times
     #[arg(long, value_name = "T0..T1", value_parser = window, allow_hyphen_values = true)]
-    pub zoom: Option<[f64; 2]>,
+    zoom: Option<[f64; 2]>,
     /// Stop after so many impacts [default: 4000 for switch-planes and sections, else as many as the cycles need]
     #[arg(long, value_name = "N", value_parser = crate::arguments::count(0..=u64::MAX))]
     impacts: Option<u64>,
@@ -83,44 +79,24 @@ pub struct PlotArguments {
 }
 
 impl PlotArguments {
-    /// The panels asked for, each once, in the order of the paper if all are.
-    pub fn panels(&self) -> Vec<Panel> {
-        if self.all {
-            return Panel::value_variants().to_vec();
-        }
-        let mut panels = Vec::new();
+    /// What is drawn: the panels asked for, each once, in the order of the paper if all are.
+    pub fn figure(&self) -> Figure {
+        let mut panels = if self.all { Panel::ALL.to_vec() } else { Vec::new() };
         for &panel in &self.panels {
             if !panels.contains(&panel) {
                 panels.push(panel);
             }
         }
-        panels
-    }
-
-    /// Cycles over which curves are drawn: of phase planes more than of time panels.
-    pub fn curve_cycles(&self) -> u32 {
-        let most = self.panels().into_iter().map(|panel| match panel {
-            Panel::Displacement | Panel::Velocity => self.cycles,
-            Panel::PhasePlane | Panel::AbsolutePhasePlane => self.orbit_cycles,
-            _ => 0,
-        });
-        most.max().unwrap_or(0)
-    }
-
-    /// How far the orbit is followed; `end` is when the curves end.
-    pub fn settings(&self, scene: &Scene, end: impl FnOnce(u32) -> Option<Exact>) -> Settings {
-        let asked = self.impacts.is_some() || self.until.is_some();
-        let many = self.panels().into_iter().any(Panel::is_section);
-        let (impacts, until) = match (asked, many) {
-            (true, _) => (self.impacts, self.until.clone()),
-            (false, true) => (Some(SECTION_IMPACTS), None),
-            (false, false) => match end(self.curve_cycles()) {
-                Some(end) => (None, Some(end)),
-                None => (Some(SECTION_IMPACTS), None),
-            },
-        };
-        let run = Run { impacts, until: until.clone(), digits: shown_digits(self.digits, self.arithmetic, scene) };
-        let settings = run.settings(self.arithmetic);
-        Settings { impacts, until, max_bits: self.max_bits, splice: self.splice, attractor: true, ..settings }
+        Figure {
+            panels,
+            cycles: self.cycles,
+            orbit_cycles: self.orbit_cycles,
+            transient: self.transient,
+            zoom: self.zoom,
+            run: Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits },
+            arithmetic: self.arithmetic,
+            splice: self.splice,
+            max_bits: self.max_bits,
+        }
     }
 }

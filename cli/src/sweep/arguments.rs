@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
-use impact_pair::sweep::Axis;
+use impact_pair::sweep::{Axis, MOST_IMPACTS};
 use impact_pair_plot::picture::Theme;
 use impact_pair_plot::sweep::Show;
 
@@ -99,8 +99,6 @@ pub struct SweepArguments {
     pub destination: Destination,
 }
 
-/// Impacts that can be asked for.
-const MOST_IMPACTS: u64 = 1_000_000_000;
 /// What shards have been told already.
 const MADE_ANEW: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];

@@ -1,7 +1,6 @@
 //! `impact-pair sweep SCENE --over KEY=LO..HI:COUNT`: bifurcation diagrams, exponents and basins over a grid.
 
 pub mod arguments;
-mod columns;
 mod journal;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use anyhow::{Context, Error, Result};
 use impact_pair::certificate::document::SweepHead;
-use impact_pair::exact::Exact;
+use impact_pair::sweep::{Cell, Kind, columns, doubles, rows};
 use impact_pair_plot::sweep::Records;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
@@ -13,7 +13,6 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 
-use super::columns::{Cell, Kind, columns, rows};
 use super::record;
 use super::write::Sweep;
 use crate::output::Output;
@@ -65,18 +64,6 @@ fn schema(head: &SweepHead) -> String {
     };
     let columns: String = columns(head).into_iter().map(column).collect();
     format!("message sweep {{ {columns} }}")
-}
-
-/// The doubles next to an exact number, below and above it.
-fn doubles(text: &str) -> Result<[f64; 2]> {
-    Ok(match text {
-        "inf" => [f64::INFINITY; 2],
-        "-inf" => [f64::NEG_INFINITY; 2],
-        text => {
-            let (low, high) = Exact::parse(text).context("a bound is no number")?.enclose(64).to_f64_bounds();
-            [low, high]
-        }
-    })
 }
 
 /// Rows that are written together.

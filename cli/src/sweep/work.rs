@@ -60,15 +60,8 @@ impl Work<'_> {
     }
 
     /// Asks that all corners of the grid are scenes, before anything is computed.
-    ///
-    /// Then all points are: what a key accepts is an interval, and what two keys accept together, as `|y| < d/2`, convex.
     pub fn check(&self) -> Result<()> {
-        let counts: Vec<u64> = self.grid.axes().iter().map(|axis| axis.count).collect();
-        let corners = match counts[..] {
-            [slow, fast] => vec![0, fast - 1, (slow - 1) * fast, slow * fast - 1],
-            _ => vec![0, self.grid.points() - 1],
-        };
-        corners.into_iter().try_for_each(|point| {
+        self.grid.corners().into_iter().try_for_each(|point| {
             Orbit::of(&self.scene.with(&self.grid.values(point)?)?, self.asked.settings.clone())?;
             Ok(())
         })

@@ -4,10 +4,10 @@ use std::io::Write;
 
 use anyhow::Result;
 use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair::sweep::{csv_head, csv_rows};
 use impact_pair_plot::sweep::Records;
 
 use super::arguments::SweepFormat;
-use super::columns::{Cell, Kind, columns, rows};
 use super::journal::Journal;
 use super::record::{line, own, read_record};
 use crate::output::Output;
@@ -44,27 +44,9 @@ impl Sweep {
     }
 
     fn csv(&mut self, out: &mut Output) -> Result<()> {
-        let names = columns(&self.head).into_iter().map(|(name, kind)| match kind {
-            Kind::Bounds => format!("{name}_lower,{name}_upper"),
-            Kind::Whole | Kind::Text | Kind::Truth | Kind::Exact => name,
-        });
-        writeln!(out, "{}", names.collect::<Vec<_>>().join(","))?;
-        let kinds: Vec<Kind> = columns(&self.head).into_iter().map(|(_, kind)| kind).collect();
-        let has_claims = self.head.claim.is_some();
-        self.each_record(|record| {
-            for row in rows(&record, has_claims) {
-                let cells = row.iter().zip(&kinds).map(|(cell, kind)| match cell {
-                    Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
-                    Cell::Nothing => String::new(),
-                    Cell::Whole(number) => number.to_string(),
-                    Cell::Text(text) | Cell::Exact(text) => (*text).to_owned(),
-                    Cell::Truth(truth) => truth.to_string(),
-                    Cell::Bounds([low, high]) => format!("{low},{high}"),
-                });
-                writeln!(out, "{}", cells.collect::<Vec<_>>().join(","))?;
-            }
-            Ok(())
-        })
+        out.write_all(csv_head(&self.head).as_bytes())?;
+        let head = self.head.clone();
+        self.each_record(|record| Ok(out.write_all(csv_rows(&head, &record).as_bytes())?))
     }
 }
 

@@ -60,9 +60,8 @@ pub struct TradeArguments {
 impl TradeArguments {
     /// How far each rung is followed.
     pub fn settings(&self, scene: &Scene) -> Settings {
-        let run = scene.run();
-        let run = Run { impacts: self.impacts.or(run.impacts), ..run.clone() };
-        Settings { max_bits: self.max_bits, ..run.settings(Arithmetic::Auto) }
+        let run = Run { impacts: self.impacts, ..Run::default() };
+        Settings { max_bits: self.max_bits, ..scene.settings_asked(run, Arithmetic::Auto) }
     }
 }
 

@@ -4,19 +4,16 @@ pub mod arguments;
 mod csv;
 mod table;
 
-use std::cell::Cell;
-
-use anyhow::{Context, Error, Result, anyhow, bail};
+use anyhow::{Context, Error, Result, bail};
 use impact_pair::Scene;
 use impact_pair::certificate::document::one_a_line;
 use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::orbit::{Place, Settings};
-use impact_pair::pair::Wall;
-use impact_pair::two_impact::{Answer, Axis, Manifold, Question, Range, Unknown};
+use impact_pair::orbit::Settings;
+use impact_pair::two_impact::{Answer, Axis, Question, Range, Unknown, speed};
 
 use crate::output::Output;
-use crate::progress::{Progress, goes_on};
+use crate::progress::{Progress, goes_on, interruption};
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
 
@@ -28,16 +25,6 @@ pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     match &arguments.manifold {
         Some(range) => draw_manifold(arguments, &scene, range, digits).with_context(named),
         None => list_motions(arguments, &scene, digits).with_context(named),
-    }
-}
-
-/// The speed that the scene starts with.
-fn speed(scene: &Scene) -> Result<Exact> {
-    let start = scene.start();
-    match start.place() {
-        Place::Wall(Wall::Left) => Ok(start.velocity().checked_neg()?),
-        Place::Wall(Wall::Right) => Ok(start.velocity().clone()),
-        Place::Inside(_) => Err(anyhow!("start.wall is missing, but the velocity asked for is that before an impact")),
     }
 }
 
@@ -85,25 +72,13 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         Over::Velocity => (Axis::Velocity(wall), Exact::from(0)),
     };
     let range = Range { pair: scene.pair(), speed, axis, from, to, count };
-    // Even N have no equispaced motion (65): of a range the odd ones are drawn.
-    let cycles = arguments.cycles.0.clone();
-    let is_one = cycles.start() == cycles.end();
     // From here on Ctrl-C keeps what is proved.
-    let interrupted = Cell::new(!goes_on());
-    let goes_on = || {
-        interrupted.set(!goes_on());
-        !interrupted.get()
-    };
+    interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::of("drawing manifolds", !arguments.destination.quiet);
-    let mut curves: Vec<Manifold> = cycles
-        .filter(|n| is_one || n % 2 == 1)
-        .take_while(|_| goes_on())
-        .map(|n| range.manifold(n, digits, goes_on))
-        .collect::<Result<_, _>>()?;
+    let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, goes_on)?;
     progress.clear();
-    curves.retain(|curve| !curve.points.is_empty());
-    let interrupted = interrupted.get();
+    let interrupted = !went_on;
     let text = match arguments.format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
         TwoImpactFormat::Json => {

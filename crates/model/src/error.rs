@@ -15,6 +15,8 @@ pub struct Error {
     kind: Kind,
     /// The key of the scene file that is at fault, when it is one.
     key: Option<String>,
+    /// Its value, as written.
+    value: Option<String>,
     /// Where the value stands in a file.
     excerpt: Option<Box<Excerpt>>,
     message: String,
@@ -57,7 +59,7 @@ enum Kind {
 
 impl Error {
     fn new(kind: Kind, message: String) -> Self {
-        Self { kind, key: None, excerpt: None, message, cause: None }
+        Self { kind, key: None, value: None, excerpt: None, message, cause: None }
     }
 
     /// Whether a value lies outside what is accepted.
@@ -88,6 +90,11 @@ impl Error {
     /// The key of the scene file that is at fault, such as `pair.gap`, when it is one.
     pub fn key(&self) -> Option<&str> {
         self.key.as_deref()
+    }
+
+    /// The value at fault, as it is written, when it is that of a key.
+    pub fn value(&self) -> Option<&str> {
+        self.value.as_deref()
     }
 
     /// The line of the scene file that is at fault, when it is one.
@@ -131,13 +138,14 @@ impl Error {
 
     /// A value of a scene file, as written there, that is not of the accepted kind.
     pub fn entry(key: &str, written: &str, accepted: &str) -> Self {
-        Self { key: Some(key.to_owned()), ..Self::scene(format!("{key} is {written}, but {accepted}")) }
+        let message = format!("{key} is {written}, but {accepted}");
+        Self { key: Some(key.to_owned()), value: Some(written.to_owned()), ..Self::scene(message) }
     }
 
     /// A value that is not accepted at its key.
     pub fn range(key: &str, value: &Exact, accepted: &str) -> Self {
         let message = format!("{key} is {value}, but {accepted}");
-        Self { key: Some(key.to_owned()), ..Self::new(Kind::Range, message) }
+        Self { key: Some(key.to_owned()), value: Some(value.to_string()), ..Self::new(Kind::Range, message) }
     }
 
     /// A question whose answer is out of reach; `key` is at fault, when it is one of the scene file.

@@ -24,6 +24,9 @@ use impact_pair_exact::Exact;
 use section::{Entry, Section, quoted};
 pub use vary::{Key, Term};
 
+/// Digits of a shadow where none are asked for: it is as narrow as it is, and a scene's own are meant for what can be narrower.
+const SHADOW_DIGITS: u32 = 6;
+
 /// The digits that can be asked for.
 pub const DIGITS: RangeInclusive<u32> = 1..=400;
 
@@ -124,6 +127,17 @@ impl Scene {
     /// The settings that `[run]` asks for, in the cheapest arithmetic that decides.
     pub fn settings(&self) -> Settings {
         self.run.settings(Arithmetic::Auto)
+    }
+
+    /// How the scene is to be run: as `asked`, and by its table `[run]` as far as that does not say.
+    pub fn settings_asked(&self, asked: Run, arithmetic: Arithmetic) -> Settings {
+        let (impacts, until) = (asked.impacts.or(self.run.impacts), asked.until.or_else(|| self.run.until.clone()));
+        Run { impacts, until, digits: self.digits_asked(asked.digits, arithmetic) }.settings(arithmetic)
+    }
+
+    /// The digits of an orbit: those asked for, or else those of `[run]`, of a shadow six.
+    pub fn digits_asked(&self, digits: Option<u32>, arithmetic: Arithmetic) -> Option<u32> {
+        digits.or(if arithmetic == Arithmetic::Shadow { Some(SHADOW_DIGITS) } else { self.run.digits })
     }
 
     /// The error with the line of its key, where that stands in the file.

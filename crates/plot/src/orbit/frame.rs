@@ -41,6 +41,18 @@ pub enum Panel {
 }
 
 impl Panel {
+    /// All of them, in the order of the paper.
+    pub const ALL: [Self; 8] = [
+        Self::Displacement,
+        Self::Velocity,
+        Self::PhasePlane,
+        Self::AbsolutePhasePlane,
+        Self::SwitchPlane,
+        Self::AbsoluteSwitchPlane,
+        Self::SectionLeft,
+        Self::SectionRight,
+    ];
+
     /// Whether it shows impacts alone.
     pub fn is_section(self) -> bool {
         self >= Self::SwitchPlane

@@ -1,6 +1,7 @@
 //! An orbit in the eight panels of figures 12-17.
 
 mod curves;
+mod figure;
 mod frame;
 mod panel;
 mod recorder;
@@ -8,6 +9,7 @@ mod sheet;
 mod symbols;
 mod trace;
 
+pub use figure::Figure;
 pub use frame::Panel;
 pub use panel::Style;
 pub use recorder::{Recorder, end_of};

@@ -1,12 +1,17 @@
-//! A sweep as a table: the columns that CSV and Parquet share, and what each row holds.
+//! A sweep as a table: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
 
-use impact_pair::certificate::document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
+use impact_pair_certificate::document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
+
+use crate::exact::{Exact, ParseError};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
+    /// A whole number.
     Whole,
+    /// A word.
     Text,
+    /// True or false.
     Truth,
     /// An exact number as written: text in CSV, bounds in Parquet.
     Exact,
@@ -17,11 +22,17 @@ pub enum Kind {
 /// What a row has in a column.
 #[derive(Clone, Copy, Debug)]
 pub enum Cell<'r> {
+    /// It has none.
     Nothing,
+    /// A whole number.
     Whole(u64),
+    /// A word.
     Text(&'r str),
+    /// True or false.
     Truth(bool),
+    /// An exact number as written.
     Exact(&'r str),
+    /// Decimals, rounded outward.
     Bounds(&'r ExtendedBounds),
 }
 
@@ -99,4 +110,42 @@ fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, has_claims: 
     ]);
     cells.extend(has_claims.then(|| Cell::Text(record.claim.unwrap_or_default().text())));
     cells
+}
+
+/// The names of the columns as a line of CSV.
+pub fn csv_head(head: &SweepHead) -> String {
+    let names = columns(head).into_iter().map(|(name, kind)| match kind {
+        Kind::Bounds => format!("{name}_lower,{name}_upper"),
+        Kind::Whole | Kind::Text | Kind::Truth | Kind::Exact => name,
+    });
+    names.collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// The rows of a point as lines of CSV.
+pub fn csv_rows(head: &SweepHead, record: &SweepRecord) -> String {
+    let kinds: Vec<Kind> = columns(head).into_iter().map(|(_, kind)| kind).collect();
+    let line = |row: Vec<Cell<'_>>| {
+        let cells = row.iter().zip(&kinds).map(|(cell, kind)| match cell {
+            Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
+            Cell::Nothing => String::new(),
+            Cell::Whole(number) => number.to_string(),
+            Cell::Text(text) | Cell::Exact(text) => (*text).to_owned(),
+            Cell::Truth(truth) => truth.to_string(),
+            Cell::Bounds([low, high]) => format!("{low},{high}"),
+        });
+        cells.collect::<Vec<_>>().join(",") + "\n"
+    };
+    rows(record, head.claim.is_some()).map(line).collect()
+}
+
+/// The doubles next to an exact number as written, below and above it.
+///
+/// # Errors
+/// When it is none.
+pub fn doubles(text: &str) -> Result<[f64; 2], ParseError> {
+    Ok(match text {
+        "inf" => [f64::INFINITY; 2],
+        "-inf" => [f64::NEG_INFINITY; 2],
+        text => Exact::parse(text)?.enclose(64).to_f64_bounds().into(),
+    })
 }

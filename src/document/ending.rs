@@ -2,18 +2,22 @@
 
 use std::fmt;
 
-use impact_pair::certificate::document::ArithmeticDocument;
-use impact_pair::contact::Reason;
-use impact_pair::document::{Conclusion, arithmetic, is_certified};
-use impact_pair::orbit::{Arithmetic, Orbit, Settings, VERDICT_BITS};
+use impact_pair_certificate::document::ArithmeticDocument;
+
+use super::conclusion::Conclusion;
+use super::orbit::{arithmetic, is_certified};
+use crate::contact::Reason;
+use crate::orbit::{Arithmetic, Orbit, Settings, VERDICT_BITS};
 
 /// The conclusion of an orbit, seen against what was asked.
 pub struct Ending<'s> {
+    /// How it ended.
     pub conclusion: Conclusion,
     /// What computed the orbit, as the orbit JSON says it.
     pub computed: ArithmeticDocument,
     /// The first impact whose enclosure is wider than the digits asked for.
     pub wide: Option<u64>,
+    /// What was asked.
     pub settings: &'s Settings,
     /// The most bits that it was computed with.
     pub bits: u32,

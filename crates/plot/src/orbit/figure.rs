@@ -1,0 +1,99 @@
+//! A picture of a scene: how far its orbit is followed for the panels asked for, and what is drawn of it.
+
+use std::ops::ControlFlow;
+
+use anyhow::Result;
+use impact_pair::Scene;
+use impact_pair::document::{Conclusion, Ending, Event, is_certified};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings, Watch};
+use impact_pair::scene::Run;
+
+use super::{Panel, Recorder, Sheet, Style, end_of};
+
+/// What is drawn where nothing says how many impacts: sections need many points.
+const SECTION_IMPACTS: u64 = 4000;
+
+/// What is asked of a picture.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// The panels, in their order on the sheet.
+    pub panels: Vec<Panel>,
+    /// Cycles that the time panels show.
+    pub cycles: u32,
+    /// Cycles that the phase planes show.
+    pub orbit_cycles: u32,
+    /// Impacts of the transient, which is drawn grey.
+    pub transient: usize,
+    /// From when to when the time panels are magnified \[time\].
+    pub zoom: Option<[f64; 2]>,
+    /// How far the orbit is followed, where that is said, and the digits; the table `[run]` says its digits alone.
+    pub run: Run,
+    /// What computes.
+    pub arithmetic: Arithmetic,
+    /// See [`Settings::splice`].
+    pub splice: u64,
+    /// See [`Settings::max_bits`].
+    pub max_bits: u32,
+}
+
+impl Figure {
+    /// Cycles over which curves are drawn: of phase planes more than of time panels.
+    fn curve_cycles(&self) -> u32 {
+        let most = self.panels.iter().map(|panel| match panel {
+            Panel::Displacement | Panel::Velocity => self.cycles,
+            Panel::PhasePlane | Panel::AbsolutePhasePlane => self.orbit_cycles,
+            _ => 0,
+        });
+        most.max().unwrap_or(0)
+    }
+
+    /// How far the orbit of a scene is followed: where nothing is said, as far as the panels need.
+    pub fn settings(&self, scene: &Scene) -> Settings {
+        let asked = self.run.impacts.is_some() || self.run.until.is_some();
+        let many = self.panels.iter().any(|panel| panel.is_section());
+        let (impacts, until) = match (asked, many) {
+            (true, _) => (self.run.impacts, self.run.until.clone()),
+            (false, true) => (Some(SECTION_IMPACTS), None),
+            (false, false) => match end_of(scene, self.curve_cycles()) {
+                Some(end) => (None, Some(end)),
+                None => (Some(SECTION_IMPACTS), None),
+            },
+        };
+        let digits = scene.digits_asked(self.run.digits, self.arithmetic);
+        let run = Run { impacts, until: until.clone(), digits };
+        let settings = run.settings(self.arithmetic);
+        Settings { impacts, until, max_bits: self.max_bits, splice: self.splice, attractor: true, ..settings }
+    }
+
+    /// Follows the orbit of a scene, which has not gone on yet, and draws it as SVG; says how it ended, too.
+    pub fn draw<'s>(
+        &self,
+        scene: &Scene,
+        (mut orbit, settings): (Orbit, &'s Settings),
+        watch: &dyn Watch,
+    ) -> (Result<String>, Ending<'s>) {
+        let mut recorder = Recorder::new(&orbit, self.curve_cycles());
+        let mut last: Option<Event> = None;
+        let _ = orbit.follow(watch, |orbit, step| {
+            recorder.record(orbit, &step);
+            let index = last.as_ref().map_or(0, |event| event.index);
+            last = Event::of(orbit, &step, index).or(last.take());
+            ControlFlow::<()>::Continue(())
+        });
+        let impacts = last.as_ref().map_or(0, |event| event.index);
+        let conclusion = Conclusion::of(&orbit, scene.start(), last.as_ref());
+        let ending = Ending::of(&orbit, conclusion, settings);
+        let trace = recorder.finish(&orbit, settings, impacts);
+        let sheet = Sheet {
+            scene,
+            trace: &trace,
+            panels: self.panels.clone(),
+            cycles: self.cycles,
+            orbit_cycles: self.orbit_cycles,
+            zoom: self.zoom,
+            style: Style { is_certified: is_certified(settings.arithmetic), transient: self.transient },
+            verdict: ending.to_string(),
+        };
+        (sheet.svg(), ending)
+    }
+}

@@ -1,0 +1,69 @@
+"""What all answers have in common: their document, and how it leaves Python."""
+
+from __future__ import annotations
+
+import html
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import os
+
+    from .verdicts import Check
+
+
+class Document:
+    """An answer: the document that the command line writes with ``--format json``, and whether it answers all."""
+
+    def __init__(self, text: str, complete: bool | None = None, svg: str | None = None) -> None:
+        self._text = text
+        self._complete = complete
+        self._svg = svg
+        self._document: dict[str, Any] | None = None
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """The document as a dict; bounds are pairs of decimals in strings, rounded outward."""
+        if self._document is None:
+            self._document = json.loads(self.json())
+        return self._document
+
+    @property
+    def certified(self) -> bool:
+        """Whether what the document says is proved."""
+        return bool(self.document["certified"])
+
+    @property
+    def complete(self) -> bool | None:
+        """Whether all that was asked is certified: the command line's exit code 0. ``None`` of a document that was read."""
+        return self._complete
+
+    @property
+    def svg(self) -> str | None:
+        """The picture, if one was asked for."""
+        return self._svg
+
+    def json(self) -> str:
+        """Return the document as text."""
+        return self._text
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the document, or with the ending ``.svg`` the picture, to a file."""
+        path = Path(path)
+        if path.suffix == ".svg" and self.svg is not None:
+            path.write_text(self.svg, encoding="utf-8")
+        else:
+            path.write_text(self.json().rstrip("\n") + "\n", encoding="utf-8")
+
+    def check(self, effort: int = 1) -> Check:
+        """Prove every claim again, by another route; see :func:`impact_pair.check`."""
+        from .verdicts import check
+
+        return check(self.json(), effort=effort)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.json(), self._complete, self._svg)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(repr(self))}</pre>"

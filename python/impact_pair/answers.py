@@ -1,0 +1,392 @@
+"""Answers of the other verbs, as objects above their documents."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._document import Document
+from .bounds import Bounds, outward, pair
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from .bounds import Doubles
+
+
+@dataclass(frozen=True)
+class PeriodicOrbit:
+    """A periodic orbit that is proved to be the only one in its bounds; of ``fields`` this is the document."""
+
+    fields: dict[str, Any]
+
+    @property
+    def walls(self) -> list[str]:
+        """The walls of its impacts (n,), in the order of time."""
+        return [impact["wall"] for impact in self.fields["impacts"]]
+
+    @property
+    def phase_bounds(self) -> Doubles:
+        """Bounds of W t + tau at its impacts (n, 2) [rad]."""
+        return outward(impact["phase"] for impact in self.fields["impacts"])
+
+    @property
+    def v_bounds(self) -> Doubles:
+        """Bounds of y' just before its impacts (n, 2) [length/time]."""
+        return outward(impact["velocity"] for impact in self.fields["impacts"])
+
+    @property
+    def phases(self) -> list[Bounds]:
+        """The same phases as exact decimals."""
+        return [Bounds(*impact["phase"]) for impact in self.fields["impacts"]]
+
+    @property
+    def velocities(self) -> list[Bounds]:
+        """The same velocities as exact decimals."""
+        return [Bounds(*impact["velocity"]) for impact in self.fields["impacts"]]
+
+    @property
+    def stability(self) -> str:
+        """Stable, unstable or undecided."""
+        return str(self.fields["stability"])
+
+    @property
+    def physical(self) -> bool | None:
+        """Whether it is proved that no wall is touched earlier on any flight; None where that is undecided."""
+        found: bool | None = self.fields["physical"]
+        return found
+
+    @property
+    def symmetric(self) -> bool | None:
+        """Whether it is its own mirror image; None where that is undecided."""
+        found: bool | None = self.fields["symmetric"]
+        return found
+
+    @property
+    def trace(self) -> Bounds | None:
+        """The trace of the Jacobian over the period."""
+        return pair(self.fields.get("trace"))
+
+    @property
+    def determinant(self) -> Bounds | None:
+        """The determinant of the Jacobian over the period."""
+        return pair(self.fields.get("determinant"))
+
+    @property
+    def eigenvalues(self) -> list[tuple[Bounds, Bounds]]:
+        """Real and imaginary part of both eigenvalues."""
+        return [(Bounds(*value["re"]), Bounds(*value["im"])) for value in self.fields.get("eigenvalues") or []]
+
+    def __repr__(self) -> str:
+        impacts = zip(self.walls, self.phases, self.velocities, strict=True)
+        listed = "; ".join(f"{wall} W t + tau = {phase}, v = {velocity}" for wall, phase, velocity in impacts)
+        return f"<{self.stability} orbit: {listed}>"
+
+
+class Periodic(Document):
+    """Proved periodic orbits: those of a word, or all two-impact motions in N cycles."""
+
+    @property
+    def word(self) -> str:
+        """The word, its right-most mapping first in time."""
+        return str(self.document["word"])
+
+    @property
+    def cycles(self) -> int:
+        """The cycles that it takes."""
+        return int(self.document["cycles"])
+
+    @property
+    def exhaustive(self) -> bool:
+        """Whether it is proved that there are no others."""
+        return bool(self.document["exhaustive"])
+
+    @cached_property
+    def orbits(self) -> list[PeriodicOrbit]:
+        """The orbits."""
+        return [PeriodicOrbit(orbit) for orbit in self.document["orbits"]]
+
+    def __len__(self) -> int:
+        return len(self.orbits)
+
+    def __iter__(self) -> Iterator[PeriodicOrbit]:
+        return iter(self.orbits)
+
+    def __getitem__(self, i: int) -> PeriodicOrbit:
+        return self.orbits[i]
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row an impact."""
+        import pandas as pd
+
+        rows = [
+            {"orbit": i, "wall": wall, "phase_lower": phase[0], "phase_upper": phase[1], "v_lower": v[0], "v_upper": v[1]}
+            | {"stability": orbit.stability, "physical": orbit.physical, "symmetric": orbit.symmetric}
+            for i, orbit in enumerate(self)
+            for wall, phase, v in zip(orbit.walls, orbit.phase_bounds, orbit.v_bounds, strict=True)
+        ]
+        return pd.DataFrame(rows)
+
+    def __repr__(self) -> str:
+        rest = "proved to be all" if self.exhaustive else "others are not excluded"
+        lines = [f"{self.word} in {self.cycles} cycles: {len(self)} orbits, {rest}", *map(repr, self)]
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True)
+class Bifurcation:
+    """A proved bifurcation: exactly one lies in its bounds."""
+
+    #: fold, pitchfork, period-doubling or graze.
+    kind: str
+    parameter: Bounds
+    word: str
+    cycles: int
+    orbit: PeriodicOrbit
+
+
+class Bifurcations(Document):
+    """Proved bifurcations in the order of the parameter, and the branches that were followed."""
+
+    @cached_property
+    def points(self) -> list[Bifurcation]:
+        """The bifurcations."""
+        return [
+            Bifurcation(found["kind"], Bounds(*found["parameter"]), found["word"], found["cycles"], PeriodicOrbit(found["orbit"]))
+            for found in self.document["points"]
+        ]
+
+    @property
+    def parameter_bounds(self) -> Doubles:
+        """Bounds of the parameter (n, 2)."""
+        return outward(point.parameter.decimals for point in self.points)
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __iter__(self) -> Iterator[Bifurcation]:
+        return iter(self.points)
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row a bifurcation."""
+        import pandas as pd
+
+        rows = [
+            {"kind": point.kind, "parameter_lower": low, "parameter_upper": high, "word": point.word, "cycles": point.cycles}
+            for point, (low, high) in zip(self.points, self.parameter_bounds, strict=True)
+        ]
+        return pd.DataFrame(rows)
+
+    def __repr__(self) -> str:
+        over = self.document["over"]
+        lines = [f"over {over['key']} from {over['low']} to {over['high']}: {len(self)} bifurcations"]
+        return "\n".join(lines + [f"{point.kind:16} {point.parameter}" for point in self.points])
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A manifold of one N: A_N over W or v, certified at each of its n points."""
+
+    cycles: int
+    #: Bounds of W [rad/time] or v [length/time] (n, 2).
+    at_bounds: Doubles
+    #: Bounds of A_N [length] (n, 2).
+    amplitude_bounds: Doubles
+    #: What changes at a point: graze, pitchfork, fold, or None (n,).
+    marks: list[str | None]
+    #: What is proved between each point and the next (n,): sine, physical, stability.
+    parts: list[dict[str, Any] | None]
+
+
+class Manifold(Document):
+    """The curves of figures 10 and 11."""
+
+    @cached_property
+    def curves(self) -> list[Curve]:
+        """A curve for each N."""
+        over = self.document["over"]
+        return [
+            Curve(
+                curve["cycles"],
+                outward(point[over] for point in curve["points"]),
+                outward(point["amplitude"] for point in curve["points"]),
+                [point.get("mark") for point in curve["points"]],
+                [point.get("after") for point in curve["points"]],
+            )
+            for curve in self.document["curves"]
+        ]
+
+    def _repr_svg_(self) -> str | None:
+        return self.svg
+
+    def __repr__(self) -> str:
+        said = ", ".join(f"N = {curve.cycles}: {len(curve.marks)} points" for curve in self.curves)
+        return f"<manifolds over {self.document['over']}: {said}>"
+
+
+class Trap(Document):
+    """A region that no motion with an impact in it leaves: no rest, no chatter that ends, bounds for all time."""
+
+    @property
+    def boxes(self) -> int:
+        """How many boxes it has."""
+        return int(self.document["boxes"])
+
+    @property
+    def entered_at_impact(self) -> int | None:
+        """From which impact on the scene's own orbit is in it, 0 for its start; None where that is not proved."""
+        found: int | None = self.document["entered_at_impact"]
+        return found
+
+    def __repr__(self) -> str:
+        if not self.certified:
+            return f"undecided: no region is proved; {self.document['message']}"
+        return f"<region of {self.boxes} boxes, entered at impact {self.entered_at_impact}>"
+
+
+class Chaos(Document):
+    """Words of impacts that follow one another in any order, and what that says of the entropy."""
+
+    @property
+    def entropy(self) -> float:
+        """A lower bound of the topological entropy of the impact map [nats an impact]; 0 where nothing is proved."""
+        return self._down("per_impact")
+
+    @property
+    def entropy_per_cycle(self) -> float:
+        """The same [nats a cycle]."""
+        return self._down("per_cycle")
+
+    def _down(self, key: str) -> float:
+        text = self.document["entropy"][key]
+        return float(outward([(text, text)])[0, 0])
+
+    @property
+    def words(self) -> list[dict[str, Any]]:
+        """The words: from which base to which, impacts, half cycles, flights."""
+        return list(self.document["words"])
+
+    def __repr__(self) -> str:
+        per = self.document["entropy"]
+        said = "certified" if self.certified else "undecided"
+        return f"{said}: topological entropy at least {per['per_impact']} an impact, {per['per_cycle']} a cycle; {len(self.words)} words"
+
+
+class Trade(Document):
+    """What accuracy costs: a rung for each arithmetic."""
+
+    @property
+    def certified(self) -> bool:
+        """Never: it measures."""
+        return False
+
+    @property
+    def rungs(self) -> list[dict[str, Any]]:
+        """The rungs, in the order in which they were measured."""
+        return list(self.document["rungs"])
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row a rung."""
+        import pandas as pd
+
+        return pd.json_normalize(self.rungs)
+
+    def _repr_svg_(self) -> str | None:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<trade of {len(self.rungs)} rungs>"
+
+
+class Audit(Document):
+    """Another simulator's list, judged."""
+
+    @property
+    def certified(self) -> bool:
+        """Whether it is judged by a certified orbit: always."""
+        return True
+
+    @property
+    def agreed(self) -> bool:
+        """Whether all rows are inside or in a chatter, and nothing is missed."""
+        return bool(self.document["agreed"])
+
+    @property
+    def message(self) -> str:
+        """What is found, in words."""
+        return str(self.document["message"])
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many rows or certified impacts have which verdict."""
+        return dict(self.document["counts"])
+
+    @property
+    def first_disagreement(self) -> dict[str, Any] | None:
+        """Impact, verdict and row of the first one, if any."""
+        found: dict[str, Any] | None = self.document.get("first_disagreement")
+        return found
+
+    @property
+    def events(self) -> list[dict[str, Any]]:
+        """Verdict, row, what was listed, what is certified, and the error, for each row and each missed impact."""
+        return list(self.document["events"])
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row an event."""
+        import pandas as pd
+
+        return pd.json_normalize(self.events)
+
+    def __repr__(self) -> str:
+        return self.message
+
+
+class Picture(Document):
+    """A picture as SVG, and what of it is certified."""
+
+    def __init__(self, svg: str, complete: bool | None = None, verdict: str | None = None) -> None:
+        super().__init__("", complete, svg)
+        self.verdict = verdict or ""
+
+    @property
+    def certified(self) -> bool:
+        """Whether what is drawn is proved."""
+        return not self.verdict.startswith("computed")
+
+    def json(self) -> str:
+        """Return the verdict: a picture has no document."""
+        return json.dumps({"verdict": self.verdict})
+
+    def _repr_svg_(self) -> str | None:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<picture: {self.verdict}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Picture, (self.svg, self.complete, self.verdict)
+
+
+def listing(events: str | os.PathLike[str] | Mapping[str, Any] | Any) -> str:
+    """Return another simulator's impacts as text: a file's, or arrays by name as CSV, each double as its exact decimal."""
+    if isinstance(events, (str, os.PathLike)):
+        return Path(events).read_text(encoding="utf-8")
+    named = events if isinstance(events, Mapping) else {name: events[name] for name in events.columns}
+    columns = [np.asarray(column) for column in named.values()]
+    out = io.StringIO()
+    rows = csv.writer(out)
+    rows.writerow(named)
+    for row in zip(*columns, strict=True):
+        rows.writerow([str(Decimal(float(cell))) if isinstance(cell, (float, np.floating)) else str(cell) for cell in row])
+    return out.getvalue()

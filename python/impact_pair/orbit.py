@@ -1,0 +1,322 @@
+"""Orbits: certified impacts, and where the ball is between them."""
+
+from __future__ import annotations
+
+import html
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+from ._document import Document
+from ._progress import Progress, reporting
+from .bounds import Bounds, doubles, middles, radii
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import numpy.typing as npt
+
+    from .bounds import Doubles
+    from .verdicts import Theorem
+
+NAMES = ("impact", "graze", "rest", "release")
+MAPPINGS = (None, "P1", "P2", "P3", "P4")
+SHOWN = 6
+
+
+@dataclass(frozen=True)
+class Event:
+    """What happens at a wall. Times [time] are proved to lie in their bounds."""
+
+    wall: str
+    time: Bounds
+
+
+@dataclass(frozen=True)
+class Impact(Event):
+    """The ball hits the wall; ``velocity`` is y' [length/time] just before, ``index`` counts from 1."""
+
+    index: int
+    mapping: str | None
+    velocity: Bounds
+
+
+@dataclass(frozen=True)
+class Graze(Event):
+    """The wall is touched with no velocity, or not at all: no precision tells."""
+
+
+@dataclass(frozen=True)
+class Rest(Event):
+    """The ball comes to rest, after infinitely many impacts that are not listed where ``accumulation`` says so."""
+
+    accumulation: bool
+
+
+@dataclass(frozen=True)
+class Release(Event):
+    """The ball leaves the wall that it rested on."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How an orbit ended: ``kind`` and ``reason`` are the words of the orbit JSON, ``message`` is a line for people."""
+
+    kind: str
+    message: str
+    reason: str | None
+    fields: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class States:
+    """Where the ball is at times t: bounds (n, 2) of y [length] and y' [length/time]; NaN where nothing is proved."""
+
+    t: Doubles
+    y_bounds: Doubles
+    v_bounds: Doubles
+
+    @property
+    def y(self) -> Doubles:
+        """The middles (n,) of the bounds of the displacement, relative to the box [length]."""
+        return middles(self.y_bounds)
+
+    @property
+    def v(self) -> Doubles:
+        """The middles (n,) of the bounds of the velocity, relative to the box [length/time]."""
+        return middles(self.v_bounds)
+
+
+class Orbit(Document):
+    """An orbit with all its events. Arrays are of the impacts, n of them; bounds are doubles (n, 2), rounded outward.
+
+    Called with times it says where the ball is then: ``orbit(0.5).y_bounds``.
+    """
+
+    def __init__(self, core: _core.Orbit) -> None:
+        super().__init__("", core.ending()[0])
+        self._core = core
+        names, walls, mappings, times, velocities = core.columns()
+        self._names = np.frombuffer(names, dtype=np.uint8)
+        self._at = self._names == 0
+        #: The walls of the impacts as numbers (n,): -1 left, 1 right.
+        self.sides: npt.NDArray[np.int8] = np.frombuffer(walls, dtype=np.int8)[self._at]
+        self._mappings = np.frombuffer(mappings, dtype=np.uint8)[self._at]
+        #: Bounds of the times of the impacts (n, 2) [time].
+        self.t_bounds: Doubles = doubles(times, -1, 2)[self._at]
+        #: Bounds of y' just before them (n, 2) [length/time].
+        self.v_bounds: Doubles = doubles(velocities, -1, 2)[self._at]
+
+    @property
+    def t(self) -> Doubles:
+        """The middles of the bounds of the times (n,) [time]."""
+        return middles(self.t_bounds)
+
+    @property
+    def v(self) -> Doubles:
+        """The middles of the bounds of the velocities before the impacts (n,) [length/time]."""
+        return middles(self.v_bounds)
+
+    @property
+    def t_radii(self) -> Doubles:
+        """How far the times may be from ``t`` (n,) [time], rounded up."""
+        return radii(self.t_bounds)
+
+    @property
+    def v_radii(self) -> Doubles:
+        """How far the velocities may be from ``v`` (n,) [length/time], rounded up."""
+        return radii(self.v_bounds)
+
+    @cached_property
+    def walls(self) -> npt.NDArray[np.str_]:
+        """The walls of the impacts (n,): ``"left"`` or ``"right"``."""
+        return np.where(self.sides < 0, "left", "right")
+
+    @property
+    def wall(self) -> npt.NDArray[np.str_]:
+        """The walls of the impacts (n,): ``"left"`` or ``"right"``."""
+        return self.walls
+
+    @cached_property
+    def mappings(self) -> npt.NDArray[np.object_]:
+        """The mappings that led to the impacts (n,): ``"P1"`` to ``"P4"``, or None where there is none or more than one."""
+        return np.asarray(np.array(MAPPINGS, dtype=object)[self._mappings])
+
+    @cached_property
+    def _about(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        head, outcome = self._core.about()
+        return json.loads(head), json.loads(outcome)
+
+    @property
+    def certified(self) -> bool:
+        """Whether the bounds are proved: not of ``arithmetic="float"``."""
+        return bool(self._about[0]["certified"])
+
+    @property
+    def claim(self) -> str:
+        """Of which start it is the orbit: ``"exact start"``, or ``"shadowed"``: of one within the bounds of the outcome."""
+        return str(self._about[0]["claim"])
+
+    @property
+    def arithmetic(self) -> dict[str, Any]:
+        """What computed it: ``kind`` and ``bits``."""
+        return dict(self._about[0]["arithmetic"])
+
+    @property
+    def scene(self) -> dict[str, Any]:
+        """The exact parameters and the start, as the document has them."""
+        return dict(self._about[0]["scene"])
+
+    @property
+    def outcome(self) -> Outcome:
+        """How it ended."""
+        fields = self._about[1]
+        return Outcome(fields["kind"], fields["message"], fields.get("reason"), fields)
+
+    @property
+    def bits(self) -> int | None:
+        """The most bits that an impact took: 53 in doubles. None of an orbit that was read."""
+        return self._core.ending()[2]
+
+    @property
+    def events(self) -> list[Event]:
+        """All events, in the order of time, with exact decimals."""
+        return [self.event(i) for i in range(len(self._names))]
+
+    def event(self, i: int) -> Event:
+        """Return event number i, from 0, with exact decimals."""
+        text = self._core.event(i if i >= 0 else i + len(self._names))
+        if text is None:
+            raise IndexError(i)
+        said = json.loads(text)
+        wall, time = said["wall"], Bounds(*said["time"])
+        match said["event"]:
+            case "impact":
+                return Impact(wall, time, said["index"], said["mapping"], Bounds(*said["velocity"]))
+            case "graze":
+                return Graze(wall, time)
+            case "rest":
+                return Rest(wall, time, "skipped" in said)
+            case _:
+                return Release(wall, time)
+
+    def __getitem__(self, i: int) -> Impact:
+        """Return impact number i, from 0, with exact decimals."""
+        found = self.event(int(np.flatnonzero(self._at)[i]))
+        assert isinstance(found, Impact)
+        return found
+
+    def __len__(self) -> int:
+        return len(self.sides)
+
+    def __iter__(self) -> Iterator[Impact]:
+        return (self[i] for i in range(len(self)))
+
+    def __call__(self, t: npt.ArrayLike, progress: Progress = False) -> States:
+        """Return where the ball is at times t (n,) [time], exact doubles, in any order: enclosed by (11) and (12).
+
+        At a time that may be before or after an impact both velocities are in the bounds. NaN before the start, after the last
+        event, but where a time to stop at, ``until``, says that there is none before it, and while infinitely many impacts pass.
+        """
+        times = np.ascontiguousarray(np.atleast_1d(np.asarray(t, dtype=np.float64)))
+        with reporting(progress, "times", times.size) as tell:
+            found = doubles(self._core.at(times.tobytes(), tell), -1, 2, 2)
+        return States(times, found[:, 0], found[:, 1])
+
+    def json(self) -> str:
+        """Return the orbit JSON, as ``impact-pair run --format json`` writes it."""
+        return self._core.json()
+
+    def prove(self, impacts: int | None = None) -> Theorem:
+        """Return a Coq file whose theorem says what this orbit says; see :func:`impact_pair.prove`."""
+        from .verdicts import prove
+
+        return prove(self.json(), impacts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return arrays by name: index, mapping, wall, t_lower, t_upper, v_lower, v_upper."""
+        (t_lower, t_upper), (v_lower, v_upper) = self.t_bounds.T, self.v_bounds.T
+        index = np.arange(1, len(self) + 1)
+        named = {"index": index, "mapping": self.mappings, "wall": self.walls}
+        return named | {"t_lower": t_lower, "t_upper": t_upper, "v_lower": v_lower, "v_upper": v_upper}
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with a row an impact; columns as in ``to_dict``."""
+        import pandas as pd
+
+        return pd.DataFrame(self.to_dict()).set_index("index")
+
+    def to_arrow(self) -> Any:
+        """Return a pyarrow Table with a row an impact; columns as in ``to_dict``, the scene as metadata."""
+        import pyarrow as pa
+
+        table = pa.table(self.to_dict())
+        return table.replace_schema_metadata({"impact-pair/orbit": self._core.about()[0]})
+
+    def savemat(self, path: str) -> None:
+        """Write a MATLAB file with ``to_dict``'s arrays (walls as -1 and 1, mappings as 1 to 4), the scene and the outcome in words."""
+        from scipy.io import savemat
+
+        columns = self.to_dict() | {"wall": self.sides, "mapping": self._mappings, "t": self.t, "v": self.v}
+        head, outcome = self._core.about()
+        savemat(path, columns | {"head": head, "outcome": outcome}, oned_as="column")
+
+    def arb(self) -> list[tuple[Any, Any]]:
+        """Return times and velocities of the impacts as balls of python-flint."""
+        return [(impact.time.arb(), impact.velocity.arb()) for impact in self]
+
+    def iv(self) -> list[tuple[Any, Any]]:
+        """Return times and velocities of the impacts as intervals of mpmath."""
+        return [(impact.time.iv(), impact.velocity.iv()) for impact in self]
+
+    def _rows(self) -> Iterator[tuple[str, ...]]:
+        count = len(self._names)
+        for i in range(count):
+            if i == SHOWN and count > 2 * SHOWN:
+                yield ("...", "", "", "", "")
+            if SHOWN <= i < count - SHOWN and count > 2 * SHOWN:
+                continue
+            match self.event(i):
+                case Impact(wall, time, index, mapping, velocity):
+                    yield (str(index), mapping or "-", wall, str(time), str(velocity))
+                case other:
+                    yield ("", type(other).__name__.lower(), other.wall, str(other.time), "")
+
+    def __repr__(self) -> str:
+        """Return the first and the last events; digits before a bracket are certain, in it are the ends of the rest."""
+        head = f"{'#':>7}  {'mapping':7}  {'wall':5}  {'time':31}  velocity before"
+        lines = [f"{n:>7}  {mapping:7}  {wall:5}  {time:31}  {v}".rstrip() for n, mapping, wall, time, v in self._rows()]
+        return "\n".join([head, *lines, self._core.ending()[1]])
+
+    def _repr_html_(self) -> str:
+        cell = "<td style='text-align:left'>{}</td>".format
+        rows = ["".join(cell(html.escape(text)) for text in row) for row in self._rows()]
+        names = "".join(f"<th>{name}</th>" for name in ("#", "mapping", "wall", "time", "velocity before"))
+        body = "".join(f"<tr>{row}</tr>" for row in rows)
+        return f"<table><tr>{names}</tr>{body}</table><p>{html.escape(self._core.ending()[1])}</p>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return read, (self.json(),)
+
+
+def read(text: str) -> Orbit:
+    """Return the orbit of an orbit JSON; it does not know where the ball is between its impacts."""
+    return Orbit(_core.read_orbit(text))
+
+
+@dataclass(frozen=True)
+class Flights:
+    """The next impacts of n states on walls, each by itself; where doubles do not decide it the wall is 0 and the bounds are NaN."""
+
+    #: -1 left, 1 right, 0 undecided (n,).
+    sides: npt.NDArray[np.int8]
+    #: Bounds of the times (n, 2) [time].
+    t_bounds: Doubles
+    #: Bounds of y' just before the impacts (n, 2) [length/time].
+    v_bounds: Doubles
+    #: 1 to 4 for P1 to P4, 0 undecided (n,).
+    mappings: npt.NDArray[np.uint8]

@@ -1,0 +1,398 @@
+"""Scenes: one impact pair, one start, and what can be asked of them."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core, answers
+from ._exact import Value, optional, text, texts
+from ._progress import Progress, reporting
+from .bounds import doubles
+from .errors import Error, RangeError, SceneError
+from .orbit import Flights, Orbit
+from .sweep import SweepResult, sweep
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    import numpy.typing as npt
+
+#: Bits that an orbit takes at most where nothing is said.
+MAX_BITS = 1_000_000
+TABLES = {
+    "excitation": ("amplitude", "frequency", "phase"),
+    "pair": ("gap", "restitution"),
+    "start": ("time", "wall", "position", "velocity"),
+    "run": ("impacts", "until", "digits"),
+}
+WORDS = {"start.wall", "run.impacts", "run.digits"}
+
+
+class Scene:
+    """An impact pair and a start, exact: nothing is rounded to a double, nothing is clamped.
+
+    Numbers are ``int``, ``Fraction``, ``Decimal``, expressions such as ``"3*pi"``, tuples ``(low, high)`` for all values between
+    them, or floats, which are their exact binary values. Several harmonics are lists of amplitudes, frequencies and phases.
+
+    >>> scene = Scene(amplitude=8, frequency="pi", gap="9.42497", restitution="0.5", velocity="-12.56636")
+    >>> scene.run(impacts=1)[0].time
+    Bounds('0.55134802021852(08,17)')
+    """
+
+    def __init__(
+        self,
+        *,
+        amplitude: Value | Sequence[Value],
+        frequency: Value | Sequence[Value],
+        gap: Value,
+        restitution: Value,
+        velocity: Value,
+        phase: Value | Sequence[Value] = 0,
+        time: Value = 0,
+        wall: str | None = None,
+        position: Value | None = None,
+        title: str | None = None,
+        impacts: int | None = None,
+        until: Value | None = None,
+        digits: int | None = None,
+    ) -> None:
+        """Make a scene.
+
+        A sin(W t + tau) shakes the box: ``amplitude`` A [length], ``frequency`` W [rad/time], ``phase`` tau [rad]. ``gap`` d
+        [length] is between the walls, ``restitution`` e from 0 to 1. The start is at ``time`` [time] on a ``wall`` (``"left"``,
+        the default, or ``"right"``) with relative ``velocity`` [length/time] just before the impact, or inside the gap at
+        ``position`` y [length]. ``impacts``, ``until`` [time] and ``digits`` say how far ``run`` goes where it is not told.
+        """
+        given = {
+            "title": title,
+            "excitation": {"amplitude": amplitude, "frequency": frequency, "phase": phase},
+            "pair": {"gap": gap, "restitution": restitution},
+            "start": {
+                "time": time,
+                "wall": "left" if wall is None and position is None else wall,
+                "position": position,
+                "velocity": velocity,
+            },
+            "run": {"impacts": impacts, "until": until, "digits": digits},
+        }
+        self._read(toml(given), has_lines=False)
+
+    def _read(self, source: str, *, has_lines: bool) -> None:
+        self._text = source
+        try:
+            self._core = _core.Scene(source)
+        except Error as error:
+            if has_lines:
+                raise
+            # Nobody wrote these lines.
+            raise type(error)(re.sub(r"^line \d+: ", "", str(error)), error.key, error.value) from None
+
+    @classmethod
+    def from_text(cls, source: str) -> Scene:
+        """Read a scene from the text of a scene file (TOML)."""
+        scene = cls.__new__(cls)
+        scene._read(source, has_lines=True)
+        return scene
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Scene:
+        """Read a scene file (TOML)."""
+        return cls.from_text(Path(path).read_text(encoding="utf-8"))
+
+    @classmethod
+    def from_dict(cls, tables: Mapping[str, Any]) -> Scene:
+        """Make a scene of tables as a scene file has them: excitation, pair, start, and maybe title and run."""
+        scene = cls.__new__(cls)
+        scene._read(toml(tables), has_lines=False)
+        return scene
+
+    @classmethod
+    def named(cls, name: str) -> Scene:
+        """Return a scene of the repository, such as ``"figure-14"`` of the paper, ``"chatter"`` or ``"square-wave"``."""
+        source = _core.paper(name)
+        if source is None:
+            raise RangeError(f"the scene is {name!r}, but known are those of the folder scenes", "name", name)
+        return cls.from_text(source)
+
+    @property
+    def text(self) -> str:
+        """The scene file."""
+        return self._text
+
+    @property
+    def title(self) -> str | None:
+        """The title, if there is one."""
+        return self._core.title
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """Parameters and start in exact words, as in the orbit JSON."""
+        found: dict[str, Any] = json.loads(self._core.document())
+        return found
+
+    def varied(self, values: Mapping[str, Value]) -> Scene:
+        """Return the scene with other values of some keys: amplitude, gap, start.velocity, amplitude.2 and so on."""
+        found = json.loads(self._core.varied([(key, text(key, value)) for key, value in values.items()]))
+        pair = {"gap": found["gap"], "restitution": found["restitution"]}
+        return Scene.from_dict({"title": self.title, "excitation": found["excitation"], "pair": pair, "start": found["start"]})
+
+    def run(
+        self,
+        *,
+        impacts: int | None = None,
+        until: Value | None = None,
+        digits: int | None = None,
+        arithmetic: str | int = "auto",
+        splice: int = 0,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> Orbit:
+        """Return the certified events of the scene.
+
+        It stops after so many ``impacts`` or at the time ``until`` [time], by default where the scene says, or after 100 impacts.
+        Enclosures are asked to be at most 10^-``digits`` wide: of times relative to 2 pi/W, of velocities to A W (default 9).
+        ``arithmetic`` is ``"auto"``, ``"float"``, ``"interval"``, ``"inari"``, ``"shadow"`` or a number of bits.
+        """
+        asked = (impacts, optional("until", until), digits, str(arithmetic), splice, max_bits)
+        with reporting(progress, "impacts", impacts) as tell:
+            return Orbit(_core.run(self._core, asked, tell))
+
+    def flights(self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None) -> Flights:
+        """Return the next certified impacts of n states of this pair, each by itself, in doubles.
+
+        Times ``t`` (n,) [time] and velocities ``v`` (n,) [length/time] just before the impact are exact doubles, ``wall`` (n,) is
+        -1 for left and 1 for right; one of them may be a single number for all.
+        """
+        times, velocities, walls = np.broadcast_arrays(
+            np.asarray(t, dtype=np.float64), np.asarray(v, dtype=np.float64), np.asarray(wall, dtype=np.int8)
+        )
+        if np.any(np.abs(walls) != 1):
+            raise RangeError("wall holds other numbers, but accepted are -1 for left and 1 for right", "wall")
+        states = (times.tobytes(), velocities.tobytes(), walls.tobytes())
+        with reporting(progress, "flights", walls.size) as tell:
+            sides, mappings, found_t, found_v = _core.flights(self._core, states, tell)
+        sides_array, mappings_array = np.frombuffer(sides, dtype=np.int8), np.frombuffer(mappings, dtype=np.uint8)
+        return Flights(sides_array, doubles(found_t, -1, 2), doubles(found_v, -1, 2), mappings_array)
+
+    def sweep(
+        self,
+        over: Mapping[str, tuple[Value, Value, int]],
+        *,
+        transient: int = 500,
+        impacts: int = 300,
+        digits: int = 6,
+        arithmetic: str | int = "auto",
+        max_bits: int = 100_000,
+        summary: bool = False,
+        executor: Executor | None = None,
+        workers: int | None = None,
+        resume: str | os.PathLike[str] | None = None,
+        seconds: float = 10.0,
+        progress: Progress = None,
+    ) -> SweepResult:
+        """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
+        asked = {"transient": transient, "impacts": impacts, "digits": digits, "arithmetic": str(arithmetic)}
+        asked |= {"max_bits": max_bits, "summary": summary}
+        how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
+        return sweep(self._text, over, asked, **how)  # type: ignore[arg-type]
+
+    def periodic(
+        self,
+        word: str,
+        cycles: int,
+        *,
+        all: bool = False,
+        digits: int | None = None,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> answers.Periodic:
+        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in so many cycles; ``all`` searches the whole state space."""
+        with reporting(progress, "cells") as tell:
+            return answers.Periodic(*_core.periodic(self._core, (word, cycles, all), (digits, max_bits), tell))
+
+    def two_impact(
+        self,
+        cycles: int | tuple[int, int] = 1,
+        *,
+        wall: str = "left",
+        solve_for: str = "velocity",
+        digits: int | None = None,
+        progress: Progress = None,
+    ) -> answers.Periodic | list[answers.Periodic]:
+        """Find all motions with two impacts in N cycles, (56)-(73); for N from one to another an answer each, in a list.
+
+        ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
+        """
+        ends = (cycles, cycles) if isinstance(cycles, int) else cycles
+        with reporting(progress, "cycles") as tell:
+            documents, complete = _core.two_impact(self._core, ends, (wall, solve_for), digits, tell)
+        found = [answers.Periodic(document, complete) for document in documents]
+        return found[0] if isinstance(cycles, int) else found
+
+    def manifold(
+        self,
+        over: Mapping[str, tuple[Value, Value, int]],
+        cycles: int | tuple[int, int] = 1,
+        *,
+        wall: str = "left",
+        digits: int | None = None,
+        picture: bool = False,
+        progress: Progress = None,
+    ) -> answers.Manifold:
+        """Return A_N (68) over ``{"frequency": (low, high, count)}`` or ``"velocity"``: figures 10 and 11."""
+        [(key, (low, high, count))] = over.items()
+        ends = (cycles, cycles) if isinstance(cycles, int) else cycles
+        question = (key, text("from", low), text("to", high), count)
+        with reporting(progress, "points") as tell:
+            return answers.Manifold(*_core.manifold(self._core, ends, question, (wall, digits, picture), tell))
+
+    def bifurcations(
+        self,
+        word: str,
+        cycles: int,
+        over: Mapping[str, tuple[Value, Value]],
+        *,
+        doublings: int = 4,
+        digits: int | None = None,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> answers.Bifurcations:
+        """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
+        question = (word, cycles, ranged(over), doublings)
+        with reporting(progress, "steps") as tell:
+            return answers.Bifurcations(*_core.bifurcations(self._core, question, (digits, max_bits), tell))
+
+    def trap(self, *, finer: int = 0, picture: bool = False, progress: Progress = None) -> answers.Trap:
+        """Prove a region that the motion does not leave; ``finer`` halves its boxes so often."""
+        with reporting(progress, "boxes") as tell:
+            document, complete, said = _core.trap(self._core, (finer, picture), tell)
+        if document is None:
+            return answers.Trap(json.dumps({"certified": False, "message": said}), complete)
+        return answers.Trap(document, complete, said)
+
+    def chaos(
+        self,
+        *,
+        depth: int = 12,
+        over: Mapping[str, tuple[Value, Value]] | None = None,
+        bases: list[dict[str, Any]] | None = None,
+        picture: bool = False,
+        progress: Progress = None,
+    ) -> answers.Chaos:
+        """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over`` if that is given."""
+        question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases))
+        with reporting(progress, "boxes") as tell:
+            return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
+
+    def trade(
+        self,
+        *,
+        impacts: int | None = None,
+        max_bits: int = MAX_BITS,
+        picture: bool = False,
+        progress: Progress = None,
+    ) -> answers.Trade:
+        """Measure what accuracy costs: each arithmetic's speed, reach and widths, and the true errors of floats."""
+        with reporting(progress, "impacts", impacts) as tell:
+            return answers.Trade(*_core.trade(self._core, (impacts, max_bits, picture), tell))
+
+    def audit(
+        self,
+        events: str | os.PathLike[str] | Mapping[str, npt.ArrayLike] | Any,
+        *,
+        tolerance: Value = "1e-9",
+        until: Value | None = None,
+        columns: Sequence[str | int | None] = (None, None, None),
+        velocities: bool = True,
+        digits: int | None = None,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> answers.Audit:
+        """Judge another simulator's impacts: inside, outside, missed, false; and where it leaves the certified orbit.
+
+        ``events`` is the path of a list (CSV, other text, JSON), arrays by name (``time``, ``wall``, ``velocity``) or a DataFrame
+        with such columns; of doubles the exact values are judged. ``columns`` names time, wall and velocity, or numbers them from 1.
+        """
+        time, wall, velocity = (None if column is None else str(column) for column in columns)
+        listed = (answers.listing(events), (time, wall, velocity, velocities))
+        asked = (text("tolerance", tolerance), optional("until", until))
+        with reporting(progress, "impacts") as tell:
+            return answers.Audit(*_core.audit(self._core, listed, asked, (digits, max_bits), tell))
+
+    def plot(
+        self,
+        panels: str = "abcdefgh",
+        *,
+        cycles: int = 8,
+        orbit_cycles: int = 40,
+        impacts: int | None = None,
+        until: Value | None = None,
+        digits: int | None = None,
+        arithmetic: str | int = "auto",
+        splice: int = 0,
+        max_bits: int = MAX_BITS,
+        progress: Progress = None,
+    ) -> answers.Picture:
+        """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
+        asked = (impacts, optional("until", until), digits, str(arithmetic), splice, max_bits)
+        with reporting(progress, "impacts", impacts) as tell:
+            return answers.Picture(*_core.plot(self._core, panels, (cycles, orbit_cycles), asked, tell))
+
+    def __repr__(self) -> str:
+        words = ", ".join(f"{key}={value!r}" for key, value in self._keywords().items() if value is not None)
+        return f"Scene({words})"
+
+    def _keywords(self) -> dict[str, Any]:
+        found = self.document
+        shaken = {key: value[0] if len(value) == 1 else value for key, value in found["excitation"].items()}
+        start = {key: value for key, value in found["start"].items() if key != "wall" or value != "left"}
+        return shaken | {"gap": found["gap"], "restitution": found["restitution"]} | start | {"title": self.title}
+
+    def _repr_html_(self) -> str:
+        title = f"<b>{self.title}</b><br>" if self.title else ""
+        return title + "<br>".join(self._core.words())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._text == other._text
+
+    def __hash__(self) -> int:
+        return hash(self._text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scene.from_text, (self._text,)
+
+
+def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
+    """Return a key and its range in the words of the command line."""
+    [(key, (low, high))] = over.items()
+    return f"{key}={text(key, low)}..{text(key, high)}"
+
+
+def toml(tables: Mapping[str, Any]) -> str:
+    """Return tables as a scene file, all numbers in exact words."""
+    lines = []
+    title = tables.get("title")
+    if title is not None:
+        lines.append(f"title = {json.dumps(title, ensure_ascii=False)}")
+    unknown = [name for name in tables if name != "title" and name not in TABLES]
+    if unknown:
+        raise SceneError(f"{unknown[0]} is no table of a scene: accepted are title, {', '.join(TABLES)}", unknown[0])
+    for name in TABLES:
+        table = tables.get(name)
+        if table is None:
+            continue
+        lines.append(f"[{name}]")
+        for key, value in table.items():
+            if value is not None:
+                is_word = f"{name}.{key}" in WORDS
+                is_number = is_word and not isinstance(value, str)
+                value = int(value) if is_number else value
+                lines.append(f"{key} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,319 @@
+"""Sweeps: one certified orbit at each point of a grid, in this process or on any ``concurrent.futures.Executor``.
+
+A point is a pure function of the exact scene and its number, so it does not matter who computes it, how often, or in which order: the
+answer has the same bytes as ``impact-pair sweep`` writes in one process.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import time
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+from ._exact import Value, text
+from ._progress import Progress, reporting
+from ._store import Chunks, Files, Memory
+from .bounds import doubles
+from .errors import Error, Interrupted
+
+if TYPE_CHECKING:
+    from .bounds import Doubles
+
+#: How many times larger than the last ones a chunk may be: the first ones tell the rate.
+GROWTH = 8
+#: Chunks that wait for each worker, so that none is idle.
+AHEAD = 2
+#: The last chunks are smaller, so that workers end together: so many for each.
+TAIL = 4
+
+
+@dataclass(frozen=True)
+class Question:
+    """A sweep in words: all that its points depend on, and what workers are sent."""
+
+    scene: str
+    over: tuple[str, ...]
+    transient: int
+    impacts: int
+    digits: int
+    arithmetic: str
+    max_bits: int
+    summary: bool
+
+    def core(self) -> _core.Sweep:
+        """Return the sweep for who computes it."""
+        asked = (self.digits, self.arithmetic, self.max_bits)
+        scene = _core.Scene(self.scene)
+        return _core.Sweep(scene, list(self.over), (self.transient, self.impacts), asked, self.summary)
+
+    def key(self) -> str:
+        """Return a hash of scene, grid, what is asked, and version: sweeps of one key have the same bytes."""
+        return hashlib.sha256(self.core().head().encode()).hexdigest()[:32]
+
+
+def compute(question: Question, first: int, last: int) -> tuple[bytes, float]:
+    """Return the lines of the points from first up to last, and the seconds it took: what a worker does, on one thread."""
+    began = time.perf_counter()
+    return question.core().compute((first, last), 1, None), time.perf_counter() - began
+
+
+class Rate:
+    """How large the next chunk is to be so that it takes some seconds."""
+
+    def __init__(self, seconds: float, workers: int) -> None:
+        self.seconds, self.workers = seconds, workers
+        self.spent, self.done, self.largest = 0.0, 0, 0
+
+    def tell(self, points: int, seconds: float) -> None:
+        """Take in what a chunk took."""
+        # What was measured last counts most: points differ.
+        self.spent, self.done = 0.5 * self.spent + seconds, self.done // 2 + points
+        self.largest = max(self.largest, points)
+
+    def size(self, left: int) -> int:
+        """Return how many points to compute next, of those that are left."""
+        if not self.done:
+            return 1
+        wanted = int(self.seconds * self.done / max(self.spent, 1e-9))
+        return max(1, min(wanted, GROWTH * self.largest, -(-left // (TAIL * self.workers))))
+
+
+def sweep(
+    scene: str,
+    over: Mapping[str, tuple[Value, Value, int]],
+    asked: dict[str, Any],
+    *,
+    executor: Executor | None = None,
+    workers: int | None = None,
+    resume: str | os.PathLike[str] | None = None,
+    seconds: float = 10.0,
+    progress: Progress = None,
+) -> SweepResult:
+    """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
+
+    ``over`` says what varies, one key or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spread, both ends
+    among them; of two keys the second one runs through faster. Keys are those of the command line: amplitude, frequency, phase, gap,
+    restitution, start.time, start.phase, start.position, start.velocity; of several harmonics amplitude.2 and so on. Of each orbit
+    ``transient`` impacts are passed over and ``impacts`` told, or with ``summary`` none.
+
+    ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
+    without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
+    ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: asked again
+    after a crash of a worker, the scheduler or this process, the sweep goes on from there.
+    """
+    axes = tuple(f"{key}={text(key, low)}..{text(key, high)}:{int(count)}" for key, (low, high, count) in over.items())
+    question = Question(scene, axes, **asked)
+    core = question.core()
+    core.check()
+    chunks: Chunks = Memory() if resume is None else Files(Path(resume) / question.key(), core.head())
+    count = workers or workers_of(executor)
+    with reporting(progress, "points", core.points) as tell:
+        run = Run(question, chunks, core.points, Rate(seconds, count), tell)
+        if executor is None:
+            run.here(core)
+        else:
+            run.on(executor)
+    return SweepResult(question, chunks)
+
+
+def workers_of(executor: Executor | None) -> int:
+    """Return how many chunks an executor computes at a time."""
+    if executor is None:
+        return 1
+    client = getattr(executor, "_client", None)
+    if client is not None and hasattr(client, "ncores"):
+        return max(1, sum(map(int, client.ncores().values())))
+    return int(getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
+
+
+class Run:
+    """A sweep at work."""
+
+    def __init__(self, question: Question, chunks: Chunks, points: int, rate: Rate, tell: Any) -> None:
+        self.question, self.chunks, self.rate = question, chunks, rate
+        self.gaps = chunks.missing(points)
+        self.left = sum(last - first for first, last in self.gaps)
+        self.done, self._tell = points - self.left, tell
+
+    def next(self) -> tuple[int, int]:
+        """Take the next points that are left."""
+        first, last = self.gaps[0]
+        last = min(last, first + self.rate.size(self.left))
+        self.gaps[0] = (last, self.gaps[0][1])
+        if last == self.gaps[0][1]:
+            del self.gaps[0]
+        self.left -= last - first
+        return first, last
+
+    def keep(self, first: int, last: int, lines: bytes, took: float) -> None:
+        """Keep a finished chunk."""
+        self.chunks.add(first, last, lines)
+        self.rate.tell(last - first, took)
+        self.done += last - first
+        if self._tell:
+            self._tell(self.done)
+
+    def here(self, core: _core.Sweep) -> None:
+        """Compute by all processors of this process."""
+        while self.gaps:
+            began, before = time.perf_counter(), self.done
+            first, last = self.next()
+            tell = None if self._tell is None else lambda points, before=before: self._tell(before + points)
+            lines = core.compute((first, last), 0, tell)
+            self.keep(first, last, lines, time.perf_counter() - began)
+
+    def on(self, executor: Executor) -> None:
+        """Have it computed by the workers of an executor."""
+        running: dict[Future[tuple[bytes, float]], tuple[int, int]] = {}
+        try:
+            while self.gaps or running:
+                while self.gaps and len(running) < AHEAD * self.rate.workers:
+                    first, last = self.next()
+                    running[executor.submit(compute, self.question, first, last)] = (first, last)
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    first, last = running.pop(future)
+                    self.keep(first, last, *future.result())
+        except Error:
+            raise
+        except Exception as lost:
+            # Each library has its own name for it: BrokenProcessPool, KilledWorker, CommClosedError.
+            raise Interrupted(f"the executor failed after {self.done} points: {lost!r}") from lost
+        finally:
+            for future in running:
+                future.cancel()
+
+
+class SweepResult:
+    """A finished sweep: what is certified at each point, in the order of the grid."""
+
+    def __init__(self, question: Question, chunks: Chunks) -> None:
+        self._question, self._chunks = question, chunks
+
+    @cached_property
+    def _core(self) -> _core.Sweep:
+        return self._question.core()
+
+    @cached_property
+    def head(self) -> dict[str, Any]:
+        """What the sweep is about: the first line of its JSON Lines."""
+        found: dict[str, Any] = json.loads(self._core.head())
+        return found
+
+    @property
+    def certified(self) -> bool:
+        """Whether the bounds are proved: not of ``arithmetic="float"``."""
+        return bool(self.head["certified"])
+
+    @property
+    def complete(self) -> bool:
+        """Whether all that was asked is certified at every point: the command line's exit code 0."""
+        return all(record["complete"] for record in self)
+
+    @property
+    def outcomes(self) -> dict[str, int]:
+        """How many points have which outcome."""
+        return dict(sorted(Counter(record["outcome"] for record in self).items()))
+
+    @property
+    def points(self) -> int:
+        """How many points there are."""
+        return self._core.points
+
+    def __len__(self) -> int:
+        return self.points
+
+    def lines(self) -> Iterator[bytes]:
+        """Yield the records as JSON Lines, chunk by chunk, in the order of the grid."""
+        return self._chunks.read()
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        for lines in self.lines():
+            for line in lines.splitlines():
+                yield json.loads(line)
+
+    @cached_property
+    def table(self) -> dict[str, Any]:
+        """The columns of CSV as arrays: of bounds doubles (n, 2), rounded outward, NaN where there are none.
+
+        Rows are the impacts after the transient (``record`` is ``"state"``) and what is said of each point (``"point"``).
+        """
+        columns: dict[str, Any] = {}
+        for name, column in self._core.table(b"".join(self.lines())).items():
+            columns[name] = doubles(column, -1, 2) if isinstance(column, bytes) else np.array(column, dtype=object)
+        return columns
+
+    @property
+    def states(self) -> dict[str, Doubles]:
+        """The impacts after the transients: exact values of the keys, phase [rad] and velocity [length/time], bounds (n, 2) each."""
+        at = self.table["record"] == "state"
+        names = [*(over["key"].replace(".", "_") for over in self.head["over"]), "phase", "velocity"]
+        return {name: self.table[name][at] for name in names}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return columns by name, bounds as two: ``phase_lower``, ``phase_upper``."""
+        columns: dict[str, Any] = {}
+        for name, column in self.table.items():
+            if column.ndim == 2:
+                columns |= {f"{name}_lower": column[:, 0], f"{name}_upper": column[:, 1]}
+            else:
+                columns[name] = column
+        return columns
+
+    def to_pandas(self) -> Any:
+        """Return a DataFrame with the columns of ``to_dict``."""
+        import pandas as pd
+
+        return pd.DataFrame(self.to_dict()).infer_objects()
+
+    def to_arrow(self) -> Any:
+        """Return a pyarrow Table with the columns of ``to_dict``, the head as metadata."""
+        import pyarrow as pa
+
+        table = pa.table({name: pa.array(list(column)) for name, column in self.to_dict().items()})
+        return table.replace_schema_metadata({"impact-pair/sweep": self._core.head()})
+
+    def svg(self, show: str = "phase") -> str:
+        """Return the bifurcation diagram over one key (``show`` is phase or velocity), or the map of outcomes over two, as SVG."""
+        return self._core.svg(b"".join(self.lines()), show)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; the file appears whole or not at all."""
+        path = Path(path)
+        if path.suffix not in (".csv", ".jsonl", ".svg"):
+            raise Error(f"the file is {path.name}, but accepted endings are .csv, .jsonl and .svg", "path", path.name)
+        draft = path.with_name(f".{path.name}.{os.getpid()}")
+        with draft.open("wb") as out:
+            if path.suffix == ".svg":
+                out.write(self.svg().encode())
+            elif path.suffix == ".csv":
+                out.write(self._core.csv_head().encode())
+                out.writelines(map(self._core.csv, self.lines()))
+            else:
+                out.write(self._core.head().encode() + b"\n")
+                out.writelines(self.lines())
+            out.flush()
+            os.fsync(out.fileno())
+        draft.replace(path)
+
+    def __repr__(self) -> str:
+        said = ", ".join(f"{count} {outcome}" for outcome, count in self.outcomes.items())
+        return f"<sweep over {' and '.join(self._question.over)}: {said}>"
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kept = Memory()
+        kept.add(0, self.points, b"".join(self.lines()))
+        return SweepResult, (replace(self._question), kept)

@@ -1,0 +1,67 @@
+//! What cannot be asked, as the exceptions of `impact_pair.errors`.
+
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+
+use impact_pair::Error;
+use pyo3::prelude::*;
+
+/// What went wrong in the computation: a question that cannot be asked, or a text that does not read as what it should be.
+pub enum Fault {
+    Ours(Error),
+    Said { class: &'static str, message: String, key: Option<String>, value: Option<String> },
+}
+
+impl From<Error> for Fault {
+    fn from(error: Error) -> Self {
+        Self::Ours(error)
+    }
+}
+
+impl Fault {
+    /// A keyword whose value is not accepted.
+    pub fn range(key: &str, value: impl Display, accepted: &str) -> Self {
+        let (message, value) = (format!("{key} is {value}, but {accepted}"), Some(value.to_string()));
+        Self::Said { class: "RangeError", message, key: Some(key.to_owned()), value }
+    }
+
+    /// A text that is no document.
+    pub fn certificate(error: impl Display) -> Self {
+        Self::Said { class: "CertificateError", message: error.to_string(), key: None, value: None }
+    }
+
+    /// Anything else.
+    pub fn other(message: impl Display) -> Self {
+        Self::Said { class: "Error", message: message.to_string(), key: None, value: None }
+    }
+}
+
+/// Refuses a number outside the range that the command line accepts.
+pub fn accepted<T: PartialOrd + Display>(key: &str, value: T, range: RangeInclusive<T>) -> Result<T, Fault> {
+    if range.contains(&value) {
+        return Ok(value);
+    }
+    Err(Fault::range(key, value, &format!("must be from {} to {}", range.start(), range.end())))
+}
+
+impl From<Fault> for PyErr {
+    fn from(fault: Fault) -> Self {
+        let (class, message, key, value) = match fault {
+            Fault::Said { class, message, key, value } => (class, message, key, value),
+            Fault::Ours(error) => {
+                let class = match error {
+                    _ if error.is_word() => "WordError",
+                    _ if error.is_certificate() => "CertificateError",
+                    _ if error.is_list() => "ListError",
+                    _ if error.is_scene() => "SceneError",
+                    _ => "RangeError",
+                };
+                (class, error.to_string(), error.key().map(str::to_owned), error.value().map(str::to_owned))
+            }
+        };
+        Python::attach(|py| {
+            let raised = || py.import("impact_pair.errors")?.getattr(class)?.call1((message, key, value));
+            raised().map_or_else(|error| error, PyErr::from_value)
+        })
+    }
+}

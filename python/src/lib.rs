@@ -1,0 +1,41 @@
+//! The compiled module of the Python package `impact_pair`: scenes as TOML and exact texts in, documents as JSON and bounds as
+//! bytes of doubles out. What is asked is checked and told as by the command line; what computes is the library. All types and
+//! the documentation for people are in the package above it.
+
+mod errors;
+mod flights;
+mod numbers;
+mod orbit;
+mod pictures;
+mod scene;
+mod sweep;
+mod verbs;
+mod watched;
+
+use pyo3::prelude::*;
+
+/// The compiled part of `impact_pair`.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use super::flights::flights;
+    #[pymodule_export]
+    use super::numbers::{bracket, outward};
+    #[pymodule_export]
+    use super::orbit::{Orbit, read_orbit, run};
+    #[pymodule_export]
+    use super::pictures::plot;
+    #[pymodule_export]
+    use super::scene::{Scene, paper};
+    #[pymodule_export]
+    use super::sweep::Sweep;
+    #[pymodule_export]
+    use super::verbs::{audit, bifurcations, chaos, check, manifold, periodic, prove, trade, trap, two_impact};
+
+    #[pymodule_init]
+    fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {
+        use super::PyModuleMethods;
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("PROGRAM", impact_pair::certificate::document::PROGRAM)
+    }
+}

@@ -1,0 +1,213 @@
+//! `run`: an orbit with all its events, and where the ball is between them.
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+
+use impact_pair::certificate::document::{
+    Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
+};
+use impact_pair::document::{Bounds, Conclusion, Ending, Event, Kind, arithmetic as computed_by, head};
+use impact_pair::orbit::{self, Dense, Settings};
+use impact_pair::scene::{DIGITS, Run};
+use impact_pair::sweep::doubles;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::errors::{Fault, accepted};
+use crate::flights::{number, side};
+use crate::numbers::{bytes, point, read};
+use crate::scene::{Scene, json};
+use crate::watched::watched;
+
+/// Events as they were computed, or read of a document.
+enum Events {
+    Computed(Vec<Event>),
+    Read(Vec<EventDocument>),
+}
+
+/// An orbit that has been followed to its end, or read.
+#[pyclass(frozen, module = "impact_pair._core")]
+pub struct Orbit {
+    head: OrbitHead,
+    outcome: OutcomeDocument,
+    events: Events,
+    /// All that was asked is certified; of a document that is not said.
+    complete: Option<bool>,
+    said: String,
+    bits: Option<u32>,
+    motion: Option<(Mutex<orbit::Orbit>, Dense)>,
+}
+
+/// What is kept of an event in arrays.
+struct Row {
+    name: EventName,
+    wall: u8,
+    mapping: u8,
+    time: [f64; 2],
+    velocity: Option<[f64; 2]>,
+}
+
+impl Orbit {
+    fn rows(&self) -> PyResult<Vec<Row>> {
+        let of_double = |ends: &[Decimal; 2]| -> PyResult<[f64; 2]> {
+            let end = |i: usize| doubles(ends[i].text()).map_err(Fault::certificate);
+            Ok([end(0)?[0], end(1)?[1]])
+        };
+        match &self.events {
+            Events::Computed(events) => Ok(events.iter().map(row).collect()),
+            Events::Read(events) => {
+                let read = |event: &EventDocument| {
+                    Ok(Row {
+                        name: event.event,
+                        wall: side(Some(event.wall)),
+                        mapping: number(event.mapping.flatten()),
+                        time: of_double(&event.time)?,
+                        velocity: event.velocity.as_ref().map(of_double).transpose()?,
+                    })
+                };
+                events.iter().map(read).collect()
+            }
+        }
+    }
+
+    fn document(&self, event: usize) -> Option<EventDocument> {
+        match &self.events {
+            Events::Computed(events) => events.get(event).map(EventDocument::from),
+            Events::Read(events) => events.get(event).cloned(),
+        }
+    }
+
+    fn count(&self) -> usize {
+        match &self.events {
+            Events::Computed(events) => events.len(),
+            Events::Read(events) => events.len(),
+        }
+    }
+}
+
+fn row(event: &Event) -> Row {
+    // A float is the double itself.
+    let ends = |bounds: &Bounds| match bounds {
+        Bounds::Certified(x) => x.to_f64_bounds().into(),
+        Bounds::Float(x) => [x.mid_rad().0; 2],
+    };
+    let (mapping, velocity) = match &event.kind {
+        Kind::Impact { mapping, velocity } => (*mapping, Some(ends(velocity))),
+        Kind::Graze | Kind::Rest { .. } | Kind::Release => (None, None),
+    };
+    let (name, wall) = (event.name(), side(Some(event.wall)));
+    Row { name, wall, mapping: number(mapping), time: ends(&event.time), velocity }
+}
+
+#[pymethods]
+impl Orbit {
+    /// The orbit JSON, as the command line writes it.
+    fn json(&self) -> PyResult<String> {
+        let mut out = Vec::new();
+        let events = (0..self.count()).filter_map(|event| self.document(event));
+        write_orbit(&mut out, &self.head, &self.outcome, events)?;
+        Ok(String::from_utf8(out)?)
+    }
+
+    /// The head and the outcome of it.
+    fn about(&self) -> PyResult<(String, String)> {
+        Ok((json(&self.head)?, json(&self.outcome)?))
+    }
+
+    /// Whether all that was asked is certified, the last line of the table, and the most bits that an impact took.
+    fn ending(&self) -> (Option<bool>, &str, Option<u32>) {
+        (self.complete, &self.said, self.bits)
+    }
+
+    /// Of each event: its name's number (impact, graze, rest, release), its wall, its mapping, bounds of time and velocity.
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<[Bound<'py, PyBytes>; 5]> {
+        let rows = self.rows()?;
+        let column = |of: fn(&Row) -> u8| PyBytes::new(py, &rows.iter().map(of).collect::<Vec<_>>());
+        let name = |row: &Row| match row.name {
+            EventName::Impact => 0,
+            EventName::Graze => 1,
+            EventName::Rest => 2,
+            EventName::Release => 3,
+        };
+        let times = bytes(py, rows.iter().flat_map(|row| row.time));
+        let velocities = bytes(py, rows.iter().flat_map(|row| row.velocity.unwrap_or([f64::NAN; 2])));
+        Ok([column(name), column(|row| row.wall), column(|row| row.mapping), times, velocities])
+    }
+
+    /// An event of the orbit JSON.
+    fn event(&self, event: usize) -> PyResult<Option<String>> {
+        self.document(event).map(|event| json(&event)).transpose()
+    }
+
+    /// Bounds of the displacement and the velocity at times, four doubles each; NaN where nothing is proved.
+    fn at<'py>(&self, py: Python<'py>, times: &[u8], progress: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyBytes>> {
+        let Some((orbit, dense)) = &self.motion else {
+            let message =
+                "this orbit was read from a document: run the scene again to ask where the ball is between impacts";
+            return Err(Fault::other(message).into());
+        };
+        let times = read(times);
+        let found = watched(py, progress, move |monitor| {
+            let orbit = orbit.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            let mut found = Vec::with_capacity(4 * times.len());
+            for (i, time) in times.into_iter().enumerate().take_while(|_| monitor.goes_on()) {
+                monitor.tell(i as u64);
+                let [y, v] = dense.at(&orbit, time).unwrap_or([[f64::NAN; 2]; 2]);
+                found.extend([y[0], y[1], v[0], v[1]]);
+            }
+            Ok(found)
+        })?;
+        Ok(bytes(py, found.into_iter()))
+    }
+}
+
+/// How far an orbit is asked to go: impacts, time, digits, arithmetic, splice, bits.
+pub type Asked = (Option<u64>, Option<String>, Option<u32>, String, u64, u32);
+
+/// The part of it that a scene's table `[run]` may say.
+pub fn asked_run(asked: &Asked) -> Result<Run, Fault> {
+    let (impacts, until, digits, ..) = asked;
+    let until = until.as_deref().map(|until| point("until", until)).transpose()?;
+    let digits = digits.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
+    Ok(Run { impacts: *impacts, until, digits })
+}
+
+/// Follows the orbit of a scene.
+#[pyfunction]
+pub fn run(py: Python<'_>, scene: &Bound<'_, Scene>, asked: Asked, progress: Option<Py<PyAny>>) -> PyResult<Orbit> {
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let (_, _, _, arithmetic, splice, max_bits) = &asked;
+        let max_bits = accepted("max_bits", *max_bits, orbit::BITS)?;
+        let settings = scene.settings_asked(asked_run(&asked)?, arithmetic.parse()?);
+        let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
+        let mut orbit = orbit::Orbit::of(&scene, settings.clone())?;
+        let mut dense = Dense::new(&orbit, scene.start());
+        let mut events: Vec<Event> = Vec::new();
+        let _ = orbit.follow(monitor, |orbit, step| {
+            let index = events.last().map_or(0, |event| event.index);
+            events.extend(Event::of(orbit, &step, index));
+            dense.record(orbit, &step);
+            ControlFlow::<()>::Continue(())
+        });
+        let conclusion = Conclusion::of(&orbit, scene.start(), events.last());
+        let ending = Ending::of(&orbit, conclusion, &settings);
+        Ok(Orbit {
+            head: head(scene.pair(), scene.start(), settings.arithmetic, computed_by(&orbit)),
+            outcome: ending.conclusion.document(),
+            complete: Some(ending.is_complete()),
+            said: ending.to_string(),
+            bits: Some(orbit.bits()),
+            events: Events::Computed(events),
+            motion: Some((Mutex::new(orbit), dense)),
+        })
+    })
+}
+
+/// Reads an orbit JSON.
+#[pyfunction]
+pub fn read_orbit(text: &str) -> PyResult<Orbit> {
+    let OrbitDocument { head, outcome, events } = serde_json::from_str(text).map_err(Fault::certificate)?;
+    let said = outcome.message.clone();
+    Ok(Orbit { head, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })
+}

@@ -1,0 +1,70 @@
+//! Pictures as the command line draws them.
+
+use anyhow::Result;
+use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair::orbit::{BITS, Orbit};
+use impact_pair_plot::orbit::{Figure, Panel};
+use impact_pair_plot::sweep::Records;
+use pyo3::prelude::*;
+
+use crate::errors::{Fault, accepted};
+use crate::orbit::{Asked, asked_run};
+use crate::scene::Scene;
+use crate::sweep::records;
+use crate::watched::watched;
+
+/// The panels of a scene as SVG, whether all that is drawn is certified, and how the orbit ended.
+#[pyfunction]
+pub fn plot(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    panels: &str,
+    cycles: (u32, u32),
+    asked: Asked,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, bool, String)> {
+    let scene = scene.get().scene.clone();
+    let panel = |letter: char| Panel::ALL.into_iter().find(|panel| panel.letter() == letter);
+    let panels: Option<Vec<Panel>> = panels.chars().map(panel).collect();
+    let panels = panels.filter(|panels| !panels.is_empty());
+    let panels = panels.ok_or_else(|| Fault::range("panels", "not known", "must be some of a, b, c, d, e, f, g, h"))?;
+    let figure = Figure {
+        panels,
+        cycles: accepted("cycles", cycles.0, 1..=10_000)?,
+        orbit_cycles: accepted("orbit_cycles", cycles.1, 1..=10_000)?,
+        transient: 0,
+        zoom: None,
+        run: asked_run(&asked)?,
+        arithmetic: asked.3.parse().map_err(Fault::from)?,
+        splice: asked.4,
+        max_bits: accepted("max_bits", asked.5, BITS)?,
+    };
+    watched(py, progress, move |monitor| {
+        let settings = figure.settings(&scene);
+        let orbit = Orbit::of(&scene, settings.clone())?;
+        let (svg, ending) = figure.draw(&scene, (orbit, &settings), monitor);
+        Ok((svg.map_err(Fault::other)?, ending.is_complete(), ending.to_string()))
+    })
+}
+
+/// A picture, or why there is none.
+pub fn drawn(svg: Result<String>) -> Result<String, Fault> {
+    svg.map_err(Fault::other)
+}
+
+/// The lines of a sweep as what its picture is drawn from.
+pub struct Lines<'l> {
+    pub head: &'l SweepHead,
+    pub lines: &'l [u8],
+}
+
+impl Records for Lines<'_> {
+    fn head(&self) -> &SweepHead {
+        self.head
+    }
+
+    fn each_record(&mut self, mut hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()> {
+        let read = |record: Result<SweepRecord, Fault>| record.map_err(|_| anyhow::anyhow!("a line is no record"));
+        records(self.lines).try_for_each(|record| hand(read(record)?))
+    }
+}

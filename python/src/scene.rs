@@ -1,0 +1,77 @@
+//! Scenes, read from their text.
+
+use impact_pair::certificate::document::SceneDocument;
+use pyo3::prelude::*;
+
+use crate::errors::Fault;
+
+/// A scene: one impact pair, one start, and how far to follow the orbit.
+#[pyclass(frozen, module = "impact_pair._core")]
+pub struct Scene {
+    pub scene: impact_pair::Scene,
+}
+
+#[pymethods]
+impl Scene {
+    /// Reads a scene file's text.
+    #[new]
+    fn new(text: &str) -> PyResult<Self> {
+        Ok(Self { scene: impact_pair::Scene::parse(text).map_err(Fault::from)? })
+    }
+
+    /// The title, if there is one.
+    #[getter]
+    fn title(&self) -> Option<&str> {
+        self.scene.title()
+    }
+
+    /// Parameters and start in exact words, as JSON.
+    fn document(&self) -> PyResult<String> {
+        json(&SceneDocument::new(self.scene.pair(), self.scene.start()))
+    }
+
+    /// The parameters and the start in the words of the paper, a line each.
+    fn words(&self) -> (String, String) {
+        (self.scene.parameters_in_words(), self.scene.start_in_words())
+    }
+
+    /// The scene with other exact values of some keys, as the document of its parameters and start.
+    fn varied(&self, keys: Vec<(String, String)>) -> PyResult<String> {
+        let mut values = Vec::new();
+        for (key, text) in &keys {
+            values.push((key.parse().map_err(Fault::from)?, crate::numbers::exact(key, text)?));
+        }
+        let scene = self.scene.with(&values).map_err(Fault::from)?;
+        json(&SceneDocument::new(scene.pair(), scene.start()))
+    }
+}
+
+/// A document as JSON.
+pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
+    serde_json::to_string(document).map_err(|error| Fault::other(error).into())
+}
+
+/// The scenes of the repository, by name.
+const PAPER: [(&str, &str); 15] = [
+    ("cascade", include_str!("../../scenes/cascade.toml")),
+    ("chatter", include_str!("../../scenes/chatter.toml")),
+    ("even-cycles", include_str!("../../scenes/even-cycles.toml")),
+    ("figure-10", include_str!("../../scenes/figure-10.toml")),
+    ("figure-11", include_str!("../../scenes/figure-11.toml")),
+    ("figure-12-exact", include_str!("../../scenes/figure-12-exact.toml")),
+    ("figure-12", include_str!("../../scenes/figure-12.toml")),
+    ("figure-13", include_str!("../../scenes/figure-13.toml")),
+    ("figure-14", include_str!("../../scenes/figure-14.toml")),
+    ("figure-15", include_str!("../../scenes/figure-15.toml")),
+    ("figure-16", include_str!("../../scenes/figure-16.toml")),
+    ("figure-17", include_str!("../../scenes/figure-17.toml")),
+    ("graze", include_str!("../../scenes/graze.toml")),
+    ("square-wave", include_str!("../../scenes/square-wave.toml")),
+    ("two-tones", include_str!("../../scenes/two-tones.toml")),
+];
+
+/// The text of a scene of the paper's figures, or of the other examples, by its name.
+#[pyfunction]
+pub fn paper(name: &str) -> Option<&'static str> {
+    PAPER.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+}

@@ -1,0 +1,185 @@
+//! Sweeps: points are pure functions of the exact scene and their number.
+
+use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{self, Settings};
+use impact_pair::scene::{DIGITS, Key};
+use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, columns, csv_head, csv_rows, doubles, follow, rows};
+use impact_pair_plot::sweep::{Show, svg};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyList};
+use rayon::prelude::*;
+
+use crate::errors::{Fault, accepted};
+use crate::numbers::bytes;
+use crate::pictures::{Lines, drawn};
+use crate::scene::{Scene, json};
+use crate::watched::{Monitor, watched};
+
+/// A sweep over a grid, and what is asked at each of its points.
+#[pyclass(frozen, module = "impact_pair._core")]
+pub struct Sweep {
+    scene: impact_pair::Scene,
+    grid: Grid,
+    asked: Asked,
+    pub head: SweepHead,
+}
+
+impl Sweep {
+    /// The line of a point; `None` where it was stopped.
+    fn line(&self, point: u64, monitor: &Monitor) -> Result<Option<String>, Fault> {
+        let values = self.grid.values(point)?;
+        let scene = self.scene.with(&values).map_err(|error| named(point, &values, &error))?;
+        let found = follow(&scene, &self.asked, || monitor.goes_on()).map_err(|error| named(point, &values, &error))?;
+        monitor.add_one();
+        let line = |found| serde_json::to_string(&sweep::record(point, &values, &found)).expect("plain data");
+        Ok(found.map(line))
+    }
+}
+
+/// The error of a point, which is named.
+fn named(point: u64, values: &[(Key, Exact)], error: &impact_pair::Error) -> Fault {
+    let values: Vec<String> = values.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+    let (key, value) = (error.key().map(str::to_owned), error.value().map(str::to_owned));
+    Fault::Said { class: "RangeError", message: format!("point {point} ({}): {error}", values.join(", ")), key, value }
+}
+
+/// The records of lines.
+pub fn records(lines: &[u8]) -> impl Iterator<Item = Result<SweepRecord, Fault>> + '_ {
+    let lines = lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
+    lines.map(|line| serde_json::from_slice(line).map_err(Fault::certificate))
+}
+
+#[pymethods]
+impl Sweep {
+    /// A sweep over axes, `KEY=LO..HI:COUNT`, with transient and impacts, digits, arithmetic, bits, and whether states are left out.
+    #[new]
+    fn new(
+        scene: &Bound<'_, Scene>,
+        over: Vec<String>,
+        impacts: (u64, u64),
+        asked: (u32, String, u32),
+        summary: bool,
+    ) -> PyResult<Self> {
+        let scene = scene.get().scene.clone();
+        let axes: Result<Vec<Axis>, _> = over.iter().map(|axis| axis.parse()).collect();
+        let grid = Grid::new(axes.map_err(Fault::from)?).map_err(Fault::from)?;
+        let settings = Settings {
+            digits: accepted("digits", asked.0, DIGITS)?,
+            arithmetic: asked.1.parse().map_err(Fault::from)?,
+            max_bits: accepted("max_bits", asked.2, orbit::BITS)?,
+            ..Settings::default()
+        };
+        let transient = accepted("transient", impacts.0, 0..=sweep::MOST_IMPACTS)?;
+        let impacts = accepted("impacts", impacts.1, 1..=sweep::MOST_IMPACTS)?;
+        let asked = Asked { transient, impacts, summary, settings };
+        let head = sweep::head(&scene, &grid, &asked, None);
+        Ok(Self { scene, grid, asked, head })
+    }
+
+    /// Asks that the corners of the grid are scenes: then all points are.
+    fn check(&self) -> PyResult<()> {
+        for point in self.grid.corners() {
+            let scene = self.scene.with(&self.grid.values(point).map_err(Fault::from)?).map_err(Fault::from)?;
+            orbit::Orbit::of(&scene, self.asked.settings.clone()).map_err(Fault::from)?;
+        }
+        Ok(())
+    }
+
+    /// The first line: all that the points depend on, but their numbers.
+    fn head(&self) -> PyResult<String> {
+        json(&self.head)
+    }
+
+    /// How many points there are.
+    #[getter]
+    fn points(&self) -> u64 {
+        self.grid.points()
+    }
+
+    /// The lines of the points from `first` up to `last`, by so many threads.
+    fn compute<'py>(
+        &self,
+        py: Python<'py>,
+        range: (u64, u64),
+        threads: usize,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let (first, last) = range;
+        let points: Vec<u64> = (first..last.min(self.grid.points())).collect();
+        let lines: Vec<Option<String>> = watched(py, progress, |monitor| {
+            if threads == 1 {
+                return points.into_iter().map(|point| self.line(point, monitor)).collect();
+            }
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let pool = pool.map_err(|error| Fault::other(format!("cannot start the threads: {error}")))?;
+            // A point at a time, so that no thread is left with the slow ones.
+            pool.install(|| points.into_par_iter().with_max_len(1).map(|point| self.line(point, monitor)).collect())
+        })?;
+        let mut text = String::new();
+        for line in lines.iter().flatten() {
+            text.push_str(line);
+            text.push('\n');
+        }
+        Ok(PyBytes::new(py, text.as_bytes()))
+    }
+
+    /// Lines as CSV, without the names of columns, which are there as a line of their own.
+    fn csv<'py>(&self, py: Python<'py>, lines: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
+        let rows = watched(py, None, |_| {
+            records(lines).map(|record| Ok(csv_rows(&self.head, &record?))).collect::<Result<String, Fault>>()
+        })?;
+        Ok(PyBytes::new(py, rows.as_bytes()))
+    }
+
+    /// The names of the columns as a line of CSV.
+    fn csv_head(&self) -> String {
+        csv_head(&self.head)
+    }
+
+    /// The bifurcation diagram, or of two keys the map of outcomes, as SVG; `show` is phase or velocity.
+    fn svg(&self, py: Python<'_>, lines: &[u8], show: &str) -> PyResult<String> {
+        let show = match show {
+            "phase" => Show::Phase,
+            "velocity" => Show::Velocity,
+            other => return Err(Fault::range("show", other, "must be phase or velocity").into()),
+        };
+        watched(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show)))
+    }
+
+    /// The columns of CSV by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
+    fn table<'py>(&self, py: Python<'py>, lines: &[u8]) -> PyResult<Bound<'py, PyDict>> {
+        let kinds = columns(&self.head);
+        let records: Vec<SweepRecord> = records(lines).collect::<Result<_, _>>()?;
+        let rows: Vec<Vec<Cell<'_>>> =
+            records.iter().flat_map(|record| rows(record, self.head.claim.is_some())).collect();
+        let table = PyDict::new(py);
+        for (column, (name, kind)) in kinds.iter().enumerate() {
+            if matches!(kind, Kind::Bounds | Kind::Exact) {
+                let ends = rows.iter().map(|row| match row[column] {
+                    Cell::Bounds([low, high]) => Some([end(low)?[0], end(high)?[1]]),
+                    Cell::Exact(text) => end(text),
+                    _ => Some([f64::NAN; 2]),
+                });
+                let ends = ends.collect::<Option<Vec<_>>>().ok_or_else(|| Fault::other("a bound is no number"))?;
+                table.set_item(name, bytes(py, ends.into_iter().flatten()))?;
+                continue;
+            }
+            let list = PyList::empty(py);
+            for row in &rows {
+                match row[column] {
+                    Cell::Whole(number) => list.append(number)?,
+                    Cell::Text(text) => list.append(text)?,
+                    Cell::Truth(truth) => list.append(truth)?,
+                    _ => list.append(py.None())?,
+                }
+            }
+            table.set_item(name, list)?;
+        }
+        Ok(table)
+    }
+}
+
+fn end(text: &str) -> Option<[f64; 2]> {
+    doubles(text).ok()
+}

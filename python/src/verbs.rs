@@ -1,0 +1,341 @@
+//! The other verbs: each answers with its document as JSON and whether all that was asked is certified.
+
+use std::sync::atomic::AtomicBool;
+
+use impact_pair::audit::{Asked, Audit, Column, Columns, read};
+use impact_pair::certificate::document::{BaseDocument, one_a_line};
+use impact_pair::certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
+use impact_pair::chaos::{Chaos, Question, Trap};
+use impact_pair::document::{self, Units};
+use impact_pair::exact::Exact;
+use impact_pair::mapping::Word;
+use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
+use impact_pair::pair::Wall;
+use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::chain::MOST_CYCLES;
+use impact_pair::periodic::{Budget, Precision, Problem, Searched};
+use impact_pair::scene::{DIGITS, Run};
+use impact_pair::trade::Trade;
+use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Question as TwoImpactQuestion, Range, Unknown, speed};
+use pyo3::prelude::*;
+
+use crate::errors::{Fault, accepted};
+use crate::numbers::point;
+use crate::pictures::drawn;
+use crate::scene::Scene;
+use crate::watched::watched;
+
+/// A document as JSON, and whether all that was asked is certified.
+type Answer = (String, bool);
+/// The same with a picture as SVG, where one was asked for.
+type Drawn = (String, bool, Option<String>);
+
+fn text(document: &impl serde::Serialize) -> String {
+    serde_json::to_string(document).expect("plain data")
+}
+
+/// The digits asked for, or else the scene's, or else the usual ones.
+fn digits(asked: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
+    let asked = asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
+    Ok(asked.or(scene.run().digits).unwrap_or(Settings::default().digits))
+}
+
+fn precision((asked, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
+    Ok(Precision { digits: digits(asked, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
+}
+
+fn side(wall: &str) -> Result<Wall, Fault> {
+    let found = [Wall::Left, Wall::Right].into_iter().find(|side| side.name() == wall);
+    found.ok_or_else(|| Fault::range("wall", wall, "must be \"left\" or \"right\""))
+}
+
+/// The periodic orbits of a word.
+#[pyfunction]
+pub fn periodic(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (String, u32, bool),
+    asked: (Option<u32>, u32),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (word, cycles, all) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let word: Word = word.parse()?;
+        let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
+        let units = Units::new(problem.pair())?;
+        let precision = precision(asked, &scene)?;
+        let searched = |searched: Searched| {
+            monitor.tell(searched.cells as u64);
+            monitor.goes_on()
+        };
+        let census = match all {
+            true => problem.find_all_while(scene.start(), precision, Budget::default(), &searched),
+            false => problem.find_while(scene.start(), precision, || monitor.goes_on()),
+        };
+        Ok((text(&units.document(&problem, scene.start(), &census)), census.is_certified()))
+    })
+}
+
+/// The bifurcations of a word's orbits over `KEY=LO..HI`.
+#[pyfunction]
+pub fn bifurcations(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (String, u32, String, u32),
+    asked: (Option<u32>, u32),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (word, cycles, over, doublings) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let (word, over): (Word, Over) = (word.parse()?, over.parse()?);
+        let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
+        let doublings = accepted("doublings", doublings, 0..=8)?;
+        let wanted = Wanted { over, doublings, precision: precision(asked, &scene)? };
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, || monitor.goes_on())?;
+        let document = document::bifurcations(scene.start(), (&word, cycles), &diagram)?;
+        Ok((text(&document), diagram.is_certified()))
+    })
+}
+
+/// The motions with two impacts in each number of cycles from `cycles.0` to `cycles.1`: a document each.
+#[pyfunction]
+pub fn two_impact(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    cycles: (u32, u32),
+    question: (String, String),
+    asked: Option<u32>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(Vec<String>, bool)> {
+    let (wall, solve_for) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let unknown = match solve_for.as_str() {
+            "velocity" => Unknown::Velocity,
+            "amplitude" => Unknown::Amplitude(speed(&scene)?),
+            "gap" => Unknown::Gap(speed(&scene)?),
+            other => return Err(Fault::range("solve_for", other, "must be velocity, amplitude or gap")),
+        };
+        let (wall, digits, cycles) = (side(&wall)?, digits(asked, &scene)?, all_cycles(cycles)?);
+        let (mut documents, mut complete) = (Vec::new(), true);
+        for cycles in cycles.take_while(|_| monitor.goes_on()) {
+            let answer = TwoImpactQuestion::new(scene.pair(), cycles, unknown.clone())?.answer(digits);
+            documents.push(text(&document::two_impact(scene.start(), &answer, wall)));
+            complete &= answer.is_complete;
+        }
+        Ok((documents, complete))
+    })
+}
+
+fn all_cycles((low, high): (u32, u32)) -> Result<std::ops::RangeInclusive<u32>, Fault> {
+    let ends = [accepted("cycles", low, CYCLES)?, accepted("cycles", high, CYCLES)?];
+    if low <= high { Ok(ends[0]..=ends[1]) } else { Err(Fault::range("cycles", low, "must not be after the last one")) }
+}
+
+/// The manifolds of figures 10 and 11 over `frequency` or `velocity`, from, to, in so many points; with their picture if asked for.
+#[pyfunction]
+pub fn manifold(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    cycles: (u32, u32),
+    question: (String, String, String, usize),
+    asked: (String, Option<u32>, bool),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Drawn> {
+    let (key, from, to, count) = question;
+    let (wall, asked, picture) = asked;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let (axis, speed) = match key.as_str() {
+            "frequency" => (Axis::Frequency, speed(&scene)?),
+            // Not used.
+            "velocity" => (Axis::Velocity(side(&wall)?), Exact::from(0)),
+            other => return Err(Fault::range("over", other, "must be frequency or velocity")),
+        };
+        let (from, to, count) = (point("from", &from)?, point("to", &to)?, accepted("count", count, COUNTS)?);
+        let range = Range { pair: scene.pair(), speed, axis, from, to, count };
+        let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(asked, &scene)?, || monitor.goes_on())?;
+        let document = document::manifolds(&range, scene.start(), &curves, !went_on);
+        let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves));
+        let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
+        Ok((one_a_line(&document, &["curves", "points"]), went_on, svg))
+    })
+}
+
+/// A region that no motion leaves; without a document where none is proved, and why.
+#[pyfunction]
+pub fn trap(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (u32, bool),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(Option<String>, bool, Option<String>)> {
+    let (finer, picture) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let watch = |boxes: usize| {
+            monitor.tell(boxes as u64);
+            monitor.goes_on()
+        };
+        match Trap::of(&scene, accepted("finer", finer, 0..=6)?, &watch)? {
+            Err(why) => Ok((None, false, Some(why.words().to_owned()))),
+            Ok(region) => {
+                let document = document::trap(&scene, &region)?;
+                let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
+                Ok((Some(text(&document)), document.entered_at_impact.is_some(), svg))
+            }
+        }
+    })
+}
+
+/// Horseshoes and a lower bound of the entropy; of given bases, JSON, or of those found.
+#[pyfunction]
+pub fn chaos(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (u32, Option<String>, Option<String>),
+    picture: bool,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Drawn> {
+    let (depth, over, bases) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let bases: Option<Vec<BaseDocument>> =
+            bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
+        let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
+        let question = Question { depth: accepted("depth", depth, 1..=64)? as usize, bases };
+        let over: Option<Over> = over.map(|over| over.parse()).transpose()?;
+        let pair = match &over {
+            Some(over) => {
+                let values = Exact::interval(&over.low, &over.high)
+                    .map_err(|error| Fault::range("over", over.key, &error.to_string()))?;
+                scene.pair().with(over.key, values)?
+            }
+            None => scene.pair().clone(),
+        };
+        let watch = |_depth: usize, boxes: u64| {
+            monitor.tell(boxes);
+            monitor.goes_on()
+        };
+        let found = Chaos::of(&pair, scene.start(), &question, &watch)?;
+        let document = document::chaos(&scene, over.as_ref(), &question, &found);
+        let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, &found))).transpose()?;
+        Ok((text(&document), found.entropy() > 0.0 && !document.interrupted, svg))
+    })
+}
+
+/// What accuracy costs on a scene.
+#[pyfunction]
+pub fn trade(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (Option<u64>, u32, bool),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Drawn> {
+    let (impacts, max_bits, picture) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let run = Run { impacts, ..Run::default() };
+        let settings = scene.settings_asked(run, Arithmetic::Auto);
+        let asked = Settings { max_bits: accepted("max_bits", max_bits, BITS)?, ..settings };
+        if asked.impacts == Some(0) {
+            return Err(Fault::range("impacts", 0, "there is nothing to measure"));
+        }
+        Orbit::of(&scene, asked.clone())?;
+        let trade = Trade::of(&scene, asked, monitor)?;
+        let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade))).transpose()?;
+        Ok((one_a_line(&trade.document(), &["rungs"]), trade.interrupted.is_none(), svg))
+    })
+}
+
+/// Where a list has what: the names or numbers of its columns of times, walls and velocities, and whether velocities are judged.
+type ListColumns = (Option<String>, Option<String>, Option<String>, bool);
+
+/// Another simulator's list, judged by the certified orbit.
+#[pyfunction]
+pub fn audit(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    question: (String, ListColumns),
+    asked: (String, Option<String>),
+    given: (Option<u32>, u32),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (list, columns) = question;
+    let (tolerance, until) = asked;
+    let (asked, max_bits) = given;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let (time, wall, velocity, has_velocity) = columns;
+        let velocity = has_velocity.then(|| Column::velocity(velocity));
+        let columns = Columns { time: Column::time(time), wall: Column::wall(wall), velocity };
+        let size = point("tolerance", &tolerance)?;
+        let (low, high) = size.enclose(64).to_f64_bounds();
+        if !(low >= 0.0 && high <= 1.0) {
+            return Err(Fault::range("tolerance", tolerance, "must be a number from 0 to 1"));
+        }
+        let asked = Asked {
+            tolerance: size,
+            until: until.map(|until| point("until", &until)).transpose()?,
+            digits: asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?,
+            max_bits: accepted("max_bits", max_bits, BITS)?,
+        };
+        let rows = read(&list, &columns, scene.pair())?;
+        let audit = Audit::of(&scene, rows, &asked, monitor)?;
+        Ok((one_a_line(&audit.document(), &["events"]), audit.is_agreed()))
+    })
+}
+
+/// Every claim of a document, proved again: the verdict, what is said of it, and what is not checked.
+#[pyfunction]
+pub fn check(
+    py: Python<'_>,
+    text: String,
+    effort: u64,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(&'static str, String, Vec<String>)> {
+    watched(py, progress, move |monitor| {
+        let times = u32::try_from(accepted("effort", effort, 1..=u64::MAX)?).unwrap_or(u32::MAX);
+        let Effort { parts, work, .. } = Effort::default();
+        let parts = parts.saturating_mul(times);
+        let effort = Effort { parts, work: work.saturating_mul(effort), ..Effort::default() };
+        let claims = Claims::parse(&text)?;
+        // A check takes a flag that outlives it: a byte, once a check.
+        let stop: &'static AtomicBool = Box::leak(Box::default());
+        let verdict = claims.check_until(&effort, Some(stop), |event| {
+            monitor.tell(event as u64);
+            stop.store(!monitor.goes_on(), std::sync::atomic::Ordering::Relaxed);
+        })?;
+        let (kind, said) = match &verdict {
+            Verdict::Confirmed { bits, .. } => ("confirmed", format!("{}, in {bits} bits", claims.all())),
+            Verdict::Refuted(finding) => ("refuted", claims.described(finding)),
+            Verdict::Undecided(finding) => ("undecided", claims.described(finding)),
+            Verdict::Interrupted { events } => ("interrupted", format!("{} confirmed", claims.first(*events))),
+        };
+        Ok((kind, said, claims.unjudged()))
+    })
+}
+
+/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and why not all, if so.
+#[pyfunction]
+pub fn prove(
+    py: Python<'_>,
+    text: String,
+    impacts: Option<u64>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, usize, Option<String>)> {
+    watched(py, progress, move |monitor| {
+        let certificate = Certificate::parse(&text)?;
+        let is_impact = |kind: &ClaimKind| matches!(kind, ClaimKind::Impact { .. });
+        let listed = certificate.events().iter().take_while(|claim| is_impact(&claim.kind)).count();
+        if listed == 0 {
+            return Err(Fault::certificate("there is no impact to prove before the first other event"));
+        }
+        let wanted = impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
+        let theorem = certificate.prove(wanted, |impact| monitor.tell(impact as u64))?;
+        let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
+        Ok((theorem.text, theorem.impacts, stop))
+    })
+}

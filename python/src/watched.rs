@@ -1,0 +1,91 @@
+//! Long work without the GIL: on a thread of its own, while the calling one answers Ctrl-C and tells how far it is.
+
+use std::panic;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use impact_pair::orbit::Watch;
+use pyo3::prelude::*;
+
+use crate::errors::Fault;
+
+/// Between two looks at signals and progress.
+const BLINK: Duration = Duration::from_millis(50);
+/// Bytes of the thread's stack: as a program's own.
+const STACK: usize = 8 << 20;
+
+/// How far work is, and whether it is to go on.
+#[derive(Debug, Default)]
+pub struct Monitor {
+    stopped: AtomicBool,
+    done: AtomicU64,
+}
+
+impl Monitor {
+    pub fn goes_on(&self) -> bool {
+        !self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// Tells that so much is done.
+    pub fn tell(&self, done: u64) {
+        self.done.store(done, Ordering::Relaxed);
+    }
+
+    /// Tells that one more is done.
+    pub fn add_one(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+impl Watch for Monitor {
+    fn goes_on(&self) -> bool {
+        self.goes_on()
+    }
+
+    fn reached(&self, index: u64) {
+        self.tell(index);
+    }
+}
+
+/// Does the work; `progress` is called now and then with what is done. After Ctrl-C, or when `progress` raises, the work is asked to
+/// stop, and what it found is forgotten.
+pub fn watched<T: Send>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    work: impl FnOnce(&Monitor) -> Result<T, Fault> + Send,
+) -> PyResult<T> {
+    let monitor = Monitor::default();
+    py.detach(|| {
+        thread::scope(|scope| {
+            let (send, receive) = channel();
+            let at_work = || {
+                // Nobody waits any more only if there is nothing to be told.
+                let _ = send.send(work(&monitor));
+                drop(send);
+            };
+            let thread = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, at_work)?;
+            loop {
+                match receive.recv_timeout(BLINK) {
+                    Ok(found) => return found.map_err(PyErr::from),
+                    Err(RecvTimeoutError::Disconnected) => {
+                        let Err(panicked) = thread.join() else { unreachable!("it sends what it found") };
+                        panic::resume_unwind(panicked)
+                    }
+                    Err(RecvTimeoutError::Timeout) => {
+                        let asked = Python::attach(|py| {
+                            py.check_signals()?;
+                            let done = monitor.done.load(Ordering::Relaxed);
+                            progress.as_ref().map_or(Ok(()), |progress| progress.call1(py, (done,)).map(drop))
+                        });
+                        if let Err(error) = asked {
+                            monitor.stopped.store(true, Ordering::Relaxed);
+                            return Err(error);
+                        }
+                    }
+                }
+            }
+        })
+    })
+}

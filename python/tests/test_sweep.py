@@ -1,0 +1,217 @@
+"""Sweeps by any executor, killed and resumed: the bytes of `impact-pair sweep` in one process."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+
+import numpy as np
+import pytest
+from conftest import assert_rounded_outward
+
+import impact_pair
+from impact_pair import Scene
+from impact_pair.sweep import Question, Rate, compute
+
+OVER = {"amplitude": ("1", "10", 40)}
+ASKED = {"transient": 50, "impacts": 20}
+
+
+def told(cli, path, *more):
+    cli.text(
+        "sweep", "scenes/figure-14.toml", "--over", "amplitude=1..10:40", "--transient", 50, "--impacts", 20,
+        "--output", path, "--quiet", *more,
+    )  # fmt: skip
+    return path.read_bytes()
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    from conftest import Cli
+
+    folder = tmp_path_factory.mktemp("told")
+    return {ending: told(Cli(), folder / f"told.{ending}", "--format", ending) for ending in ("jsonl", "csv")}
+
+
+def saved(found, tmp_path, ending):
+    found.save(tmp_path / f"found.{ending}")
+    return (tmp_path / f"found.{ending}").read_bytes()
+
+
+def test_in_this_process(cli, files, tmp_path):
+    found = Scene.named("figure-14").sweep(OVER, **ASKED)
+    for ending in ("jsonl", "csv"):
+        assert saved(found, tmp_path, ending) == files[ending]
+    picture = tmp_path / "told.svg"
+    told(cli, tmp_path / "again.csv", "--plot", picture, "--arithmetic", "auto")
+    assert found.svg() == picture.read_text()
+    assert found.complete
+    assert sum(found.outcomes.values()) == found.points == len(found) == 40
+
+
+def test_arrays_are_rounded_outward(files):
+    found = Scene.named("figure-14").sweep(OVER, **ASKED)
+    records = [json.loads(line) for line in files["jsonl"].decode().splitlines()[1:]]
+    states = [state for record in records for state in record["states"]]
+    assert_rounded_outward(found.states["phase"], [state["phase"] for state in states])
+    assert_rounded_outward(found.states["velocity"], [state["velocity"] for state in states])
+    frame = found.to_pandas()
+    assert len(frame) == len(states) + len(records)
+    assert list(frame["outcome"].dropna()) == [record["outcome"] for record in records]
+    assert found.to_arrow().num_rows == len(frame)
+
+
+@pytest.mark.parametrize("workers", [1, 2, 3])
+def test_by_processes(files, tmp_path, workers):
+    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as executor:
+        found = Scene.named("figure-14").sweep(OVER, **ASKED, executor=executor, seconds=0.05)
+    for ending in ("jsonl", "csv"):
+        assert saved(found, tmp_path, ending) == files[ending]
+
+
+def test_by_threads(files, tmp_path):
+    with ThreadPoolExecutor(2) as executor:
+        found = Scene.named("figure-14").sweep(OVER, **ASKED, executor=executor, seconds=0.05)
+    assert saved(found, tmp_path, "jsonl") == files["jsonl"]
+
+
+def test_two_keys_and_summaries(cli, tmp_path):
+    over = {"start.time": (0, 2, 5), "start.velocity": (-6, 0, 4)}
+    found = Scene.named("cascade").sweep(over, transient=100, impacts=5, summary=True)
+    cli.text(
+        "sweep", "scenes/cascade.toml", "--over", "start.time=0..2:5", "--over", "start.velocity=-6..0:4",
+        "--transient", 100, "--impacts", 5, "--summary", "--output", tmp_path / "told.csv", "--quiet",
+    )  # fmt: skip
+    assert saved(found, tmp_path, "csv") == (tmp_path / "told.csv").read_bytes()
+
+
+class Mortal(ThreadPoolExecutor):
+    """Dies after some chunks."""
+
+    def __init__(self, chunks):
+        super().__init__(1)
+        self.left = chunks
+
+    def submit(self, function, /, *args):
+        self.left -= 1
+        if self.left < 0:
+            raise RuntimeError("gone")
+        return super().submit(function, *args)
+
+
+def test_what_is_finished_is_kept_and_gone_on_with(files, tmp_path):
+    scene = Scene.named("figure-14")
+    with pytest.raises(impact_pair.Interrupted, match="gone"):
+        scene.sweep(OVER, **ASKED, executor=Mortal(6), workers=1, seconds=0.02, resume=tmp_path)
+    [folder] = tmp_path.iterdir()
+    kept = sorted(folder.glob("0*.jsonl"))
+    assert kept
+    # A damaged chunk, a torn one and what is left of a draft are not taken.
+    kept[-1].write_bytes(kept[-1].read_bytes()[:-20])
+    (folder / f".{kept[0].name}.1").write_text("torn")
+    computed = []
+    with ThreadPoolExecutor(1) as executor:
+        found = scene.sweep(OVER, **ASKED, executor=executor, seconds=0.02, resume=tmp_path, progress=computed.append)
+    assert saved(found, tmp_path, "csv") == files["csv"]
+    assert computed[0] > int(kept[-1].name[13:25]) - int(kept[-1].name[:12])
+    # Nothing is left to compute; another question has another folder.
+    assert saved(scene.sweep(OVER, **ASKED, executor=Mortal(0), resume=tmp_path), tmp_path, "jsonl") == files["jsonl"]
+    with pytest.raises(impact_pair.Interrupted):
+        scene.sweep(OVER, transient=51, impacts=20, executor=Mortal(0), resume=tmp_path)
+
+
+def test_the_key_is_of_scene_grid_and_question():
+    question = Question(Scene.named("figure-14").text, ("amplitude=1..10:40",), 50, 20, 6, "auto", 100_000, False)
+    other = Question(Scene.named("figure-13").text, *list(vars(question).values())[1:])
+    assert question.key() != other.key()
+    # Neither the layout of the file nor how a number is written decides.
+    again = Question(Scene.named("figure-14").text + "\n# a remark\n", *list(vars(question).values())[1:])
+    assert question.key() == again.key()
+    assert compute(question, 3, 6)[0] == compute(question, 3, 6)[0]
+
+
+def test_a_killed_worker_loses_nothing(files, tmp_path):
+    scene = Scene.named("figure-14")
+    over = {"amplitude": ("1", "10", 40)}
+
+    def kill_one(done):
+        if done >= 3 and not killed:
+            killed.append(next(iter(executor._processes)))
+            os.kill(killed[0], signal.SIGKILL)
+
+    killed = []
+    executor = ProcessPoolExecutor(2, mp_context=get_context("spawn"))
+    with pytest.raises(impact_pair.Interrupted), executor:
+        scene.sweep(over, **ASKED, executor=executor, seconds=0.01, resume=tmp_path, progress=kill_one)
+    assert killed
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as executor:
+        found = scene.sweep(over, **ASKED, executor=executor, resume=tmp_path)
+    assert saved(found, tmp_path, "csv") == files["csv"]
+
+
+def test_what_cannot_be_swept_is_refused():
+    scene = Scene.named("figure-14")
+    for over in ({"amplitude": (10, 1, 4)}, {"mass": (1, 2, 3)}, {"restitution": (0, 2, 3)}, {}):
+        with pytest.raises(impact_pair.RangeError):
+            scene.sweep(over)
+    with pytest.raises(impact_pair.RangeError, match="impacts is 0"):
+        scene.sweep(OVER, impacts=0)
+
+
+def test_chunks_grow_to_the_seconds_asked_for():
+    rate = Rate(10.0, 2)
+    assert rate.size(10**9) == 1
+    rate.tell(1, 0.01)
+    assert rate.size(10**9) == 8
+    for _ in range(8):
+        size = rate.size(10**9)
+        rate.tell(size, 0.01 * size)
+    assert rate.size(10**9) == pytest.approx(1000, rel=0.01)
+    assert rate.size(80) == 10
+
+
+WAITING = """
+import impact_pair, sys
+scene = impact_pair.Scene.named("figure-14")
+print("begun", flush=True)
+try:
+    {work}
+except KeyboardInterrupt:
+    print("stopped")
+"""
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        'scene.run(impacts=10**8, arithmetic="interval") and scene.run(impacts=10**6)',
+        'scene.sweep({"amplitude": (1, 10, 10**6)})',
+        "scene.chaos(depth=20)",
+    ],
+)
+def test_ctrl_c_stops_long_work(work):
+    child = subprocess.Popen([sys.executable, "-c", WAITING.format(work=work)], stdout=subprocess.PIPE, text=True)
+    assert child.stdout.readline() == "begun\n"
+    time.sleep(1.0)
+    child.send_signal(signal.SIGINT)
+    began = time.monotonic()
+    assert child.stdout.read() == "stopped\n"
+    assert child.wait() == 0
+    assert time.monotonic() - began < 10
+
+
+def test_long_work_releases_the_gil_and_tells_how_far_it_is():
+    told, ticks = [], []
+    work = threading.Thread(target=lambda: Scene.named("figure-14").run(impacts=4000, progress=told.append))
+    work.start()
+    while work.is_alive():
+        ticks.append(time.monotonic())
+        time.sleep(0.001)
+    assert max(np.diff(ticks), default=0) < 0.5
+    assert told == sorted(told)
+    assert len(told) >= 1

@@ -1,0 +1,194 @@
+"""Every other verb against the document of the command line."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+from conftest import ROOT, SCENES, assert_rounded_outward
+
+import impact_pair
+from impact_pair import Scene
+
+
+def test_periodic(cli):
+    found = Scene.named("figure-13").periodic("RL", 1, all=True)
+    told = cli.json("periodic", "scenes/figure-13.toml", "--word", "RL", "--cycles", 1, "--all")
+    assert found.document == told
+    assert found.complete is found.exhaustive is True
+    for orbit, said in zip(found, told["orbits"], strict=True):
+        assert_rounded_outward(orbit.phase_bounds, [impact["phase"] for impact in said["impacts"]])
+        assert_rounded_outward(orbit.v_bounds, [impact["velocity"] for impact in said["impacts"]])
+        assert orbit.stability == said["stability"]
+        assert orbit.trace.decimals == tuple(said["trace"])
+        assert len(orbit.eigenvalues) == 2
+    assert len(found.to_pandas()) == sum(len(orbit.walls) for orbit in found)
+    assert pickle.loads(pickle.dumps(found)).document == told
+
+
+def test_two_impact(cli):
+    found = Scene.named("even-cycles").two_impact((1, 3), wall="right")
+    told = cli.json("two-impact", "scenes/even-cycles.toml", "--cycles", "1..3", "--wall", "right")
+    assert [answer.document for answer in found] == told
+    one = Scene.named("figure-13").two_impact(solve_for="amplitude")
+    assert one.document == cli.json("two-impact", "scenes/figure-13.toml", "--solve-for", "amplitude")
+
+
+def test_manifold(cli, tmp_path):
+    picture = tmp_path / "told.svg"
+    asked = ("--manifold", "frequency=5..60:40", "--cycles", "1..3", "--plot", picture)
+    told = cli.json("two-impact", "scenes/figure-10.toml", *asked)
+    found = Scene.named("figure-10").manifold({"frequency": (5, 60, 40)}, (1, 3), picture=True)
+    assert found.document == told
+    assert found.svg == picture.read_text()
+    assert [curve.cycles for curve in found.curves] == [1, 3]
+    assert_rounded_outward(found.curves[0].amplitude_bounds, [point["amplitude"] for point in told["curves"][0]["points"]])
+
+
+def test_bifurcations(cli):
+    found = Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "0.4")}, doublings=1)
+    asked = ("--word", "RL", "--cycles", 1, "--over", "amplitude=0.3..0.4", "--doublings", 1)
+    told = cli.json("bifurcations", "scenes/cascade.toml", *asked)
+    assert found.document == told
+    assert [point.kind for point in found] == [point["kind"] for point in told["points"]]
+    assert_rounded_outward(found.parameter_bounds, [point["parameter"] for point in told["points"]])
+
+
+def test_trap_and_chaos(cli):
+    found = Scene.named("figure-17").trap()
+    assert found.document == cli.json("trap", "scenes/figure-17.toml")
+    assert found.complete == (found.entered_at_impact is not None)
+    found = Scene.named("figure-14").chaos(depth=3)
+    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3)
+    assert found.document == told
+    assert (found.entropy > 0) == found.complete
+    again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})
+    assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
+
+
+def test_audit(cli, tmp_path):
+    scene = Scene.named("figure-14")
+    orbit = scene.run(impacts=30, arithmetic="float")
+    listed = tmp_path / "events.csv"
+    rows = zip(orbit.t, orbit.walls, orbit.v, strict=True)
+    listed.write_text("time,wall,velocity\n" + "".join(f"{t!r},{wall},{v!r}\n" for t, wall, v in map(plain, rows)))
+    told = cli.json("audit", "scenes/figure-14.toml", listed)
+    assert scene.audit(listed).document == told
+    found = scene.audit({"time": orbit.t, "wall": orbit.walls, "velocity": orbit.v})
+    assert found.counts == told["counts"]
+    assert found.first_disagreement == told["first_disagreement"]
+    assert scene.audit(orbit.to_pandas().rename(columns={"t_lower": "time"})[["time", "wall"]]).agreed in (True, False)
+    loose = scene.audit(listed, tolerance="1e-6", until=5, velocities=False)
+    assert loose.document == cli.json("audit", "scenes/figure-14.toml", listed, "--tolerance", "1e-6", "--until", 5, "--no-velocity")
+    with pytest.raises(impact_pair.ListError):
+        scene.audit({"time": ["x"], "wall": ["left"]})
+
+
+def plain(row):
+    t, wall, v = row
+    return float(t), str(wall), float(v)
+
+
+def test_check_and_prove(cli, tmp_path):
+    orbit = Scene.named("figure-14").run(impacts=10)
+    verdict = orbit.check()
+    assert verdict
+    assert verdict.verdict == "confirmed"
+    (tmp_path / "orbit.json").write_text(orbit.json())
+    assert verdict.message in cli.text("check", tmp_path / "orbit.json")
+    spoiled = orbit.json().replace('"impacts": 10', '"impacts": 11').replace('"impacts":10', '"impacts":11')
+    assert spoiled != orbit.json()
+    assert impact_pair.check(spoiled).verdict == "refuted"
+    theorem = orbit.prove(3)
+    assert (theorem.impacts, theorem.stop) == (3, None)
+    assert theorem.text == cli.text("prove", tmp_path / "orbit.json", "--impacts", 3)
+    with pytest.raises(impact_pair.CertificateError):
+        impact_pair.check("{}")
+
+
+def test_trade(cli):
+    """Times differ from run to run; what is certified does not."""
+    found = Scene.named("figure-12").trade(impacts=50, max_bits=128)
+    told = cli.json("trade", "scenes/figure-12.toml", "--impacts", 50, "--max-bits", 128)
+    keys = ("arithmetic", "impacts", "widths", "digits", "bits")
+    known = [{key: rung.get(key) for key in keys} for rung in told["rungs"]]
+    assert [{key: rung.get(key) for key in keys} for rung in found.rungs] == known
+
+
+def test_plot(cli, tmp_path):
+    cli.text("plot", "scenes/figure-13.toml", "--panel", "a", "--panel", "c", "--cycles", 5, "--output", tmp_path / "told.svg")
+    found = Scene.named("figure-13").plot("ac", cycles=5)
+    assert found.svg == (tmp_path / "told.svg").read_text()
+    assert found._repr_svg_() == found.svg
+    found.save(tmp_path / "found.svg")
+    assert (tmp_path / "found.svg").read_text() == found.svg
+
+
+def test_every_verb_of_the_command_line_is_there(cli):
+    """But those that are about the command line itself."""
+    listed = cli.text("help").split("Commands:")[1].split("Options:")[0].splitlines()
+    verbs = {line.split()[0].replace("-", "_") for line in listed if line.startswith("  ") and line.strip() and line[2] != " "}
+    here = {name for name in dir(Scene) if not name.startswith("_")} | {"check", "prove"}
+    assert verbs - {"help", "man", "completions"} - here == set()
+    assert {"run", "sweep", "audit"} <= verbs
+
+
+def test_defaults_are_those_of_the_command_line(cli):
+    import inspect
+    import re
+
+    compared = set()
+    for verb, method in {
+        "run": Scene.run,
+        "sweep": Scene.sweep,
+        "bifurcations": Scene.bifurcations,
+        "chaos": Scene.chaos,
+        "trap": Scene.trap,
+        "trade": Scene.trade,
+        "audit": Scene.audit,
+        "plot": Scene.plot,
+        "periodic": Scene.periodic,
+        "two-impact": Scene.two_impact,
+    }.items():
+        here = {name: str(parameter.default) for name, parameter in inspect.signature(method).parameters.items()}
+        # An option is a line of its own; what is said of it, its default at the end, stands below.
+        parts = re.split(r"^ {2,6}(?:-\w, )?--([a-z-]+)", cli.text(verb, "--help").split("Options:")[1], flags=re.MULTILINE)
+        for name, said in zip(parts[1::2], parts[2::2], strict=True):
+            default = re.search(r"\[default: ([^\]\s]+)\]", said)
+            key = name.replace("-", "_")
+            if default and key in here:
+                compared.add((verb, key))
+                assert here[key] == default[1], (verb, key)
+    assert len(compared) > 15
+
+
+def test_pictures_by_matplotlib():
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot as plt
+
+    from impact_pair import plots
+
+    orbit = Scene.named("figure-14").run(impacts=120)
+    for panel in plots.PANELS.values():
+        _, ax = plt.subplots()
+        assert panel(orbit, ax) is ax
+    ax = plots.displacement(orbit, cycles=2)
+    [curve] = [line for line in ax.lines if len(line.get_xdata()) > 10]
+    assert np.allclose(curve.get_ydata(), orbit(curve.get_xdata()).y, equal_nan=True)
+    section = plots.section_left(orbit)
+    assert len(section.lines[0].get_xdata()) == (orbit.sides < 0).sum()
+    assert plots.figure(12, impacts=50).size == 8
+    assert plots.manifold(Scene.named("figure-10").manifold({"frequency": (5, 60, 20)})).get_ylabel() == "A"
+    one = Scene.named("figure-14").sweep({"amplitude": (1, 3, 5)}, transient=20, impacts=10)
+    assert plots.diagram(one).get_xlabel() == "amplitude"
+    two = Scene.named("cascade").sweep({"start.time": (0, 2, 3), "start.velocity": (-6, 0, 4)}, transient=20, impacts=10)
+    for values in ("outcome", "exponent", "word"):
+        assert plots.basins(two, values=values).images[0].get_array().shape == (4, 3)
+    plt.close("all")
+
+
+def test_the_scenes_are_those_of_the_repository():
+    assert SCENES == ROOT / "scenes"
+    assert json.loads(Scene.named("figure-14").run(impacts=1).json())["scene"]["gap"] == "9.42497"
