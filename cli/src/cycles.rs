@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{Cycle, Cycles, Stage, Untrapped};
+use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, Stage, Untrapped};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::pair::Wall;
@@ -33,9 +33,6 @@ region there may be others. Of one harmonic.
 
 Exit code: 0 these are all, and of each it is proved whether it is stable; 1 something of it is not proved, or it was interrupted (what is \
 proved is written); 2 usage, bad input, I/O.";
-
-/// The most impacts of a cycle.
-const MOST: u32 = 64;
 
 #[derive(Args, Debug)]
 pub struct CyclesArguments {
@@ -66,8 +63,8 @@ fn impacts(text: &str) -> Result<RangeInclusive<u32>, String> {
     let (low, high) = text.split_once("..").unwrap_or((text, text));
     let number = |text: &str| text.trim().parse::<u32>().ok();
     match (number(low), number(high)) {
-        (Some(low), Some(high)) if (1..=high).contains(&low) && high <= MOST => Ok(low..=high),
-        _ => Err(format!("accepted are numbers from 1 to {MOST}, such as 1..7 or 5")),
+        (Some(low), Some(high)) if (1..=high).contains(&low) && high <= MOST_IMPACTS => Ok(low..=high),
+        _ => Err(format!("accepted are numbers from 1 to {MOST_IMPACTS}, such as 1..7 or 5")),
     }
 }
 

@@ -14,6 +14,7 @@ __all__ = [
     "bracket",
     "chaos",
     "check",
+    "cycles",
     "flights",
     "manifold",
     "outward",
@@ -87,6 +88,9 @@ def manifold(
     progress: _Progress,
 ) -> tuple[str, bool, str | None]: ...
 def trap(scene: Scene, question: tuple[int, bool], progress: _Progress) -> tuple[str | None, bool, str | None]: ...
+def cycles(
+    scene: Scene, impacts: tuple[int, int], question: tuple[int, int | None], progress: _Progress
+) -> tuple[str, bool]: ...
 def chaos(
     scene: Scene, question: tuple[int, str | None, str | None], picture: bool, progress: _Progress
 ) -> tuple[str, bool, str | None]: ...

@@ -254,6 +254,36 @@ class Trap(Document):
         return f"<region of {self.boxes} boxes, entered at impact {self.entered_at_impact}>"
 
 
+class Cycles(Document):
+    """All periodic motions of a region with so many impacts; a motion and its mirror image are one."""
+
+    @property
+    def exhaustive(self) -> bool:
+        """Whether these are all."""
+        return bool(self.document["exhaustive"])
+
+    @property
+    def fixed_points(self) -> dict[int, int]:
+        """How many states of the region come again after n impacts, by n; without those n of which it is not proved."""
+        return {int(impacts): int(count) for impacts, count in self.document["fixed_points"].items()}
+
+    @cached_property
+    def orbits(self) -> list[PeriodicOrbit]:
+        """Each cycle, proved."""
+        return [PeriodicOrbit(orbit) for orbit in self.document["orbits"]]
+
+    def __len__(self) -> int:
+        return len(self.orbits)
+
+    def __iter__(self) -> Iterator[PeriodicOrbit]:
+        return iter(self.orbits)
+
+    def __repr__(self) -> str:
+        rest = "proved to be all" if self.exhaustive else "others are not excluded"
+        counts = ", ".join(f"{impacts}: {count}" for impacts, count in self.fixed_points.items())
+        return f"<{len(self)} cycles, {rest}; fixed points by impacts: {counts}>"
+
+
 class Chaos(Document):
     """Words of impacts that follow one another in any order, and what that says of the entropy."""
 

@@ -30,7 +30,7 @@ mod _core {
     #[pymodule_export]
     use super::sweep::Sweep;
     #[pymodule_export]
-    use super::verbs::{audit, bifurcations, chaos, check, manifold, periodic, prove, trade, trap, two_impact};
+    use super::verbs::{audit, bifurcations, chaos, check, cycles, manifold, periodic, prove, trade, trap, two_impact};
 
     #[pymodule_init]
     fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {

@@ -144,7 +144,7 @@ impl Sweep {
             "velocity" => Show::Velocity,
             other => return Err(Fault::range("show", other, "must be phase or velocity").into()),
         };
-        watched(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show)))
+        watched(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None)))
     }
 
     /// The columns of CSV by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.

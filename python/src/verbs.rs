@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use impact_pair::audit::{Asked, Audit, Column, Columns, read};
 use impact_pair::certificate::document::{BaseDocument, one_a_line};
 use impact_pair::certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
-use impact_pair::chaos::{Chaos, Question, Trap};
+use impact_pair::chaos::{Chaos, Cycles, MOST_IMPACTS, Question, Stage, Trap};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::mapping::Word;
@@ -158,7 +158,7 @@ pub fn manifold(
         let range = Range { pair: scene.pair(), speed, axis, from, to, count };
         let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(asked, &scene)?, || monitor.goes_on())?;
         let document = document::manifolds(&range, scene.start(), &curves, !went_on);
-        let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves));
+        let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
         Ok((one_a_line(&document, &["curves", "points"]), went_on, svg))
     })
@@ -187,6 +187,34 @@ pub fn trap(
                 Ok((Some(text(&document)), document.entered_at_impact.is_some(), svg))
             }
         }
+    })
+}
+
+/// All periodic motions of a region with so many impacts.
+#[pyfunction]
+pub fn cycles(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    impacts: (u32, u32),
+    question: (u32, Option<u32>),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let (finer, asked) = question;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let least = accepted("impacts", impacts.0, 1..=MOST_IMPACTS)?;
+        let impacts = least..=accepted("impacts", impacts.1, least..=MOST_IMPACTS)?;
+        let watch = |stage: Stage| {
+            if let Stage::Impacts { impacts, .. } = stage {
+                monitor.tell(impacts as u64);
+            }
+            monitor.goes_on()
+        };
+        let precision = Precision { digits: digits(asked, &scene)?, ..Precision::default() };
+        let found = Cycles::of(&scene, accepted("finer", finer, 0..=6)?, &impacts, precision, &watch)?;
+        let found = found.as_ref().map_err(|why| *why);
+        let document = document::cycles(&scene, &impacts, found)?;
+        Ok((text(&document), found.is_ok_and(Cycles::is_certified)))
     })
 }
 

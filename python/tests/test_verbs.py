@@ -66,6 +66,13 @@ def test_trap_and_chaos(cli):
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
 
 
+def test_cycles(cli):
+    found = Scene.named("figure-14").cycles((1, 5))
+    assert found.document == cli.json("cycles", "scenes/figure-14.toml", "--impacts", "1..5")
+    assert found.fixed_points == {1: 1, 2: 1, 3: 4, 4: 1, 5: 11}
+    assert found.complete and all(orbit.stability == "unstable" for orbit in found)
+
+
 def test_audit(cli, tmp_path):
     scene = Scene.named("figure-14")
     orbit = scene.run(impacts=30, arithmetic="float")
@@ -144,6 +151,7 @@ def test_defaults_are_those_of_the_command_line(cli):
         "bifurcations": Scene.bifurcations,
         "chaos": Scene.chaos,
         "trap": Scene.trap,
+        "cycles": Scene.cycles,
         "trade": Scene.trade,
         "audit": Scene.audit,
         "plot": Scene.plot,

@@ -23,7 +23,7 @@ mod tube;
 mod words;
 
 pub use cells::{Asked, Cells, Stretch, Verdict, seen_impacts};
-pub use cycles::{Cycle, Cycles, Stage};
+pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
 pub use fate::{Entered, Fate};
 pub use flights::{Chord, State};
 pub use horseshoe::{Chaos, Question, Word};

@@ -42,6 +42,9 @@ pub struct Cycle {
     pub orbit: PeriodicOrbit,
 }
 
+/// The most impacts of a cycle.
+pub const MOST_IMPACTS: u32 = 64;
+
 /// The cycles of a region, proved.
 ///
 /// **Enclosure**: [`fixed_points`](Cycles::fixed_points) of `n` counts all states of the region that the reduced map maps to
