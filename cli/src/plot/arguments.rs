@@ -14,8 +14,8 @@ use crate::arguments::{ARITHMETICS, bits, digits, point, window};
 pub const HELP: &str = "\
 Examples:
   impact-pair plot scenes/figure-14.toml --all --output figure-14.svg
-  impact-pair plot scenes/figure-13.toml --panel a --panel c --cycles 12 --transient 10 --output figure-13.svg
-  impact-pair plot scenes/chatter.toml --panel a --panel b --zoom 0.2..0.5 --theme dark --output chatter.svg
+  impact-pair plot scenes/figure-13.toml --panel c --transient 10 --output figure-13.svg
+  impact-pair plot scenes/chatter.toml --panel a --zoom 0.2..0.5 --theme dark --output chatter.svg
 
 Panels are those of the paper's figures 12-17; their letters a to h name them, too. Between impacts the motion is drawn by \
 its closed form, (11) and (12), as cubic Bézier segments of a twenty-fourth of a turn, which miss it by less than A/80,000. All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a \

@@ -113,8 +113,8 @@ impl Cycles {
         let laws = Laws { relation: Relation::new(&law), times: Interval::new(shortest, longest) };
         let (cycles, undecided) = (Vec::new(), Vec::new());
         let mut all = Self { trap, asked: asked.clone(), fixed_points: BTreeMap::new(), cycles, undecided };
-        for impacts in asked.clone().map(|impacts| impacts as usize) {
-            // exact: a small whole number
+        let numbers = asked.clone().map(|impacts| impacts as usize); // exact: a small whole number
+        for impacts in numbers {
             let done = AtomicUsize::new(0);
             let of = graph.blocks.len();
             let goes_on = || goes_on(Stage::Impacts { impacts, blocks: done.load(Ordering::Relaxed), of });
