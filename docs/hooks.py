@@ -15,6 +15,8 @@ ROOT = Path(__file__).resolve().parent.parent
 OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-*", "python/README.md", "scenes/*.toml",
            "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
 LINK = re.compile(r'\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s:#]+)(#[^()\s]*)?\)')
+# Pictures of a given width, as the gallery has them.
+PICTURE = re.compile(r'(<img src=")([^":]+)(")')
 # Lists and formulas that begin right below a sentence: Python's Markdown asks for an empty line.
 LIST = re.compile(r"^((?![-*\s|>]).+)\n(?=- )", re.M)
 FORMULA = re.compile(r"^(\$\$.+?\$\$)$", re.M | re.S)
@@ -51,7 +53,14 @@ def on_page_markdown(markdown, page, config, files):
     def led_within(words):
         return LINK.sub(led, words)
 
-    return LINK.sub(led, FORMULA.sub(r"\n\1\n", LIST.sub(r"\1\n\n", markdown)))
+    def shown(match):
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(on_disk), match[2]))
+        if path.startswith("docs/") or files.get_file_from_path(place(path)) is None:
+            return match[0]
+        # A page lies in its folder, as on disk: HTML is not led by mkdocs.
+        return match[1] + posixpath.relpath(place(path), here or ".") + match[3]
+
+    return PICTURE.sub(shown, LINK.sub(led, FORMULA.sub(r"\n\1\n", LIST.sub(r"\1\n\n", markdown))))
 
 
 def on_post_page(output, page, config):
