@@ -44,7 +44,7 @@ impl Path {
     pub fn line_to(&mut self, place: Place) {
         let to = tenths(place);
         if to != self.at {
-            self.write('l', &[self.from_here(to)]);
+            self.write('l', &[self.offset_to(to)]);
             self.at = to;
         }
     }
@@ -57,11 +57,11 @@ impl Path {
             return self.line_to(end);
         }
         let places = [first, second, end].map(tenths);
-        self.write('c', &places.map(|place| self.from_here(place)));
+        self.write('c', &places.map(|place| self.offset_to(place)));
         self.at = places[2];
     }
 
-    fn from_here(&self, (x, y): (i64, i64)) -> (i64, i64) {
+    fn offset_to(&self, (x, y): (i64, i64)) -> (i64, i64) {
         (x - self.at.0, y - self.at.1)
     }
 
