@@ -16,6 +16,7 @@ from mkdocs.structure.files import File
 ROOT = Path(__file__).resolve().parent.parent
 OUTSIDE = ["README.md", "CONTRIBUTING.md", "DESIGN.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-*", "python/README.md", "python/notebooks/*.ipynb", "scenes/*.toml",
            "validation/*/README.md", "validation/report/*.md", "validation/report/*.svg"]
+PICTURE = re.compile(r'(?<=<img src=")(\.\./[^":]+)(?=")')
 LINK = re.compile(r'\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s:#]+)(#[^()\s]*)?\)')
 # Lists and formulas that begin right below a sentence: Python's Markdown asks for an empty line.
 LIST = re.compile(r"^((?![-*\s|>]).+)\n(?=- )", re.M)
@@ -90,6 +91,11 @@ def on_page_markdown(markdown, page, config, files):
     def led_within(words):
         return LINK.sub(led, words)
 
+    def drawn(match):
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(on_disk), match[1]))
+        return posixpath.relpath(place(path), here or ".")
+
+    markdown = PICTURE.sub(drawn, markdown)
     return LINK.sub(led, FORMULA.sub(r"\n\1\n", LIST.sub(r"\1\n\n", markdown)))
 
 
