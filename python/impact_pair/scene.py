@@ -277,9 +277,7 @@ class Scene:
             return answers.Trap(json.dumps({"certified": False, "message": said}), complete)
         return answers.Trap(document, complete, said)
 
-    def cycles(
-        self, impacts: tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
-    ) -> answers.Cycles:
+    def cycles(self, impacts: tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None) -> answers.Cycles:
         """Prove all periodic motions of the region of ``trap`` with so many impacts, from ``impacts[0]`` to ``impacts[1]``."""
         with reporting(progress, "impacts", impacts[1]) as tell:
             return answers.Cycles(*_core.cycles(self._core, tuple(impacts), (finer, digits), tell))

@@ -70,7 +70,8 @@ def test_cycles(cli):
     found = Scene.named("figure-14").cycles((1, 5))
     assert found.document == cli.json("cycles", "scenes/figure-14.toml", "--impacts", "1..5")
     assert found.fixed_points == {1: 1, 2: 1, 3: 4, 4: 1, 5: 11}
-    assert found.complete and all(orbit.stability == "unstable" for orbit in found)
+    assert found.complete
+    assert all(orbit.stability == "unstable" for orbit in found)
 
 
 def test_audit(cli, tmp_path):
