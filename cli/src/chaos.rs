@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::certificate::document::{BaseDocument, one_a_line};
-use impact_pair::chaos::{Asked, Base, Cells, Chaos, Question};
+use impact_pair::chaos::{Asked, Base, Cells, Chaos, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, Question};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::periodic::bifurcation::Over;
@@ -47,7 +47,7 @@ pub struct ChaosArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     /// The most impacts of a word: each one more takes about 1.3 times as long
-    #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
     depth: u32,
     /// Take the bases of FILE: JSON with a list "bases" as this verb writes it
     #[arg(long, value_name = "FILE")]
@@ -57,7 +57,7 @@ pub struct ChaosArguments {
     #[arg(long, value_name = "KEY=LO..HI[:COUNT]")]
     over: Option<Range>,
     /// With :COUNT: halve a cell so often where nothing is proved of all of it
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(0..=24))]
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
     halvings: u32,
     /// How it is written; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
     #[arg(long, value_enum, default_value_t)]
@@ -104,8 +104,6 @@ impl FromStr for Range {
         Ok(Self { over: range.parse::<Over>().map_err(|error| error.to_string())?, cells: cells.transpose()? })
     }
 }
-
-const MOST_CELLS: u32 = 1_000_000;
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;

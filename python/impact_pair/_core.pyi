@@ -13,6 +13,7 @@ __all__ = [
     "bifurcations",
     "bracket",
     "chaos",
+    "chaos_cells",
     "check",
     "cycles",
     "flights",
@@ -91,6 +92,9 @@ def trap(scene: Scene, question: tuple[int, bool], progress: _Progress) -> tuple
 def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[int, int | None], progress: _Progress) -> tuple[str, bool]: ...
 def chaos(
     scene: Scene, question: tuple[int, str | None, str | None], picture: bool, progress: _Progress
+) -> tuple[str, bool, str | None]: ...
+def chaos_cells(
+    scene: Scene, over: tuple[str, int], question: tuple[int, int], picture: bool, progress: _Progress
 ) -> tuple[str, bool, str | None]: ...
 def trade(scene: Scene, question: tuple[int | None, int, bool], progress: _Progress) -> tuple[str, bool, str | None]: ...
 def audit(

@@ -312,6 +312,24 @@ class Chaos(Document):
         return f"{said}: topological entropy at least {per['per_impact']} an impact, {per['per_cycle']} a cycle; {len(self.words)} words"
 
 
+class ChaosCells(Document):
+    """Which values of a parameter are proved to hold a horseshoe, and which to be attracted."""
+
+    @property
+    def shares(self) -> dict[str, float]:
+        """Which part of the range is proved to hold a ``horseshoe``, to be ``attracted``, or neither: ``undecided``."""
+        return dict(self.document["shares"])
+
+    @property
+    def stretches(self) -> list[dict[str, Any]]:
+        """The stretches of one verdict each, from the lowest value of the parameter to the highest."""
+        return list(self.document["stretches"])
+
+    def __repr__(self) -> str:
+        parts = ", ".join(f"{part:.2%} {said}" for said, part in self.shares.items())
+        return f"<{self.document['over']['key']} in {len(self.stretches)} stretches: {parts}>"
+
+
 class Trade(Document):
     """What accuracy costs: a rung for each arithmetic."""
 

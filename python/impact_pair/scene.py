@@ -277,10 +277,13 @@ class Scene:
             return answers.Trap(json.dumps({"certified": False, "message": said}), complete)
         return answers.Trap(document, complete, said)
 
-    def cycles(self, impacts: tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None) -> answers.Cycles:
-        """Prove all periodic motions of the region of ``trap`` with so many impacts, from ``impacts[0]`` to ``impacts[1]``."""
-        with reporting(progress, "impacts", impacts[1]) as tell:
-            return answers.Cycles(*_core.cycles(self._core, tuple(impacts), (finer, digits), tell))
+    def cycles(
+        self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
+    ) -> answers.Cycles:
+        """Prove all periodic motions of the region of ``trap`` with so many impacts, or with any number from one to another."""
+        ends = (impacts, impacts) if isinstance(impacts, int) else impacts
+        with reporting(progress, "impacts", ends[1]) as tell:
+            return answers.Cycles(*_core.cycles(self._core, ends, (finer, digits), tell))
 
     def chaos(
         self,
@@ -295,6 +298,24 @@ class Scene:
         question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases))
         with reporting(progress, "boxes") as tell:
             return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
+
+    def chaos_cells(
+        self,
+        over: Mapping[str, tuple[Value, Value, int]],
+        *,
+        depth: int = 12,
+        halvings: int = 8,
+        picture: bool = False,
+        progress: Progress = None,
+    ) -> answers.ChaosCells:
+        """Prove of each value in ``{"amplitude": (low, high, count)}``, cell by cell, that there is a horseshoe or an attractor.
+
+        The cells are ``count`` equal parts of the range. One of which nothing is proved is halved, at most ``halvings`` times.
+        """
+        [(key, (low, high, count))] = over.items()
+        question = (ranged({key: (low, high)}), count)
+        with reporting(progress, "cells", count) as tell:
+            return answers.ChaosCells(*_core.chaos_cells(self._core, question, (halvings, depth), picture, tell))
 
     def trade(
         self,

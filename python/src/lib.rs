@@ -2,6 +2,7 @@
 //! bytes of doubles out. What is asked is checked and told as by the command line; what computes is the library. All types and
 //! the documentation for people are in the package above it.
 
+mod chaos;
 mod errors;
 mod flights;
 mod numbers;
@@ -18,6 +19,8 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
+    use super::chaos::{chaos, chaos_cells, cycles, trap};
+    #[pymodule_export]
     use super::flights::flights;
     #[pymodule_export]
     use super::numbers::{bracket, outward};
@@ -30,7 +33,7 @@ mod _core {
     #[pymodule_export]
     use super::sweep::Sweep;
     #[pymodule_export]
-    use super::verbs::{audit, bifurcations, chaos, check, cycles, manifold, periodic, prove, trade, trap, two_impact};
+    use super::verbs::{audit, bifurcations, check, manifold, periodic, prove, trade, two_impact};
 
     #[pymodule_init]
     fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {

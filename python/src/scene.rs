@@ -52,9 +52,10 @@ pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// The scenes of the repository, by name.
-const PAPER: [(&str, &str); 15] = [
+const PAPER: [(&str, &str); 16] = [
     ("cascade", include_str!("../../scenes/cascade.toml")),
     ("chatter", include_str!("../../scenes/chatter.toml")),
+    ("doublings", include_str!("../../scenes/doublings.toml")),
     ("even-cycles", include_str!("../../scenes/even-cycles.toml")),
     ("figure-10", include_str!("../../scenes/figure-10.toml")),
     ("figure-11", include_str!("../../scenes/figure-11.toml")),

@@ -3,9 +3,8 @@
 use std::sync::atomic::AtomicBool;
 
 use impact_pair::audit::{Asked, Audit, Column, Columns, read};
-use impact_pair::certificate::document::{BaseDocument, one_a_line};
+use impact_pair::certificate::document::one_a_line;
 use impact_pair::certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
-use impact_pair::chaos::{Chaos, Cycles, MOST_IMPACTS, Question, Stage, Trap};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::mapping::Word;
@@ -26,16 +25,16 @@ use crate::scene::Scene;
 use crate::watched::watched;
 
 /// A document as JSON, and whether all that was asked is certified.
-type Answer = (String, bool);
+pub type Answer = (String, bool);
 /// The same with a picture as SVG, where one was asked for.
-type Drawn = (String, bool, Option<String>);
+pub type Drawn = (String, bool, Option<String>);
 
-fn text(document: &impl serde::Serialize) -> String {
+pub fn text(document: &impl serde::Serialize) -> String {
     serde_json::to_string(document).expect("plain data")
 }
 
 /// The digits asked for, or else the scene's, or else the usual ones.
-fn digits(asked: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
+pub fn digits(asked: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
     let asked = asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
     Ok(asked.or(scene.run().digits).unwrap_or(Settings::default().digits))
 }
@@ -161,96 +160,6 @@ pub fn manifold(
         let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
         Ok((one_a_line(&document, &["curves", "points"]), went_on, svg))
-    })
-}
-
-/// A region that no motion leaves; without a document where none is proved, and why.
-#[pyfunction]
-pub fn trap(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    question: (u32, bool),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<(Option<String>, bool, Option<String>)> {
-    let (finer, picture) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let watch = |boxes: usize| {
-            monitor.tell(boxes as u64);
-            monitor.goes_on()
-        };
-        match Trap::of(&scene, accepted("finer", finer, 0..=6)?, &watch)? {
-            Err(why) => Ok((None, false, Some(why.words().to_owned()))),
-            Ok(region) => {
-                let document = document::trap(&scene, &region)?;
-                let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
-                Ok((Some(text(&document)), document.entered_at_impact.is_some(), svg))
-            }
-        }
-    })
-}
-
-/// All periodic motions of a region with so many impacts.
-#[pyfunction]
-pub fn cycles(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    impacts: (u32, u32),
-    question: (u32, Option<u32>),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Answer> {
-    let (finer, asked) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let least = accepted("impacts", impacts.0, 1..=MOST_IMPACTS)?;
-        let impacts = least..=accepted("impacts", impacts.1, least..=MOST_IMPACTS)?;
-        let watch = |stage: Stage| {
-            if let Stage::Impacts { impacts, .. } = stage {
-                monitor.tell(impacts as u64);
-            }
-            monitor.goes_on()
-        };
-        let precision = Precision { digits: digits(asked, &scene)?, ..Precision::default() };
-        let found = Cycles::of(&scene, accepted("finer", finer, 0..=6)?, &impacts, precision, &watch)?;
-        let found = found.as_ref().map_err(|why| *why);
-        let document = document::cycles(&scene, &impacts, found)?;
-        Ok((text(&document), found.is_ok_and(Cycles::is_certified)))
-    })
-}
-
-/// Horseshoes and a lower bound of the entropy; of given bases, JSON, or of those found.
-#[pyfunction]
-pub fn chaos(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    question: (u32, Option<String>, Option<String>),
-    picture: bool,
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Drawn> {
-    let (depth, over, bases) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let bases: Option<Vec<BaseDocument>> =
-            bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
-        let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
-        let question = Question { depth: accepted("depth", depth, 1..=64)? as usize, bases };
-        let over: Option<Over> = over.map(|over| over.parse()).transpose()?;
-        let pair = match &over {
-            Some(over) => {
-                let values = Exact::interval(&over.low, &over.high)
-                    .map_err(|error| Fault::range("over", over.key, &error.to_string()))?;
-                scene.pair().with(over.key, values)?
-            }
-            None => scene.pair().clone(),
-        };
-        let watch = |_depth: usize, boxes: u64| {
-            monitor.tell(boxes);
-            monitor.goes_on()
-        };
-        let found = Chaos::of(&pair, scene.start(), &question, &watch)?;
-        let document = document::chaos(&scene, over.as_ref(), &question, &found);
-        let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, &found))).transpose()?;
-        Ok((text(&document), found.entropy() > 0.0 && !document.interrupted, svg))
     })
 }
 

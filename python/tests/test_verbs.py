@@ -66,7 +66,20 @@ def test_trap_and_chaos(cli):
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
 
 
+def test_chaos_cells(cli):
+    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=1..1.1:2", "--halvings", 3)
+    found = Scene.named("figure-14").chaos_cells({"amplitude": ("1", "1.1", 2)}, depth=4, halvings=3, picture=True)
+    assert found.document == told
+    assert found.shares == told["shares"]
+    assert [stretch["verdict"] for stretch in found.stretches] == ["undecided", "attracted"]
+    assert not found.complete
+    assert found.svg.startswith("<svg")
+    with pytest.raises(impact_pair.RangeError):
+        Scene.named("figure-14").chaos_cells({"amplitude": ("1", "1.1", 0)})
+
+
 def test_cycles(cli):
+    assert Scene.named("figure-14").cycles(3).document == cli.json("cycles", "scenes/figure-14.toml", "--impacts", 3)
     found = Scene.named("figure-14").cycles((1, 5))
     assert found.document == cli.json("cycles", "scenes/figure-14.toml", "--impacts", "1..5")
     assert found.fixed_points == {1: 1, 2: 1, 3: 4, 4: 1, 5: 11}

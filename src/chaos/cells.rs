@@ -20,6 +20,11 @@ use crate::pair::{ImpactPair, Wall, within};
 use crate::periodic::Attractor;
 use crate::periodic::bifurcation::Over;
 
+/// The most cells that a range is cut into.
+pub const MOST_CELLS: u32 = 1_000_000;
+/// The most times that a cell is halved.
+pub const MOST_HALVINGS: u32 = 24;
+
 /// What is asked.
 #[derive(Clone, Debug)]
 pub struct Asked {

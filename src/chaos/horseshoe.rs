@@ -14,6 +14,9 @@ use crate::mapping::Mapping;
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, Wall};
 
+/// The most impacts of a word that are accepted.
+pub const MOST_DEPTH: u32 = 64;
+
 /// What is asked.
 #[derive(Clone, Debug)]
 pub struct Question {

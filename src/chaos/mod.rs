@@ -22,10 +22,10 @@ mod trap;
 mod tube;
 mod words;
 
-pub use cells::{Asked, Cells, Stretch, Verdict, seen_impacts};
+pub use cells::{Asked, Cells, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
 pub use fate::{Entered, Fate};
 pub use flights::{Chord, State};
-pub use horseshoe::{Chaos, Question, Word};
+pub use horseshoe::{Chaos, MOST_DEPTH, Question, Word};
 pub use region::{Trap, Untrapped};
 pub use words::Base;
