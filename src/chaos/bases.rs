@@ -30,12 +30,17 @@ pub(crate) struct Effort {
     last: (usize, u64),
     /// The most bases.
     most: usize,
+    /// Whether they are looked for everywhere where saddles lead to none.
+    everywhere: bool,
 }
 
 /// For the most entropy, and for any.
 pub(crate) const THOROUGH: Effort =
-    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3 };
-pub(crate) const ANY: Effort = Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1 };
+    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, everywhere: true };
+pub(crate) const ANY: Effort =
+    Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, everywhere: false };
+/// Of bases from everywhere.
+const SLOW: Effort = Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };
 const DEPTH: usize = 60;
 /// Transients begin at so many phases and speeds, up to so many times the greatest one seen.
 const STARTS: [usize; 2] = [48, 24];
@@ -47,7 +52,7 @@ const NEAR: f64 = 0.01;
 const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
 /// Half lengths, phases in radians, and half widths relative to them.
-const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
+pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 /// What a base more has to add, as a factor.
 const WORTH: f64 = 1.01;
@@ -87,7 +92,7 @@ fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> 
 }
 
 /// How far apart two states are, phases less whole turns.
-fn apart([u, w]: State, [v, x]: State) -> f64 {
+pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
     length([u - v - (u - v).round(), w - x])
 }
 
@@ -152,10 +157,10 @@ impl Seen {
     }
 
     /// Bases along the leaves, those first that the orbit crosses most often.
-    fn candidates(&self, guess: &Guess) -> Vec<Base> {
+    fn candidates(&self, guess: &Guess, making: Making) -> Vec<Base> {
         let mut scored: Vec<(f64, Base)> = Vec::new();
         for (centre, along) in self.centres() {
-            let Some(across) = guess.contracting(centre) else { continue };
+            let Some(across) = guess.contracting(centre, making.ahead) else { continue };
             let determinant = along[0] * across[1] - along[1] * across[0];
             if TAU * determinant.abs() < 0.2 {
                 continue;
@@ -199,58 +204,73 @@ impl Seen {
         scored.into_iter().map(|(_, base)| base).filter(Base::is_convex).collect()
     }
 
-    /// The bases that lead to most entropy, of those tried.
+    /// The bases that lead to most entropy, of those tried: along saddles, or else from everywhere.
     pub fn bases(
         &self,
         law: &Law,
-        (making, depth): (Making, usize),
+        ([making, fine], depth): ([Making; 2], usize),
         effort: Effort,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Vec<Base> {
-        let candidates = self.candidates(&Guess::new(law));
-        let worth = |bases: &[Base], boxes: u64| {
-            let mut search = Search::new(law, bases, making);
-            search.threads = 1;
-            let within = |tally: Tally| tally.boxes < boxes && goes_on();
-            for _ in 0..depth.min(DEPTH) {
-                if !search.deepen(&within) {
-                    break;
-                }
-            }
-            entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
-        };
-        let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
-        while best.1.len() < effort.most && goes_on() {
-            let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
-            let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
-            let mut trial = |(count, boxes): (usize, u64)| {
-                tried.truncate(count);
-                let found = &best.1;
-                let judged = |(_, base): &(f64, Base)| {
-                    let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
-                    (worth(&bases, boxes * bases.len() as u64), *base)
-                };
-                tried = each(&tried, &judged);
-                tried.sort_by(|a, b| b.0.total_cmp(&a.0));
-                tried.first().copied()
-            };
-            let mut found = None;
-            for &round in effort.trials {
-                found = trial(round);
-            }
-            if best.1.is_empty() && found.is_some_and(|found| found.0 == 0.0) {
-                found = trial(effort.last);
-            }
-            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
-            best.0 = entropy;
-            best.1.push(base);
+        let guess = Guess::new(law);
+        let found = best(law, &self.candidates(&guess, making), (making, depth), effort, goes_on);
+        if !found.is_empty() || !effort.everywhere || !goes_on() {
+            return found;
         }
-        best.1
+        best(law, &self.crossed(&guess, (fine, depth.min(DEPTH))), (fine, depth), SLOW, goes_on)
     }
 }
 
+/// The bases among these that lead to most entropy.
+fn best(
+    law: &Law,
+    candidates: &[Base],
+    (making, depth): (Making, usize),
+    effort: Effort,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Vec<Base> {
+    let worth = |bases: &[Base], boxes: u64| {
+        let mut search = Search::new(law, bases, making);
+        search.threads = 1;
+        let within = |tally: Tally| tally.boxes < boxes && goes_on();
+        for _ in 0..depth.min(DEPTH) {
+            if !search.deepen(&within) {
+                break;
+            }
+        }
+        (entropy(&search.words, bases.len(), |word| word.sides.len() as i64), search.words.len())
+    };
+    let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
+    while best.1.len() < effort.most && goes_on() {
+        let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
+        let mut tried: Vec<((f64, usize), Base)> = free.map(|&base| ((0.0, 0), base)).collect();
+        let mut trial = |(count, boxes): (usize, u64)| {
+            tried.truncate(count);
+            let found = &best.1;
+            let judged = |(_, base): &((f64, usize), Base)| {
+                let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
+                (worth(&bases, boxes * bases.len() as u64), *base)
+            };
+            tried = each(&tried, &judged);
+            tried.sort_by(|(a, _), (b, _)| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
+            tried.first().copied()
+        };
+        let mut found = None;
+        for &round in effort.trials {
+            found = trial(round);
+        }
+        if best.1.is_empty() && found.is_some_and(|((entropy, _), _)| entropy == 0.0) {
+            found = trial(effort.last);
+        }
+        let Some(((entropy, _), base)) = found.filter(|((entropy, _), _)| *entropy > best.0 * WORTH) else { break };
+        best.0 = entropy;
+        best.1.push(base);
+    }
+    best.1
+}
+
 /// What a function makes of each, by all threads.
-fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
+pub(super) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
     let work = || {

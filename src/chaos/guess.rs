@@ -31,9 +31,6 @@ pub(crate) struct Image {
     pub moved: [State; 2],
 }
 
-/// Jacobians that the contracting direction is told from.
-const AHEAD: usize = 4;
-
 impl Guess {
     pub fn new(law: &Law) -> Self {
         let alpha = 1.0 / law.gap.mid();
@@ -66,11 +63,11 @@ impl Guess {
         Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]], moved })
     }
 
-    /// The direction that the next flights contract most, of length 1 in radians and speeds, its speed not negative.
-    pub fn contracting(&self, state: State) -> Option<State> {
+    /// The direction that so many flights ahead contract most, of length 1 in radians and speeds, its speed not negative.
+    pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = state;
-        for step in 0..AHEAD {
+        for step in 0..ahead {
             let Some(image) = self.map(at) else {
                 if step == 0 {
                     return None;

@@ -81,13 +81,18 @@ pub struct Chaos {
 
 /// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
 const MAKINGS: [Making; 4] = [
-    Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9 },
-    Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8 },
-    Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 },
-    Making { longest: 0.01, margin: 1.15, pad: 2e-5, shortest: 1e-6 },
+    Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
+    Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
+    Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 },
+    Making { longest: 0.01, margin: 1.15, pad: 2e-5, shortest: 1e-6, ahead: 4 },
 ];
 /// Bases are tried with this one.
-const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7 };
+const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7, ahead: 4 };
+/// Where none of these leads to any entropy: finer ones, for slow expansion along thin leaves. Bases from everywhere are tried with the last.
+const FINE: [Making; 2] = [
+    Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
+    Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
+];
 /// Up to this depth all makings are tried; deeper the first one that is nearly as good as the best.
 const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
@@ -137,11 +142,19 @@ impl Chaos {
             (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to) // exact: all
         };
         let shallow = if bases.is_empty() { 0 } else { depth.min(SHALLOW) }; // exact: counts
-        let tried = MAKINGS.map(|making| {
-            let mut search = Search::new(law, &bases, making);
-            let depth = followed(&mut search, 0, shallow);
-            (by_impact(&search), depth, search)
-        });
+        let tried_to = |depth: usize, makings: &[Making]| {
+            let follow = |&making: &Making| {
+                let mut search = Search::new(law, &bases, making);
+                let depth = followed(&mut search, 0, depth);
+                (by_impact(&search), depth, search)
+            };
+            makings.iter().map(follow).collect::<Vec<_>>()
+        };
+        let mut tried = tried_to(shallow, &MAKINGS);
+        let is_open = tried.iter().all(|(entropy, ..)| *entropy == 0.0); // proposes: whether to try more
+        if is_open && shallow > 0 {
+            tried.extend(tried_to(depth, &FINE));
+        }
         let best = tried.iter().fold(0.0, |best: f64, (entropy, ..)| best.max(*entropy)); // proposes: each is a proof of its own
         let deeper = shallow < depth && shallow > 0;
         let enough = if deeper { NEARLY * best } else { best };
@@ -236,7 +249,7 @@ pub(super) fn bases(
     effort: Effort,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Vec<Base> {
-    seen.bases(law, (TRIAL, depth), effort, goes_on)
+    seen.bases(law, ([TRIAL, FINE[1]], depth), effort, goes_on)
 }
 
 /// The shortest two words that may follow one another in any order.

@@ -1,6 +1,6 @@
 //! Chaos, proved: regions that no motion leaves and all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floats propose, in `bases`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words`, `trap` and
+//! Floats propose, in `bases`, `everywhere`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words`, `trap` and
 //! `cycles`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 and D20-D23 of `docs/proofs.md`.
@@ -9,6 +9,7 @@ mod bases;
 mod cells;
 mod cycles;
 mod entropy;
+mod everywhere;
 mod fate;
 mod flights;
 mod guess;

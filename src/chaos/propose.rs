@@ -17,6 +17,8 @@ pub(crate) struct Making {
     pub pad: f64,
     /// Parts are not cut below this length.
     pub shortest: f64,
+    /// Impacts ahead that the contracting direction is told from.
+    pub ahead: usize,
 }
 
 /// A tube where the image of a stretch may lie.
@@ -160,8 +162,10 @@ impl Making {
         let tangent = radians(tangent);
         let long = tangent[0].hypot(tangent[1]);
         let lean = |direction: State| cross(tangent, radians(direction)) / (long * length(direction));
-        let direction =
-            guess.contracting(image.state).filter(|&direction| lean(direction).abs() > 0.05).unwrap_or(half);
+        let direction = guess
+            .contracting(image.state, self.ahead)
+            .filter(|&direction| lean(direction).abs() > 0.05)
+            .unwrap_or(half);
         let size = length(direction);
         let unit = direction.map(|x| x / size);
         let sine = lean(direction);

@@ -17,7 +17,7 @@ use crate::number::{Ball, Number, kernel::sin_cos};
 use crate::orbit::{Orbit, Outcome, Progress, Settings};
 use crate::pair::{Reduced, Wall};
 
-const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6 };
+const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 };
 
 /// `D` and `e` of figures 14, 17 and 16.
 fn laws() -> [Law; 3] {

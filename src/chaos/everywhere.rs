@@ -1,0 +1,131 @@
+//! Bases from everywhere on a floating orbit, judged by how the orbit itself comes back across them: for slow expansion, where horseshoes
+//! are of long words, and saddles are not in the middle of their bases. What they lead to is proved.
+//!
+//! Labels: proposes throughout.
+
+use std::f64::consts::TAU;
+
+use super::bases::{LENGTHS, Seen, apart, each};
+use super::entropy::entropy;
+use super::flights::{Chord, Side, State};
+use super::guess::{Guess, cross};
+use super::propose::Making;
+use super::words::{Base, Path};
+
+/// So many points of the orbit are judges.
+const JUDGES: usize = 40_000;
+/// Middles of bases are that far apart, and at most so many.
+const EVERYWHERE: f64 = 0.004;
+const MIDDLES: usize = 160;
+/// Half lengths, each shorter than the one before by a factor, and half widths relative to them.
+const SHORTER: (usize, f64) = (16, 0.8);
+const WIDTHS: [f64; 6] = [0.01, 0.02, 0.04, 0.08, 0.16, 0.3];
+/// In each base so many points are looked at; more than so many in a row make a crossing.
+const POINTS: usize = 1000;
+const IN_A_ROW: usize = 4;
+/// Images reach that far beyond the ends, and not beyond that much of the width.
+const BEYOND: [f64; 2] = [1.1, 0.85];
+/// The least sine of the angle between an end and the leaf, and the least cosine of that between an end and the middle.
+const LEAST_SINE: f64 = 0.1;
+const LEAST_COSINE: f64 = 0.95;
+
+impl Seen {
+    /// Points from everywhere on the orbit.
+    fn everywhere(&self) -> Vec<(State, State)> {
+        let mut found: Vec<(State, State)> = Vec::new();
+        for &point in self.points.iter().take(JUDGES) {
+            if found.len() < MIDDLES && found.iter().all(|other| apart(point.0, other.0) > EVERYWHERE) {
+                found.push(point);
+            }
+        }
+        found
+    }
+
+    /// Bases that the orbit comes back across in several ways, those first that most entropy is seen of.
+    pub(super) fn crossed(&self, guess: &Guess, (making, depth): (Making, usize)) -> Vec<Base> {
+        let points = &self.points[..self.points.len().min(JUDGES)];
+        let of_one = |&(centre, along): &(State, State)| {
+            let mut scored: Vec<(f64, Base)> = Vec::new();
+            let Some(across) = guess.contracting(centre, making.ahead) else { return scored };
+            let sine = cross(along, across);
+            if TAU * sine.abs() < LEAST_SINE {
+                return scored;
+            }
+            let told = |&([u, w], _): &(State, State)| {
+                let from = [u - centre[0] - (u - centre[0]).round(), w - centre[1]];
+                [cross(from, across) / sine, cross(along, from) / sine]
+            };
+            let all: Vec<[f64; 2]> = points.iter().map(told).collect();
+            let is_near =
+                |&k: &usize| all[k][0].abs() < LENGTHS[0] && all[k][1].abs() < WIDTHS[WIDTHS.len() - 1] * LENGTHS[0];
+            let mut near: Vec<usize> = (0..all.len().saturating_sub(depth)).filter(is_near).collect();
+            near.sort_by(|&a, &b| all[a][0].total_cmp(&all[b][0]));
+            for long in (0..SHORTER.0).map(|n| LENGTHS[0] * SHORTER.1.powi(n as i32)) {
+                for width in WIDTHS.map(|width| width * long) {
+                    let Some(base) = aligned(guess, making, (centre, along), across, [long, width]) else { continue };
+                    let is_inside = |&k: &usize| all[k][0].abs() < long && all[k][1].abs() < width;
+                    let inside: Vec<usize> = near.iter().copied().filter(is_inside).collect();
+                    let some: Vec<usize> = inside.iter().copied().step_by(inside.len() / POINTS + 1).collect();
+                    let words = comes_back(&all, &some, [BEYOND[0] * long, BEYOND[1] * width], depth);
+                    let worth = entropy(&words, 1, |word| word.sides.len() as i64);
+                    if worth > 0.0 {
+                        scored.push((worth, base));
+                    }
+                }
+            }
+            scored
+        };
+        let mut scored = each(&self.everywhere(), &of_one).concat();
+        scored.sort_by(|a, b| b.0.total_cmp(&a.0));
+        scored.into_iter().map(|(_, base)| base).filter(|base| base.is_convex() && base.is_near()).collect()
+    }
+}
+
+/// The base with a middle and a direction, its ends along the directions that are contracted there; `None` where these turn too much.
+fn aligned(
+    guess: &Guess,
+    making: Making,
+    (centre, along): (State, State),
+    across: State,
+    [long, width]: [f64; 2],
+) -> Option<Base> {
+    let sine = cross(along, across);
+    let radians = |[u, w]: State| [TAU * u, w];
+    let end = |sign: f64| {
+        let at = [0, 1].map(|i| centre[i] + sign * long * along[i]);
+        let own = guess.contracting(at, making.ahead)?;
+        let cosine = radians(own).iter().zip(radians(across)).map(|(a, b)| a * b).sum::<f64>();
+        let own = own.map(|x| x * cosine.signum());
+        let part = cross(along, own) / sine;
+        let is_good = part * TAU * sine.abs() > LEAST_SINE && cosine.abs() > LEAST_COSINE;
+        let half = own.map(|x| x * width / part * sine.signum());
+        let to = |sign: f64| [0, 1].map(|i| at[i] + sign * half[i]);
+        is_good.then(|| Chord { bottom: to(-1.0), top: to(1.0) })
+    };
+    Some(Base { left: end(-1.0)?, right: end(1.0)? })
+}
+
+/// The words that an orbit's points in a base are seen to make, in coordinates of the base: in a row, across it, at one time.
+fn comes_back(all: &[[f64; 2]], inside: &[usize], [long, width]: [f64; 2], depth: usize) -> Vec<Path> {
+    let mut taken = vec![false; inside.len()];
+    let mut words = Vec::new();
+    for time in 1..=depth {
+        let mut last: Option<(bool, usize)> = None;
+        for n in 0..inside.len() {
+            let [xi, eta] = all[inside[n] + time];
+            if taken[n] || eta.abs() > width || xi.abs() > LENGTHS[0] {
+                last = None;
+            } else if xi.abs() > long {
+                if let Some((was_before, from)) = last
+                    && was_before != (xi < 0.0)
+                    && n > from + IN_A_ROW
+                {
+                    words.push(Path { from: 0, to: 0, sides: vec![Side::Far; time], half_turns: 1 });
+                    taken[from..n].fill(true);
+                }
+                last = Some((xi < 0.0, n));
+            }
+        }
+    }
+    words
+}
