@@ -238,31 +238,31 @@ fn best(
                 break;
             }
         }
-        (entropy(&search.words, bases.len(), |word| word.sides.len() as i64), search.words.len())
+        entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
     };
     let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
     while best.1.len() < effort.most && goes_on() {
         let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
-        let mut tried: Vec<((f64, usize), Base)> = free.map(|&base| ((0.0, 0), base)).collect();
+        let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
         let mut trial = |(count, boxes): (usize, u64)| {
             tried.truncate(count);
             let found = &best.1;
-            let judged = |(_, base): &((f64, usize), Base)| {
+            let judged = |(_, base): &(f64, Base)| {
                 let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
                 (worth(&bases, boxes * bases.len() as u64), *base)
             };
             tried = each(&tried, &judged);
-            tried.sort_by(|(a, _), (b, _)| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
+            tried.sort_by(|a, b| b.0.total_cmp(&a.0));
             tried.first().copied()
         };
         let mut found = None;
         for &round in effort.trials {
             found = trial(round);
         }
-        if best.1.is_empty() && found.is_some_and(|((entropy, _), _)| entropy == 0.0) {
+        if best.1.is_empty() && found.is_some_and(|found| found.0 == 0.0) {
             found = trial(effort.last);
         }
-        let Some(((entropy, _), base)) = found.filter(|((entropy, _), _)| *entropy > best.0 * WORTH) else { break };
+        let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
         best.0 = entropy;
         best.1.push(base);
     }

@@ -288,6 +288,27 @@ fn a_saddle_is_told_from_an_attractor() {
     assert!(chaos.entropy() > 0.0 && chaos.fate().region.is_none_or(|region| !region.holds_bases));
 }
 
+/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in a base, so entropy (log 2)/16, and none of fewer. No tube
+/// but the finest leads there, nor does any in a base that is moved off the leaves.
+#[test]
+fn slow_expansion_is_proved_by_fine_tubes() {
+    let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();
+    let law = Law::of(scene.pair()).unwrap();
+    let base = |moved: f64| {
+        let corners = [
+            [[0.8768535695463056, 1.510478046875815], [0.8765226990068338, 1.509182114492489]],
+            [[0.8708488438018199, 1.4978168596534225], [0.8700849022232074, 1.4956077809016395]],
+        ];
+        let [left, right] = corners.map(|chord| chord.map(|[u, w]| [u, w + moved]));
+        let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
+        Base { left: chord(left), right: chord(right) }
+    };
+    let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], depth, &|_, _| true).entropy();
+    let expected = std::f64::consts::LN_2 / 16.0;
+    assert!(proved(16, 0.0) <= expected && proved(16, 0.0) > expected - 1e-9);
+    assert_eq!([proved(15, 0.0), proved(16, 0.01)], [0.0, 0.0]);
+}
+
 /// Deeper than the makings are compared, the horseshoe told is still as short as there is.
 #[test]
 fn a_deeper_search_keeps_the_shortest_horseshoe() {
