@@ -68,8 +68,8 @@ pub struct SweepArguments {
     /// Write no impacts, only what is said of each point
     #[arg(long)]
     pub summary: bool,
-    /// Write the impacts into a table of their own, and into the output only what is said of each point: csv or parquet, joined
-    /// by the column point
+    /// Write the impacts into a table of their own, csv or parquet; the output then has only what is said of each point, and the
+    /// column point joins both
     #[arg(long, value_name = "FILE")]
     pub states: Option<PathBuf>,
     /// Threads that compute [default: as many as there are processors]
