@@ -14,7 +14,7 @@ pub fn read(path: &Path) -> Result<Scene> {
 
 /// Reads a file, or stdin when it is `-`.
 pub fn text(path: &Path) -> Result<String> {
-    let text = if path.as_os_str() == "-" {
+    let text = if is_stdio(path) {
         let mut text = String::new();
         io::stdin().read_to_string(&mut text).map(|_| text)
     } else {
@@ -25,7 +25,7 @@ pub fn text(path: &Path) -> Result<String> {
 
 /// The file as messages name it.
 pub fn name(path: &Path) -> String {
-    if path.as_os_str() == "-" { "stdin".into() } else { path.display().to_string() }
+    if is_stdio(path) { "stdin".into() } else { path.display().to_string() }
 }
 
 /// Refuses to write `output` onto what is read.

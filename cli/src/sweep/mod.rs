@@ -67,14 +67,10 @@ fn keep_states(arguments: &SweepArguments, format: SweepFormat, is_summary: bool
         return Ok(());
     }
     if arguments.shard.is_some() {
-        bail!(
-            "--states writes a table, but a shard is written as jsonl: ask for --states when --merge puts the shards together"
-        );
+        bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
     }
     if format == SweepFormat::Jsonl {
-        bail!(
-            "--states writes a table, but a line of jsonl holds a point and its states: --format csv or parquet makes two tables"
-        );
+        bail!("--states writes a table, but a line of jsonl holds a point and its states: ask for csv or parquet");
     }
     if is_summary {
         bail!("--states writes the impacts, but a sweep with --summary has none");
