@@ -14,7 +14,7 @@ pub fn read(path: &Path) -> Result<Scene> {
 
 /// Reads a file, or stdin when it is `-`.
 pub fn text(path: &Path) -> Result<String> {
-    let text = if path.as_os_str() == "-" {
+    let text = if is_stdio(path) {
         let mut text = String::new();
         io::stdin().read_to_string(&mut text).map(|_| text)
     } else {
@@ -25,7 +25,7 @@ pub fn text(path: &Path) -> Result<String> {
 
 /// The file as messages name it.
 pub fn name(path: &Path) -> String {
-    if path.as_os_str() == "-" { "stdin".into() } else { path.display().to_string() }
+    if is_stdio(path) { "stdin".into() } else { path.display().to_string() }
 }
 
 /// Refuses to write `output` onto what is read.
@@ -42,15 +42,34 @@ pub fn keep_apart(inputs: &[&PathBuf], output: Option<&Path>, plot: Option<&Path
         keep(input, output)?;
         keep(input, plot)?;
     }
-    match (output, plot) {
-        (Some(output), Some(plot)) if output == plot || is_same_file(output, plot) => {
-            bail!("cannot write {}: --output and --plot name the same file", plot.display())
+    differ(("--output", output), ("--plot", plot))
+}
+
+/// Refuses to write what two arguments, each with its name, ask for onto one file.
+pub fn differ((one, path): (&str, Option<&Path>), (other, its): (&str, Option<&Path>)) -> Result<()> {
+    match (path, its) {
+        (Some(path), Some(its)) if is_same_file(path, its) => {
+            bail!("cannot write {}: {one} and {other} name the same file", its.display())
         }
         _ => Ok(()),
     }
 }
 
-/// Whether both paths name one file that exists.
+/// Whether both paths name one file, which may be yet to come; stdin and stdout are none.
 pub fn is_same_file(one: &Path, other: &Path) -> bool {
-    fs::canonicalize(one).is_ok_and(|one| fs::canonicalize(other).is_ok_and(|other| one == other))
+    place(one).is_some_and(|one| place(other) == Some(one))
+}
+
+/// Whether a path means stdin or stdout.
+pub fn is_stdio(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Where a path leads, whatever links and dots are in it.
+fn place(path: &Path) -> Option<PathBuf> {
+    if is_stdio(path) {
+        return None;
+    }
+    let folder = || path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::canonicalize(path).ok().or_else(|| Some(fs::canonicalize(folder()).ok()?.join(path.file_name()?)))
 }

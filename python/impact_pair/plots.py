@@ -207,7 +207,7 @@ def diagram(found: SweepResult, ax: Any | None = None, show: str = "phase") -> A
     """Draw a bifurcation diagram: the phase [rad] or velocity [length/time] of each impact over the parameter."""
     ax = _axes(ax)
     states = found.states
-    key = next(iter(states))
+    key = found.head["over"][0]["key"].replace(".", "_")
     ax.plot(middles(states[key]), middles(states[show]), ",", color=BLUE)
     ax.set(xlabel=key, ylabel={"phase": "Ωt + τ mod 2π", "velocity": "y'"}[show])
     return ax

@@ -16,7 +16,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -27,8 +27,8 @@ from ._store import Chunks, Files, Memory
 from .bounds import doubles
 from .errors import Error, Interrupted
 
-if TYPE_CHECKING:
-    from .bounds import Doubles
+#: Which rows a table has: impacts and points, told apart by the column ``record``, or only the ones or the others.
+Rows = Literal["mixed", "points", "states"]
 
 #: How many times larger than the last ones a chunk may be: the first ones tell the rate.
 GROWTH = 8
@@ -242,63 +242,89 @@ class SweepResult:
             for line in lines.splitlines():
                 yield json.loads(line)
 
+    def _table(self, rows: Rows) -> dict[str, Any]:
+        columns: dict[str, Any] = {}
+        for name, column in self._core.table(b"".join(self.lines()), rows).items():
+            columns[name] = doubles(column, -1, 2) if isinstance(column, bytes) else np.array(column, dtype=object)
+        return columns
+
     @cached_property
     def table(self) -> dict[str, Any]:
         """The columns of CSV as arrays: of bounds doubles (n, 2), rounded outward, NaN where there are none.
 
         Rows are the impacts after the transient (``record`` is ``"state"``) and what is said of each point (``"point"``).
         """
-        columns: dict[str, Any] = {}
-        for name, column in self._core.table(b"".join(self.lines())).items():
-            columns[name] = doubles(column, -1, 2) if isinstance(column, bytes) else np.array(column, dtype=object)
-        return columns
+        return self._table("mixed")
 
-    @property
-    def states(self) -> dict[str, Doubles]:
-        """The impacts after the transients: exact values of the keys, phase [rad] and velocity [length/time], bounds (n, 2) each."""
-        at = self.table["record"] == "state"
-        names = [*(over["key"].replace(".", "_") for over in self.head["over"]), "phase", "velocity"]
-        return {name: self.table[name][at] for name in names}
+    @cached_property
+    def states(self) -> dict[str, Any]:
+        """The impacts after the transients: point, values of the keys, index, wall, phase [rad], velocity [length/time].
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return columns by name, bounds as two: ``phase_lower``, ``phase_upper``."""
+        Columns are as in ``table``; ``point`` is the row of what is said of its orbit in ``to_dict("points")``.
+        """
+        return self._table("states")
+
+    def to_dict(self, rows: Rows = "mixed") -> dict[str, Any]:
+        """Return columns by name, bounds as two, ``phase_lower`` and ``phase_upper``, of all rows or of points or states alone."""
+        table = self.table if rows == "mixed" else self.states if rows == "states" else self._table(rows)
         columns: dict[str, Any] = {}
-        for name, column in self.table.items():
+        for name, column in table.items():
             if column.ndim == 2:
                 columns |= {f"{name}_lower": column[:, 0], f"{name}_upper": column[:, 1]}
             else:
                 columns[name] = column
         return columns
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self, rows: Rows = "mixed") -> Any:
         """Return a DataFrame with the columns of ``to_dict``."""
         import pandas as pd
 
-        return pd.DataFrame(self.to_dict()).infer_objects()
+        return pd.DataFrame(self.to_dict(rows)).infer_objects()
 
-    def to_arrow(self) -> Any:
+    def to_arrow(self, rows: Rows = "mixed") -> Any:
         """Return a pyarrow Table with the columns of ``to_dict``, the head as metadata."""
         import pyarrow as pa
 
-        table = pa.table({name: pa.array(list(column)) for name, column in self.to_dict().items()})
+        table = pa.table({name: pa.array(list(column)) for name, column in self.to_dict(rows).items()})
         return table.replace_schema_metadata({"impact-pair/sweep": self._core.head()})
 
     def svg(self, show: str = "phase") -> str:
         """Return the bifurcation diagram over one key (``show`` is phase or velocity), or the map of outcomes over two, as SVG."""
         return self._core.svg(b"".join(self.lines()), show)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; the file appears whole or not at all."""
+    def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
+        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; the file appears whole or not at all.
+
+        With ``states``, a .csv beside a .csv, the impacts go into a table of their own, and ``path`` holds only what is said of each
+        point; both have the column ``point``.
+        """
         path = Path(path)
         if path.suffix not in (".csv", ".jsonl", ".svg"):
             raise Error(f"the file is {path.name}, but accepted endings are .csv, .jsonl and .svg", "path", path.name)
+        if states is not None:
+            states = Path(states)
+            self._keep(states, path)
+            self._write(states, "states")
+        self._write(path, "mixed" if states is None else "points")
+
+    def _keep(self, states: Path, path: Path) -> None:
+        """Refuse to write states where there are none, or no table of them."""
+        for file in (states, path):
+            if file.suffix != ".csv":
+                raise Error(f"the file is {file.name}, but points and states are two tables in .csv", "states", states.name)
+        if states.resolve() == path.resolve():
+            raise Error(f"path and states name the same file, {states.name}", "states", states.name)
+        if self.head["summary"]:
+            raise Error("states writes the impacts, but a sweep with summary has none", "states", states.name)
+
+    def _write(self, path: Path, rows: Rows) -> None:
         draft = path.with_name(f".{path.name}.{os.getpid()}")
         with draft.open("wb") as out:
             if path.suffix == ".svg":
                 out.write(self.svg().encode())
             elif path.suffix == ".csv":
-                out.write(self._core.csv_head().encode())
-                out.writelines(map(self._core.csv, self.lines()))
+                out.write(self._core.csv_head(rows).encode())
+                out.writelines(self._core.csv(lines, rows) for lines in self.lines())
             else:
                 out.write(self._core.head().encode() + b"\n")
                 out.writelines(self.lines())

@@ -4,7 +4,7 @@ use impact_pair::certificate::document::{SweepHead, SweepRecord};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key};
-use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, columns, csv_head, csv_rows, doubles, follow, rows};
+use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, Table, columns, csv_head, csv_rows, doubles, follow};
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -124,17 +124,18 @@ impl Sweep {
         Ok(PyBytes::new(py, text.as_bytes()))
     }
 
-    /// Lines as CSV, without the names of columns, which are there as a line of their own.
-    fn csv<'py>(&self, py: Python<'py>, lines: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
+    /// Lines as a table of CSV, without the names of columns, which are there as a line of their own.
+    fn csv<'py>(&self, py: Python<'py>, lines: &[u8], rows: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let table = table(rows)?;
         let rows = watched(py, None, |_| {
-            records(lines).map(|record| Ok(csv_rows(&self.head, &record?))).collect::<Result<String, Fault>>()
+            records(lines).map(|record| Ok(csv_rows(&self.head, table, &record?))).collect::<Result<String, Fault>>()
         })?;
         Ok(PyBytes::new(py, rows.as_bytes()))
     }
 
-    /// The names of the columns as a line of CSV.
-    fn csv_head(&self) -> String {
-        csv_head(&self.head)
+    /// The names of a table's columns as a line of CSV.
+    fn csv_head(&self, rows: &str) -> PyResult<String> {
+        Ok(csv_head(&self.head, table(rows)?))
     }
 
     /// The bifurcation diagram, or of two keys the map of outcomes, as SVG; `show` is phase or velocity.
@@ -147,13 +148,14 @@ impl Sweep {
         watched(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None)))
     }
 
-    /// The columns of CSV by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
-    fn table<'py>(&self, py: Python<'py>, lines: &[u8]) -> PyResult<Bound<'py, PyDict>> {
-        let kinds = columns(&self.head);
+    /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
+    fn table<'py>(&self, py: Python<'py>, lines: &[u8], rows: &str) -> PyResult<Bound<'py, PyDict>> {
+        let table = table(rows)?;
+        let kinds = columns(&self.head, table);
         let records: Vec<SweepRecord> = records(lines).collect::<Result<_, _>>()?;
         let rows: Vec<Vec<Cell<'_>>> =
-            records.iter().flat_map(|record| rows(record, self.head.claim.is_some())).collect();
-        let table = PyDict::new(py);
+            records.iter().flat_map(|record| sweep::rows(&self.head, table, record)).collect();
+        let columns = PyDict::new(py);
         for (column, (name, kind)) in kinds.iter().enumerate() {
             if matches!(kind, Kind::Bounds | Kind::Exact) {
                 let ends = rows.iter().map(|row| match row[column] {
@@ -162,7 +164,7 @@ impl Sweep {
                     _ => Some([f64::NAN; 2]),
                 });
                 let ends = ends.collect::<Option<Vec<_>>>().ok_or_else(|| Fault::other("a bound is no number"))?;
-                table.set_item(name, bytes(py, ends.into_iter().flatten()))?;
+                columns.set_item(name, bytes(py, ends.into_iter().flatten()))?;
                 continue;
             }
             let list = PyList::empty(py);
@@ -174,9 +176,19 @@ impl Sweep {
                     _ => list.append(py.None())?,
                 }
             }
-            table.set_item(name, list)?;
+            columns.set_item(name, list)?;
         }
-        Ok(table)
+        Ok(columns)
+    }
+}
+
+/// The table of these rows.
+fn table(rows: &str) -> Result<Table, Fault> {
+    match rows {
+        "mixed" => Ok(Table::Mixed),
+        "points" => Ok(Table::Points),
+        "states" => Ok(Table::States),
+        other => Err(Fault::range("rows", other, "must be mixed, points or states")),
     }
 }
 

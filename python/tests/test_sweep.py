@@ -11,6 +11,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
 import numpy as np
+import pandas as pd
 import pytest
 from conftest import assert_rounded_outward
 
@@ -64,6 +65,45 @@ def test_arrays_are_rounded_outward(files):
     assert len(frame) == len(states) + len(records)
     assert list(frame["outcome"].dropna()) == [record["outcome"] for record in records]
     assert found.to_arrow().num_rows == len(frame)
+
+
+def test_points_and_states_are_tables_of_their_own(cli, tmp_path):
+    found = Scene.named("figure-14").sweep(OVER, **ASKED)
+    found.save(tmp_path / "points.csv", states=tmp_path / "states.csv")
+    points = told(cli, tmp_path / "told.csv", "--states", tmp_path / "told-states.csv")
+    assert (tmp_path / "points.csv").read_bytes() == points
+    assert (tmp_path / "states.csv").read_bytes() == (tmp_path / "told-states.csv").read_bytes()
+    mixed = found.to_pandas()
+    for rows, record, more in (("points", "point", {"index"}), ("states", "state", {"outcome", "exponent_lower", "word"})):
+        frame, of_kind = found.to_pandas(rows), mixed[mixed["record"] == record].reset_index(drop=True)
+        assert len(frame) > 0
+        pd.testing.assert_frame_equal(frame, of_kind[frame.columns], check_dtype=False)
+        left = of_kind.drop(columns=[*frame.columns, "record"])
+        assert more <= set(left.columns)
+        assert left.isna().all(axis=None)
+        assert found.to_arrow(rows).column_names == list(frame.columns)
+    with pytest.raises(impact_pair.RangeError, match="rows is both"):
+        found.to_pandas("both")
+
+
+@pytest.mark.parametrize(
+    ("path", "states", "said"),
+    [
+        ("a.jsonl", "b.csv", "a.jsonl, but points and states are two tables in .csv"),
+        ("a.csv", "b.svg", "b.svg, but points and states are two tables in .csv"),
+        ("a.csv", "../kept/a.csv", "path and states name the same file"),
+    ],
+)
+def test_states_that_are_no_table_are_refused(tmp_path, path, states, said):
+    folder = tmp_path / "kept"
+    folder.mkdir()
+    found = Scene.named("figure-14").sweep({"amplitude": (1, 2, 2)}, transient=20, impacts=2)
+    with pytest.raises(impact_pair.Error, match=said):
+        found.save(folder / path, states=folder / states)
+    found = Scene.named("figure-14").sweep({"amplitude": (1, 2, 2)}, transient=20, impacts=2, summary=True)
+    with pytest.raises(impact_pair.Error, match="a sweep with summary has none"):
+        found.save(folder / "a.csv", states=folder / "b.csv")
+    assert not list(folder.iterdir())
 
 
 @pytest.mark.parametrize("workers", [1, 2, 3])

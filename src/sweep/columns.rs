@@ -1,8 +1,19 @@
-//! A sweep as a table: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
+//! A sweep as one table or as two: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
 
 use impact_pair_certificate::document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
 use crate::exact::{Exact, ParseError};
+
+/// Which rows a table of a sweep has. Its columns are those that such rows may fill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// Impacts and points; the column `record` tells them apart.
+    Mixed,
+    /// What is said of each point, with the first impact of its attractor.
+    Points,
+    /// The impacts after the transients.
+    States,
+}
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,94 +47,112 @@ pub enum Cell<'r> {
     Bounds(&'r ExtendedBounds),
 }
 
-/// The columns of a sweep, in order.
-pub fn columns(head: &SweepHead) -> Vec<(String, Kind)> {
-    let rest = [
-        ("record", Kind::Text),
-        ("index", Kind::Whole),
-        ("wall", Kind::Text),
-        ("phase", Kind::Bounds),
-        ("velocity", Kind::Bounds),
-        ("outcome", Kind::Text),
-        ("reason", Kind::Text),
-        ("complete", Kind::Truth),
-        ("bits", Kind::Whole),
-        ("impacts", Kind::Whole),
-        ("wide_from", Kind::Whole),
-        ("impacts_per_cycle", Kind::Bounds),
-        ("exponent", Kind::Bounds),
-        ("exponent_per_cycle", Kind::Bounds),
-        ("exponent_reason", Kind::Text),
-        ("word", Kind::Text),
-        ("period_impacts", Kind::Whole),
-        ("period_cycles", Kind::Whole),
-        ("attracted_from", Kind::Whole),
-    ];
-    let claim = head.claim.map(|_| ("claim", Kind::Text));
+/// An impact, of the orbit or the first one of its attractor.
+const IMPACT: [(&str, Kind); 3] = [("wall", Kind::Text), ("phase", Kind::Bounds), ("velocity", Kind::Bounds)];
+
+/// What is said of a point.
+const SAID: [(&str, Kind); 14] = [
+    ("outcome", Kind::Text),
+    ("reason", Kind::Text),
+    ("complete", Kind::Truth),
+    ("bits", Kind::Whole),
+    ("impacts", Kind::Whole),
+    ("wide_from", Kind::Whole),
+    ("impacts_per_cycle", Kind::Bounds),
+    ("exponent", Kind::Bounds),
+    ("exponent_per_cycle", Kind::Bounds),
+    ("exponent_reason", Kind::Text),
+    ("word", Kind::Text),
+    ("period_impacts", Kind::Whole),
+    ("period_cycles", Kind::Whole),
+    ("attracted_from", Kind::Whole),
+];
+
+/// The columns of a table, in order.
+pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
+    let named = |&(name, kind): &(&str, Kind)| (name.to_owned(), kind);
+    let mut columns = vec![("point".to_owned(), Kind::Whole)];
     // A dot would be a path in Parquet.
-    let keys = head.over.iter().map(|over| (over.key.replace('.', "_"), Kind::Exact));
-    let rest = rest.into_iter().chain(claim).map(|(name, kind)| (name.to_owned(), kind));
-    [("point".to_owned(), Kind::Whole)].into_iter().chain(keys).chain(rest).collect()
+    columns.extend(head.over.iter().map(|over| (over.key.replace('.', "_"), Kind::Exact)));
+    columns.extend((table == Table::Mixed).then(|| ("record".to_owned(), Kind::Text)));
+    columns.extend((table != Table::Points).then(|| ("index".to_owned(), Kind::Whole)));
+    columns.extend(IMPACT.iter().map(named));
+    if table != Table::States {
+        columns.extend(SAID.iter().map(named));
+        columns.extend(head.claim.map(|_| ("claim".to_owned(), Kind::Text)));
+    }
+    columns
 }
 
-/// The rows of a point, with claims if the head has one: its states, then what is said of it all, with the first impact of its
-/// attractor.
-pub fn rows(record: &SweepRecord, has_claims: bool) -> impl Iterator<Item = Vec<Cell<'_>>> {
-    let states = record.states.iter().map(move |state| row(record, Some(state), has_claims));
-    states.chain([row(record, None, has_claims)])
+/// The rows of a point in a table: its states, then what is said of it all.
+pub fn rows<'r>(
+    head: &SweepHead,
+    table: Table,
+    record: &'r SweepRecord,
+) -> impl Iterator<Item = Vec<Cell<'r>>> + use<'r> {
+    let has_claims = head.claim.is_some();
+    let states = if table == Table::Points { &[] } else { &record.states[..] };
+    let point = (table != Table::States).then_some(None);
+    states.iter().map(Some).chain(point).map(move |state| row(record, state, table, has_claims))
 }
 
-fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, has_claims: bool) -> Vec<Cell<'r>> {
-    let text = |text: &'r Option<String>| text.as_deref().map_or(Cell::Nothing, Cell::Text);
-    let whole = |number: Option<u64>| number.map_or(Cell::Nothing, Cell::Whole);
-    let bounds = |bounds: &'r Option<ExtendedBounds>| bounds.as_ref().map_or(Cell::Nothing, Cell::Bounds);
+fn row<'r>(record: &'r SweepRecord, state: Option<&'r SweepImpact>, table: Table, has_claims: bool) -> Vec<Cell<'r>> {
+    let place = state.or(record.period.as_ref().and_then(|period| period.first.as_ref()));
+    let impact = |of: fn(&'r SweepImpact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
     let mut cells = vec![Cell::Whole(record.point)];
     cells.extend(record.values.iter().map(|value| Cell::Exact(value)));
-    let period = record.period.as_ref();
-    let place = state.or(period.and_then(|period| period.first.as_ref()));
-    let impact = |of: fn(&'r SweepImpact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
-    cells.push(Cell::Text(if state.is_some() { "state" } else { "point" }));
-    cells.push(whole(state.map(|state| state.index)));
+    cells.extend((table == Table::Mixed).then_some(Cell::Text(if state.is_some() { "state" } else { "point" })));
+    cells.extend((table != Table::Points).then(|| state.map_or(Cell::Nothing, |state| Cell::Whole(state.index))));
     cells.push(impact(|impact| Cell::Text(impact.wall.name())));
     cells.push(impact(|impact| Cell::Bounds(&impact.phase)));
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
-    if state.is_some() {
-        cells.extend([Cell::Nothing; 14]);
-        cells.extend(has_claims.then_some(Cell::Nothing));
-        return cells;
+    if table != Table::States {
+        cells.extend(if state.is_some() { [Cell::Nothing; SAID.len()] } else { said(record) });
+        let claim = if state.is_some() { Cell::Nothing } else { Cell::Text(record.claim.unwrap_or_default().text()) };
+        cells.extend(has_claims.then_some(claim));
     }
-    cells.extend([
+    cells
+}
+
+fn said(record: &SweepRecord) -> [Cell<'_>; SAID.len()] {
+    fn text(text: Option<&String>) -> Cell<'_> {
+        text.map_or(Cell::Nothing, |text| Cell::Text(text))
+    }
+    fn bounds(bounds: Option<&ExtendedBounds>) -> Cell<'_> {
+        bounds.map_or(Cell::Nothing, Cell::Bounds)
+    }
+    let whole = |number: Option<u64>| number.map_or(Cell::Nothing, Cell::Whole);
+    let period = record.period.as_ref();
+    [
         Cell::Text(&record.outcome),
-        text(&record.reason),
+        text(record.reason.as_ref()),
         Cell::Truth(record.complete),
         Cell::Whole(record.bits.into()),
         Cell::Whole(record.impacts),
         whole(record.wide_from),
-        bounds(&record.impacts_per_cycle),
-        bounds(&record.exponent.per_impact),
-        bounds(&record.exponent.per_cycle),
-        text(&record.exponent.reason),
-        period.map_or(Cell::Nothing, |period| text(&period.word)),
+        bounds(record.impacts_per_cycle.as_ref()),
+        bounds(record.exponent.per_impact.as_ref()),
+        bounds(record.exponent.per_cycle.as_ref()),
+        text(record.exponent.reason.as_ref()),
+        text(period.and_then(|period| period.word.as_ref())),
         whole(period.map(|period| period.impacts)),
         whole(period.map(|period| period.cycles)),
         whole(period.and_then(|period| period.from)),
-    ]);
-    cells.extend(has_claims.then(|| Cell::Text(record.claim.unwrap_or_default().text())));
-    cells
+    ]
 }
 
-/// The names of the columns as a line of CSV.
-pub fn csv_head(head: &SweepHead) -> String {
-    let names = columns(head).into_iter().map(|(name, kind)| match kind {
+/// The names of a table's columns as a line of CSV.
+pub fn csv_head(head: &SweepHead, table: Table) -> String {
+    let names = columns(head, table).into_iter().map(|(name, kind)| match kind {
         Kind::Bounds => format!("{name}_lower,{name}_upper"),
         Kind::Whole | Kind::Text | Kind::Truth | Kind::Exact => name,
     });
     names.collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// The rows of a point as lines of CSV.
-pub fn csv_rows(head: &SweepHead, record: &SweepRecord) -> String {
-    let kinds: Vec<Kind> = columns(head).into_iter().map(|(_, kind)| kind).collect();
+/// The rows of a point in a table as lines of CSV.
+pub fn csv_rows(head: &SweepHead, table: Table, record: &SweepRecord) -> String {
+    let kinds: Vec<Kind> = columns(head, table).into_iter().map(|(_, kind)| kind).collect();
     let line = |row: Vec<Cell<'_>>| {
         let cells = row.iter().zip(&kinds).map(|(cell, kind)| match cell {
             Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
@@ -135,7 +164,7 @@ pub fn csv_rows(head: &SweepHead, record: &SweepRecord) -> String {
         });
         cells.collect::<Vec<_>>().join(",") + "\n"
     };
-    rows(record, head.claim.is_some()).map(line).collect()
+    rows(head, table, record).map(line).collect()
 }
 
 /// The doubles next to an exact number as written, below and above it.

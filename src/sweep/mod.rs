@@ -8,7 +8,7 @@ mod document;
 mod grid;
 mod point;
 
-pub use columns::{Cell, Kind, columns, csv_head, csv_rows, doubles, rows};
+pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows};
 pub use document::{grid, head, record};
 pub use grid::{Axis, Grid, MOST_POINTS};
 pub use point::{Asked, Attraction, MOST_IMPACTS, Point, State, follow};

@@ -68,6 +68,10 @@ pub struct SweepArguments {
     /// Write no impacts, only what is said of each point
     #[arg(long)]
     pub summary: bool,
+    /// Write the impacts into a table of their own, csv or parquet; the output then has only what is said of each point, and the
+    /// column point joins both
+    #[arg(long, value_name = "FILE")]
+    pub states: Option<PathBuf>,
     /// Threads that compute [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,

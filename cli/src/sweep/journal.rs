@@ -47,7 +47,7 @@ pub struct Journal {
 }
 
 /// The name of the journal of an output that is a file to be.
-fn beside(output: &Path) -> Option<PathBuf> {
+pub fn beside(output: &Path) -> Option<PathBuf> {
     // Nothing is put beside a device, or a pipe.
     let is_special = fs::metadata(output).is_ok_and(|existing| !existing.is_file());
     if output.as_os_str() == "-" || is_special {

@@ -18,7 +18,7 @@ use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::certificate::document::SweepHead;
 use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::sweep::{self, Asked, Grid, Table};
 use impact_pair_plot::sweep::Records;
 
 use crate::Answer;
@@ -45,7 +45,37 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
 /// Refuses to write one file over another one.
 fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
     let inputs: Vec<_> = arguments.scene.iter().chain(&arguments.merge).collect();
-    scene::keep_apart(&inputs, arguments.destination.output.as_deref(), arguments.plot.as_deref())
+    let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
+    scene::keep_apart(&inputs, output, plot)?;
+    let Some(states) = arguments.states.as_deref() else { return Ok(()) };
+    inputs.iter().try_for_each(|input| scene::keep(input, Some(states)))?;
+    let named = ("--states", Some(states));
+    scene::differ(("--output", output), named)?;
+    scene::differ(("--plot", plot), named)?;
+    if scene::is_stdio(states) && output.is_none_or(scene::is_stdio) {
+        bail!("--output and --states both are stdout, but each is a table of its own");
+    }
+    if output.and_then(journal::beside).is_some_and(|partial| scene::is_same_file(&partial, states)) {
+        bail!("cannot write {}: finished points are kept there until --output appears", states.display());
+    }
+    Ok(())
+}
+
+/// Refuses to write states where there are none, or no table of them.
+fn keep_states(arguments: &SweepArguments, format: SweepFormat, is_summary: bool) -> Result<()> {
+    if arguments.states.is_none() {
+        return Ok(());
+    }
+    if arguments.shard.is_some() {
+        bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
+    }
+    if format == SweepFormat::Jsonl {
+        bail!("--states writes a table, but a line of jsonl holds a point and its states: ask for csv or parquet");
+    }
+    if is_summary {
+        bail!("--states writes the impacts, but a sweep with --summary has none");
+    }
+    Ok(())
 }
 
 /// The format asked for, or the one that suits.
@@ -63,6 +93,7 @@ fn format(arguments: &SweepArguments) -> Result<SweepFormat> {
 
 fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let format = format(arguments)?;
+    keep_states(arguments, format, arguments.summary)?;
     let scene: Scene = scene::read(path)?;
     let grid = Grid::new(arguments.over.clone())?;
     let usual = if arguments.plot.is_some() { Arithmetic::Shadow } else { Arithmetic::Auto };
@@ -79,7 +110,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let work = Work { scene: &scene, grid: &grid, asked: &asked, threads };
     work.check().with_context(|| scene::name(path))?;
     // What cannot be written is refused now and not after hours.
-    for output in [&arguments.destination.output, &arguments.plot].into_iter().flatten() {
+    for output in [&arguments.destination.output, &arguments.states, &arguments.plot].into_iter().flatten() {
         drop(Output::open(Some(output))?);
     }
 
@@ -140,13 +171,14 @@ fn merge(arguments: &SweepArguments) -> Result<Answer> {
         bail!("shard {number}/{of} is missing");
     }
     let format = format(arguments)?;
+    keep_states(arguments, format, head.summary)?;
     let mut sweep = Sweep { head, journals };
     let tally = finish(arguments, &mut sweep, format)?;
     note(arguments, &tally.to_string());
     Ok(if tally.is_complete() { Answer::Complete } else { Answer::Incomplete })
 }
 
-/// Writes output and plot.
+/// Writes states, output and plot.
 fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) -> Result<Tally> {
     let mut tally = Tally::default();
     let certified = sweep.head.certified;
@@ -156,7 +188,13 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) ->
     })?;
     tally.certified = certified;
     let mut out = Output::open(arguments.destination.output.as_deref())?;
-    sweep.write(&mut out, format).context("cannot write the output")?;
+    if let Some(path) = &arguments.states {
+        let mut states = Output::open(Some(path))?;
+        sweep.write(&mut states, format, Table::States).context("cannot write the states")?;
+        states.commit()?;
+    }
+    let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
+    sweep.write(&mut out, format, table).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?.draw(path, || {

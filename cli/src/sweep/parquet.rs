@@ -1,10 +1,9 @@
-//! A sweep as Apache Parquet: the columns of the table, bounds as doubles rounded outward.
+//! A table of a sweep as Apache Parquet: its columns, bounds as doubles rounded outward.
 
 use std::sync::Arc;
 
 use anyhow::{Context, Error, Result};
-use impact_pair::certificate::document::SweepHead;
-use impact_pair::sweep::{Cell, Kind, columns, doubles, rows};
+use impact_pair::sweep::{Cell, Kind, Table, columns, doubles, rows};
 use impact_pair_plot::sweep::Records;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
@@ -29,17 +28,18 @@ enum Column {
     Bounds([Vec<Option<f64>>; 2]),
 }
 
-/// Writes all of a sweep; the head, as JSON, stands in the file's metadata under `impact-pair/sweep`.
-pub fn write(sweep: &mut Sweep, out: &mut Output) -> Result<()> {
-    let schema = parse_message_type(&schema(&sweep.head)).context("the columns make no schema")?;
-    let head = KeyValue::new("impact-pair/sweep".to_owned(), record::line(&sweep.head));
-    let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![head])).build();
+/// Writes a table of a sweep; the head, as JSON, stands in the file's metadata under `impact-pair/sweep`.
+pub fn write(sweep: &mut Sweep, out: &mut Output, table: Table) -> Result<()> {
+    let head = sweep.head.clone();
+    let columns = columns(&head, table);
+    let schema = parse_message_type(&schema(&columns)).context("the columns make no schema")?;
+    let about = KeyValue::new("impact-pair/sweep".to_owned(), record::line(&head));
+    let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![about])).build();
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
-    let empty: Vec<Kind> = columns(&sweep.head).into_iter().map(|(_, kind)| kind).collect();
+    let empty: Vec<Kind> = columns.into_iter().map(|(_, kind)| kind).collect();
     let mut group = Group::new(&empty);
-    let has_claims = sweep.head.claim.is_some();
     sweep.each_record(|record| {
-        for row in rows(&record, has_claims) {
+        for row in rows(&head, table, &record) {
             group.push(&row)?;
             if group.rows == GROUP {
                 std::mem::replace(&mut group, Group::new(&empty)).write(writer.next_row_group()?)?;
@@ -55,14 +55,14 @@ pub fn write(sweep: &mut Sweep, out: &mut Output) -> Result<()> {
 }
 
 /// The schema as Parquet's own words have it.
-fn schema(head: &SweepHead) -> String {
-    let column = |(name, kind): (String, Kind)| match kind {
+fn schema(columns: &[(String, Kind)]) -> String {
+    let column = |(name, kind): &(String, Kind)| match kind {
         Kind::Whole => format!("OPTIONAL INT64 {name};"),
         Kind::Text => format!("OPTIONAL BYTE_ARRAY {name} (UTF8);"),
         Kind::Truth => format!("OPTIONAL BOOLEAN {name};"),
         Kind::Exact | Kind::Bounds => format!("OPTIONAL DOUBLE {name}_lower; OPTIONAL DOUBLE {name}_upper;"),
     };
-    let columns: String = columns(head).into_iter().map(column).collect();
+    let columns: String = columns.iter().map(column).collect();
     format!("message sweep {{ {columns} }}")
 }
 

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use anyhow::Result;
 use impact_pair::certificate::document::{SweepHead, SweepRecord};
-use impact_pair::sweep::{csv_head, csv_rows};
+use impact_pair::sweep::{Table, csv_head, csv_rows};
 use impact_pair_plot::sweep::Records;
 
 use super::arguments::SweepFormat;
@@ -29,24 +29,25 @@ impl Sweep {
         Ok(())
     }
 
-    pub fn write(&mut self, out: &mut Output, format: SweepFormat) -> Result<()> {
+    /// Writes a table, or as JSON Lines, of which each holds a point with its states, all of it.
+    pub fn write(&mut self, out: &mut Output, format: SweepFormat, table: Table) -> Result<()> {
         match format {
             SweepFormat::Jsonl => {
                 writeln!(out, "{}", line(&self.head))?;
                 self.each(|text, _| Ok(writeln!(out, "{text}")?))
             }
-            SweepFormat::Csv => self.csv(out),
+            SweepFormat::Csv => self.csv(out, table),
             #[cfg(feature = "parquet")]
-            SweepFormat::Parquet => super::parquet::write(self, out),
+            SweepFormat::Parquet => super::parquet::write(self, out, table),
             #[cfg(not(feature = "parquet"))]
             SweepFormat::Parquet => anyhow::bail!(super::NO_PARQUET),
         }
     }
 
-    fn csv(&mut self, out: &mut Output) -> Result<()> {
-        out.write_all(csv_head(&self.head).as_bytes())?;
+    fn csv(&mut self, out: &mut Output, table: Table) -> Result<()> {
+        out.write_all(csv_head(&self.head, table).as_bytes())?;
         let head = self.head.clone();
-        self.each_record(|record| Ok(out.write_all(csv_rows(&head, &record).as_bytes())?))
+        self.each_record(|record| Ok(out.write_all(csv_rows(&head, table, &record).as_bytes())?))
     }
 }
 
