@@ -158,13 +158,14 @@ impl Chaos {
         let best = tried.iter().fold(0.0, |best: f64, (entropy, ..)| best.max(*entropy)); // proposes: each is a proof of its own
         let deeper = shallow < depth && shallow > 0;
         let enough = if deeper { NEARLY * best } else { best };
-        let good = tried.into_iter().filter(|(entropy, ..)| *entropy >= enough);
-        // Of those that are good the one with the shortest horseshoe.
+        let mut good = tried.into_iter().filter(|(entropy, ..)| *entropy >= enough);
+        // The finest cells lead furthest; of those as good the one with the shortest horseshoe.
         let shortest = |(_, _, search): &(f64, usize, Search<'_>)| {
             let words: Vec<Word> = search.words.iter().map(Word::of).collect();
             horseshoe(&words, bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
         };
-        let (_, reached, mut search) = good.min_by_key(shortest).expect("the best");
+        let chosen = if deeper { good.next() } else { good.min_by_key(shortest) };
+        let (_, reached, mut search) = chosen.expect("the best");
         let depth = if deeper && reached == shallow { followed(&mut search, shallow, depth) } else { reached };
         let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);

@@ -117,8 +117,9 @@ impl ChaosCertificate {
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
         let deepest = words.iter().map(|word| word.flights.len()).max().unwrap_or(0); // exact: none where there are no words
         let mut doubted = (0, "");
-        for making in MAKINGS {
-            let mut search = Search::new(law, bases, &listed, making, stop);
+        for first in 0..MAKINGS.len() {
+            let makings: Vec<Making> = MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect();
+            let mut search = Search::new(law, bases, &listed, &makings, stop);
             let mut depth = 0;
             let why = loop {
                 if depth == deepest {

@@ -42,7 +42,7 @@ type Pair = [Sample; 2];
 /// Fewer parts than that are not worth a tube.
 const FEWEST: usize = 12;
 /// Cells at the ends are so much shorter.
-const GRADED: f64 = 0.02;
+const GRADED: f64 = 0.001;
 
 /// Radians and speeds.
 fn vector(from: State, to: State) -> State {

@@ -27,10 +27,24 @@ struct Run {
     tube: Tube,
 }
 
-/// What is proved of a tube: where it may be taken for a word.
-struct Followed {
+/// What is proved of a stretch of a tube: where it may be taken for a word.
+struct Stretch {
     run: Run,
     crossings: Vec<Crossing>,
+}
+
+/// The stretches of the tubes along which a run is mapped, and how many parts were proved, or tried.
+struct Followed {
+    stretches: Vec<Stretch>,
+    parts: u64,
+}
+
+impl Followed {
+    /// How often it crosses bases as words of a kind.
+    fn count(&self, is_such: impl Fn(&Word) -> bool) -> usize {
+        let crossings = self.stretches.iter().flat_map(|stretch| &stretch.crossings);
+        crossings.filter(|crossing| is_such(&crossing.word)).count()
+    }
 }
 
 /// Two chords between which a tube crosses a base.
@@ -46,7 +60,8 @@ pub(super) type Counts = HashMap<Word, usize>;
 pub(super) struct Search<'s> {
     law: &'s Law,
     bases: &'s [Base],
-    making: Making,
+    /// How tubes are made: as the first one says, where that loses words as others do.
+    makings: &'s [Making],
     guess: Guess,
     stop: Option<&'static AtomicBool>,
     listed: &'s Counts,
@@ -66,7 +81,7 @@ impl<'s> Search<'s> {
         law: &'s Law,
         bases: &'s [Base],
         listed: &'s Counts,
-        making: Making,
+        makings: &'s [Making],
         stop: Option<&'static AtomicBool>,
     ) -> Self {
         let run = |(from, base): (usize, &Base)| Run {
@@ -81,7 +96,7 @@ impl<'s> Search<'s> {
         Self {
             law,
             bases,
-            making,
+            makings,
             guess: Guess::new(law),
             stop,
             listed,
@@ -94,19 +109,42 @@ impl<'s> Search<'s> {
 
     /// Follows all that is left over one impact more.
     pub fn deepen(&mut self) -> Result<(), Stopped> {
-        let followed = |range: std::ops::Range<usize>| range.map(|number| self.follow(&self.runs[number])).collect();
-        let done: Vec<(Vec<Followed>, u64)> = in_blocks(0..self.runs.len(), 1, followed, |_| {})?;
-        self.parts += done.iter().map(|(_, parts)| parts).sum::<u64>();
-        let mut followed: Vec<Followed> = done.into_iter().flat_map(|(followed, _)| followed).collect();
-        self.found.extend(take(&mut followed, self.listed));
-        self.runs = followed.into_iter().flat_map(Followed::rest).collect();
+        let first = |range: std::ops::Range<usize>| {
+            range.map(|number| self.follow(&self.runs[number], &self.makings[0])).collect()
+        };
+        let mut done: Vec<Followed> = in_blocks(0..self.runs.len(), 1, first, |_| {})?;
+        // Other tubes of the runs from which words are missing: of each run those that have most of them.
+        let missing = self.missing(&done);
+        let again = |range: std::ops::Range<usize>| {
+            range.map(|number| self.follow_again(&self.runs[number], &done[number], &missing)).collect()
+        };
+        let better: Vec<Option<Followed>> = in_blocks(0..self.runs.len(), 1, again, |_| {})?;
+        for (followed, better) in done.iter_mut().zip(better) {
+            if let Some(better) = better {
+                *followed = better;
+            }
+        }
+        self.parts += done.iter().map(|followed| followed.parts).sum::<u64>();
+        let mut next: Vec<Stretch> = done.into_iter().flat_map(|followed| followed.stretches).collect();
+        self.found.extend(take(&mut next, self.listed));
+        self.runs = next.into_iter().flat_map(Stretch::rest).collect();
         Ok(())
     }
 
-    /// One run, one impact further, and how many parts it took.
-    fn follow(&self, run: &Run) -> Result<(Vec<Followed>, u64), Stopped> {
-        let (mut all, mut count) = (Vec::new(), 0);
-        for Proposal { parts, is_far, next } in self.making.images(&self.guess, &run.tube) {
+    /// The listed words of this depth that are found less often than they are listed.
+    fn missing(&self, done: &[Followed]) -> HashSet<&Word> {
+        let depth = self.runs.first().map_or(0, |run| run.flights.len() + 1); // exact: a count
+        let is_missing = |word: &&Word| {
+            let found: usize = done.iter().map(|followed| followed.count(|other| other == *word)).sum();
+            word.flights.len() == depth && found < self.listed[*word]
+        };
+        self.listed.keys().filter(is_missing).collect()
+    }
+
+    /// One run, one impact further, along the first tubes that are made.
+    fn follow(&self, run: &Run, making: &Making) -> Result<Followed, Stopped> {
+        let (mut stretches, mut count) = (Vec::new(), 0);
+        for Proposal { parts, is_far, next } in making.images(&self.guess, &run.tube) {
             let flights = [&run.flights[..], &[is_far]].concat();
             if !self.beginnings.contains(&(run.from, flights.clone())) {
                 continue;
@@ -129,13 +167,35 @@ impl<'s> Search<'s> {
                         [parts[first].place + WINDOW + 2, parts[end - 1].place.saturating_sub(WINDOW + 1)]; // D7: none
                     if low < high {
                         let run = Run { from: run.from, flights: flights.clone(), tube: next.stretch(low, high) };
-                        all.push(Followed { crossings: self.crossings(&run), run });
+                        stretches.push(Stretch { crossings: self.crossings(&run), run });
                     }
                 }
                 first = end.max(first + 1); // exact: the next part
             }
         }
-        Ok((all, count))
+        Ok(Followed { stretches, parts: count })
+    }
+
+    /// The same along other tubes, if these cross bases as more of the missing words, and as no fewer listed ones.
+    fn follow_again(
+        &self,
+        run: &Run,
+        before: &Followed,
+        missing: &HashSet<&Word>,
+    ) -> Result<Option<Followed>, Stopped> {
+        if !missing.iter().any(|word| word.from == run.from && word.flights.starts_with(&run.flights)) {
+            return Ok(None);
+        }
+        let wanted = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
+        let mut best = None;
+        for making in &self.makings[1..] {
+            let other = self.follow(run, making)?;
+            let (most, all) = wanted(best.as_ref().unwrap_or(before));
+            if wanted(&other).0 > most && wanted(&other).1 >= all {
+                best = Some(other);
+            }
+        }
+        Ok(best)
     }
 
     /// Where a stretch crosses a base as a listed word, no two of them with cells in common.
@@ -162,9 +222,9 @@ impl<'s> Search<'s> {
 
 /// Takes words, as often as they are listed at most, and says how often: which of more does not matter; those first that have most room
 /// in their tubes. The others are followed on, as others that cross a base and are not listed: longer words may be told of them.
-fn take(followed: &mut [Followed], listed: &Counts) -> Counts {
+fn take(stretches: &mut [Stretch], listed: &Counts) -> Counts {
     let mut rooms: HashMap<Word, Vec<f64>> = HashMap::new();
-    for Followed { run, crossings } in followed.iter() {
+    for Stretch { run, crossings } in stretches.iter() {
         for crossing in crossings {
             rooms.entry(crossing.word.clone()).or_default().push(crossing.room(&run.tube));
         }
@@ -174,7 +234,7 @@ fn take(followed: &mut [Followed], listed: &Counts) -> Counts {
         rooms.truncate(listed[word]);
     }
     let mut found = Counts::new();
-    for Followed { run, crossings } in followed {
+    for Stretch { run, crossings } in stretches {
         crossings.retain(|crossing| {
             let rooms = rooms.get_mut(&crossing.word).expect("it has been counted");
             let place = rooms.iter().position(|&room| room == crossing.room(&run.tube));
@@ -198,7 +258,7 @@ impl Crossing {
     }
 }
 
-impl Followed {
+impl Stretch {
     /// The runs that are left where its crossings are taken away.
     fn rest(self) -> impl Iterator<Item = Run> {
         let Run { from, flights, tube } = self.run;
