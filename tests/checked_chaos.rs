@@ -78,6 +78,18 @@ fn words_are_confirmed() {
     }
 }
 
+/// What docs/paper.md says of figure 14: long words, for which the checker needs more than one way to make its tubes.
+#[test]
+fn long_words_are_confirmed() {
+    let document = chaos(22, None);
+    let told = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
+    assert!(
+        told("per_impact") >= 0.4701 && told("per_cycle") >= 1.2156 && is_confirmed(&document),
+        "{}",
+        document["entropy"]
+    );
+}
+
 #[test]
 fn spoiled_words_are_refused() {
     let document = chaos(5, None);
