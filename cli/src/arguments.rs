@@ -203,7 +203,7 @@ pub struct PeriodicArguments {
     /// Bits to take at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// How the orbits are written
+    /// How the orbits are written; json is schema impact-pair/periodic/1
     #[arg(long, value_enum, default_value_t)]
     pub format: PeriodicFormat,
     #[command(flatten)]
@@ -256,7 +256,7 @@ pub struct BifurcationArguments {
     /// Bits to take at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// How the bifurcations are written
+    /// How the bifurcations are written; json is schema impact-pair/bifurcations/1
     #[arg(long, value_enum, default_value_t)]
     pub format: PeriodicFormat,
     #[command(flatten)]
@@ -277,7 +277,7 @@ pub enum PeriodicFormat {
     /// For people: the certain digits, then the ends of the rest
     #[default]
     Table,
-    /// One document, schema impact-pair/periodic/1 or impact-pair/bifurcations/1
+    /// One document of the schema named above
     Json,
 }
 
