@@ -141,7 +141,6 @@ impl Chaos {
         let followed = |search: &mut Search<'_>, from: usize, to: usize| {
             (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to) // exact: all
         };
-        let shallow = if bases.is_empty() { 0 } else { depth.min(SHALLOW) }; // exact: counts
         let tried_to = |depth: usize, makings: &[Making]| {
             let follow = |&making: &Making| {
                 let mut search = Search::new(law, &bases, making);
@@ -150,13 +149,11 @@ impl Chaos {
             };
             makings.iter().map(follow).collect::<Vec<_>>()
         };
-        let mut tried = tried_to(shallow, &MAKINGS);
-        let is_open = tried.iter().all(|(entropy, ..)| *entropy == 0.0); // proposes: whether to try more
-        if is_open && shallow > 0 {
-            tried.extend(tried_to(depth, &FINE));
-        }
+        let depth = if bases.is_empty() { 0 } else { depth }; // exact: counts
+        let shallow = depth.min(SHALLOW); // exact: counts
+        let tried = tried_to(shallow, &MAKINGS);
         let best = tried.iter().fold(0.0, |best: f64, (entropy, ..)| best.max(*entropy)); // proposes: each is a proof of its own
-        let deeper = shallow < depth && shallow > 0;
+        let deeper = shallow < depth;
         let enough = if deeper { NEARLY * best } else { best };
         let mut good = tried.into_iter().filter(|(entropy, ..)| *entropy >= enough);
         // The finest cells lead furthest; of those as good the one with the shortest horseshoe.
@@ -165,8 +162,14 @@ impl Chaos {
             horseshoe(&words, bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
         };
         let chosen = if deeper { good.next() } else { good.min_by_key(shortest) };
-        let (_, reached, mut search) = chosen.expect("the best");
-        let depth = if deeper && reached == shallow { followed(&mut search, shallow, depth) } else { reached };
+        let (_, mut reached, mut search) = chosen.expect("the best");
+        if deeper && reached == shallow {
+            reached = followed(&mut search, shallow, depth);
+        }
+        let is_open = by_impact(&search) == 0.0 && reached == depth && depth > 0; // proposes: whether to try more
+        let finer = if is_open { tried_to(depth, &FINE) } else { Vec::new() };
+        let finest = finer.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)); // proposes: each is a proof of its own
+        let (_, depth, search) = finest.unwrap_or((0.0, reached, search)); // exact: none was tried
         let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
