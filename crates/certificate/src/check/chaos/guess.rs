@@ -35,9 +35,6 @@ pub(super) struct Image {
 /// Flights are looked at in steps of this, no more than so many.
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
-/// Jacobians that the contracting direction is told from.
-const AHEAD: usize = 4;
-
 impl Guess {
     pub fn new(law: &Law) -> Self {
         let radii = [law.gap, law.restitution].map(|x| x.parted().1.hi());
@@ -94,11 +91,11 @@ impl Guess {
         None
     }
 
-    /// The direction that the next flights contract most, of length 1 in radians and speeds.
-    pub fn contracting(&self, state: State) -> Option<State> {
+    /// The direction that so many flights ahead contract most, of length 1 in radians and speeds.
+    pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = Some(state);
-        for _ in 0..AHEAD {
+        for _ in 0..ahead {
             let Some(image) = at.and_then(|at| self.map(at)) else { break };
             let [[a, b], [c, d]] = image.jacobian;
             let [p, q] = product;

@@ -18,6 +18,8 @@ pub(super) struct Making {
     pub pad: f64,
     /// Parts are not cut below this length.
     pub shortest: f64,
+    /// Flights ahead that the contracting direction is told from.
+    pub ahead: usize,
 }
 
 /// A tube where the image of a stretch may lie.
@@ -191,7 +193,8 @@ impl Making {
         let state = sample.image().state;
         let long = length(tangent);
         let lean = |direction: State| cross(tangent, direction) / (long * length(direction));
-        let contracted = guess.contracting(state).map(in_radians).filter(|&direction| lean(direction).abs() > 0.05);
+        let contracted =
+            guess.contracting(state, self.ahead).map(in_radians).filter(|&direction| lean(direction).abs() > 0.05);
         let direction = contracted.unwrap_or_else(|| sample.thick());
         let sine = lean(direction);
         let across = |direction: State| (cross(tangent, direction) / (long * sine)).abs();
