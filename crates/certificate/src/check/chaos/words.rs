@@ -190,7 +190,7 @@ impl<'s> Search<'s> {
         let mut best = None;
         for making in &self.makings[1..] {
             let other = self.follow(run, making)?;
-            let (most, all) = wanted(best.as_ref().unwrap_or(before));
+            let (most, all) = wanted(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
             if wanted(&other).0 > most && wanted(&other).1 >= all {
                 best = Some(other);
             }
