@@ -230,9 +230,8 @@ class Scene:
 
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
-        ends = (cycles, cycles) if isinstance(cycles, int) else cycles
         with reporting(progress, "cycles") as tell:
-            documents, complete = _core.two_impact(self._core, ends, (wall, solve_for), digits, tell)
+            documents, complete = _core.two_impact(self._core, both_ends(cycles), (wall, solve_for), digits, tell)
         found = [answers.Periodic(document, complete) for document in documents]
         return found[0] if isinstance(cycles, int) else found
 
@@ -248,10 +247,9 @@ class Scene:
     ) -> answers.Manifold:
         """Return A_N (68) over ``{"frequency": (low, high, count)}`` or ``"velocity"``: figures 10 and 11."""
         [(key, (low, high, count))] = over.items()
-        ends = (cycles, cycles) if isinstance(cycles, int) else cycles
         question = (key, text("from", low), text("to", high), count)
         with reporting(progress, "points") as tell:
-            return answers.Manifold(*_core.manifold(self._core, ends, question, (wall, digits, picture), tell))
+            return answers.Manifold(*_core.manifold(self._core, both_ends(cycles), question, (wall, digits, picture), tell))
 
     def bifurcations(
         self,
@@ -281,7 +279,7 @@ class Scene:
         self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
     ) -> answers.Cycles:
         """Prove all periodic motions of the region of ``trap`` with so many impacts, or with any number from one to another."""
-        ends = (impacts, impacts) if isinstance(impacts, int) else impacts
+        ends = both_ends(impacts)
         with reporting(progress, "impacts", ends[1]) as tell:
             return answers.Cycles(*_core.cycles(self._core, ends, (finer, digits), tell))
 
@@ -393,6 +391,11 @@ class Scene:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene.from_text, (self._text,)
+
+
+def both_ends(counts: int | tuple[int, int]) -> tuple[int, int]:
+    """Return the first and the last of some numbers, of which there may be one."""
+    return (counts, counts) if isinstance(counts, int) else counts
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
