@@ -13,6 +13,7 @@ use impact_pair::chaos::{Asked, Base, Cells, Chaos, MOST_CELLS, MOST_DEPTH, MOST
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::periodic::bifurcation::Over;
+use impact_pair_plot::picture::Theme;
 use serde::Deserialize;
 
 use crate::Answer;
@@ -62,10 +63,12 @@ pub struct ChaosArguments {
     /// How it is written; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Draw the floating orbit, the bases and the first tubes into FILE (.svg or .png); with :COUNT the bifurcation diagram, coloured by
-    /// what is proved
-    #[arg(long, value_name = "FILE", value_parser = impact_pair_plot::picture::path)]
+    /// Draw a floating orbit, the bases and their first images; with :COUNT the bifurcation diagram, coloured by what is proved
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    theme: Theme,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -161,7 +164,7 @@ impl Work<'_> {
         };
         let is_proved = document.certified && !document.interrupted;
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
-        self.answer(&text, open, || impact_pair_plot::chaos::chaos(scene, &found))
+        self.answer(&text, open, || impact_pair_plot::chaos::chaos(scene, over, &found))
     }
 
     /// What is proved of each value in a range.
@@ -190,7 +193,7 @@ impl Work<'_> {
         let is_table = self.arguments.format == PeriodicFormat::Table;
         let answer = self.files.out.answer(text, open, (self.arguments.destination.quiet, is_table))?;
         if let (Some(picture), Some(path)) = (self.files.picture, &self.arguments.plot) {
-            picture.draw(path, svg)?;
+            picture.draw(path, self.arguments.theme, svg)?;
         }
         Ok(answer)
     }

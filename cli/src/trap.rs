@@ -9,6 +9,7 @@ use impact_pair::Scene;
 use impact_pair::certificate::document::TrapDocument;
 use impact_pair::chaos::Trap;
 use impact_pair::document;
+use impact_pair_plot::picture::Theme;
 
 use crate::Answer;
 use crate::arguments::{Destination, PeriodicFormat};
@@ -40,9 +41,12 @@ pub struct TrapArguments {
     /// How the region is written; json is schema impact-pair/trap/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Draw the region into FILE (.svg or .png)
-    #[arg(long, value_name = "FILE", value_parser = impact_pair_plot::picture::path)]
+    /// Draw the region, and a floating orbit in it
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
+    /// What the picture stands on
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    theme: Theme,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -84,7 +88,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let open = document.entered_at_impact.is_none().then(|| entered(&document));
     let answer = out.answer(&text, open, (*quiet, is_table))?;
     if let (Some(picture), Some(path)) = (picture, plot) {
-        picture.draw(path, || impact_pair_plot::chaos::trap(&scene, &region))?;
+        picture.draw(path, arguments.theme, || impact_pair_plot::chaos::trap(&scene, &region))?;
     }
     Ok(answer)
 }

@@ -101,7 +101,7 @@ pub fn chaos(
         };
         let found = Chaos::of(&pair, scene.start(), &question, &watch)?;
         let document = document::chaos(&scene, over.as_ref(), &question, &found);
-        let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, &found))).transpose()?;
+        let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;
         Ok((text(&document), found.entropy() > 0.0 && !document.interrupted, svg))
     })
 }

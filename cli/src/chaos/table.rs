@@ -99,7 +99,7 @@ pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
 pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
     let mut out = String::new();
     writeln!(out, "over {} from {} to {}\n", document.over.key, document.over.low.0, document.over.high.0)?;
-    writeln!(out, "{:>12} {:>12}  {:10}", "from", "to", "verdict")?;
+    writeln!(out, "{:>12} {:>12}  verdict", "from", "to")?;
     for stretch in &document.stretches {
         let [low, high] = [&stretch.low, &stretch.high].map(|end| end.0.text());
         let what = match (&stretch.entropy, &stretch.period) {

@@ -27,7 +27,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let progress = Progress::new(settings.impacts, visible);
     let (svg, ending) = figure.draw(&scene, (orbit, &settings), &progress);
     progress.clear();
-    out.draw(&arguments.output, || Ok(arguments.theme.of(&svg?)))?;
+    out.draw(&arguments.output, arguments.theme, || svg)?;
     if !arguments.quiet {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{ending}");

@@ -197,9 +197,8 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) ->
     sweep.write(&mut out, format, table).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
-        Output::open(Some(path))?.draw(path, || {
-            Ok(arguments.theme.of(&impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within)?))
-        })?;
+        Output::open(Some(path))?
+            .draw(path, arguments.theme, || impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within))?;
     }
     Ok(tally)
 }

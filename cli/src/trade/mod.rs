@@ -39,7 +39,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in rung {rung}"));
     let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
     if let (Some(picture), Some(path)) = (picture, plot) {
-        picture.draw(path, || Ok(arguments.theme.of(&impact_pair_plot::trade::svg(&trade)?)))?;
+        picture.draw(path, arguments.theme, || impact_pair_plot::trade::svg(&trade))?;
     }
     Ok(answer)
 }

@@ -90,9 +90,8 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     let open = interrupted.then(|| "interrupted: all points that are there are proved, others are left".to_owned());
     let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
     if let Some(path) = arguments.plot.as_ref().filter(|_| !curves.is_empty()) {
-        Output::open(Some(path))?.draw(path, || {
-            Ok(arguments.theme.of(&impact_pair_plot::two_impact::svg(scene, axis, &curves, arguments.inset)?))
-        })?;
+        Output::open(Some(path))?
+            .draw(path, arguments.theme, || impact_pair_plot::two_impact::svg(scene, axis, &curves, arguments.inset))?;
     }
     Ok(answer)
 }

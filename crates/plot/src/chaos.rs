@@ -1,115 +1,245 @@
 //! Regions that the motion does not leave, and horseshoes: the reduced state space, as SVG.
 
-use std::f64::consts::TAU;
+mod leaf;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, State, Trap};
+use impact_pair::chaos::{Base, Chaos, State, Trap, seen_impacts};
+use impact_pair::periodic::bifurcation::Over;
 use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, BLUE, Canvas, Drawn, GREY, SCALE, SKY, VERMILION};
+use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Mark, Path, Plane, SCALE, SKY, VERMILION};
+use crate::picture::{greek, hex, legend, program, words};
+use crate::sweep::Cells;
+use leaf::Leaf;
 
-const SIZE: (u32, u32) = (900, 640);
-const FONT: i32 = 15 * SCALE;
+/// Of one panel, and of two beside each other.
+const ALONE: (u32, u32) = (900, 640);
+const TOGETHER: (u32, u32) = (1120, 640);
+/// Impacts of a floating orbit that are shown, of that in a region after so many others.
+const IMPACTS: usize = 10_000;
+const TRANSIENT: usize = 2000;
+/// Images up to this many impacts later are shown.
+const IMAGES: usize = 3;
+/// Widths of lines.
+const IMAGE: i32 = 6 * SCALE;
+const OUTLINE: i32 = 3 * SCALE / 2;
+/// Room on the right of axes.
+const RIGHT: i32 = 30 * SCALE;
+pub(crate) const PHASE: &str = "phase $θ$ of the impact, mirrored to the left wall [rad]";
+const SPEED: &str = "speed before the impact, in $AΩ$";
 
-/// What is drawn: filled quadrilaterals, curves, dots.
-struct Layers {
-    boxes: Vec<[State; 2]>,
-    dots: Vec<State>,
-    curves: Vec<Vec<State>>,
-    outlines: Vec<Vec<State>>,
-    caption: String,
-}
-
-/// The boxes of a region.
+/// The boxes of a region, and a floating orbit.
 ///
 /// # Errors
 /// When it cannot be drawn.
 pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     let (columns, rows) = region.grid();
-    let place = |column: i32, row: i32| [f64::from(column) / columns as f64, f64::from(row) / rows];
-    let runs = region.columns().into_iter().flat_map(|(column, runs)| runs.into_iter().map(move |run| (column, run)));
-    let boxes = runs.map(|(column, (first, last))| [place(column, first), place(column + 1, last + 1)]).collect();
-    let caption = format!("a region that no motion leaves: {} boxes", region.boxes());
-    draw(scene, Layers { boxes, dots: Vec::new(), curves: Vec::new(), outlines: Vec::new(), caption })
+    let width = 1.0 / columns as f64;
+    let runs =
+        || region.columns().into_iter().flat_map(|(column, runs)| runs.into_iter().map(move |run| (column, run)));
+    let phase = |column: i32| f64::from(column) * width;
+    let arc = Arc::holding(runs().map(|(column, _)| [phase(column), phase(column + 1)]));
+    let states = seen_impacts(scene.pair(), scene.start(), [TRANSIENT, IMPACTS])?;
+    let entered = match region.entered() {
+        Some(0) => "; the scene's start and all impacts after it are in it".to_owned(),
+        Some(impact) => format!("; of the scene's orbit impact {impact} and all later ones are in it"),
+        None => String::new(),
+    };
+    let proved = format!("certified: no motion leaves this region of {} boxes{entered}; {}", region.boxes(), program());
+    let said = format!("{} impacts of a floating orbit after {TRANSIENT} others: seen, not proved", states.len());
+    picture::svg(ALONE, SCALE, |root| {
+        let top = caption(scene, None, proved, root)?;
+        let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
+        let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), said)])?;
+        let (_, below) = root.split_vertically(top + height);
+        let axes = [arc.axis(), speeds(region.speed())];
+        let plane = Plane::draw(&below, axes, [PHASE, SPEED], RIGHT)?;
+        let mut cells = Cells::default();
+        for (column, (first, last)) in runs() {
+            let left = arc.place(phase(column) + 0.5 * width) - std::f64::consts::PI * width;
+            let [low, high] = [first, last + 1].map(|row| f64::from(row) / rows);
+            let right = left + std::f64::consts::TAU * width;
+            let ((x0, y0), (x1, y1)) = (plane.pixel([left, high]), plane.pixel([right, low]));
+            cells.add((x0, y0), (x1 - x0, y1 - y0));
+        }
+        root.draw(&Element(cells.element(SKY)))?;
+        root.draw(&dots(states.iter().map(|state| in_turn(arc, state)).collect(), &plane))?;
+        Ok(())
+    })
 }
 
-/// The floating orbit in grey, the bases and the first tubes.
+/// A floating orbit, the bases and their first images; and one base of the horseshoe in coordinates of its own, in which
+/// it is seen how these lie across it.
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn chaos(scene: &Scene, found: &Chaos) -> Result<String> {
-    let outlines = found
-        .bases()
-        .iter()
-        .map(|base| vec![base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]);
-    let dots = found.attractor().iter().take(20_000).copied().collect();
-    let caption = format!(
-        "{} words from {} bases (outlined), their first images (blue), a floating orbit (grey)",
-        found.words().len(),
-        found.bases().len()
-    );
-    draw(
-        scene,
-        Layers { boxes: Vec::new(), dots, curves: found.tubes().to_vec(), outlines: outlines.collect(), caption },
-    )
+pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String> {
+    let base = chosen(found);
+    picture::svg(if base.is_some() { TOGETHER } else { ALONE }, SCALE, |root| {
+        let top = caption(scene, over, proved(found), root)?;
+        let height = legend(root, top, &entries(found))?;
+        let (_, below) = root.split_vertically(top + height);
+        let Some((number, base)) = base else { return whole(found, &below, root) };
+        let (left, right) = below.split_horizontally(TOGETHER.0 as i32 * SCALE / 2);
+        let [left, right] =
+            [(left, "(a)  all of it".to_owned()), (right, format!("(b)  base {number} in its own coordinates"))].map(
+                |(area, title)| {
+                    let (upper, area) = area.split_vertically(24 * SCALE);
+                    let place = (16 * SCALE, 14 * SCALE);
+                    upper.draw(&Text::new(title, place, words(FONT, &BLACK, HPos::Left))).map(|()| area)
+                },
+            );
+        whole(found, &left?, root)?;
+        Leaf::of(base).draw(found, &right?, root)
+    })
 }
 
-/// Pieces of a curve with phases in one turn.
-fn pieces(curve: &[State]) -> Vec<Vec<State>> {
+/// The base that both words of the horseshoe start in, or else the first one; and its number, from 1.
+fn chosen(found: &Chaos) -> Option<(usize, &Base)> {
+    let number = found.horseshoe().map_or(0, |[word, _]| word.from);
+    found.bases().get(number).map(|base| (number + 1, base))
+}
+
+/// What is proved.
+fn proved(found: &Chaos) -> String {
+    let counted = format!(
+        "{} words of at most {} impacts from {} bases",
+        found.words().len(),
+        found.depth(),
+        found.bases().len()
+    );
+    if found.entropy() > 0.0 {
+        let [impact, cycle] = [found.entropy(), found.entropy_a_cycle()].map(rounded_down);
+        return format!(
+            "certified: a horseshoe, topological entropy at least {impact} an impact, {cycle} a cycle; {counted}; {}",
+            program()
+        );
+    }
+    format!("undecided: no horseshoe is proved; {counted}; {}", program())
+}
+
+/// A number in four decimals, never more than it is.
+fn rounded_down(x: f64) -> String {
+    // The product may have been rounded up to a whole number.
+    let whole = (x * 1e4).next_down().max(0.0).floor();
+    format!("{:.4}", whole / 1e4)
+}
+
+/// What the marks mean.
+fn entries(found: &Chaos) -> Vec<(Mark, String)> {
+    let mut entries = Vec::new();
+    let impacts = found.attractor().len().min(IMPACTS);
+    if impacts > 0 {
+        entries.push((
+            Mark::Dot(BLACK),
+            format!("{impacts} impacts of a floating orbit, its transient left out: seen, not proved"),
+        ));
+    }
+    if !found.bases().is_empty() {
+        let depth = found.depth().min(IMAGES);
+        let later = if depth == 1 { "1 impact".to_owned() } else { format!("1 to {depth} impacts") };
+        entries.push((Mark::Outline(VERMILION), "bases".to_owned()));
+        entries.push((Mark::Line(SKY, IMAGE), format!("their images {later} later, proved: the middles of tubes")));
+    }
+    entries
+}
+
+/// Title, parameters, and what is proved; how high that is.
+fn caption(
+    scene: &Scene,
+    over: Option<&Over>,
+    proved: String,
+    root: &Canvas<'_>,
+) -> Result<i32, Box<dyn std::error::Error>> {
+    picture::caption(root, scene.title().unwrap_or("The impact map"), &[parameters(scene, over), proved])
+}
+
+/// The parameters of a scene, of one that varies its range.
+pub(crate) fn parameters(scene: &Scene, over: Option<&Over>) -> String {
+    let words = scene.parameters_in_words();
+    let Some(over) = over else { return greek(&format!("{words}; {}", scene.start_in_words())) };
+    let symbol = over.key.symbol().0;
+    let fixed: Vec<&str> =
+        words.split(", ").filter(|word| !greek(word).starts_with(&format!("${symbol} = "))).collect();
+    let range = greek(&format!("{} ≤ {symbol} ≤ {}", over.low, over.high));
+    format!("{}; all {range}", greek(&format!("{}; {}", fixed.join(", "), scene.start_in_words())))
+}
+
+/// The axis of speeds from one to another, from no speed on where they begin near it.
+fn speeds([low, high]: [f64; 2]) -> Axis {
+    if low < 0.5 * high { Axis::over(0.0, 1.05 * high) } else { Axis::around([low, high].into_iter()) }
+}
+
+/// The whole state space.
+fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
+    let dots_shown = || found.attractor().iter().take(IMPACTS);
+    let corners = || found.bases().iter().flat_map(round);
+    let all = || dots_shown().copied().chain(found.tubes().iter().flatten().copied()).chain(corners());
+    let arc = Arc::holding(all().map(|[phase, _]| [phase; 2]));
+    let ends = all().fold([f64::MAX, 0.0], |[low, high]: State, [_, speed]| [low.min(speed), high.max(speed)]);
+    let plane = Plane::draw(area, [arc.axis(), speeds(ends)], [PHASE, SPEED], RIGHT)?;
+    let on_axes = |curve: &[State]| pieces(arc, curve);
+    let states = dots_shown().map(|state| in_turn(arc, state)).collect();
+    layers(found, (&on_axes, states), &plane, root)
+}
+
+/// Images, above them dots, above these the bases; `on_axes` cuts a curve into pieces that lie on the axes.
+fn layers(
+    found: &Chaos,
+    (on_axes, states): (&dyn Fn(&[State]) -> Vec<Vec<State>>, Vec<State>),
+    plane: &Plane,
+    root: &Canvas<'_>,
+) -> Drawn {
+    let images: Vec<Vec<State>> = found.tubes().iter().flat_map(|tube| on_axes(tube)).collect();
+    let bases: Vec<Vec<State>> = found.bases().iter().flat_map(|base| on_axes(&round(base))).collect();
+    root.draw(&Element(plane.clipped(&lines(&images, plane, (SKY, IMAGE)))))?;
+    root.draw(&dots(states, plane))?;
+    root.draw(&Element(plane.clipped(&lines(&bases, plane, (VERMILION, OUTLINE)))))?;
+    Ok(())
+}
+
+/// The corners of a base, the first one again at the end.
+fn round(base: &Base) -> [State; 5] {
+    [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
+}
+
+/// Where a state is on the axes.
+fn in_turn(arc: Arc, [phase, speed]: &State) -> State {
+    [arc.place(*phase), *speed]
+}
+
+/// Pieces of a curve, on the axes: a new one where it leaves the arc at one end and comes back at the other.
+fn pieces(arc: Arc, curve: &[State]) -> Vec<Vec<State>> {
     let mut pieces: Vec<Vec<State>> = Vec::new();
-    for pair in curve.windows(2) {
-        let whole = pair[0][0].floor();
-        let [from, to] = [pair[0], pair[1]].map(|[phase, speed]| [phase - whole, speed]);
-        match pieces.last_mut() {
-            Some(piece) if piece.last() == Some(&from) => piece.push(to),
-            _ => pieces.push(vec![from, to]),
+    for state in curve.iter().map(|state| in_turn(arc, state)) {
+        let is_near = |last: &State| (last[0] - state[0]).abs() < std::f64::consts::PI;
+        match pieces.last_mut().filter(|piece| piece.last().is_some_and(is_near)) {
+            Some(piece) => piece.push(state),
+            None => pieces.push(vec![state]),
         }
     }
     pieces
 }
 
-fn draw(scene: &Scene, layers: Layers) -> Result<String> {
-    picture::svg(SIZE, SCALE, |root| layers.draw(scene, root))
+/// Curves on the axes as one element.
+fn lines(curves: &[Vec<State>], plane: &Plane, (colour, width): (RGBColor, i32)) -> String {
+    let mut path = Path::default();
+    for curve in curves {
+        let mut places = curve.iter().map(|state| plane.place(*state));
+        let Some(first) = places.next() else { continue };
+        path.move_to(first);
+        places.for_each(|place| path.line_to(place));
+    }
+    format!(
+        "<path stroke=\"{}\" stroke-width=\"{width}\" stroke-linejoin=\"round\" d=\"{}\"/>\n",
+        hex(colour),
+        path.data()
+    )
 }
 
-impl Layers {
-    fn draw(&self, scene: &Scene, root: &Canvas<'_>) -> Drawn {
-        let font = ("sans-serif", FONT);
-        let title = format!("{}: {}", scene.title().unwrap_or("scene"), self.caption);
-        let root = root.margin(8 * SCALE, 0, 0, 0).titled(&title, font)?;
-        let corners = self.boxes.iter().flatten();
-        let highest =
-            corners.chain(&self.dots).chain(self.outlines.iter().flatten()).fold(0.0, |most: f64, at| most.max(at[1]));
-        let mut chart = ChartBuilder::on(&root)
-            .margin(10 * SCALE)
-            .margin_right(30 * SCALE)
-            .x_label_area_size(48 * SCALE)
-            .y_label_area_size(62 * SCALE)
-            .build_cartesian_2d(picture::Axis::over(0.0, TAU), picture::Axis::over(0.0, 1.05 * highest))?;
-        chart
-            .configure_mesh()
-            .x_desc("phase θ before the impact, mirrored to the left wall [rad]")
-            .y_desc("speed before the impact / (AΩ)")
-            .label_style(font)
-            .axis_desc_style(font)
-            .bold_line_style(BLACK.mix(0.12).stroke_width(SCALE as u32))
-            .max_light_lines(0)
-            .set_all_tick_mark_size(5 * SCALE)
-            .axis_style(BLACK.stroke_width(SCALE as u32))
-            .draw()?;
-        let place = |[phase, speed]: State| (TAU * phase, speed);
-        let fill = |[low, high]: &[State; 2]| Rectangle::new([place(*low), place(*high)], SKY.filled());
-        chart.draw_series(self.boxes.iter().map(fill))?;
-        let dot = |&state: &State| Circle::new(place(state), SCALE / 2, GREY.filled());
-        chart.draw_series(self.dots.iter().map(dot))?;
-        for piece in self.curves.iter().flat_map(|curve| pieces(curve)) {
-            chart.draw_series(LineSeries::new(piece.into_iter().map(place), BLUE.stroke_width(SCALE as u32)))?;
-        }
-        for outline in &self.outlines {
-            let line = outline.iter().copied().map(place);
-            chart.draw_series(LineSeries::new(line, VERMILION.stroke_width(2 * SCALE as u32)))?;
-        }
-        Ok(())
-    }
+/// States on the axes as dots.
+fn dots(states: Vec<State>, plane: &Plane) -> Element {
+    Dots { colour: BLACK, places: states.into_iter().map(|state| plane.pixel(state)).collect() }.element()
 }

@@ -1,27 +1,23 @@
 //! The bifurcation diagram of a parameter, in the colours of what is proved of each of its values, as SVG.
 
-use std::f64::consts::TAU;
-
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{Asked, Cells, State, Verdict, seen_impacts};
 use impact_pair::exact::Exact;
 use plotters::prelude::*;
-use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Axis, BLUE, Canvas, Drawn, Element, GREY, LETTER, SCALE, VERMILION, words};
+use crate::chaos::{PHASE, parameters};
+use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Mark, SCALE, VERMILION};
 use crate::sweep::{Cells as Rectangles, Plane, described};
 
 const SIZE: (u32, u32) = (960, 680);
-const FONT: i32 = 15 * SCALE;
-/// Height of title and legend.
-const CAPTION: i32 = 58 * SCALE;
-/// Columns of the diagram, rows of a turn, and in each column the impacts that are passed over, and those that are shown.
+/// Columns of the diagram, its rows, and in each column the impacts that are passed over, and those that are shown.
 const COLUMNS: u32 = 600;
-const ROWS: f64 = 260.0;
+const ROWS: i32 = 260;
 const IMPACTS: [usize; 2] = [600, 160];
-/// Height of the bar that tells what is proved.
+/// Height of the bar above the diagram that tells what is proved, and how far above it is.
 const BAR: i32 = 14 * SCALE;
+const ABOVE: i32 = 4 * SCALE;
 
 /// What is told, and in which colour.
 const LEGEND: [(&str, RGBColor); 3] = [
@@ -55,17 +51,19 @@ struct Column {
 /// When it cannot be drawn.
 pub fn cells(scene: &Scene, asked: &Asked, found: &Cells) -> Result<String> {
     let columns: Vec<Column> = (0..COLUMNS).map(|number| column(scene, asked, found, number)).collect::<Result<_>>()?;
+    let arc = Arc::holding(columns.iter().flat_map(|column| &column.states).map(|state| [state[0]; 2]));
+    let of_kind = |number: usize| found.stretches.iter().filter(move |stretch| kind(&stretch.verdict) == number);
+    let told: Vec<usize> = (0..LEGEND.len()).filter(|&number| of_kind(number).next().is_some()).collect();
     picture::svg(SIZE, SCALE, |root| {
-        let plane = frame(scene, asked, root)?;
+        let plane = frame(scene, asked, (&told, arc), root)?;
         let mut data = String::new();
         for (number, (_, colour)) in LEGEND.iter().enumerate() {
             let mut all = Rectangles::default();
-            let stretches = found.stretches.iter().filter(|stretch| kind(&stretch.verdict) == number);
-            for stretch in stretches {
+            for stretch in of_kind(number) {
                 let [left, right] = [&stretch.low, &stretch.high].map(|end| plane.column(value(end)));
-                all.add((left, plane.pixels[1].0), ((right - left).max(1), BAR));
+                all.add((left, plane.pixels[1].0 - ABOVE - BAR), ((right - left).max(1), BAR));
             }
-            columns.iter().filter(|column| column.kind == number).for_each(|column| column.draw(&plane, &mut all));
+            columns.iter().filter(|column| column.kind == number).for_each(|column| column.draw(arc, &plane, &mut all));
             data += &all.element(*colour);
         }
         Ok(root.draw(&Element(data))?)
@@ -83,37 +81,41 @@ fn column(scene: &Scene, asked: &Asked, found: &Cells, number: u32) -> Result<Co
     Ok(Column { at, kind, states })
 }
 
-/// Title, legend and axes.
-fn frame(scene: &Scene, asked: &Asked, root: &Canvas<'_>) -> Result<Plane, Box<dyn std::error::Error>> {
+/// Title, what is told, and axes.
+fn frame(
+    scene: &Scene,
+    asked: &Asked,
+    (told, arc): (&[usize], Arc),
+    root: &Canvas<'_>,
+) -> Result<Plane, Box<dyn std::error::Error>> {
     let over = described(asked.over.key);
-    let title = format!("{}: what is proved over the {over}", scene.title().unwrap_or("scene"));
-    root.draw(&Text::new(title, (16 * SCALE, 18 * SCALE), words(FONT + 3 * SCALE, &BLACK, HPos::Left)))?;
-    legend(root)?;
-    let (_, below) = root.split_vertically(CAPTION);
-    let axes = [Axis::over(value(&asked.over.low), value(&asked.over.high)), Axis::angle()];
-    Plane::draw(&below, axes, [&over, "phase θ before the impact, mirrored to the left wall [rad]"])
-}
-
-fn legend(root: &Canvas<'_>) -> Drawn {
-    let mut left = 24 * SCALE;
-    for (name, colour) in LEGEND {
-        let (y, half) = (44 * SCALE, 5 * SCALE);
-        root.draw(&Rectangle::new([(left, y - half), (left + 2 * half, y + half)], colour.filled()))?;
-        root.draw(&Text::new(name, (left + 3 * half, y), words(FONT, &BLACK, HPos::Left)))?;
-        left += 6 * half + (name.len() as f64 * LETTER * f64::from(FONT)) as i32;
-    }
-    Ok(())
+    let title = format!("{}: what is proved over the {}", scene.title().unwrap_or("The impact map"), asked.over.key);
+    let [transient, impacts] = IMPACTS;
+    let bar = format!(
+        "bar: what is proved of all values; below: impacts {} to {} of floating orbits, seen",
+        transient + 1,
+        transient + impacts
+    );
+    let lines = [parameters(scene, Some(&asked.over)), format!("{bar}; {}", picture::program())];
+    let top = picture::caption(root, &title, &lines)?;
+    let entries: Vec<(Mark, String)> =
+        told.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
+    let height = picture::legend(root, top, &entries)?;
+    let (_, below) = root.split_vertically(top + height + ABOVE + BAR);
+    let axes = [Axis::over(value(&asked.over.low), value(&asked.over.high)), arc.axis()];
+    Plane::draw(&below, axes, [&over, PHASE])
 }
 
 impl Column {
-    fn draw(&self, plane: &Plane, all: &mut Rectangles) {
+    fn draw(&self, arc: Arc, plane: &Plane, all: &mut Rectangles) {
         let [across, down] = plane.size();
-        let (width, height) = (across / COLUMNS as i32 + 1, (f64::from(down) / ROWS).ceil() as i32);
-        let mut rows: Vec<i32> = self.states.iter().map(|state| (state[0] * ROWS) as i32).collect();
+        let (width, height) = (across / COLUMNS as i32 + 1, (down + ROWS - 1) / ROWS);
+        let row = |state: &State| (plane.pixels[1].1 - plane.row(arc.place(state[0]))) / height;
+        let mut rows: Vec<i32> = self.states.iter().map(row).collect();
         rows.sort_unstable();
         rows.dedup();
         for run in rows.chunk_by(|a, b| a + 1 == *b) {
-            let upper = plane.row(TAU * f64::from(run[run.len() - 1] + 1) / ROWS);
+            let upper = plane.pixels[1].1 - height * (run[run.len() - 1] + 1);
             all.add((plane.column(self.at) - width / 2, upper), (width, height * run.len() as i32));
         }
     }

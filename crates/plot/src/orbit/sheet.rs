@@ -2,7 +2,6 @@
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::certificate::document::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -10,7 +9,7 @@ use super::frame::{Frame, Panel};
 use super::panel::{self, FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, letters, words};
+use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, words, wrapped};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
 const ALONE: (i32, i32) = (900, 560);
@@ -102,8 +101,7 @@ impl Sheet<'_> {
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
-        let program = PROGRAM.replace(' ', "\u{a0}");
-        let others = [data, mappings(&self.verdict), format!("{}; {program}", self.shown())];
+        let others = [data, mappings(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
         let wrap = |(text, size): (String, i32)| {
             let most = f64::from(width) / (LETTER * f64::from(size));
             wrapped(&text, most).into_iter().map(move |line| (line, size))
@@ -150,36 +148,4 @@ fn write(caption: &[(String, i32)], root: &Canvas<'_>) -> Drawn {
         root.draw(&Text::new(text.clone(), place, words(*size, &BLACK, HPos::Left)))?;
     }
     Ok(())
-}
-
-/// The words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
-fn wrapped(text: &str, most: f64) -> Vec<String> {
-    let width = |text: &str| letters(&text.replace('$', ""));
-    let mut lines: Vec<String> = Vec::new();
-    let mut is_math = false;
-    for word in text.split(' ').filter(|word| !word.is_empty()) {
-        match lines.last_mut().filter(|line| width(line) + 1.0 + width(word) <= most) {
-            Some(line) => *line = format!("{line} {word}"),
-            None => {
-                if let Some(line) = lines.last_mut().filter(|_| is_math) {
-                    line.push('$');
-                }
-                lines.push(format!("{}{word}", if is_math { "$" } else { "" }));
-            }
-        }
-        is_math ^= word.matches('$').count() % 2 == 1;
-    }
-    lines
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_break_between_words() {
-        assert_eq!(wrapped("A = 8, Ω = π, d = 9", 8.0), ["A = 8, Ω", "= π, d =", "9"]);
-        assert_eq!(wrapped("$A = 8, d = 9$; more", 6.0), ["$A = 8,$", "$d = 9$;", "more"]);
-        assert_eq!(wrapped("incomprehensible", 5.0), ["incomprehensible"]);
-    }
 }

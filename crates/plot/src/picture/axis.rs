@@ -1,6 +1,6 @@
 //! Linear axes with round ticks, and those of angles.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_4, TAU};
 use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
@@ -9,7 +9,6 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 const MARGIN: f64 = 0.05;
 /// Ticks on an axis, about.
 const TICKS: f64 = 6.0;
-const QUARTERS: [&str; 5] = ["0", "π/2", "π", "3π/2", "2π"];
 
 /// A linear axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,8 +21,8 @@ pub struct Axis {
 enum Labels {
     /// Multiples of a step, with so many decimals.
     Step(f64, usize),
-    /// Quarters of a turn.
-    Angle,
+    /// So many eighths of a turn, and multiples of them.
+    Angle(i32),
 }
 
 impl Axis {
@@ -63,6 +62,12 @@ impl Axis {
         Self::turn(0.0)
     }
 
+    /// Angles from so many eighths of a turn to so many.
+    pub fn eighths(from: i32, to: i32) -> Self {
+        let step = if to - from > 4 { 2 } else { 1 };
+        Self { range: f64::from(from) * FRAC_PI_4..f64::from(to) * FRAC_PI_4, labels: Labels::Angle(step) }
+    }
+
     /// Where a value is on it: 0 at its beginning, 1 at its end.
     pub fn part(&self, value: f64) -> f64 {
         (value - self.range.start) / (self.range.end - self.range.start)
@@ -70,7 +75,7 @@ impl Axis {
 
     /// The same, with this much room at both ends.
     pub fn turn(room: f64) -> Self {
-        Self { range: -room..TAU + room, labels: Labels::Angle }
+        Self { range: -room..TAU + room, labels: Labels::Angle(2) }
     }
 }
 
@@ -87,6 +92,20 @@ fn step(least: f64) -> (f64, usize) {
     (times * decade, exponent.min(0).unsigned_abs() as usize)
 }
 
+/// So many eighths of a turn in words.
+fn angle(eighths: i32) -> String {
+    let sign = if eighths < 0 { "−" } else { "" };
+    let (times, parts) = match eighths.abs() {
+        0 => return "0".into(),
+        whole if whole % 4 == 0 => (whole / 4, 1),
+        half if half % 2 == 0 => (half / 2, 2),
+        quarter => (quarter, 4),
+    };
+    let times = if times == 1 { String::new() } else { times.to_string() };
+    let parts = if parts == 1 { String::new() } else { format!("/{parts}") };
+    format!("{sign}{times}π{parts}")
+}
+
 impl Ranged for Axis {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
@@ -101,7 +120,11 @@ impl Ranged for Axis {
                 let (first, last) = ((self.range.start / step).ceil() as i64, (self.range.end / step).floor() as i64);
                 (first..=last).map(|k| k as f64 * step).collect()
             }
-            Labels::Angle => (0..5).map(|quarter| f64::from(quarter) * FRAC_PI_2).collect(),
+            Labels::Angle(step) => {
+                let step = f64::from(step) * FRAC_PI_4;
+                let (first, last) = ((self.range.start / step).ceil() as i32, (self.range.end / step).floor() as i32);
+                (first..=last).map(|k| f64::from(k) * step).collect()
+            }
         }
     }
 
@@ -121,7 +144,7 @@ impl ValueFormatter<f64> for Axis {
                     "0".into()
                 }
             }
-            Labels::Angle => QUARTERS[(value / FRAC_PI_2).round() as usize].into(),
+            Labels::Angle(_) => angle((value / FRAC_PI_4).round() as i32),
         }
     }
 }
@@ -139,7 +162,9 @@ mod tests {
         assert_eq!(labels(&Axis::over(0.0, 0.7)), ["0", "0.2", "0.4", "0.6"]);
         assert_eq!(labels(&Axis::over(-4.7, 4.7)), ["−4", "−2", "0", "2", "4"]);
         assert_eq!(labels(&Axis::over(-9000.0, 9000.0)), ["−5000", "0", "5000"]);
-        assert_eq!(labels(&Axis::angle()), QUARTERS);
+        assert_eq!(labels(&Axis::angle()), ["0", "π/2", "π", "3π/2", "2π"]);
+        assert_eq!(labels(&Axis::eighths(-3, 1)), ["−3π/4", "−π/2", "−π/4", "0", "π/4"]);
+        assert_eq!(labels(&Axis::eighths(-3, 3)), ["−π/2", "0", "π/2"]);
         assert_eq!(Axis::over(0.0, 10.0).map(&2.5, (100, 500)), 200);
     }
 

@@ -1,9 +1,12 @@
 //! What all pictures share: the canvas, colours, words, axes, and the file they end in.
 
+mod arc;
 mod axis;
+mod caption;
 mod dots;
 mod file;
 mod hull;
+mod legend;
 mod math;
 mod path;
 mod plane;
@@ -16,10 +19,13 @@ use anyhow::{Result, anyhow};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+pub use arc::Arc;
 pub use axis::Axis;
+pub use caption::{FONT, caption, program, wrapped};
 pub use dots::Dots;
 pub use file::{encoded, path};
 pub use hull::hull;
+pub use legend::{Mark, legend};
 pub use math::{greek, letters};
 pub use path::{Path, Place, hermite};
 pub use plane::Plane;
@@ -29,7 +35,7 @@ pub use theme::Theme;
 /// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;
 /// How wide a letter is on average, in sizes of its font: what a reader's fonts do is not known here.
-pub const LETTER: f64 = 0.47;
+pub const LETTER: f64 = 0.44;
 
 // Of the colours that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same again.
 /// Blue.

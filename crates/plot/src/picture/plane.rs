@@ -1,8 +1,9 @@
 //! From the numbers on two axes to the pixels of a plot.
 
 use plotters::coord::ranged1d::Ranged;
+use plotters::prelude::*;
 
-use super::{Axis, Place, SCALE};
+use super::{Axis, Canvas, FONT, Place, SCALE};
 
 /// The pixels of a plot.
 #[derive(Clone, Debug)]
@@ -14,6 +15,39 @@ pub struct Plane {
 }
 
 impl Plane {
+    /// Draws axes with these names and a thin mesh into an area, with this much room on their right.
+    ///
+    /// # Errors
+    /// When they cannot be drawn.
+    pub fn draw(
+        area: &Canvas<'_>,
+        axes: [Axis; 2],
+        names: [&str; 2],
+        right: i32,
+    ) -> Result<Self, Box<dyn std::error::Error>> {
+        let [x, y] = axes.clone();
+        let mut chart = ChartBuilder::on(area)
+            .margin(10 * SCALE)
+            .margin_right(right)
+            .x_label_area_size(48 * SCALE)
+            .y_label_area_size(62 * SCALE)
+            .build_cartesian_2d(x, y)?;
+        let font = ("sans-serif", FONT);
+        chart
+            .configure_mesh()
+            .x_desc(names[0])
+            .y_desc(names[1])
+            .label_style(font)
+            .axis_desc_style(font)
+            .bold_line_style(BLACK.mix(0.12).stroke_width(SCALE as u32))
+            .max_light_lines(0)
+            .set_all_tick_mark_size(5 * SCALE)
+            .axis_style(BLACK.stroke_width(SCALE as u32))
+            .draw()?;
+        let (across, down) = chart.plotting_area().get_pixel_range();
+        Ok(Self { axes, pixels: [(across.start, across.end - 1), (down.end - 1, down.start)] })
+    }
+
     /// The pixel at which it is, or the one on the edge that is next to it.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> (i32, i32) {
         let clamped = |axis: usize, value: f64| {

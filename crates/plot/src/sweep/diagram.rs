@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use impact_pair::sweep;
 use plotters::prelude::*;
 
-use super::legend::{self, CAPTION, LINE, Mark, described};
+use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
 use super::{Records, Show};
-use crate::picture::{Axis, BLUE, Canvas, GREEN, SCALE, VERMILION};
+use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Mark, SCALE, VERMILION};
 use impact_pair::certificate::document::{SweepImpact, SweepRecord};
 
 /// The smallest cell: less than a pixel of most screens.
@@ -69,11 +69,11 @@ pub fn draw(
     root: &Canvas<'_>,
 ) -> Drawn<String> {
     let (present, greatest) = survey(sweep)?;
-    legend::caption(sweep.head(), root)?;
+    let top = legend::caption(sweep.head(), root)?;
     let entries: Vec<(Mark, String)> =
         present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
-    let lines = legend::keys(root, &entries)?;
-    let (_, below) = root.split_vertically(CAPTION + LINE * lines);
+    let lines = picture::legend(root, top, &entries)?;
+    let (_, below) = root.split_vertically(top + lines);
     let across = Axis::over(value(&axis.low), value(&axis.high));
     let (up, name) = match show {
         Show::Phase => (Axis::angle(), "phase $Ωt + τ$ of the impact [rad]"),

@@ -2,48 +2,12 @@
 
 use impact_pair::certificate::document::{SceneDocument, SweepHead, Written};
 use impact_pair::scene::{Key, Term};
-use plotters::prelude::*;
-use plotters::style::text_anchor::HPos;
 
-use super::{Drawn, FONT};
-use crate::picture::{Canvas, LETTER, SCALE, greek, letters, words};
+use super::Drawn;
+use crate::picture::{self, Canvas, greek};
 
-/// Height of the caption above the plot.
-pub const CAPTION: i32 = 76 * SCALE;
-/// A line of the legend.
-pub const LINE: i32 = 22 * SCALE;
-
-/// What an entry of a legend explains.
-#[derive(Clone, Copy, Debug)]
-pub enum Mark {
-    Cell(RGBColor),
-    Ring,
-}
-
-/// The entries of a legend below the caption, in lines; how many lines.
-pub fn keys(root: &Canvas<'_>, entries: &[(Mark, String)]) -> Drawn<i32> {
-    let (half, left, right) = (5 * SCALE, 24 * SCALE, root.dim_in_pixel().0 as i32 - 16 * SCALE);
-    let (mut x, mut line) = (left, 0);
-    for (mark, name) in entries {
-        let width = 3 * half + (LETTER * f64::from(FONT) * letters(name)) as i32;
-        if x > left && x + width > right {
-            (x, line) = (left, line + 1);
-        }
-        let y = CAPTION + LINE * line + LINE / 2;
-        match mark {
-            Mark::Cell(colour) => {
-                root.draw(&Rectangle::new([(x, y - half), (x + 2 * half, y + half)], colour.filled()))?
-            }
-            Mark::Ring => root.draw(&Circle::new((x + half, y), half, BLACK.stroke_width(SCALE as u32)))?,
-        }
-        root.draw(&Text::new(name.clone(), (x + 3 * half, y), words(FONT, &BLACK, HPos::Left)))?;
-        x += width + 24 * SCALE;
-    }
-    Ok(if entries.is_empty() { 0 } else { line + 1 })
-}
-
-/// Title, parameters, and how it was computed.
-pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
+/// Title, parameters, and how it was computed; how high that is.
+pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<i32> {
     let varied: Vec<String> = varied(head).map(|key| format!("${}$", key.symbol().0)).collect();
     let varied = format!("{} varied", varied.join(" and "));
     let title = head.title.as_ref().map_or(varied.clone(), |title| format!("{title}; {varied}"));
@@ -59,12 +23,9 @@ pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<()> {
         (true, Some(_)) => format!("certified ({} digits; chaos: one true orbit near each start)", head.digits),
         (false, _) => "floats, not certified".into(),
     };
-    let made = format!("{} points, {impacts} of each{left_out}, {certified}; {}", head.points, head.program);
-    let lines = [(title, FONT + 3 * SCALE), (parameters(head), FONT), (made, FONT)];
-    for (line, (text, size)) in lines.into_iter().enumerate() {
-        root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, &BLACK, HPos::Left)))?;
-    }
-    Ok(())
+    let shown = format!("{} points, {impacts} of each{left_out}", head.points);
+    let made = format!("{certified}; {}", head.program);
+    picture::caption(root, &title, &[parameters(head), shown, made])
 }
 
 /// What varies.

@@ -12,9 +12,9 @@ use plotters::prelude::*;
 
 use super::Records;
 use super::kind::{Kind, OTHER, UNDECIDED, colours};
-use super::legend::{self, CAPTION, LINE, Mark, described};
+use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, middle, value};
-use crate::picture::{Axis, Canvas, SCALE, hex};
+use crate::picture::{self, Axis, Canvas, Mark, SCALE, hex};
 
 /// Radius of the ring around an attractor.
 const RING: i32 = 6 * SCALE;
@@ -52,7 +52,7 @@ pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<S
     let is_one_pair = [x, y].iter().all(|axis| axis.key >= Key::StartTime);
     let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
     let colours = colours(&outcomes.kinds);
-    legend::caption(sweep.head(), root)?;
+    let top = legend::caption(sweep.head(), root)?;
     let is_plane_of_starts = [x.key, y.key] == [Key::StartPhase, Key::StartVelocity];
     let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
     let mut entries = entries(&outcomes.kinds, &colours, is_one_pair);
@@ -61,8 +61,8 @@ pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<S
     if !attractors.is_empty() {
         entries.push((Mark::Ring, "an attractor, where it hits the left wall".to_owned()));
     }
-    let lines = legend::keys(root, &entries)?;
-    let (_, area) = root.split_vertically(CAPTION + lines * LINE + LINE / 2);
+    let lines = picture::legend(root, top, &entries)?;
+    let (_, area) = root.split_vertically(top + lines + 10 * SCALE);
     let plane = Plane::draw(&area, [scale(x), scale(y)], [&described(x.key), &described(y.key)])?;
     let colour = |point: u64| {
         let kind = outcomes.points.get(point as usize).copied().flatten()?;

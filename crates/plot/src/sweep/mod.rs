@@ -19,11 +19,10 @@ use plotters::prelude::*;
 
 pub(crate) use self::cells::Cells;
 pub(crate) use self::legend::described;
-use crate::picture::{self, Axis, Canvas, Element, SCALE};
+use crate::picture::{self, Axis, Canvas, Element, FONT, SCALE};
 
 /// The picture as it is shown.
 const SIZE: (u32, u32) = (960, 680);
-const FONT: i32 = 15 * SCALE;
 
 type Drawn<T> = Result<T, Box<dyn StdError>>;
 

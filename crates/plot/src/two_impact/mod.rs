@@ -4,23 +4,22 @@ mod curve;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::certificate::document::PROGRAM;
 use impact_pair::exact::Enclosure;
 use impact_pair::two_impact::{Axis, Manifold, Mark, Point};
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Canvas, Drawn, Element, Plane, SCALE, hex};
+use crate::picture::{self, Canvas, Drawn, Element, FONT, Plane, SCALE, hex};
 use curve::{Kind, Slope};
 
 /// The picture as it is shown, and how much taller it is with a window of it magnified below.
 const SIZE: (u32, u32) = (900, 640);
-const BELOW: u32 = 280;
-const FONT: i32 = 15 * SCALE;
-/// Heights of the lines above the plot.
+const BELOW: u32 = 300;
+/// Heights of the lines above the plot, and the room for names on its right.
 const CAPTION: i32 = 70 * SCALE;
 const LEGEND: i32 = 62 * SCALE;
+const RIGHT: i32 = 52 * SCALE;
 /// Amplitudes beyond so many gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
 
@@ -79,7 +78,7 @@ impl Picture<'_> {
         let axes = [picture::Axis::over(ends.0, ends.1), picture::Axis::over(0.0, 1.05 * highest)];
         let (_, below) = root.split_vertically(CAPTION + LEGEND);
         let (upper, lower) = below.split_vertically(SIZE.1 as i32 * SCALE - CAPTION - LEGEND);
-        let plane = mesh(&upper, axes, Some(self.axis))?;
+        let plane = Plane::draw(&upper, axes, axis_names(self.axis), RIGHT)?;
         self.asymptote(&plane, root)?;
         self.content(&plane, root)?;
         names(&points, &plane, root)?;
@@ -88,7 +87,8 @@ impl Picture<'_> {
         root.draw(&Rectangle::new(corners, BLACK.mix(0.6).stroke_width(SCALE as u32)))?;
         let (title, lower) = lower.split_vertically(24 * SCALE);
         title.draw(&Text::new("in the frame, magnified:", (16 * SCALE, 14 * SCALE), words(FONT, HPos::Left)))?;
-        let plane = mesh(&lower, [across, up].map(|[low, high]| picture::Axis::over(low, high)), None)?;
+        let axes = [across, up].map(|[low, high]| picture::Axis::over(low, high));
+        let plane = Plane::draw(&lower, axes, axis_names(self.axis), RIGHT)?;
         self.content(&plane, root)
     }
 
@@ -128,40 +128,15 @@ fn is_inside(plane: &Plane, place: [f64; 2]) -> bool {
     (0..2).all(|axis| plane.axes[axis].range().contains(&place[axis]))
 }
 
-/// The axes, with their names if they are the picture's.
-fn mesh(
-    area: &Canvas<'_>,
-    [x, y]: [picture::Axis; 2],
-    axis: Option<Axis>,
-) -> Result<Plane, Box<dyn std::error::Error>> {
-    let axes = [x.clone(), y.clone()];
-    let mut chart = ChartBuilder::on(area)
-        .margin(10 * SCALE)
-        .margin_right(52 * SCALE)
-        .x_label_area_size(if axis.is_some() { 48 } else { 26 } * SCALE)
-        .y_label_area_size(62 * SCALE)
-        .build_cartesian_2d(x, y)?;
-    let font = ("sans-serif", FONT);
-    let mut mesh = chart.configure_mesh();
-    mesh.label_style(font)
-        .axis_desc_style(font)
-        .bold_line_style(BLACK.mix(0.12).stroke_width(SCALE as u32))
-        .max_light_lines(0)
-        .set_all_tick_mark_size(5 * SCALE)
-        .axis_style(BLACK.stroke_width(SCALE as u32));
-    match axis {
-        Some(Axis::Frequency) => {
-            mesh.x_desc("angular frequency $Ω$ [rad/time]").y_desc("amplitude $A_N$ of the box [length]");
+/// The names of the axes.
+fn axis_names(axis: Axis) -> [&'static str; 2] {
+    let across = match axis {
+        Axis::Frequency => "angular frequency $Ω$ [rad/time]",
+        Axis::Velocity(_) => {
+            "relative velocity $v$ before the impact [length/time]: on the left wall $v < 0$, on the right wall $v > 0$"
         }
-        Some(Axis::Velocity(_)) => {
-            mesh.x_desc("relative velocity $v$ before the impact [length/time]: on the left wall $v < 0$, on the right wall $v > 0$")
-                .y_desc("amplitude $A_N$ of the box [length]");
-        }
-        None => {}
-    }
-    mesh.draw()?;
-    let (across, down) = chart.plotting_area().get_pixel_range();
-    Ok(Plane { axes, pixels: [(across.start, across.end - 1), (down.end - 1, down.start)] })
+    };
+    [across, "amplitude $A_N$ [length]"]
 }
 
 /// The names of the curves, at the ends that have more room.
@@ -203,11 +178,9 @@ fn caption(scene: &Scene, axis: Axis, root: &Canvas<'_>) -> Drawn {
     };
     let title = scene.title().unwrap_or("Equispaced motions with two impacts in N cycles").to_owned();
     let parameters = picture::greek(&format!("d = {}, e = {}, {given}", pair.gap(), pair.restitution()));
-    let program = format!("$A_N$ of equation (68) for odd $N$, equispaced impacts, every part proved; {PROGRAM}");
-    for (line, (text, size)) in [(title, FONT + 3 * SCALE), (parameters, FONT), (program, FONT)].into_iter().enumerate()
-    {
-        root.draw(&Text::new(text, (16 * SCALE, (18 + 22 * line as i32) * SCALE), words(size, HPos::Left)))?;
-    }
+    let program =
+        format!("$A_N$ of equation (68) for odd $N$, equispaced impacts, every part proved; {}", picture::program());
+    picture::caption(root, &title, &[parameters, program])?;
     Ok(())
 }
 

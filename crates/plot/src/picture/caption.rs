@@ -1,0 +1,70 @@
+//! What stands above a picture: its title, and lines that say what it shows.
+
+use impact_pair::certificate::document::PROGRAM;
+use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
+
+use super::{Canvas, LETTER, SCALE, letters, words};
+
+/// The height of letters.
+pub const FONT: i32 = 15 * SCALE;
+const TITLE: i32 = FONT + 3 * SCALE;
+/// From the left edge, and above the first line.
+const MARGIN: i32 = 16 * SCALE;
+const ABOVE: i32 = 7 * SCALE;
+const LINE: i32 = 22 * SCALE;
+
+/// Draws a title and lines below it, in as many lines as there is room for; the height that they take.
+///
+/// # Errors
+/// When they cannot be drawn.
+pub fn caption(root: &Canvas<'_>, title: &str, lines: &[String]) -> Result<i32, Box<dyn std::error::Error>> {
+    let width = f64::from(root.dim_in_pixel().0 as i32 - 2 * MARGIN);
+    let sized = [(title, TITLE)].into_iter().chain(lines.iter().map(|line| (line.as_str(), FONT)));
+    let wrap = |(text, size): (&str, i32)| {
+        wrapped(text, width / (LETTER * f64::from(size))).into_iter().map(move |line| (line, size))
+    };
+    let mut top = ABOVE;
+    for (text, size) in sized.flat_map(wrap) {
+        root.draw(&Text::new(text, (MARGIN, top + LINE / 2), words(size, &BLACK, HPos::Left)))?;
+        top += LINE;
+    }
+    Ok(top)
+}
+
+/// The program's name and version, which stay in one line.
+pub fn program() -> String {
+    PROGRAM.replace(' ', "\u{a0}")
+}
+
+/// The words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
+pub fn wrapped(text: &str, most: f64) -> Vec<String> {
+    let width = |text: &str| letters(&text.replace('$', ""));
+    let mut lines: Vec<String> = Vec::new();
+    let mut is_math = false;
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        match lines.last_mut().filter(|line| width(line) + 1.0 + width(word) <= most) {
+            Some(line) => *line = format!("{line} {word}"),
+            None => {
+                if let Some(line) = lines.last_mut().filter(|_| is_math) {
+                    line.push('$');
+                }
+                lines.push(format!("{}{word}", if is_math { "$" } else { "" }));
+            }
+        }
+        is_math ^= word.matches('$').count() % 2 == 1;
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_break_between_words() {
+        assert_eq!(wrapped("A = 8, Ω = π, d = 9", 8.0), ["A = 8, Ω", "= π, d =", "9"]);
+        assert_eq!(wrapped("$A = 8, d = 9$; more", 6.0), ["$A = 8,$", "$d = 9$;", "more"]);
+        assert_eq!(wrapped("incomprehensible", 5.0), ["incomprehensible"]);
+    }
+}
