@@ -75,6 +75,10 @@ fn a_document_makes_itself_again() {
     };
     let first = chaos(BASES[1], "first.json");
     assert_eq!(first, chaos(&path("first.json"), "second.json"));
+    let drawn = fs::read_to_string(path("chaos.svg")).unwrap();
+    assert!(drawn.contains("entropy at least 0.2811 an impact, 0.6931 a cycle") && drawn.contains("seen, not proved"));
+    // Many points, few elements.
+    assert!(drawn.len() < 400_000 && drawn.lines().count() < 200);
     let document: Value = serde_json::from_str(&first).unwrap();
     assert_eq!(document["schema"], "impact-pair/chaos/1");
     let per_cycle: f64 = document["entropy"]["per_cycle"].as_str().unwrap().parse().unwrap();
@@ -90,13 +94,17 @@ fn a_region_is_written_and_drawn() {
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let (output, plot) = (path("trap.json"), path("trap.svg"));
     let arguments = ["trap", "scenes/figure-14.toml", "--format", "json", "--output", &output, "--plot", &plot];
-    assert!(program(&arguments).status().unwrap().success());
+    assert!(program(&arguments).args(["--theme", "dark"]).status().unwrap().success());
     let document: Value = serde_json::from_str(&fs::read_to_string(output).unwrap()).unwrap();
     let runs = document["region"].as_array().unwrap();
     let boxes: i64 = runs.iter().map(|run| run[2].as_i64().unwrap() - run[1].as_i64().unwrap() + 1).sum();
     assert_eq!(document["boxes"].as_i64(), Some(boxes));
     assert_eq!(document["entered_at_impact"].as_i64(), Some(2));
-    assert!(fs::read_to_string(plot).unwrap().starts_with("<svg"));
+    let drawn = fs::read_to_string(plot).unwrap();
+    assert!(drawn.starts_with("<svg") && drawn.contains("fill=\"#121212\"") && !drawn.contains("#FFFFFF"));
+    assert!(drawn.contains("this region of 431 boxes; of the scene's orbit impact 2"));
+    // The orbit is in half a turn about its beginning.
+    assert!(drawn.contains(">−3π/4<") && !drawn.contains(">π/2<"));
 }
 
 /// What cannot be written is told before anything is computed: these would take minutes.

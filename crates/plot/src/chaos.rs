@@ -10,15 +10,14 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Mark, Path, Plane, SCALE, SKY, VERMILION};
-use crate::picture::{greek, hex, legend, program, words};
+use crate::picture::{greek, hex, legend, program, said, words};
 use crate::sweep::Cells;
-use leaf::Leaf;
 
 /// Of one panel, and of two beside each other.
 const ALONE: (u32, u32) = (900, 640);
 const TOGETHER: (u32, u32) = (1120, 640);
 /// Impacts of a floating orbit that are shown, of that in a region after so many others.
-const IMPACTS: usize = 10_000;
+const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
 /// Images up to this many impacts later are shown.
 const IMAGES: usize = 3;
@@ -70,36 +69,30 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     })
 }
 
-/// A floating orbit, the bases and their first images; and one base of the horseshoe in coordinates of its own, in which
-/// it is seen how these lie across it.
+/// A floating orbit, the bases and their first images; and the bases of the horseshoe in coordinates of their own, in which
+/// it is seen how images lie across them.
 ///
 /// # Errors
 /// When it cannot be drawn.
 pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String> {
-    let base = chosen(found);
-    picture::svg(if base.is_some() { TOGETHER } else { ALONE }, SCALE, |root| {
+    let has_bases = !found.bases().is_empty();
+    picture::svg(if has_bases { TOGETHER } else { ALONE }, SCALE, |root| {
         let top = caption(scene, over, proved(found), root)?;
         let height = legend(root, top, &entries(found))?;
         let (_, below) = root.split_vertically(top + height);
-        let Some((number, base)) = base else { return whole(found, &below, root) };
+        if !has_bases {
+            return whole(found, &below, root);
+        }
         let (left, right) = below.split_horizontally(TOGETHER.0 as i32 * SCALE / 2);
-        let [left, right] =
-            [(left, "(a)  all of it".to_owned()), (right, format!("(b)  base {number} in its own coordinates"))].map(
-                |(area, title)| {
-                    let (upper, area) = area.split_vertically(24 * SCALE);
-                    let place = (16 * SCALE, 14 * SCALE);
-                    upper.draw(&Text::new(title, place, words(FONT, &BLACK, HPos::Left))).map(|()| area)
-                },
-            );
-        whole(found, &left?, root)?;
-        Leaf::of(base).draw(found, &right?, root)
+        let titles =
+            ["(a)  the attractor, the bases and their images", "(b)  the bases along their leaf and across it"];
+        let areas = [left, right].map(|area| area.split_vertically(24 * SCALE));
+        for ((title, _), words_of) in areas.iter().zip(titles) {
+            title.draw(&Text::new(words_of, (16 * SCALE, 14 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
+        }
+        whole(found, &areas[0].1, root)?;
+        leaf::draw(scene, found, &areas[1].1, root)
     })
-}
-
-/// The base that both words of the horseshoe start in, or else the first one; and its number, from 1.
-fn chosen(found: &Chaos) -> Option<(usize, &Base)> {
-    let number = found.horseshoe().map_or(0, |[word, _]| word.from);
-    found.bases().get(number).map(|base| (number + 1, base))
 }
 
 /// What is proved.
@@ -127,10 +120,15 @@ fn rounded_down(x: f64) -> String {
     format!("{:.4}", whole / 1e4)
 }
 
+/// The floating orbit, as far as it is shown.
+fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
+    found.attractor().iter().take(IMPACTS)
+}
+
 /// What the marks mean.
 fn entries(found: &Chaos) -> Vec<(Mark, String)> {
     let mut entries = Vec::new();
-    let impacts = found.attractor().len().min(IMPACTS);
+    let impacts = seen(found).count();
     if impacts > 0 {
         entries.push((
             Mark::Dot(BLACK),
@@ -141,7 +139,18 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
         let depth = found.depth().min(IMAGES);
         let later = if depth == 1 { "1 impact".to_owned() } else { format!("1 to {depth} impacts") };
         entries.push((Mark::Outline(VERMILION), "bases".to_owned()));
-        entries.push((Mark::Line(SKY, IMAGE), format!("their images {later} later, proved: the middles of tubes")));
+        entries.push((
+            Mark::Line(SKY, IMAGE),
+            format!("(a) their images {later} later, up to where they cross a base: proved"),
+        ));
+    }
+    for (words, colour) in leaf::words(found).iter().zip(leaf::COLOURS) {
+        let Some(word) = words.first() else { continue };
+        let name = said(&word.in_mappings());
+        entries.push((
+            Mark::Line(colour, leaf::STRIP),
+            format!("(b) images by {name}, which are proved to lie across bases"),
+        ));
     }
     entries
 }
@@ -174,29 +183,17 @@ fn speeds([low, high]: [f64; 2]) -> Axis {
 
 /// The whole state space.
 fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
-    let dots_shown = || found.attractor().iter().take(IMPACTS);
+    let dots_shown = || seen(found);
     let corners = || found.bases().iter().flat_map(round);
     let all = || dots_shown().copied().chain(found.tubes().iter().flatten().copied()).chain(corners());
     let arc = Arc::holding(all().map(|[phase, _]| [phase; 2]));
     let ends = all().fold([f64::MAX, 0.0], |[low, high]: State, [_, speed]| [low.min(speed), high.max(speed)]);
     let plane = Plane::draw(area, [arc.axis(), speeds(ends)], [PHASE, SPEED], RIGHT)?;
-    let on_axes = |curve: &[State]| pieces(arc, curve);
-    let states = dots_shown().map(|state| in_turn(arc, state)).collect();
-    layers(found, (&on_axes, states), &plane, root)
-}
-
-/// Images, above them dots, above these the bases; `on_axes` cuts a curve into pieces that lie on the axes.
-fn layers(
-    found: &Chaos,
-    (on_axes, states): (&dyn Fn(&[State]) -> Vec<Vec<State>>, Vec<State>),
-    plane: &Plane,
-    root: &Canvas<'_>,
-) -> Drawn {
-    let images: Vec<Vec<State>> = found.tubes().iter().flat_map(|tube| on_axes(tube)).collect();
-    let bases: Vec<Vec<State>> = found.bases().iter().flat_map(|base| on_axes(&round(base))).collect();
-    root.draw(&Element(plane.clipped(&lines(&images, plane, (SKY, IMAGE)))))?;
-    root.draw(&dots(states, plane))?;
-    root.draw(&Element(plane.clipped(&lines(&bases, plane, (VERMILION, OUTLINE)))))?;
+    let images: Vec<Vec<State>> = found.tubes().iter().flat_map(|tube| pieces(arc, tube)).collect();
+    let bases: Vec<Vec<State>> = found.bases().iter().flat_map(|base| pieces(arc, &round(base))).collect();
+    root.draw(&Element(plane.clipped(&lines(&images, &plane, (SKY, IMAGE)))))?;
+    root.draw(&dots(dots_shown().map(|state| in_turn(arc, state)).collect(), &plane))?;
+    root.draw(&Element(plane.clipped(&lines(&bases, &plane, (VERMILION, OUTLINE)))))?;
     Ok(())
 }
 
@@ -242,4 +239,37 @@ fn lines(curves: &[Vec<State>], plane: &Plane, (colour, width): (RGBColor, i32))
 /// States on the axes as dots.
 fn dots(states: Vec<State>, plane: &Plane) -> Element {
     Dots { colour: BLACK, places: states.into_iter().map(|state| plane.pixel(state)).collect() }.element()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_never_told_to_be_more() {
+        assert_eq!([0.28119957, 0.693147, 0.0, 0.00009999].map(rounded_down), ["0.2811", "0.6931", "0.0000", "0.0000"]);
+        // The product of this one is rounded up to a whole number.
+        let less = 0.0037_f64.next_down();
+        assert!(less * 1e4 == 37.0 && rounded_down(less) == "0.0036");
+    }
+
+    #[test]
+    fn a_parameter_that_varies_has_its_range() {
+        let scene = Scene::parse(
+            "excitation = { amplitude = 8, frequency = \"pi\", phase = 0 }\npair = { gap = 9.42497, restitution = 0.5 }\n\
+             start = { time = 0, wall = \"left\", velocity = -1 }",
+        )
+        .unwrap();
+        let over: Over = "gap=9.4..9.5".parse().unwrap();
+        let words = parameters(&scene, Some(&over));
+        assert_eq!(words, "$A = 8, Ω = π, τ = 0, e = 0.5; start: t = 0, left wall, v = −1$; all $9.4 ≤ d ≤ 9.5$");
+        assert!(parameters(&scene, None).contains("d = 9.42497"));
+    }
+
+    #[test]
+    fn a_curve_is_cut_where_the_arc_ends() {
+        let arc = Arc::holding([[0.0, 1.0]].into_iter());
+        let cut = pieces(arc, &[[0.9, 1.0], [0.98, 1.0], [1.04, 1.0], [1.1, 1.0]]);
+        assert_eq!(cut.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+    }
 }

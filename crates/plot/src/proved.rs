@@ -8,7 +8,7 @@ use plotters::prelude::*;
 
 use crate::chaos::{PHASE, parameters};
 use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Mark, SCALE, VERMILION};
-use crate::sweep::{Cells as Rectangles, Plane, described};
+use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
 const SIZE: (u32, u32) = (960, 680);
 /// Columns of the diagram, its rows, and in each column the impacts that are passed over, and those that are shown.
@@ -32,10 +32,6 @@ fn kind(verdict: &Verdict) -> usize {
         Verdict::Attracted { .. } => 1,
         Verdict::Undecided => 2,
     }
-}
-
-fn value(x: &Exact) -> f64 {
-    x.enclose(64).mid_rad().0
 }
 
 /// A column of the diagram: where it is, what is proved there, and the impacts of a floating orbit.

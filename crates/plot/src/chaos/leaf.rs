@@ -1,22 +1,41 @@
-//! One base in coordinates of its own: along its leaf and across it, the base itself from -1 to 1 in both.
+//! The bases of a horseshoe in the coordinates of one of them, along its leaf and across it: there it is a square from -1
+//! to 1, and the others lie above and below it.
 
-use impact_pair::chaos::{Base, Chaos, State};
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 
-use super::{RIGHT, layers, round};
-use crate::picture::{Axis, Canvas, Drawn, Plane};
+use impact_pair::Scene;
+use impact_pair::chaos::{Base, Chaos, State, Word};
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Settings, Start};
+use impact_pair::pair::{ImpactPair, Wall};
+use plotters::style::RGBColor;
 
-/// How far is shown, in half sides of the base.
-const SHOWN: f64 = 1.3;
+use super::{OUTLINE, RIGHT, dots, lines, round, seen};
+use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, GREEN, Plane, SCALE, VERMILION};
+use crate::sweep::value;
+
+/// Beyond the bases so much is shown, in half sides of a base.
+const BEYOND: f64 = 0.3;
+/// Bases further off across the leaf are not shown.
+const FAR: f64 = 12.0;
+/// States of a base's middle line that are followed.
+const FOLLOWED: usize = 2000;
+/// Neighbours among them whose images are further apart have a graze between them.
+const APART: f64 = 0.3;
+/// Colours of the images by both words, and their width.
+pub const COLOURS: [RGBColor; 2] = [BLUE, GREEN];
+pub const STRIP: i32 = 3 * SCALE;
 
 /// The coordinates of a base, exact for a parallelogram.
-pub struct Leaf {
+struct Leaf {
     centre: State,
     along: State,
     across: State,
 }
 
 impl Leaf {
-    pub fn of(base: &Base) -> Self {
+    fn of(base: &Base) -> Self {
         let [a, b, c, d, _] = round(base);
         let of = |signs: [f64; 4]| {
             [0, 1].map(|i| 0.25 * (signs[0] * a[i] + signs[1] * b[i] + signs[2] * c[i] + signs[3] * d[i]))
@@ -33,31 +52,90 @@ impl Leaf {
         [(u * d - w * c) / area, (a * w - b * u) / area]
     }
 
-    /// The base with what lies across it.
-    pub fn draw(&self, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
-        let axes = [Axis::over(-SHOWN, SHOWN), Axis::over(-SHOWN, SHOWN)];
-        let names = ["along the base, in half lengths of it", "across the base, in half widths of it"];
-        let plane = Plane::draw(area, axes, names, RIGHT)?;
-        let is_shown = |place: &State| place.iter().all(|part| part.abs() <= SHOWN);
-        let states = found.attractor().iter().map(|state| self.place(state)).filter(is_shown).collect();
-        layers(found, (&|curve: &[State]| self.pieces(curve), states), &plane, root)
+    /// States of its middle line, from its left to its right edge.
+    fn middle(&self) -> impl Iterator<Item = State> + '_ {
+        (0..FOLLOWED).map(|k| {
+            let part = 2.0 * (k as f64 + 0.5) / FOLLOWED as f64 - 1.0;
+            [0, 1].map(|i| self.centre[i] + part * self.along[i])
+        })
     }
+}
 
-    /// What of a curve may be seen.
-    fn pieces(&self, curve: &[State]) -> Vec<Vec<State>> {
-        let places: Vec<State> = curve.iter().map(|state| self.place(state)).collect();
-        let is_seen = |pair: &[State]| {
-            (0..2).all(|i| pair[0][i].min(pair[1][i]) <= SHOWN && pair[0][i].max(pair[1][i]) >= -SHOWN)
-        };
-        let mut pieces: Vec<Vec<State>> = Vec::new();
-        for pair in places.windows(2).filter(|pair| is_seen(pair)) {
-            match pieces.last_mut().filter(|piece| piece.last() == Some(&pair[0])) {
-                Some(piece) => piece.push(pair[1]),
-                None => pieces.push(pair.to_vec()),
-            }
-        }
-        pieces
+/// The two words of the horseshoe by the bases that they lead from and to: of each base both, or it is left out.
+pub fn words(found: &Chaos) -> [Vec<&Word>; 2] {
+    let Some(names) = found.horseshoe() else { return [const { Vec::new() }; 2] };
+    let named = |name: &Word| found.words().iter().filter(|word| word.walls == name.walls).collect::<Vec<_>>();
+    let [first, second] = names.map(named);
+    let both = |word: &&&Word| [&first, &second].iter().all(|words| words.iter().any(|other| other.from == word.from));
+    [first.iter().filter(both).copied().collect(), second.iter().filter(both).copied().collect()]
+}
+
+/// The bases with the images of theirs that lie across them, in coordinates of the first base of the horseshoe.
+pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
+    let both = words(found);
+    let concerned: BTreeSet<usize> = both.iter().flatten().flat_map(|word| [word.from, word.to]).collect();
+    let first = concerned.first().copied().unwrap_or(0);
+    let leaf = Leaf::of(&found.bases()[first]);
+    let outlines: Vec<Vec<State>> =
+        found.bases().iter().map(|base| round(base).iter().map(|corner| leaf.place(corner)).collect()).collect();
+    let near = |outline: &&Vec<State>| outline.iter().all(|at| at[0].abs() < FAR && at[1].abs() < FAR);
+    let ends = |axis: usize| {
+        let shown = outlines.iter().filter(near).flatten().map(|at| at[axis]);
+        shown.fold([-1.0, 1.0], |[low, high]: [f64; 2], at| [low.min(at), high.max(at)])
+    };
+    let window = [0, 1].map(ends).map(|[low, high]| [low - BEYOND, high + BEYOND]);
+    let names = ["along the leaf, in half lengths of the base", "across the leaf, in half widths of the base"];
+    let plane = Plane::draw(area, window.map(|[low, high]| Axis::over(low, high)), names, RIGHT)?;
+    let is_shown = |at: &State| (0..2).all(|i| (window[i][0]..=window[i][1]).contains(&at[i]));
+    let states = seen(found).map(|state| leaf.place(state)).filter(is_shown).collect();
+    root.draw(&dots(states, &plane))?;
+    let mut elements = String::new();
+    for (words, colour) in both.iter().zip(COLOURS) {
+        let strips: Vec<Vec<State>> = words.iter().flat_map(|word| strips(scene, found, word, &leaf)).collect();
+        elements += &lines(&strips, &plane, (colour, STRIP));
     }
+    elements += &lines(&outlines, &plane, (VERMILION, OUTLINE));
+    root.draw(&Element(plane.clipped(&elements)))?;
+    Ok(())
+}
+
+/// The image of a base's middle line by a word where it lies across the other base: of certified impacts.
+fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Vec<State>> {
+    let [from, to] = [word.from, word.to].map(|number| Leaf::of(&found.bases()[number]));
+    let images = from.middle().map(|state| image(scene.pair(), state, &word.walls));
+    let is_across = |image: &State| {
+        let [along, across] = to.place(image);
+        along.abs() <= 1.0 + BEYOND && across.abs() <= 1.0
+    };
+    let mut strips: Vec<Vec<State>> = vec![Vec::new()];
+    for image in images {
+        let place = image.filter(is_across).map(|image| shown.place(&image));
+        let is_next = |last: &State| place.is_some_and(|place| (place[0] - last[0]).abs() < APART);
+        if strips.last().and_then(|strip| strip.last()).is_some_and(|last| !is_next(last)) {
+            strips.push(Vec::new());
+        }
+        if let (Some(place), Some(strip)) = (place, strips.last_mut()) {
+            strip.push(place);
+        }
+    }
+    strips
+}
+
+/// Where a state is after impacts on these walls; `None` where they are others, or not certified in doubles.
+fn image(pair: &ImpactPair, [phase, speed]: State, walls: &[Wall]) -> Option<State> {
+    let harmonic = pair.excitation().only()?;
+    let [amplitude, frequency, lead] = [harmonic.amplitude(), harmonic.frequency(), harmonic.phase()].map(value);
+    let time = Exact::try_from((TAU * phase - lead) / frequency).ok()?;
+    let velocity = Exact::try_from(-speed * amplitude * frequency).ok()?;
+    let start = Start::on_wall(time, Wall::Left, velocity).ok()?;
+    let settings =
+        Settings { impacts: Some(walls.len() as u64), arithmetic: Arithmetic::Interval, ..Settings::default() };
+    let impacts: Vec<Impact> = Orbit::new(pair, &start, settings).ok()?.collect();
+    let last = impacts.last().filter(|_| impacts.iter().map(|impact| impact.wall).eq(walls.iter().copied()))?;
+    // Mirrored to the left wall, and from gaps a turn to the unit of speeds here.
+    let mirrored = if last.wall == Wall::Right { 0.5 } else { 0.0 };
+    let unit = value(pair.gap()) / (TAU * amplitude);
+    Some([last.phase.mid() + mirrored, last.velocity.mid().abs() * unit])
 }
 
 #[cfg(test)]
@@ -73,11 +151,19 @@ mod tests {
         assert!(near([1.8702, 1.119], [-1.0, -1.0]));
     }
 
+    /// A start of equations (66), (67) comes back to itself, and the other wall's impact mirrored to it is itself again.
     #[test]
-    fn curves_are_kept_where_they_may_be_seen() {
-        let leaf = Leaf::of(&Base::new([0.5, 1.0], [0.1, 0.0], [0.0, 0.1]));
-        let across = |speeds: &[f64]| speeds.iter().map(|w| [0.5, *w]).collect::<Vec<State>>();
-        assert_eq!(leaf.pieces(&across(&[0.5, 0.8, 0.9, 1.0])).concat().len(), 3);
-        assert_eq!(leaf.pieces(&across(&[0.5, 1.0, 1.5, 1.6, 0.9])).len(), 2);
+    fn the_state_of_an_equispaced_motion_is_its_own_image() {
+        let scene = Scene::parse(
+            "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\npair = { gap = \"3*pi\", restitution = 0.5 }\n\
+             start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }",
+        )
+        .unwrap();
+        let (left, right) = (Wall::Left, Wall::Right);
+        for walls in [&[right][..], &[right, left], &[right, left, right]] {
+            let [phase, speed] = image(scene.pair(), [0.0, 4.0], walls).unwrap();
+            assert!((phase - phase.round()).abs() < 1e-9 && (speed - 4.0).abs() < 1e-9, "{phase} {speed}");
+        }
+        assert_eq!(image(scene.pair(), [0.0, 4.0], &[left]), None);
     }
 }

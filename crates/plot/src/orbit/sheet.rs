@@ -9,7 +9,7 @@ use super::frame::{Frame, Panel};
 use super::panel::{self, FONT, Style};
 use super::symbols;
 use super::trace::Trace;
-use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, words, wrapped};
+use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, said, words, wrapped};
 
 /// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
 const ALONE: (i32, i32) = (900, 560);
@@ -101,7 +101,7 @@ impl Sheet<'_> {
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
-        let others = [data, mappings(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
+        let others = [data, said(&self.verdict), format!("{}; {}", self.shown(), picture::program())];
         let wrap = |(text, size): (String, i32)| {
             let most = f64::from(width) / (LETTER * f64::from(size));
             wrapped(&text, most).into_iter().map(move |line| (line, size))
@@ -135,11 +135,6 @@ impl Sheet<'_> {
         let shown = shown.map(|(letters, what)| format!("{letters}: {what}")).collect::<Vec<_>>().join("; ");
         format!("shown from the start on, no transient left out: {shown}")
     }
-}
-
-/// The paper's names of mappings as they are set in print.
-fn mappings(verdict: &str) -> String {
-    (1..=4).fold(verdict.to_owned(), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
 }
 
 fn write(caption: &[(String, i32)], root: &Canvas<'_>) -> Drawn {

@@ -140,6 +140,11 @@ pub fn greek(words: &str) -> String {
     format!("${}$", names.iter().fold(words, |words, (ascii, greek)| words.replace(ascii, greek)).replace('*', ""))
 }
 
+/// What the program says, with numbers and the paper's names of mappings as they are set in print.
+pub fn said(words: &str) -> String {
+    (1..=4).fold(each_power(words, "$"), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
+}
+
 /// Roots of numbers without brackets, and with room after them.
 fn roots(words: &str) -> String {
     let mut parts = words.split("sqrt(");
@@ -156,15 +161,20 @@ fn roots(words: &str) -> String {
     text
 }
 
-/// Powers of ten as such.
+/// Powers of ten as such, in what is mathematics.
 fn powers(words: &str) -> String {
+    each_power(words, "")
+}
+
+/// The same in other words, with `around` around each number.
+fn each_power(words: &str, around: &str) -> String {
     let is_number = |text: &str| text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
     let word = |word: &str| {
-        let number = word.trim_end_matches([',', ';']);
-        let comma = &word[number.len()..];
+        let number = word.trim_end_matches([',', ';', ')']);
+        let end = &word[number.len()..];
         match number.split_once('e') {
             Some((mantissa, exponent)) if is_number(mantissa) && exponent.parse::<i32>().is_ok() => {
-                format!("{mantissa}·10^{{{exponent}}}{comma}")
+                format!("{around}{mantissa}·10^{{{exponent}}}{around}{end}")
             }
             _ => word.to_owned(),
         }
@@ -202,5 +212,6 @@ mod tests {
         assert_eq!(greek("W = (pi, sqrt(2)*pi), tau = 10*pi"), "$Ω = (π, √2\u{2009}π), τ = 10π$");
         assert_eq!(greek("v = -1e-9, y' = 2.5e3"), "$v = −1·10^{−9}, y′ = 2.5·10^{3}$");
         assert_eq!(greek("sqrt(1+pi)"), "$√(1+π)$");
+        assert_eq!(said("P2 P1 within 3.5e-14 turns, 1e-9)"), "$P_2$ $P_1$ within $3.5·10^{-14}$ turns, $1·10^{-9}$)");
     }
 }

@@ -26,7 +26,7 @@ pub use dots::Dots;
 pub use file::{encoded, path};
 pub use hull::hull;
 pub use legend::{Mark, legend};
-pub use math::{greek, letters};
+pub use math::{greek, letters, said};
 pub use path::{Path, Place, hermite};
 pub use plane::Plane;
 pub use svg::{Element, Svg};

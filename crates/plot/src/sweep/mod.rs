@@ -128,6 +128,7 @@ fn double(text: &str) -> Result<f64> {
     Ok(text.parse()?)
 }
 
-fn value(x: &Exact) -> f64 {
+/// About what a number is.
+pub(crate) fn value(x: &Exact) -> f64 {
     x.enclose(64).mid_rad().0
 }
