@@ -10,7 +10,8 @@
 //! Near a departure from a wall the same without cancellation: each harmonic's versine, excess and sine of its own turn
 //! `2 pi (W_k/W) h` add up to `z - z0 = z'(0) h + sum alpha_k (cos th_k0 excess_k + sin th_k0 versine_k)`.
 
-use super::harmonics::{Harmonics, Phased, Sums};
+use super::harmonics::{Harmonics, Sums};
+use super::phased::Phased;
 use crate::flight::Launch;
 use crate::pair::Wall;
 

@@ -3,7 +3,8 @@
 use rug::Float;
 
 use super::flight::{Instant, SumFlight};
-use super::harmonics::{Harmonics, Phased, Rates};
+use super::harmonics::{Harmonics, Rates};
+use super::phased::Phased;
 use super::reach::{Band, Reach};
 use super::scan::{Doubt, Scan};
 use super::view::Side;

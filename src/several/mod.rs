@@ -9,10 +9,12 @@ mod flight;
 #[cfg(feature = "multiprecision")]
 mod graze;
 mod harmonics;
+mod phased;
 mod reach;
 mod rest;
 mod scan;
 mod spectrum;
+mod ticks;
 mod view;
 
 #[cfg(feature = "multiprecision")]
@@ -20,7 +22,8 @@ pub(crate) use flight::Instant;
 pub(crate) use flight::SumFlight;
 #[cfg(feature = "multiprecision")]
 pub(crate) use graze::pass;
-pub(crate) use harmonics::{Harmonics, Partial, Phased, Rates, Sums, Turning};
+pub(crate) use harmonics::{Harmonics, Partial, Rates, Sums};
+pub(crate) use phased::{Phased, Turning};
 pub(crate) use reach::{Band, Reach};
 pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};

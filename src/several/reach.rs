@@ -6,7 +6,8 @@ use std::sync::OnceLock;
 use inari::Interval;
 
 use super::flight::SumFlight;
-use super::harmonics::{Harmonics, Phased, Sums};
+use super::harmonics::{Harmonics, Sums};
+use super::phased::Phased;
 use crate::number::interval::{ONE, between, within};
 use crate::number::{Ball, Enclosing, Number};
 

@@ -9,7 +9,8 @@ use std::sync::Arc;
 use inari::Interval;
 
 use super::flight::Instant;
-use super::harmonics::{Harmonics, Phased};
+use super::harmonics::Harmonics;
+use super::phased::Phased;
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
 use crate::number::interval::{between, point, within};

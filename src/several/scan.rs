@@ -5,7 +5,8 @@
 //! of near approaches. Floating point only proposes: where to look for a contact and where for an extremum near a wall.
 
 use super::flight::{Instant, Kinematics, SumFlight};
-use super::harmonics::{Phased, Rates, magnitude};
+use super::harmonics::Rates;
+use super::phased::{Phased, magnitude};
 use super::reach::Reach;
 use super::view::Side;
 use crate::contact::{Reason, Undecided};

@@ -1,7 +1,8 @@
 //! What is seen of a state in double-precision bounds, and how far it is proved to stay off the walls.
 
 use super::flight::Kinematics;
-use super::harmonics::{Phased, Rates};
+use super::harmonics::Rates;
+use super::phased::Phased;
 use crate::number::{UNIT, up};
 use crate::pair::Wall;
 
