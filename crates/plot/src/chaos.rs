@@ -247,7 +247,10 @@ mod tests {
 
     #[test]
     fn bounds_are_never_told_to_be_more() {
-        assert_eq!([0.28119957, 0.693147, 0.0, 0.00009999].map(rounded_down), ["0.2811", "0.6931", "0.0000", "0.0000"]);
+        assert_eq!(
+            [0.28119957, 0.43326711, 0.0, 0.00009999].map(rounded_down),
+            ["0.2811", "0.4332", "0.0000", "0.0000"]
+        );
         // The product of this one is rounded up to a whole number.
         let less = 0.0037_f64.next_down();
         assert!(less * 1e4 == 37.0 && rounded_down(less) == "0.0036");
