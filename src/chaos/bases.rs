@@ -3,15 +3,13 @@
 //! Labels: proposes throughout.
 
 use std::f64::consts::TAU;
-use std::sync::Mutex;
-use std::thread;
 
-use super::entropy::entropy;
 use super::flights::{Law, State, is_positive};
 use super::guess::{Guess, applied, length};
 use super::propose::Making;
+use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
-use super::words::{Base, Search, Tally};
+use super::words::Base;
 
 /// Impacts before the orbit is looked at, and how many are.
 const TRANSIENT: usize = 2000;
@@ -21,27 +19,6 @@ const RETURNS: usize = 12;
 const NEAREST: usize = 8;
 /// How far apart these are.
 const APART: f64 = 0.02;
-/// How much is tried to find bases.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Effort {
-    /// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
-    trials: &'static [(usize, u64)],
-    /// The last trial if none led to any.
-    last: (usize, u64),
-    /// The most bases.
-    most: usize,
-    /// Whether they are looked for everywhere where saddles lead to none.
-    everywhere: bool,
-}
-
-/// For the most entropy, and for any.
-pub(crate) const THOROUGH: Effort =
-    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, everywhere: true };
-pub(crate) const ANY: Effort =
-    Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, everywhere: false };
-/// Of bases from everywhere.
-const SLOW: Effort = Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };
-const DEPTH: usize = 60;
 /// Transients begin at so many phases and speeds, up to so many times the greatest one seen.
 const STARTS: [usize; 2] = [48, 24];
 const FASTER: f64 = 1.5;
@@ -51,11 +28,11 @@ const NEAR: f64 = 0.01;
 /// Those that are shorter, or grow less an impact, see no saddle.
 const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
+/// Bundles of leaves are judged by words of so many impacts at most.
+const JUDGED_TO: usize = 20;
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
-/// What a base more has to add, as a factor.
-const WORTH: f64 = 1.01;
 /// An orbit that expands less, an impact, is regular.
 const LEAST_EXPONENT: f64 = 1e-3;
 
@@ -204,7 +181,7 @@ impl Seen {
         scored.into_iter().map(|(_, base)| base).filter(Base::is_convex).collect()
     }
 
-    /// The bases that lead to most entropy, of those tried: along saddles, or else from everywhere.
+    /// The bases that lead to most entropy, of those tried: about bundles of leaves, or else along saddles, or else from everywhere.
     pub fn bases(
         &self,
         law: &Law,
@@ -213,78 +190,26 @@ impl Seen {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Vec<Base> {
         let guess = Guess::new(law);
-        let found = best(law, &self.candidates(&guess, making), (making, depth), effort, goes_on);
+        let trials = Trials { law, making, depth, effort, goes_on };
+        if effort.everywhere {
+            let impacts = depth.min(JUDGED_TO);
+            let bundles = self.bundles(&guess, impacts, goes_on);
+            let found = [making, fine].into_iter().find_map(|making| {
+                let trials = Trials { making, ..trials };
+                trials.best_bundle(&bundles, &|bundle| self.parted(&guess, bundle, impacts))
+            });
+            if let Some(found) = found {
+                return found;
+            }
+        }
+        let found = trials.best(&self.candidates(&guess, making));
         if !found.is_empty() || !effort.everywhere || !goes_on() {
             return found;
         }
-        best(law, &self.crossed(&guess, (fine, depth.min(DEPTH))), (fine, depth), SLOW, goes_on)
+        let depth = depth.min(DEPTH);
+        let trials = Trials { making: fine, depth, effort: SLOW, ..trials };
+        trials.best(&self.crossed(&guess, (fine, depth)))
     }
-}
-
-/// The bases among these that lead to most entropy.
-fn best(
-    law: &Law,
-    candidates: &[Base],
-    (making, depth): (Making, usize),
-    effort: Effort,
-    goes_on: &(dyn Fn() -> bool + Sync),
-) -> Vec<Base> {
-    let worth = |bases: &[Base], boxes: u64| {
-        let mut search = Search::new(law, bases, making);
-        search.threads = 1;
-        let within = |tally: Tally| tally.boxes < boxes && goes_on();
-        for _ in 0..depth.min(DEPTH) {
-            if !search.deepen(&within) {
-                break;
-            }
-        }
-        entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
-    };
-    let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
-    while best.1.len() < effort.most && goes_on() {
-        let free = candidates.iter().filter(|base| best.1.iter().all(|other| base.is_apart(other)));
-        let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
-        let mut trial = |(count, boxes): (usize, u64)| {
-            tried.truncate(count);
-            let found = &best.1;
-            let judged = |(_, base): &(f64, Base)| {
-                let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
-                (worth(&bases, boxes * bases.len() as u64), *base)
-            };
-            tried = each(&tried, &judged);
-            tried.sort_by(|a, b| b.0.total_cmp(&a.0));
-            tried.first().copied()
-        };
-        let mut found = None;
-        for &round in effort.trials {
-            found = trial(round);
-        }
-        if best.1.is_empty() && found.is_some_and(|found| found.0 == 0.0) {
-            found = trial(effort.last);
-        }
-        let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
-        best.0 = entropy;
-        best.1.push(base);
-    }
-    best.1
-}
-
-/// What a function makes of each, by all threads.
-pub(super) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
-    let work = || {
-        loop {
-            let next = queue.lock().expect("no thread has panicked").next();
-            let Some((number, one)) = next else { break };
-            let made = function(one);
-            done.lock().expect("no thread has panicked").push((number, made));
-        }
-    };
-    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
-    let mut done = done.into_inner().expect("no thread has panicked");
-    done.sort_by_key(|(number, _)| *number);
-    done.into_iter().map(|(_, made)| made).collect()
 }
 
 impl Base {

@@ -5,12 +5,13 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 
-use super::bases::{ANY, Seen, seen};
+use super::bases::{Seen, seen};
 use super::fate::attracted;
 use super::flights::{Law, State};
 use super::guess::Guess;
 use super::horseshoe::{Chaos, bases, problem};
 use super::scene::{Visited, visited};
+use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
 use crate::exact::{Exact, ExactError};

@@ -5,11 +5,12 @@
 
 use std::f64::consts::TAU;
 
-use super::bases::{LENGTHS, Seen, apart, each};
+use super::bases::{LENGTHS, Seen, apart};
 use super::entropy::entropy;
 use super::flights::{Chord, Side, State};
 use super::guess::{Guess, cross};
 use super::propose::Making;
+use super::trials::each;
 use super::words::{Base, Path};
 
 /// So many points of the orbit are judges.

@@ -1,12 +1,13 @@
 //! Horseshoes of a scene: [`Chaos`].
 
-use super::bases::{ANY, Effort, Seen, THOROUGH, seen};
+use super::bases::{Seen, seen};
 use super::entropy::entropy;
 use super::fate::Fate;
 use super::flights::{Law, Side, State};
 use super::guess::Guess;
 use super::propose::Making;
 use super::scene::{IMPACTS, visited};
+use super::trials::{ANY, Effort, THOROUGH};
 use super::words::{Base, Path, Search};
 use crate::Error;
 use crate::Scene;

@@ -1,11 +1,12 @@
 //! Chaos, proved: regions that no motion leaves and all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floats propose, in `bases`, `everywhere`, `guess` and `propose`; intervals dispose, in `flights`, `tube`, `words`, `trap` and
-//! `cycles`.
+//! Floats propose, in `bases`, `bundles`, `everywhere`, `guess`, `leaves`, `propose` and `trials`; intervals dispose, in `flights`,
+//! `tube`, `words`, `trap` and `cycles`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 and D20-D23 of `docs/proofs.md`.
 
 mod bases;
+mod bundles;
 mod cells;
 mod cycles;
 mod entropy;
@@ -14,12 +15,14 @@ mod fate;
 mod flights;
 mod guess;
 mod horseshoe;
+mod leaves;
 mod propose;
 mod region;
 mod scene;
 #[cfg(test)]
 mod tests;
 mod trap;
+mod trials;
 mod tube;
 mod words;
 

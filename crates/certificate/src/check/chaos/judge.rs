@@ -11,7 +11,7 @@ use super::entropy::is_reached;
 use super::propose::Making;
 use super::span::Span;
 use super::tube::side_of;
-use super::words::{Counts, Search, Stopped, Word};
+use super::words::{Ahead, Counts, Search, Stopped, Word};
 use super::{BITS, Law};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
@@ -28,11 +28,15 @@ const MAKINGS: [Making; 6] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
+/// Where each of them loses words, those of the first one, if they are no more than so many, are looked for again along tubes whose
+/// chords are told from so many flights ahead: another direction, where the one that is contracted most jumps at a graze further ahead.
+const MOST_LOST: usize = 32;
+const AHEAD: [usize; 3] = [2, 3, 6];
 /// Bits of the arithmetic.
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 
-/// A claim by its position among the words, and what is to be said of it.
-type Doubted = (usize, Doubt);
+/// A word by its position, and why it is not found.
+type Unfound = (usize, &'static str);
 
 impl ChaosCertificate {
     /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
@@ -52,14 +56,14 @@ impl ChaosCertificate {
             confirmed = confirmed.max(words); // exact: a count
             progress(confirmed);
         };
-        let answer = self
-            .says_one_thing()
-            .map_err(|doubt| (self.count(), doubt))
-            .and_then(|(bases, words)| self.found(&law, &bases, &words, (effort.work, stop), &mut progress));
-        Ok(match answer {
-            Ok(Ok(())) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
-            Ok(Err(Stopped)) => Verdict::Interrupted { events: confirmed },
-            Err((event, doubt)) => doubt.on(event),
+        let (bases, words) = match self.says_one_thing() {
+            Ok(said) => said,
+            Err(doubt) => return Ok(doubt.on(self.count())),
+        };
+        Ok(match self.lost(&law, &bases, &words, (effort.work, stop), &mut progress) {
+            Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+            Ok(Some((word, why))) => Doubt::Open(why.to_owned()).on(word),
+            Err(Stopped) => Verdict::Interrupted { events: confirmed },
         })
     }
 
@@ -107,49 +111,79 @@ impl ChaosCertificate {
         Ok((bases, words))
     }
 
-    /// Finds all listed words.
-    fn found(
+    /// The first listed word that is not found, and why, where most of them are.
+    fn lost(
         &self,
         law: &Law,
         bases: &[Base],
         words: &[Word],
         (work, stop): (u64, Option<&'static AtomicBool>),
         progress: &mut impl FnMut(usize),
-    ) -> Result<Result<(), Stopped>, Doubted> {
+    ) -> Result<Option<Unfound>, Stopped> {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
-        let deepest = words.iter().map(|word| word.flights.len()).max().unwrap_or(0); // exact: none where there are no words
         let mut doubted = (0, "");
-        for first in 0..MAKINGS.len() {
+        let mut tried = |first: usize, ahead: &Ahead, most: usize| {
             let makings: Vec<Making> = MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect();
-            let mut search = Search::new(law, bases, &listed, &makings, stop);
-            let mut depth = 0;
-            let why = loop {
-                if depth == deepest {
-                    return Ok(Ok(()));
+            let mut search = Search::new(law, bases, &listed, (&makings, ahead), stop);
+            let (lost, why) = follow_all(&mut search, words, (work, most), progress)?;
+            if !why.is_empty() {
+                let proved = first_missing(words, search.found);
+                if doubted.1.is_empty() || proved > doubted.0 {
+                    doubted = (proved, why);
                 }
-                if search.parts > PARTS * work {
-                    break "the work allowed is spent";
-                }
-                if let Err(Stopped) = search.deepen() {
-                    return Ok(Err(Stopped));
-                }
-                depth += 1;
-                let is_missing = |(word, count): (&Word, &usize)| {
-                    word.flights.len() == depth && search.found.get(word).is_none_or(|found| found < count)
-                };
-                if listed.iter().any(is_missing) {
-                    break "it is not proved again";
-                }
-                progress(words.iter().filter(|word| word.flights.len() <= depth).count());
-            };
-            let proved = first_missing(words, search.found);
-            if doubted.1.is_empty() || proved > doubted.0 {
-                doubted = (proved, why);
+            }
+            Ok((lost, why.is_empty()))
+        };
+        for first in 0..MAKINGS.len() {
+            if tried(first, &Ahead::new(), 0)?.1 {
+                return Ok(None);
             }
         }
-        Err((doubted.0, Doubt::Open(doubted.1.to_owned())))
+        let (mut lost, _) = tried(0, &Ahead::new(), MOST_LOST)?;
+        let mut ahead = Ahead::new();
+        for other in AHEAD {
+            if lost.is_empty() || lost.len() > MOST_LOST {
+                break;
+            }
+            let mut next = ahead.clone();
+            next.extend(lost.iter().flat_map(|word| word.beginnings()).map(|beginning| (beginning, other)));
+            let (fewer, is_all) = tried(0, &next, MOST_LOST)?;
+            if is_all {
+                return Ok(None);
+            }
+            if fewer.len() < lost.len() {
+                (lost, ahead) = (fewer, next);
+            }
+        }
+        Ok(Some(doubted))
     }
+}
+
+/// Follows the words to the end, or until more than `most` are lost: those that are, and what is to be said if not all are found.
+fn follow_all<'w>(
+    search: &mut Search<'_>,
+    words: &'w [Word],
+    (work, most): (u64, usize),
+    progress: &mut impl FnMut(usize),
+) -> Result<(Vec<&'w Word>, &'static str), Stopped> {
+    let deepest = words.iter().map(|word| word.flights.len()).max().unwrap_or(0); // exact: none where there are no words
+    let mut lost: Vec<&Word> = Vec::new();
+    for depth in 1..=deepest {
+        if search.parts > PARTS * work {
+            return Ok((lost, "the work allowed is spent"));
+        }
+        search.deepen()?;
+        lost.extend(words.iter().filter(|word| word.flights.len() == depth && search.is_missing(word)));
+        if lost.len() > most {
+            break;
+        }
+        if lost.is_empty() {
+            progress(words.iter().filter(|word| word.flights.len() <= depth).count());
+        }
+    }
+    let why = if lost.is_empty() { "" } else { "it is not proved again" };
+    Ok((lost, why))
 }
 
 /// The first word that is listed more often than it is found.

@@ -20,6 +20,13 @@ pub(in crate::check) struct Word {
     pub flights: Vec<bool>,
 }
 
+impl Word {
+    /// Its base with none of its flights, the first one, the first two, and so on.
+    pub fn beginnings(&self) -> impl Iterator<Item = Beginning> {
+        (0..=self.flights.len()).map(|count| (self.from, self.flights[..count].to_vec()))
+    }
+}
+
 /// A stretch of a tube that has been followed so far.
 struct Run {
     from: usize,
@@ -53,6 +60,12 @@ struct Crossing {
     chords: [usize; 2],
 }
 
+/// A base, and flights from it.
+type Beginning = (usize, Vec<bool>);
+
+/// How many flights ahead tubes are told from, where it is not as many as elsewhere.
+pub(super) type Ahead = HashMap<Beginning, usize>;
+
 /// How often each word is listed, or found.
 pub(super) type Counts = HashMap<Word, usize>;
 
@@ -66,7 +79,8 @@ pub(super) struct Search<'s> {
     stop: Option<&'static AtomicBool>,
     listed: &'s Counts,
     /// The beginnings of all listed words, by their base.
-    beginnings: HashSet<(usize, Vec<bool>)>,
+    beginnings: HashSet<Beginning>,
+    ahead: &'s Ahead,
     runs: Vec<Run>,
     pub found: Counts,
     /// Parts that were proved, or tried.
@@ -81,17 +95,13 @@ impl<'s> Search<'s> {
         law: &'s Law,
         bases: &'s [Base],
         listed: &'s Counts,
-        makings: &'s [Making],
+        (makings, ahead): (&'s [Making], &'s Ahead),
         stop: Option<&'static AtomicBool>,
     ) -> Self {
         let run = |(from, base): (usize, &Base)| Run {
             from,
             flights: Vec::new(),
             tube: Tube::new(vec![base.left, base.right]),
-        };
-        let beginnings = |word: &Word| {
-            let (from, flights) = (word.from, word.flights.clone());
-            (1..=flights.len()).map(move |count| (from, flights[..count].to_vec()))
         };
         Self {
             law,
@@ -100,7 +110,8 @@ impl<'s> Search<'s> {
             guess: Guess::new(law),
             stop,
             listed,
-            beginnings: listed.keys().flat_map(beginnings).collect(),
+            ahead,
+            beginnings: listed.keys().flat_map(Word::beginnings).collect(),
             runs: bases.iter().enumerate().map(run).collect(),
             found: Counts::new(),
             parts: 0,
@@ -110,7 +121,7 @@ impl<'s> Search<'s> {
     /// Follows all that is left over one impact more.
     pub fn deepen(&mut self) -> Result<(), Stopped> {
         let first = |range: std::ops::Range<usize>| {
-            range.map(|number| self.follow(&self.runs[number], &self.makings[0])).collect()
+            range.map(|number| self.follow(&self.runs[number], &self.first(&self.runs[number]))).collect()
         };
         let mut done: Vec<Followed> = in_blocks(0..self.runs.len(), 1, first, |_| {})?;
         // Other tubes of the runs from which words are missing: of each run those that have most of them.
@@ -129,6 +140,17 @@ impl<'s> Search<'s> {
         self.found.extend(take(&mut next, self.listed));
         self.runs = next.into_iter().flat_map(Stretch::rest).collect();
         Ok(())
+    }
+
+    /// How tubes of a run are made at first.
+    fn first(&self, run: &Run) -> Making {
+        let ahead = self.ahead.get(&(run.from, run.flights.clone()));
+        Making { ahead: ahead.copied().unwrap_or(self.makings[0].ahead), ..self.makings[0] } // proposes: any tubes will do
+    }
+
+    /// Whether a word is found less often than it is listed.
+    pub fn is_missing(&self, word: &Word) -> bool {
+        self.found.get(word).is_none_or(|found| *found < self.listed[word])
     }
 
     /// The listed words of this depth that are found less often than they are listed.
@@ -188,7 +210,7 @@ impl<'s> Search<'s> {
         }
         let wanted = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
         let mut best = None;
-        for making in &self.makings[1..] {
+        for making in self.makings {
             let other = self.follow(run, making)?;
             let (most, all) = wanted(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
             if wanted(&other).0 > most && wanted(&other).1 >= all {

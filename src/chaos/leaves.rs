@@ -1,0 +1,291 @@
+//! Bases about clusters of leaves, told from a floating orbit: where an attractor is of bundles of leaves with gaps between,
+//! one base for each bundle.
+//!
+//! Labels: proposes throughout.
+
+use super::bases::Seen;
+use super::bundles::Place;
+use super::entropy::entropy;
+use super::flights::{Side, State};
+use super::guess::{Guess, cross, length};
+use super::words::{Base, Path};
+
+/// The widest gaps, which may part them.
+pub(super) const GAPS: usize = 6;
+/// Half lengths, and how far beside the middle leaf others are looked at, in radians.
+pub(super) const LENGTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.08, 0.05];
+pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
+/// The greatest of these that a window sees.
+const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
+/// Impacts ahead that the contracting direction is told from.
+const AHEAD: usize = 12;
+/// So many points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
+const JUDGES: usize = 60_000;
+const AFTER: usize = 64;
+const FEWEST: usize = 100;
+/// Leaves are told apart in this part of a base, where they lean no more than that; then they are followed to its ends.
+const MIDST: f64 = 0.3;
+const LEAN: f64 = 0.3;
+const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
+/// As one bundle are followed the leaves that are so far in the gaps beside them; the base reaches so far into these.
+const BAND: f64 = 0.2;
+const INTO: f64 = 0.1;
+/// In each base so many points are looked at. More than so many in a row make a crossing, if images of neighbours are that near; those
+/// that are so far away make none. A half length is 1.
+const POINTS: usize = 1200;
+const IN_A_ROW: usize = 4;
+const NEAR: f64 = 0.6;
+const FAR: f64 = 8.0;
+
+/// Coordinates along a leaf and across, lengths in radians.
+pub(super) struct Window {
+    centre: State,
+    along: State,
+    across: State,
+    /// The points of the orbit, one after the other, with the slopes of their leaves.
+    all: Vec<[f64; 3]>,
+    /// Those in reach, from left to right.
+    near: Vec<usize>,
+}
+
+/// What is about a leaf from end to end.
+pub(super) struct Cluster {
+    long: f64,
+    slope: f64,
+    middle: f64,
+    width: f64,
+}
+
+/// The heights of some leaves in the midst, and how far it is to others below and above.
+struct Bunch {
+    heights: [f64; 2],
+    slope: f64,
+    free: [f64; 2],
+}
+
+fn mean<T>(all: &[T], of: impl Fn(&T) -> f64) -> f64 {
+    all.iter().map(of).sum::<f64>() / all.len() as f64
+}
+
+impl Cluster {
+    /// Coordinates in which it is from -1 to 1.
+    fn told(&self, [xi, eta, _]: [f64; 3]) -> [f64; 2] {
+        [xi / self.long, (eta - self.middle - self.slope * xi) / self.width]
+    }
+}
+
+impl Window {
+    pub fn new(seen: &Seen, guess: &Guess, (centre, along): (State, State)) -> Option<Self> {
+        let unit = |direction: State| direction.map(|x| x / length(direction));
+        let (along, across) = (unit(along), unit(guess.contracting(centre, AHEAD)?));
+        let sine = cross(along, across);
+        let told = |at| [cross(at, across) / sine, cross(along, at) / sine];
+        let point = |&([u, w], direction): &(State, State)| {
+            let phase = u - centre[0];
+            let [xi, eta] = told([phase - phase.round(), w - centre[1]]);
+            let [run, rise] = told(direction);
+            [xi, eta, rise / run]
+        };
+        let all: Vec<[f64; 3]> = seen.points.iter().take(JUDGES).map(point).collect();
+        let is_near = |&k: &usize| all[k][0].abs() < SIGHT[0] && all[k][1].abs() < SIGHT[1];
+        let mut near: Vec<usize> = (0..all.len().saturating_sub(AFTER)).filter(is_near).collect();
+        near.sort_by(|&a, &b| all[a][0].total_cmp(&all[b][0]));
+        Some(Self { centre, along, across, all, near })
+    }
+
+    /// The base of a cluster.
+    pub fn base(&self, cluster: &Cluster) -> Base {
+        let at = [0, 1].map(|i| self.centre[i] + cluster.middle * self.across[i]);
+        let own = [0, 1].map(|i| cluster.long * (self.along[i] + cluster.slope * self.across[i]));
+        Base::new(at, own, self.across.map(|x| x * cluster.width))
+    }
+
+    /// The entropy of the words that are seen.
+    pub fn entropy(&self, clusters: &[Cluster], impacts: usize) -> f64 {
+        let words: Vec<Path> = (0..clusters.len()).flat_map(|from| self.words(clusters, from, impacts)).collect();
+        entropy(&words, clusters.len(), |word| word.sides.len() as i64)
+    }
+
+    /// The words that the orbit's points in one of them are seen to make: in a row, across a base, at one time.
+    fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
+        let is_inside = |&k: &usize| clusters[from].told(self.all[k]).iter().all(|x| x.abs() < 1.0);
+        let inside: Vec<usize> = self.near.iter().copied().filter(is_inside).collect();
+        let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / POINTS + 1).collect();
+        let mut taken = vec![false; inside.len()];
+        let mut words = Vec::new();
+        for time in 1..=impacts.min(AFTER) {
+            for (to, cluster) in clusters.iter().enumerate() {
+                let images: Vec<[f64; 2]> = inside.iter().map(|&k| cluster.told(self.all[k + time])).collect();
+                for [first, last] in crossings(&images, &taken) {
+                    taken[first..last].fill(true);
+                    words.push(Path { from, to, sides: vec![Side::Far; time], half_turns: 1 });
+                }
+            }
+        }
+        words
+    }
+
+    /// Those about the leaves in a place.
+    pub fn clusters(&self, place: Place) -> Option<Vec<Cluster>> {
+        Some(self.bunches(place)?.iter().map(|bunch| self.cluster(place.long, bunch)).collect())
+    }
+
+    /// The leaves beside the middle one, parted at gaps.
+    fn bunches(&self, Place { long, beside, cuts, .. }: Place) -> Option<Vec<Bunch>> {
+        let near = self.near.iter().map(|&k| self.all[k]);
+        let midst = near.filter(|[xi, _, slope]| xi.abs() < MIDST * long && slope.abs() < LEAN);
+        let mut leaves: Vec<[f64; 2]> = midst
+            .map(|[xi, eta, slope]| [eta - slope * xi, slope])
+            .filter(|[height, _]| height.abs() < beside)
+            .collect();
+        if leaves.len() < FEWEST {
+            return None;
+        }
+        leaves.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let gap = |k: usize| leaves[k][0] - leaves[k - 1][0];
+        let mut widest: Vec<usize> = (1..leaves.len()).collect();
+        widest.sort_by(|&a, &b| gap(b).total_cmp(&gap(a)));
+        let mut gaps: Vec<usize> = (0..GAPS).filter(|gap| cuts >> gap & 1 == 1).map(|gap| widest[gap]).collect();
+        gaps.extend([0, leaves.len()]);
+        gaps.sort_unstable();
+        let bunch = |ends: &[usize]| {
+            let bunch = &leaves[ends[0]..ends[1]];
+            let free = |k: usize| if k == 0 || k == leaves.len() { beside } else { gap(k) };
+            Bunch {
+                heights: [bunch[0][0], bunch[bunch.len() - 1][0]],
+                slope: mean(bunch, |leaf| leaf[1]),
+                free: [free(ends[0]), free(ends[1])],
+            }
+        };
+        Some(gaps.windows(2).map(bunch).collect())
+    }
+
+    /// The leaves rise by `b xi + c xi^2`: followed further and further from the midst.
+    fn cluster(&self, long: f64, Bunch { heights: [low, high], slope, free }: &Bunch) -> Cluster {
+        let (low, high) = (low - BAND * free[0], high + BAND * free[1]);
+        let [mut b, mut c] = [*slope, 0.0];
+        let mut members: Vec<[f64; 3]> = Vec::new();
+        for part in FOLLOWED {
+            let is_member = |[xi, eta, _]: &[f64; 3]| {
+                let height = eta - b * xi - c * xi * xi;
+                xi.abs() < part * long && low < height && height < high
+            };
+            members = self.near.iter().map(|&k| self.all[k]).filter(is_member).collect();
+            let [place, slope] = [mean(&members, |it| it[0]), mean(&members, |it| it[2])];
+            let spread = mean(&members, |it| (it[0] - place).powi(2));
+            c = 0.5 * mean(&members, |it| (it[0] - place) * (it[2] - slope)) / spread;
+            b = slope - 2.0 * c * place;
+        }
+        let heights = members.iter().map(|[xi, eta, _]| eta - b * xi);
+        let [least, most] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let width = 0.5 * (most - least);
+        let width = width + INTO * width.min(free[0]).min(free[1]);
+        Cluster { long, slope: b, middle: 0.5 * (least + most), width }
+    }
+}
+
+/// From where to where images of points in a row lead across, from -1 to 1 or back, none of them taken.
+fn crossings(images: &[[f64; 2]], taken: &[bool]) -> Vec<[usize; 2]> {
+    let mut found = Vec::new();
+    // The last one beyond an end: before it all, and which one it is.
+    let mut last: Option<(bool, usize)> = None;
+    let mut before = 0.0;
+    for (n, &[xi, eta]) in images.iter().enumerate() {
+        if taken[n] || eta.abs() > 1.0 || xi.abs() > FAR {
+            last = None;
+            continue;
+        }
+        let within = xi.clamp(-1.0, 1.0);
+        last = last.filter(|_| (within - before).abs() < NEAR);
+        before = within;
+        if xi.abs() > 1.0 {
+            if let Some((was_before, first)) = last
+                && was_before != (xi < 0.0)
+                && n > first + IN_A_ROW
+            {
+                found.push([first, n]);
+            }
+            last = Some((xi < 0.0, n));
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chaos::flights::Law;
+    use crate::number::Ball;
+
+    /// So many images, evenly from one place to another.
+    fn row(from: f64, to: f64, count: usize) -> Vec<[f64; 2]> {
+        (0..count).map(|k| [from + (to - from) * k as f64 / (count - 1) as f64, 0.0]).collect()
+    }
+
+    #[test]
+    fn a_row_crosses_from_end_to_end() {
+        let free = [false; 14];
+        assert_eq!(crossings(&row(-1.2, 1.2, 9), &free[..9]), [[0, 8]]);
+        assert_eq!(crossings(&row(1.2, -1.2, 9), &free[..9]), [[0, 8]]);
+        // There and back, with the last one beyond an end and the first one beyond the other.
+        let both = [row(-1.2, 1.2, 7), row(1.2, -1.2, 7)].concat();
+        assert_eq!(crossings(&both, &free), [[0, 6], [7, 13]]);
+    }
+
+    #[test]
+    fn no_row_crosses_that_jumps_or_leaves_or_is_short_or_taken() {
+        let (whole, free) = (row(-1.2, 1.2, 9), [false; 9]);
+        let no_crossing: [[usize; 2]; 0] = [];
+        for (k, image) in [(4, [0.0, 1.1]), (4, [-0.9, 0.0]), (4, [9.0, 0.0])] {
+            let mut images = whole.clone();
+            images[k] = image;
+            assert_eq!(crossings(&images, &free), no_crossing, "{image:?}");
+        }
+        assert_eq!(crossings(&row(-1.2, 1.2, 5), &free[..5]), no_crossing);
+        let mut taken = free;
+        taken[4] = true;
+        assert_eq!(crossings(&whole, &taken), no_crossing);
+    }
+
+    /// A window about a leaf beside which two bundles of three parabolas each are seen.
+    fn window() -> (Window, [Vec<[f64; 3]>; 2]) {
+        let guess = Guess::new(&Law { gap: Ball::exact(1.178125), restitution: Ball::exact(0.5) });
+        let middle = ([0.78, 1.22], [0.18, 0.08]);
+        let seen =
+            |points| Window::new(&Seen { points, exponent: 0.5 }, &guess, middle).expect("a contracting direction");
+        let Window { centre, along, across, .. } = seen(vec![middle]);
+        let leaf =
+            |height: f64| row(-0.31, 0.31, 200).into_iter().map(move |[x, _]| [x, height + 0.02 * x * x, 0.04 * x]);
+        let bundles =
+            [[0.0, 0.001, 0.002], [0.007, 0.008, 0.009]].map(|heights| heights.into_iter().flat_map(leaf).collect());
+        let state = |[xi, eta, slope]: [f64; 3]| {
+            let mix = |a: f64, b: f64| [0, 1].map(|i| a * along[i] + b * across[i]);
+            let [place, direction] = [mix(xi, eta), mix(1.0, slope)];
+            ([centre[0] + place[0], centre[1] + place[1]], direction)
+        };
+        let mut points: Vec<(State, State)> = bundles.iter().flatten().copied().map(state).collect();
+        // The last ones have no images.
+        points.extend([([0.1, 0.1], along); AFTER]);
+        (seen(points), bundles)
+    }
+
+    #[test]
+    fn clusters_hold_their_leaves_and_no_others() {
+        let (window, bundles): (_, [Vec<[f64; 3]>; 2]) = window();
+        let place = |cuts| Place { middle: ([0.78, 1.22], [0.18, 0.08]), long: 0.3, beside: 0.02, cuts };
+        let holds = |cluster: &Cluster, [xi, eta, slope]: [f64; 3]| {
+            xi.abs() > 0.3 || cluster.told([xi, eta, slope]).iter().all(|x| x.abs() < 1.0)
+        };
+        let whole = window.clusters(place(0b0)).expect("leaves");
+        assert_eq!(whole.len(), 1);
+        assert!(bundles.concat().iter().all(|&point| holds(&whole[0], point)));
+        // The widest gap is between the bundles.
+        let parted = window.clusters(place(0b1)).expect("leaves");
+        assert_eq!(parted.len(), 2);
+        for (k, cluster) in parted.iter().enumerate() {
+            assert!(bundles[k].iter().all(|&point| holds(cluster, point)));
+            assert!(bundles[1 - k].iter().all(|&point| point[0].abs() > 0.3 || !holds(cluster, point)));
+        }
+        assert!(window.base(&parted[0]).is_apart(&window.base(&parted[1])));
+    }
+}

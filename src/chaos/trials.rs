@@ -1,0 +1,146 @@
+//! What bases lead to, tried with few boxes.
+//!
+//! Labels: proposes throughout.
+
+use std::sync::Mutex;
+use std::thread;
+
+use super::bundles::Bundle;
+use super::entropy::entropy;
+use super::flights::Law;
+use super::propose::Making;
+use super::words::{Base, Search, Tally};
+
+/// How much is tried to find bases.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    /// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
+    trials: &'static [(usize, u64)],
+    /// The last trial if none led to any.
+    last: (usize, u64),
+    /// The most bases.
+    most: usize,
+    /// Whether they are looked for everywhere where saddles lead to none.
+    pub everywhere: bool,
+}
+
+/// For the most entropy, and for any.
+pub(super) const THOROUGH: Effort =
+    Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, everywhere: true };
+pub(super) const ANY: Effort =
+    Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, everywhere: false };
+/// Of bases from everywhere.
+pub(super) const SLOW: Effort =
+    Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };
+/// Words of more impacts are not tried.
+pub(super) const DEPTH: usize = 60;
+/// Trials of bundles: of so many, with so many boxes a base each.
+const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
+/// What a base more has to add, as a factor.
+const WORTH: f64 = 1.01;
+
+/// How bases are tried.
+#[derive(Clone, Copy)]
+pub(super) struct Trials<'t> {
+    pub law: &'t Law,
+    pub making: Making,
+    pub depth: usize,
+    pub effort: Effort,
+    pub goes_on: &'t (dyn Fn() -> bool + Sync),
+}
+
+impl Trials<'_> {
+    /// The entropy that bases lead to with so many boxes.
+    fn worth(&self, bases: &[Base], boxes: u64) -> f64 {
+        let mut search = Search::new(self.law, bases, self.making);
+        search.threads = 1;
+        let within = |tally: Tally| tally.boxes < boxes && (self.goes_on)();
+        for _ in 0..self.depth.min(DEPTH) {
+            if !search.deepen(&within) {
+                break;
+            }
+        }
+        entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
+    }
+
+    /// The bases among these bundles that lead to most entropy, and among those that are parted otherwise, as long as they are better;
+    /// `None` if none lead to any.
+    pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<Base>> {
+        let tried = |bundles: &[Bundle], boxes: u64| {
+            let judged =
+                |bundle: &Bundle| (self.worth(&bundle.bases, boxes * bundle.bases.len() as u64), bundle.clone());
+            let mut tried = each(bundles, &judged);
+            tried.sort_by(|a, b| b.0.total_cmp(&a.0));
+            tried
+        };
+        let mut best = bundles.to_vec();
+        let mut worth = 0.0;
+        for (count, boxes) in BUNDLES {
+            best.truncate(count);
+            let better = tried(&best, boxes);
+            worth = better.first()?.0;
+            best = better.into_iter().map(|(_, bundle)| bundle).collect();
+        }
+        let mut best = best.swap_remove(0);
+        while (self.goes_on)() {
+            let next = tried(&parted(&best), BUNDLES[1].1).into_iter().next();
+            let Some(better) = next.filter(|next| next.0 > worth) else { break };
+            (worth, best) = better;
+        }
+        (worth > 0.0).then_some(best.bases)
+    }
+
+    /// The base that leads with these ones to most entropy.
+    fn one_more(&self, found: &[Base], candidates: &[Base]) -> Option<(f64, Base)> {
+        let free = candidates.iter().filter(|base| found.iter().all(|other| base.is_apart(other)));
+        let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
+        let mut trial = |(count, boxes): (usize, u64)| {
+            tried.truncate(count);
+            let judged = |(_, base): &(f64, Base)| {
+                let bases: Vec<Base> = found.iter().copied().chain([*base]).collect();
+                (self.worth(&bases, boxes * bases.len() as u64), *base)
+            };
+            tried = each(&tried, &judged);
+            tried.sort_by(|a, b| b.0.total_cmp(&a.0));
+            tried.first().copied()
+        };
+        let mut best = None;
+        for &round in self.effort.trials {
+            best = trial(round);
+        }
+        if found.is_empty() && best.is_some_and(|best| best.0 == 0.0) {
+            best = trial(self.effort.last);
+        }
+        best
+    }
+
+    /// The bases among these that lead to most entropy.
+    pub fn best(&self, candidates: &[Base]) -> Vec<Base> {
+        let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
+        while best.1.len() < self.effort.most && (self.goes_on)() {
+            let found = self.one_more(&best.1, candidates);
+            let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
+            best.0 = entropy;
+            best.1.push(base);
+        }
+        best.1
+    }
+}
+
+/// What a function makes of each, by all threads.
+pub(super) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
+    let work = || {
+        loop {
+            let next = queue.lock().expect("no thread has panicked").next();
+            let Some((number, one)) = next else { break };
+            let made = function(one);
+            done.lock().expect("no thread has panicked").push((number, made));
+        }
+    };
+    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
+    let mut done = done.into_inner().expect("no thread has panicked");
+    done.sort_by_key(|(number, _)| *number);
+    done.into_iter().map(|(_, made)| made).collect()
+}
