@@ -25,8 +25,12 @@ fn figure(name: &str) -> Scene {
 
 /// The chaos JSON of figure 14 with the bases that the documentation has, over a range of a parameter if one is given.
 fn chaos(depth: usize, over: Option<&str>) -> Value {
+    chaos_of("docs/bases-figure-14.json", depth, over)
+}
+
+fn chaos_of(bases: &str, depth: usize, over: Option<&str>) -> Value {
     let scene = figure("figure-14");
-    let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
+    let read: Value = serde_json::from_str(&file(bases)).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
     let question = Question { depth, bases: document::bases(&bases) };
     let over: Option<Over> = over.map(|over| over.parse().unwrap());
@@ -78,13 +82,14 @@ fn words_are_confirmed() {
     }
 }
 
-/// What docs/paper.md says of figure 14: long words, for which the checker needs more than one way to make its tubes.
+/// What docs/paper.md says of figure 14: long words, from the bases that `chaos --depth 22` finds. Each of the checker's ways to make
+/// tubes loses some of them; they are all found where it looks less far ahead for those that the first way loses.
 #[test]
 fn long_words_are_confirmed() {
-    let document = chaos(22, None);
+    let document = chaos_of("tests/bases-figure-14.json", 22, None);
     let told = |key: &str| document["entropy"][key].as_str().unwrap().parse::<f64>().unwrap();
     assert!(
-        told("per_impact") >= 0.4701 && told("per_cycle") >= 1.2156 && is_confirmed(&document),
+        told("per_impact") >= 0.4704 && told("per_cycle") >= 1.2166 && is_confirmed(&document),
         "{}",
         document["entropy"]
     );

@@ -28,8 +28,10 @@ const MAKINGS: [Making; 6] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Where each of them loses words, those of the first one, if they are no more than so many, are looked for again along tubes whose
-/// chords are told from so many flights ahead: another direction, where the one that is contracted most jumps at a graze further ahead.
+/// Where each of them loses words, those that the coarse ones lose, if they are no more than so many, are looked for again along tubes
+/// whose chords are told from so many flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
+/// jumps at a graze further ahead.
+const COARSE: usize = 4;
 const MOST_LOST: usize = 32;
 const AHEAD: [usize; 3] = [2, 3, 6];
 /// Bits of the arithmetic.
@@ -123,9 +125,8 @@ impl ChaosCertificate {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
         let mut doubted = (0, "");
-        let mut tried = |first: usize, ahead: &Ahead, most: usize| {
-            let makings: Vec<Making> = MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect();
-            let mut search = Search::new(law, bases, &listed, (&makings, ahead), stop);
+        let mut tried = |makings: &[Making], ahead: &Ahead, most: usize| {
+            let mut search = Search::new(law, bases, &listed, (makings, ahead), stop);
             let (lost, why) = follow_all(&mut search, words, (work, most), progress)?;
             if !why.is_empty() {
                 let proved = first_missing(words, search.found);
@@ -136,25 +137,26 @@ impl ChaosCertificate {
             Ok((lost, why.is_empty()))
         };
         for first in 0..MAKINGS.len() {
-            if tried(first, &Ahead::new(), 0)?.1 {
+            let makings: Vec<Making> = MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect();
+            if tried(&makings, &Ahead::new(), 0)?.1 {
                 return Ok(None);
             }
         }
-        let (mut lost, _) = tried(0, &Ahead::new(), MOST_LOST)?;
         let mut ahead = Ahead::new();
+        let (mut lost, _) = tried(&MAKINGS[..COARSE], &ahead, MOST_LOST)?;
         for other in AHEAD {
             if lost.is_empty() || lost.len() > MOST_LOST {
                 break;
             }
-            let mut next = ahead.clone();
-            next.extend(lost.iter().flat_map(|word| word.beginnings()).map(|beginning| (beginning, other)));
-            let (fewer, is_all) = tried(0, &next, MOST_LOST)?;
+            ahead.extend(lost.iter().flat_map(|word| word.beginnings()).map(|beginning| (beginning, other)));
+            let (next, is_all) = tried(&MAKINGS[..COARSE], &ahead, MOST_LOST)?;
             if is_all {
                 return Ok(None);
             }
-            if fewer.len() < lost.len() {
-                (lost, ahead) = (fewer, next);
+            if next.len() >= lost.len() {
+                break;
             }
+            lost = next;
         }
         Ok(Some(doubted))
     }

@@ -210,7 +210,7 @@ impl<'s> Search<'s> {
         }
         let wanted = |followed: &Followed| (followed.count(|word| missing.contains(word)), followed.count(|_| true));
         let mut best = None;
-        for making in self.makings {
+        for making in &self.makings[usize::from(self.ahead.is_empty())..] {
             let other = self.follow(run, making)?;
             let (most, all) = wanted(best.as_ref().unwrap_or(before)); // proposes: any tubes will do
             if wanted(&other).0 > most && wanted(&other).1 >= all {
