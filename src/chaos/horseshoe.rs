@@ -1,19 +1,19 @@
 //! Horseshoes of a scene: [`Chaos`].
 
 use super::bases::{Seen, seen};
+use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
 use super::fate::Fate;
-use super::flights::{Law, Side, State};
+use super::flights::{Law, State};
 use super::guess::Guess;
 use super::propose::Making;
 use super::scene::{IMPACTS, visited};
 use super::trials::{ANY, Effort, THOROUGH};
-use super::words::{Base, Path, Search};
+use super::words::{Base, Search};
 use crate::Error;
 use crate::Scene;
-use crate::mapping::Mapping;
 use crate::orbit::Start;
-use crate::pair::{ImpactPair, Wall};
+use crate::pair::ImpactPair;
 
 /// The most impacts of a word that are accepted.
 pub const MOST_DEPTH: u32 = 64;
@@ -25,19 +25,6 @@ pub struct Question {
     pub depth: usize,
     /// The bases; found where there are none.
     pub bases: Vec<Base>,
-}
-
-/// A way of the reduced map from one base across another, proved.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Word {
-    /// The base it starts in.
-    pub from: usize,
-    /// The one it crosses.
-    pub to: usize,
-    /// Where its impacts are if it starts on the left wall.
-    pub walls: Vec<Wall>,
-    /// How many half cycles it takes.
-    pub half_cycles: i64,
 }
 
 /// Words of a scene's impact map: each sequence of them that fits together is that of a true motion.
@@ -139,38 +126,17 @@ impl Chaos {
         depth: usize,
         goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
     ) -> Self {
-        let followed = |search: &mut Search<'_>, from: usize, to: usize| {
-            (from..to).find(|depth| !search.deepen(&|tally| goes_on(depth + 1, tally.boxes))).unwrap_or(to) // exact: all
-        };
-        let tried_to = |depth: usize, makings: &[Making]| {
-            let follow = |&making: &Making| {
-                let mut search = Search::new(law, &bases, making);
-                let depth = followed(&mut search, 0, depth);
-                (by_impact(&search), depth, search)
-            };
-            makings.iter().map(follow).collect::<Vec<_>>()
-        };
         let depth = if bases.is_empty() { 0 } else { depth }; // exact: counts
-        let shallow = depth.min(SHALLOW); // exact: counts
-        let tried = tried_to(shallow, &MAKINGS);
-        let best = tried.iter().fold(0.0, |best: f64, (entropy, ..)| best.max(*entropy)); // proposes: each is a proof of its own
-        let deeper = shallow < depth;
-        let enough = if deeper { NEARLY * best } else { best };
-        let mut good = tried.into_iter().filter(|(entropy, ..)| *entropy >= enough);
-        // The finest cells lead furthest; of those as good the one with the shortest horseshoe.
-        let shortest = |(_, _, search): &(f64, usize, Search<'_>)| {
-            let words: Vec<Word> = search.words.iter().map(Word::of).collect();
-            horseshoe(&words, bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
+        let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'_>> {
+            makings.iter().map(|&making| Tried::new(law, &bases, making).deepened(depth, goes_on)).collect()
         };
-        let chosen = if deeper { good.next() } else { good.min_by_key(shortest) };
-        let (_, mut reached, mut search) = chosen.expect("the best");
-        if deeper && reached == shallow {
-            reached = followed(&mut search, shallow, depth);
-        }
-        let is_open = by_impact(&search) == 0.0 && reached == depth && depth > 0; // proposes: whether to try more
-        let finer = if is_open { tried_to(depth, &FINE) } else { Vec::new() };
-        let finest = finer.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)); // proposes: each is a proof of its own
-        let (_, depth, search) = finest.unwrap_or((0.0, reached, search)); // exact: none was tried
+        let shallow = depth.min(SHALLOW); // exact: counts
+        let first = good(tried(&MAKINGS, shallow), shallow < depth);
+        let first = if first.depth == shallow { first.deepened(depth, goes_on) } else { first };
+        let is_open = first.entropy() == 0.0 && first.depth == depth && depth > 0; // proposes: whether to try more
+        let finer = if is_open { tried(&FINE, depth) } else { Vec::new() };
+        let finest = finer.into_iter().max_by(|a, b| a.entropy().total_cmp(&b.entropy())); // proposes: each is a proof of its own
+        let Tried { search, depth } = finest.unwrap_or(first); // exact: none was tried
         let entropy = [by_impact(&search), 2.0 * entropy(&search.words, bases.len(), |path| path.half_turns)];
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
@@ -257,35 +223,43 @@ pub(super) fn bases(
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, goes_on)
 }
 
-/// The shortest two words that may follow one another in any order.
-fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
-    let mut names: Vec<&Word> = Vec::new();
-    for word in words {
-        if names.iter().all(|other| other.walls != word.walls) {
-            names.push(word);
-        }
-    }
-    names.sort_by_key(|word| word.walls.len());
-    let mut pairs: Vec<[&Word; 2]> =
-        names.iter().enumerate().flat_map(|(k, &a)| names[k + 1..].iter().map(move |&b| [a, b])).collect();
-    pairs.sort_by_key(|[a, b]| (b.walls.len(), a.walls.len()));
-    pairs.into_iter().find(|pair| is_free(words, bases, pair))
+/// A search, and how deep it went.
+struct Tried<'s> {
+    search: Search<'s>,
+    depth: usize,
 }
 
-/// Whether there are bases from each of which both lead to such a base.
-fn is_free(words: &[Word], bases: usize, pair: &[&Word; 2]) -> bool {
-    let mut alive = vec![true; bases];
-    loop {
-        let leads = |base: usize, name: &Word| {
-            words.iter().any(|word| word.from == base && alive[word.to] && word.walls == name.walls)
-        };
-        let next: Vec<bool> =
-            (0..alive.len()).map(|base| alive[base] && pair.iter().all(|name| leads(base, name))).collect();
-        if next == alive {
-            return alive.contains(&true);
-        }
-        alive = next;
+impl<'s> Tried<'s> {
+    fn new(law: &'s Law, bases: &'s [Base], making: Making) -> Self {
+        Self { search: Search::new(law, bases, making), depth: 0 }
     }
+
+    fn deepened(mut self, to: usize, goes_on: &(dyn Fn(usize, u64) -> bool + Sync)) -> Self {
+        let stops = |depth: &usize| !self.search.deepen(&|tally| goes_on(depth + 1, tally.boxes));
+        self.depth = (self.depth..to).find(stops).unwrap_or(to); // exact: all
+        self
+    }
+
+    /// What its words lead to, an impact.
+    fn entropy(&self) -> f64 {
+        by_impact(&self.search)
+    }
+
+    /// How long the two blocks of the shortest horseshoe are, the longer one first.
+    fn shortest(&self) -> [usize; 2] {
+        let words: Vec<Word> = self.search.words.iter().map(Word::of).collect();
+        horseshoe(&words, self.search.bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
+    }
+}
+
+/// Of those that lead to the most entropy the one with the shortest horseshoe; if it is to be followed deeper, the first one that leads to
+/// nearly as much: the finest cells lead furthest.
+fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
+    let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own
+    let enough = if deeper { NEARLY * best } else { best };
+    let mut good = tried.into_iter().filter(|one| one.entropy() >= enough);
+    let chosen = if deeper { good.next() } else { good.min_by_key(Tried::shortest) };
+    chosen.expect("the best")
 }
 
 fn by_impact(search: &Search<'_>) -> f64 {
@@ -301,29 +275,4 @@ pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     let near = bases.iter().all(Base::is_near);
     (!(apart && near))
         .then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
-}
-
-impl Word {
-    fn of(path: &Path) -> Self {
-        let mut wall = Wall::Left;
-        let walls = path.sides.iter().map(|side| {
-            if *side == Side::Far {
-                wall = wall.other();
-            }
-            wall
-        });
-        Self { walls: walls.collect(), from: path.from, to: path.to, half_cycles: path.half_turns }
-    }
-
-    /// In mappings, the first one right-most, as the paper writes them.
-    pub fn in_mappings(&self) -> String {
-        let mut from = Wall::Left;
-        let mut names: Vec<String> = Vec::new();
-        for &to in &self.walls {
-            names.push(Mapping::between(from, to).to_string());
-            from = to;
-        }
-        names.reverse();
-        names.join(" ")
-    }
 }

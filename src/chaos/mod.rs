@@ -6,6 +6,7 @@
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 and D20-D23 of `docs/proofs.md`.
 
 mod bases;
+mod blocks;
 mod bundles;
 mod cells;
 mod cycles;
@@ -26,10 +27,11 @@ mod trials;
 mod tube;
 mod words;
 
+pub use blocks::Word;
 pub use cells::{Asked, Cells, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
 pub use fate::{Entered, Fate};
 pub use flights::{Chord, State};
-pub use horseshoe::{Chaos, MOST_DEPTH, Question, Word};
+pub use horseshoe::{Chaos, MOST_DEPTH, Question};
 pub use region::{Trap, Untrapped};
 pub use words::Base;
