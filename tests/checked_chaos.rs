@@ -109,6 +109,7 @@ fn spoiled_words_are_refused() {
         let listed = format!("words[{k}]");
         let twice = edited(&|words| words.push(words[k].clone()));
         refuses(&twice, &listed, "not proved again");
+        refuses(&twice, &listed, &format!("the {} of {} words that are have an entropy", words.len(), words.len() + 1));
         let later = edited(&|words| words[k]["half_cycles"] = json!(words[k]["half_cycles"].as_i64().unwrap() + 2));
         assert!(!is_confirmed(&later), "{listed}");
         let longer = edited(&|words| words[k]["impacts"] = json!(words[k]["impacts"].as_u64().unwrap() + 1));

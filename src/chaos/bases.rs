@@ -30,6 +30,8 @@ const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
 /// Bundles of leaves are judged by words of so many impacts at most.
 const JUDGED_TO: usize = 20;
+/// Bases from everywhere are judged by words of so much of the depth: long ones are often seen where none are proved.
+const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
@@ -206,9 +208,12 @@ impl Seen {
         if !found.is_empty() || !effort.everywhere || !goes_on() {
             return found;
         }
-        let depth = depth.min(DEPTH);
-        let trials = Trials { making: fine, depth, effort: SLOW, ..trials };
-        trials.best(&self.crossed(&guess, (fine, depth)))
+        let from_everywhere = |depth: usize| {
+            let trials = Trials { making: fine, depth, effort: SLOW, ..trials };
+            trials.best(&self.crossed(&guess, (fine, depth)))
+        };
+        let depths = SHALLOWER.map(|part| (part * depth.min(DEPTH) as f64) as usize);
+        depths.into_iter().map(from_everywhere).find(|found| !found.is_empty() || !goes_on()).unwrap_or_default()
     }
 }
 

@@ -9,6 +9,8 @@ use impact_pair_exact::{Dyadic, Real};
 const BITS: u32 = 256;
 /// Greater entropies are not judged.
 const MOST: i64 = 64;
+/// Entropies that are told are multiples of one in so many parts.
+const PARTS: i64 = 10_000;
 /// Steps towards an eigenvector.
 const STEPS: u32 = 1000;
 
@@ -54,6 +56,18 @@ pub(super) fn is_reached(words: &[(usize, usize, i64)], bases: usize, h: &BigRat
         |row: &[Real]| row.iter().zip(&vector).fold(Real::zero(BITS), |sum, (entry, x)| sum + &(entry.clone() * x));
     let is_kept = |(row, x): (&Vec<Real>, &Real)| !(image(row) - x).enclosure().inf().sign().is_lt();
     vector.iter().any(Real::is_positive) && matrix.iter().zip(&vector).all(is_kept)
+}
+
+/// The greatest multiple of 1/10,000 that [`is_reached`], as a decimal; `None` where that is 0.
+pub(super) fn at_least(words: &[(usize, usize, i64)], bases: usize) -> Option<String> {
+    let decimal = |n: i64| BigRational::new(n.into(), PARTS.into());
+    // The first is reached, the second is not.
+    let [mut low, mut high] = [0, MOST * PARTS + 1];
+    while low + 1 < high {
+        let middle = i64::midpoint(low, high);
+        *(if is_reached(words, bases, &decimal(middle)) { &mut low } else { &mut high }) = middle;
+    }
+    (low > 0).then(|| format!("{}.{:04}", low / PARTS, low % PARTS))
 }
 
 /// A vector without negative members, about that of the greatest eigenvalue: any will do.

@@ -1,22 +1,17 @@
-//! Whether the words of a chaos JSON, its entropies and its horseshoe are right (Lemma V12).
+//! Whether the listed words of a chaos JSON are right (Lemma V12).
 
 use std::sync::atomic::AtomicBool;
 
-use impact_pair_exact::Real;
-use impact_pair_model::{Error, Mapping, Wall};
-use num_rational::BigRational;
+use impact_pair_model::Error;
 
+use super::Law;
 use super::bases::Base;
-use super::entropy::is_reached;
+use super::entropy::at_least;
 use super::propose::Making;
-use super::span::Span;
-use super::tube::side_of;
 use super::words::{Ahead, Counts, Search, Stopped, Word};
-use super::{BITS, Law};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
-use crate::document::{BaseDocument, WordDocument};
 
 /// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
@@ -37,8 +32,12 @@ const AHEAD: [usize; 3] = [2, 3, 6];
 /// Bits of the arithmetic.
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 
-/// A word by its position, and why it is not found.
-type Unfound = (usize, &'static str);
+/// What is proved of the words where it is not all of them.
+struct Shortfall {
+    /// Why the others are not.
+    why: &'static str,
+    found: Counts,
+}
 
 impl ChaosCertificate {
     /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
@@ -64,56 +63,12 @@ impl ChaosCertificate {
         };
         Ok(match self.lost(&law, &bases, &words, (effort.work, stop), &mut progress) {
             Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
-            Ok(Some((word, why))) => Doubt::Open(why.to_owned()).on(word),
+            Ok(Some(shortfall)) => shortfall.verdict(&words, bases.len()),
             Err(Stopped) => Verdict::Interrupted { events: confirmed },
         })
     }
 
-    /// The bases and the words, if what is said of them follows from them.
-    fn says_one_thing(&self) -> Result<(Vec<Base>, Vec<Word>), Doubt> {
-        let document = self.document();
-        let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
-        let corners = self.bases().iter().filter_map(|base| base.corners.as_ref());
-        let bases: Vec<Base> = corners.map(Base::of).collect();
-        if !bases.iter().all(Base::is_sound) {
-            return wrong("a base is no convex quadrilateral of states with its tops to the left");
-        }
-        if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
-            return wrong("the bases are not proved to be disjoint");
-        }
-        if !self.bases().iter().zip(&bases).all(|(told, base)| is_about(told, base)) {
-            return wrong("a base is told to have its middle elsewhere");
-        }
-        let mut words = Vec::new();
-        for (k, told) in document.words.iter().enumerate() {
-            let word = Word::of(told, bases.len()).filter(|_| told.impacts <= document.depth);
-            words.push(word.ok_or_else(|| {
-                Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of bases"))
-            })?);
-        }
-        let impacts = |word: &Word| word.flights.len() as i64; // exact: a length
-        let entropy = &document.entropy;
-        let told = [entropy.per_impact.value(), entropy.per_cycle.value()];
-        // Half cycles are weighed, two of which make a cycle.
-        let halved = &told[1] / BigRational::from_integer(2.into());
-        let weighed = |weight: &dyn Fn(&Word) -> i64| -> Vec<_> {
-            words.iter().map(|word| (word.from, word.to, weight(word))).collect()
-        };
-        if told.iter().all(|entropy| *entropy <= BigRational::from_integer(0.into())) {
-            return wrong("it says that an entropy is certified, but tells none");
-        }
-        for (what, weights, h) in
-            [("per_impact", weighed(&impacts), &told[0]), ("per_cycle", weighed(&|word| word.half_cycles), &halved)]
-        {
-            if !is_reached(&weights, bases.len(), h) {
-                return Err(Doubt::Open(format!("entropy.{what} does not follow from the words")));
-            }
-        }
-        says_the_shortest(document.horseshoe.as_deref(), &words, bases.len())?;
-        Ok((bases, words))
-    }
-
-    /// The first listed word that is not found, and why, where most of them are.
+    /// `None` if all words are found, or what is along the tubes along which most of them are.
     fn lost(
         &self,
         law: &Law,
@@ -121,17 +76,17 @@ impl ChaosCertificate {
         words: &[Word],
         (work, stop): (u64, Option<&'static AtomicBool>),
         progress: &mut impl FnMut(usize),
-    ) -> Result<Option<Unfound>, Stopped> {
+    ) -> Result<Option<Shortfall>, Stopped> {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
-        let mut doubted = (0, "");
+        let mut best: Option<Shortfall> = None;
         let mut tried = |makings: &[Making], ahead: &Ahead, most: usize| {
             let mut search = Search::new(law, bases, &listed, (makings, ahead), stop);
             let (lost, why) = follow_all(&mut search, words, (work, most), progress)?;
             if !why.is_empty() {
-                let proved = first_missing(words, search.found);
-                if doubted.1.is_empty() || proved > doubted.0 {
-                    doubted = (proved, why);
+                let found = search.found;
+                if best.as_ref().is_none_or(|best| found.values().sum::<usize>() > best.found.values().sum()) {
+                    best = Some(Shortfall { why, found });
                 }
             }
             Ok((lost, why.is_empty()))
@@ -158,7 +113,7 @@ impl ChaosCertificate {
             }
             lost = next;
         }
-        Ok(Some(doubted))
+        Ok(best)
     }
 }
 
@@ -188,103 +143,31 @@ fn follow_all<'w>(
     Ok((lost, why))
 }
 
-/// The first word that is listed more often than it is found.
-fn first_missing(words: &[Word], mut found: Counts) -> usize {
-    let is_missing = |word: &Word| match found.get_mut(word) {
-        Some(count) if *count > 0 => {
-            *count -= 1;
-            false
-        }
-        _ => true,
-    };
-    words.iter().position(is_missing).unwrap_or(0) // exact: there is one
+impl Shortfall {
+    /// On the first word that is not found, with the entropy of those that are: a part of a list proves what follows from that part.
+    fn verdict(mut self, words: &[Word], bases: usize) -> Verdict {
+        let is_found = |word: &Word| match self.found.get_mut(word) {
+            Some(count) if *count > 0 => {
+                *count -= 1;
+                true
+            }
+            _ => false,
+        };
+        let is_found: Vec<bool> = words.iter().map(is_found).collect();
+        let first = is_found.iter().position(|is_found| !is_found).expect("a word is missing");
+        let kept: Vec<_> =
+            words.iter().zip(&is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
+        let left = match at_least(&kept, bases) {
+            Some(entropy) => format!(
+                "; the {} of {} words that are have an entropy of at least {entropy} an impact",
+                kept.len(),
+                words.len()
+            ),
+            None => String::new(),
+        };
+        Doubt::Open(format!("{}{left}", self.why)).on(first)
+    }
 }
 
 /// So many parts of tubes are as much work as one place of a flight in many bits.
 const PARTS: u64 = 1 << 8;
-
-impl Word {
-    /// `None` if it contradicts itself.
-    fn of(told: &WordDocument, bases: usize) -> Option<Self> {
-        let flight = |name: char| match name {
-            'F' => Some(true),
-            'N' => Some(false),
-            _ => None,
-        };
-        let flights: Vec<bool> = told.flights.chars().map(flight).collect::<Option<_>>()?;
-        let [from, to, impacts] = [told.from, told.to, told.impacts].map(|n| n as usize); // exact: of 32 bits
-        let fits = from < bases && to < bases && impacts == flights.len() && impacts > 0;
-        fits.then_some(Self { from, to, half_cycles: told.half_cycles, flights })
-    }
-
-    /// In mappings from the left wall, the first one right-most.
-    fn in_mappings(&self) -> String {
-        let mut from = Wall::Left;
-        let mut names = Vec::new();
-        for &is_far in &self.flights {
-            let to = if is_far { from.other() } else { from };
-            names.push(Mapping::between(from, to).to_string());
-            from = to;
-        }
-        names.reverse();
-        names.join(" ")
-    }
-}
-
-/// Whether a base's middle is told to be in it.
-fn is_about(told: &BaseDocument, base: &Base) -> bool {
-    let phase = Real::rational(&told.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
-    let ends = [&phase, &Real::rational(&told.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));
-    let [left, right] = [base.left, base.right];
-    let round = [left.bottom, right.bottom, right.top, left.top];
-    let corners = [ends.map(Span::lo), ends.map(Span::hi)];
-    (0..4).all(|i| corners.iter().all(|&state| side_of(round[i], round[(i + 1) % 4], state, 0.0).is_positive()))
-}
-
-/// Whether from bases of which some are left a word of each of two blocks leads to one of these.
-fn is_free(words: &[Word], bases: usize, blocks: [&[bool]; 2]) -> bool {
-    let mut alive = vec![true; bases];
-    loop {
-        let leads = |base: usize, block: &[bool]| {
-            words.iter().any(|word| word.from == base && alive[word.to] && word.flights == block)
-        };
-        let next: Vec<bool> =
-            (0..bases).map(|base| alive[base] && blocks.iter().all(|block| leads(base, block))).collect();
-        if next == alive {
-            return alive.contains(&true);
-        }
-        alive = next;
-    }
-}
-
-/// Whether the two blocks told are free, and none of fewer impacts are: the longer one counts first.
-fn says_the_shortest(told: Option<&str>, words: &[Word], bases: usize) -> Result<(), Doubt> {
-    let mut names: Vec<&Word> = Vec::new();
-    for word in words {
-        if names.iter().all(|other| other.flights != word.flights) {
-            names.push(word);
-        }
-    }
-    names.sort_by_key(|word| word.flights.len());
-    // By the longer one, the second.
-    let mut shortest: Option<(usize, usize)> = None;
-    let mut is_told_one = told.is_none();
-    for (k, b) in names.iter().enumerate() {
-        for a in &names[..k] {
-            let size = (b.flights.len(), a.flights.len());
-            if shortest.is_some_and(|shortest| size > shortest) || !is_free(words, bases, [&a.flights, &b.flights]) {
-                continue;
-            }
-            if shortest.is_none_or(|shortest| size < shortest) {
-                (shortest, is_told_one) = (Some(size), false);
-            }
-            let [a, b] = [a, b].map(|word| word.in_mappings());
-            is_told_one |= told == Some(&format!("each block is {a} or {b}, in any order"));
-        }
-    }
-    if is_told_one || told.is_none() && shortest.is_none() {
-        Ok(())
-    } else {
-        Err(Doubt::False("the horseshoe is not one of two shortest blocks in any order".into()))
-    }
-}

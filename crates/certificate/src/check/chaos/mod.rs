@@ -12,6 +12,7 @@ mod guess;
 mod judge;
 mod propose;
 mod region;
+mod said;
 mod span;
 #[cfg(test)]
 mod tests;

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use super::Law;
 use super::beam::{Beam, Quad, State};
-use super::entropy::exponential;
+use super::entropy::{at_least, exponential};
 use super::guess::Guess;
 use super::region::Region;
 use super::span::Span;
@@ -79,6 +79,17 @@ fn turns_and_radians() {
     assert!(holds(Span::point(1.0).turned(), &turn));
     let inverse = Real::int(1, BITS).over(&turn).unwrap();
     assert!(holds(Span::point(1.0).unturned(), &inverse));
+}
+
+/// Two words of two impacts: half of log 2. One of one and one of two: the golden mean's logarithm. One word, or two that do not
+/// follow one another: no entropy.
+#[test]
+fn what_is_left_of_an_entropy() {
+    assert_eq!(at_least(&[(0, 0, 2), (0, 0, 2)], 1).unwrap(), "0.3465");
+    assert_eq!(at_least(&[(0, 1, 1), (1, 0, 1), (0, 0, 1)], 2).unwrap(), "0.4812");
+    assert_eq!(at_least(&[(0, 0, 1)], 1), None);
+    assert_eq!(at_least(&[(0, 1, 1), (0, 1, 2)], 2), None);
+    assert_eq!(at_least(&[], 3), None);
 }
 
 #[test]
