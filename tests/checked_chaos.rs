@@ -108,8 +108,8 @@ fn spoiled_words_are_refused() {
     for k in 0..words.len() {
         let listed = format!("words[{k}]");
         let twice = edited(&|words| words.push(words[k].clone()));
-        refuses(&twice, &listed, "not proved again");
-        refuses(&twice, &listed, &format!("the {} of {} words that are have an entropy", words.len(), words.len() + 1));
+        let left = format!("the {} of {} words that are have an entropy", words.len(), words.len() + 1);
+        refuses(&twice, &listed, &format!("it is not proved again; {left}"));
         let later = edited(&|words| words[k]["half_cycles"] = json!(words[k]["half_cycles"].as_i64().unwrap() + 2));
         assert!(!is_confirmed(&later), "{listed}");
         let longer = edited(&|words| words[k]["impacts"] = json!(words[k]["impacts"].as_u64().unwrap() + 1));

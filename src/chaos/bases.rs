@@ -4,9 +4,10 @@
 
 use std::f64::consts::TAU;
 
-use super::flights::{Law, State, is_positive};
+use super::flights::{Law, is_positive};
 use super::guess::{Guess, applied, length};
 use super::propose::Making;
+use super::quad::State;
 use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
 use super::words::Base;

@@ -3,9 +3,9 @@
 //! Labels: proposes throughout.
 
 use super::bases::{Seen, apart};
-use super::flights::State;
 use super::guess::{Guess, length};
 use super::leaves::{BESIDE, GAPS, LENGTHS, Window};
+use super::quad::State;
 use super::trials::each;
 use super::words::Base;
 

@@ -5,20 +5,20 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 
+use super::attracted::attracted;
 use super::bases::{Seen, seen};
-use super::fate::attracted;
-use super::flights::{Law, State};
+use super::flights::Law;
 use super::guess::Guess;
 use super::horseshoe::{Chaos, bases, problem};
+use super::quad::State;
 use super::scene::{Visited, visited};
 use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::mapping::{Mapping, Word};
-use crate::orbit::{Arithmetic, Start};
+use crate::orbit::Start;
 use crate::pair::{ImpactPair, Wall, within};
-use crate::periodic::Attractor;
 use crate::periodic::bifurcation::Over;
 
 /// The most cells that a range is cut into.
@@ -69,6 +69,17 @@ impl Verdict {
             Self::Undecided => "undecided",
         }
     }
+
+    /// Whether it tells several periods where another one tells one. Lemma D15: of a common value both speak of one orbit
+    fn is_round_of(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Attracted { word: round, .. }, Self::Attracted { word, .. }) => {
+                let [all, one] = [round, word].map(|word| word.mappings().len());
+                all > one && all.is_multiple_of(one)
+            }
+            _ => false,
+        }
+    }
 }
 
 /// Neighbouring values of a parameter of which the same is proved, both ends among them.
@@ -84,7 +95,7 @@ pub struct Stretch {
 
 /// The values of a parameter, by what is proved: without gaps, in their order.
 ///
-/// **Enclosure**: each verdict holds for every value in its stretch, both ends among them. Lemmas D11, D12, D14, Q3
+/// **Enclosure**: each verdict holds for every value in its stretch, both ends among them. Lemmas D11, D12, D14, D15
 /// **Cost**: some seconds of a processor for a cell with a horseshoe; milliseconds for one that attracts, as often as it is halved.
 #[derive(Clone, Debug)]
 pub struct Cells {
@@ -94,8 +105,6 @@ pub struct Cells {
     pub interrupted: bool,
 }
 
-/// Impacts after which it is asked whether an orbit is attracted.
-const IMPACTS: u64 = 1000;
 /// Horseshoes are looked for in cells that are halved so often at most, and in every other generation of them.
 const SEARCHED: u32 = 4;
 const EVERY: u32 = 2;
@@ -154,12 +163,17 @@ impl Cells {
 /// What messages name.
 const NAME: &str = "the parameter";
 
-/// Adds a stretch behind the others, to the last one where the same is proved of both.
+/// Adds a stretch behind the others, to the last one where the same is proved of both. Lemma D14: they have the end in common
 fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
-    match stretches.last_mut() {
-        // Lemma D14: they have the end in common
-        Some(last) if last.verdict == stretch.verdict => last.high = stretch.high,
-        _ => stretches.push(stretch),
+    match stretches.pop() {
+        Some(last) if last.verdict == stretch.verdict => stretches.push(Stretch { low: last.low, ..stretch }),
+        Some(last) if last.verdict.is_round_of(&stretch.verdict) => {
+            join(stretches, Stretch { low: last.low, ..stretch });
+        }
+        Some(last) if stretch.verdict.is_round_of(&last.verdict) => {
+            stretches.push(Stretch { high: stretch.high, ..last });
+        }
+        last => stretches.extend(last.into_iter().chain([stretch])),
     }
 }
 
@@ -211,11 +225,12 @@ impl Work<'_> {
     }
 
     fn attracted(&self, pair: &ImpactPair) -> Result<Verdict, Error> {
-        let attractor = attracted(pair, self.start, (Arithmetic::Interval, IMPACTS), self.goes_on)?;
-        Ok(attractor.map_or(Verdict::Undecided, |attractor| {
-            let Attractor { word, cycles, .. } = *attractor;
-            Verdict::Attracted { word: told_from_its_least(&word), cycles }
-        }))
+        let first = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0);
+        let law = Law::of(pair)?;
+        Ok(match first.and_then(|first| attracted(&law, &first, self.goes_on)) {
+            Some((word, cycles)) => Verdict::Attracted { word: told_from_its_least(&word), cycles },
+            None => Verdict::Undecided,
+        })
     }
 
     /// Bases that are known, or else those that a floating orbit in the cell leads to, are tried for all of the cell.

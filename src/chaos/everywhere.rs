@@ -7,9 +7,10 @@ use std::f64::consts::TAU;
 
 use super::bases::{LENGTHS, Seen, apart};
 use super::entropy::entropy;
-use super::flights::{Chord, Side, State};
+use super::flights::Side;
 use super::guess::{Guess, cross};
 use super::propose::Making;
+use super::quad::{Chord, State};
 use super::trials::each;
 use super::words::{Base, Path};
 

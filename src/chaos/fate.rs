@@ -62,7 +62,7 @@ impl Fate {
 }
 
 /// The periodic orbit that so many impacts of an orbit prove it to converge to. Lemma Q3
-pub(super) fn attracted(
+fn attracted(
     pair: &ImpactPair,
     start: &Start,
     (arithmetic, impacts): (Arithmetic, u64),

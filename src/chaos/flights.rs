@@ -1,7 +1,9 @@
-//! All flights from a quadrilateral of states at once, told from its centre: Lemmas D1-D3 of `docs/proofs.md`.
+//! All flights from a quadrilateral of states at once, told from its centre: Lemmas D1-D3, D12 and D15 of `docs/proofs.md`.
 
+use std::array;
 use std::f64::consts::TAU;
 
+use super::quad::{Quad, State};
 use crate::number::{Ball, Number, TINY, UNIT, up};
 
 /// The pair as the reduced map sees it: every impact mirrored to the left wall, lengths in amplitudes.
@@ -13,77 +15,13 @@ pub(crate) struct Law {
     pub restitution: Ball,
 }
 
-/// A phase in turns, and the speed before the impact over `A W`.
-pub type State = [f64; 2];
-
-/// The segment across a tube, from its lower to its upper end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chord {
-    /// The end on the right, seen along the tube.
-    pub bottom: State,
-    /// The end on the left.
-    pub top: State,
-}
-
-/// States `centre + a sides[0] + b sides[1] + c twist`, `|a|, |b|, |c| <= 1`, and what lies within `slack` of one of them: of all
-/// these those that are not slower than `floor`. A quadrilateral has `c = ab`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Quad {
-    pub centre: State,
-    pub sides: [State; 2],
-    pub twist: State,
-    pub slack: State,
-    /// None is slower than this.
-    pub floor: f64,
-}
-
-fn each(f: impl Fn(usize) -> f64) -> State {
-    [f(0), f(1)]
-}
-
-impl Quad {
-    /// The rectangle of these radii.
-    pub fn rectangle(centre: State, radii: State, floor: f64) -> Self {
-        Self { centre, sides: [[radii[0], 0.0], [0.0, radii[1]]], twist: [0.0; 2], slack: [0.0; 2], floor }
-    }
-
-    /// Holds the quadrilateral between two chords: `a` from the one to the other, `b` from below to above. Lemma D1
-    pub fn between(from: &Chord, to: &Chord) -> Self {
-        let ([p, q], [r, s]) = ([from.bottom, from.top], [to.bottom, to.top]);
-        let centre = each(|i| 0.25 * ((p[i] + q[i]) + (r[i] + s[i])));
-        let along = each(|i| 0.25 * ((r[i] - p[i]) + (s[i] - q[i])));
-        let across = each(|i| 0.25 * ((q[i] - p[i]) + (s[i] - r[i])));
-        let twist = each(|i| 0.25 * ((s[i] - r[i]) - (q[i] - p[i])));
-        let slack = each(|i| up(8.0 * UNIT * (p[i].abs() + q[i].abs() + r[i].abs() + s[i].abs()) + TINY));
-        let floor = p[1].min(q[1]).min(r[1]).min(s[1]); // D1: the slowest corner
-        Self { centre, sides: [along, across], twist, slack, floor }
-    }
-
-    /// Holds the part of the `a` within `radii[0]` of `at[0]` and the `b` within `radii[1]` of `at[1]`.
-    pub fn part(&self, at: [f64; 2], radii: [f64; 2]) -> Self {
-        let Self { centre, sides: [s, t], twist: k, slack, floor } = *self;
-        let [a, b] = at;
-        let size = each(|i| centre[i].abs() + s[i].abs() + t[i].abs() + k[i].abs());
-        Self {
-            centre: each(|i| (a * b).mul_add(k[i], b.mul_add(t[i], a.mul_add(s[i], centre[i])))),
-            sides: [each(|i| radii[0] * b.mul_add(k[i], s[i])), each(|i| radii[1] * a.mul_add(k[i], t[i]))],
-            twist: each(|i| radii[0] * radii[1] * k[i]),
-            slack: each(|i| up(slack[i] + 32.0 * UNIT * size[i] + TINY)),
-            floor,
-        }
-    }
-
-    /// Bounds of the distances from the centre.
-    fn radii(&self) -> State {
-        each(|i| up(self.sides[0][i].abs() + self.sides[1][i].abs() + self.twist[i].abs() + self.slack[i]))
-    }
-}
-
 /// What a flight's drift and its height at a phase of arrival change by, along one side: `drift`, and `x drift - shift`.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
     drift: Ball,
     shift: Ball,
+    /// How far the far wall moves.
+    ahead: f64,
 }
 
 /// Which wall a flight ends on.
@@ -104,8 +42,8 @@ impl Side {
     }
 }
 
-/// The flights from a quadrilateral.
-pub(crate) struct Flights {
+/// The flights from a quadrilateral, with `M` parameters among their directions: `e`, or `e` and `D`.
+pub(crate) struct Flights<const M: usize = 1> {
     gap: Ball,
     start: f64,
     radius: f64,
@@ -118,7 +56,10 @@ pub(crate) struct Flights {
     /// Of the centre's, at the middle of all `e`.
     centre_sin: Ball,
     drift: Ball,
-    slopes: [Slope; 3],
+    sides: [Slope; 2],
+    parameters: [Slope; M],
+    /// The radius of `D`, if it is no direction.
+    loose: f64,
     /// Bounds of what twist and slack add.
     rest: [f64; 2],
     /// Bounds the drifts' distance from the centre's.
@@ -136,15 +77,16 @@ pub(crate) struct View {
 
 /// Where the flights land, in mean-value form: the image of the quadrilateral. Lemma D3
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Landing {
+pub(crate) struct Landing<const M: usize = 1> {
     /// The centre's image.
     pub phase: Ball,
     pub speed: Ball,
     /// `dw/dth` at a fixed drift, over the bracket, in speeds a turn.
     slope: Ball,
-    /// By side, and by `e`: the change of phase, and the change of speed at a fixed phase.
-    along: [[Ball; 2]; 3],
-    /// Bounds of the same for twist and slack, and for `D`.
+    /// By side, and by parameter: the change of phase, and the change of speed at a fixed phase.
+    along: [[Ball; 2]; 2],
+    parameters: [[Ball; 2]; M],
+    /// Bounds of the same for twist and slack, and for `D` if it is no direction.
     rest: [f64; 2],
 }
 
@@ -159,9 +101,16 @@ pub(crate) fn is_positive(x: Ball) -> bool {
 
 impl Flights {
     pub fn new(law: &Law, quad: &Quad) -> Self {
+        Self::moved(law, quad, [[0.0; 2]])
+    }
+}
+
+impl<const M: usize> Flights<M> {
+    /// Those of states that move by so much for the radius of each parameter.
+    pub fn moved(law: &Law, quad: &Quad, moved: [State; M]) -> Self {
         let e = law.restitution;
         let [start, speed] = quad.centre;
-        let [radius, speed_radius] = quad.radii();
+        let [radius, speed_radius] = quad.radii(&moved);
         let (centre_sin, centre_cos) = Ball::exact(start).sin_cos();
         let (sin, cos) = Ball::new(start, radius).sin_cos();
         let after = e * Ball::new(speed, speed_radius);
@@ -172,18 +121,26 @@ impl Flights {
         let slope = |side: State| Slope {
             drift: by_phase * Ball::exact(side[0]) + e * Ball::exact(side[1]),
             shift: turned * Ball::exact(side[0]),
+            ahead: 0.0,
         };
         let [along, across, twist] = [slope(quad.sides[0]), slope(quad.sides[1]), slope(quad.twist)];
-        // Lemma D12: `e` is a direction like the others
-        let parameter = Slope { drift: Ball::new(speed, speed_radius) * Ball::exact(e.rad()), shift: Ball::exact(0.0) };
+        // Lemmas D12, D15: parameters are directions like the others
+        let parameter = |k: usize| match slope(moved[k]) {
+            by if k == 0 => Slope { drift: by.drift + Ball::new(speed, speed_radius) * Ball::exact(e.rad()), ..by },
+            by => Slope { ahead: law.gap.rad(), ..by },
+        };
+        let parameters: [Slope; M] = array::from_fn(parameter);
+        let loose = if M == 1 { law.gap.rad() } else { 0.0 };
         let [u, w] = quad.slack;
         let rest = [
             up(twist.drift.mag() + by_phase.mag() * u + e.mag() * w + TINY),
             up(twist.shift.mag() + turned.mag() * u + TINY),
         ];
-        let spread = up(along.drift.mag() + across.drift.mag() + parameter.drift.mag() + rest[0]);
-        let slopes = [along, across, parameter];
-        Self { gap: law.gap, start, radius, sin, cos, after, least, centre_sin, drift, slopes, rest, spread }
+        let by_parameters = parameters.iter().map(|slope| slope.drift.mag()).sum::<f64>();
+        let spread = up(along.drift.mag() + across.drift.mag() + by_parameters + rest[0]);
+        let sides = [along, across];
+        let gap = law.gap;
+        Self { gap, start, radius, sin, cos, after, least, centre_sin, drift, sides, parameters, loose, rest, spread }
     }
 
     /// `th1 - th0` of the centre, and of all.
@@ -198,8 +155,9 @@ impl Flights {
         let [own, all] = self.ahead(phase);
         let centre = own * self.drift - sin + self.centre_sin;
         let change = |slope: &Slope| (all * slope.drift - slope.shift).mag();
-        let [along, across, parameter] = self.slopes.each_ref().map(change);
-        let spread = up(along + across + parameter + all.mag() * self.rest[0] + self.rest[1]);
+        let [along, across] = self.sides.each_ref().map(change);
+        let by_parameters = self.parameters.iter().map(change).sum::<f64>();
+        let spread = up(along + across + by_parameters + all.mag() * self.rest[0] + self.rest[1]);
         let rate = (self.drift - cos).widened(self.spread);
         View { height: centre.widened(spread), rate, bend: sin.mag() }
     }
@@ -270,11 +228,11 @@ impl Flights {
     }
 
     /// The first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma D3
-    pub fn land(&self, side: Side, guess: f64) -> Option<Landing> {
+    pub fn land(&self, side: Side, guess: f64) -> Option<Landing<M>> {
         let sign = side.sign();
-        let wall = match side {
-            Side::Near => Ball::exact(0.0),
-            Side::Far => self.gap,
+        let (wall, loose) = match side {
+            Side::Near => (Ball::exact(0.0), 0.0),
+            Side::Far => (self.gap, self.loose),
         };
         let beyond = |view: &View| (view.height - wall).signed(sign);
         let there = self.at(guess);
@@ -309,34 +267,23 @@ impl Flights {
         let slope = (turn() * bracket.sin_cos().0).signed(sign);
         let inverse = Ball::exact(1.0).checked_div(turned)?;
         let all = turn() * (bracket - Ball::exact(self.start)).widened(self.radius);
-        let along = self.slopes.map(|s| {
-            let delay = -((all * s.drift - s.shift).signed(sign) * inverse);
-            [delay, s.drift.signed(sign)]
-        });
+        let change = |s: &Slope| {
+            let away = match side {
+                Side::Near => s.shift,
+                Side::Far => s.shift + Ball::exact(s.ahead),
+            };
+            [-((all * s.drift - away).signed(sign) * inverse), s.drift.signed(sign)]
+        };
+        let (along, parameters) = (self.sides.each_ref().map(change), self.parameters.each_ref().map(change));
         // Lemma D12: the wall moves by its radius
-        let rest = [up(up(all.mag() * self.rest[0] + self.rest[1] + wall.rad()) * inverse.mag()), self.rest[0]];
+        let rest = [up(up(all.mag() * self.rest[0] + self.rest[1] + loose) * inverse.mag()), self.rest[0]];
         let phase = match side {
             Side::Near => phase,
             Side::Far => phase + Ball::exact(0.5),
         };
-        Some(Landing { phase, speed, slope, along, rest })
+        Some(Landing { phase, speed, slope, along, parameters, rest })
     }
-}
 
-impl Landing {
-    /// Holds `n (x - p)` for all images `x`.
-    pub fn along(&self, normal: [Ball; 2], point: [Ball; 2]) -> Ball {
-        let [n, m] = normal;
-        let centre = n * (self.phase - point[0]) + m * (self.speed - point[1]);
-        let sheared = n + m * self.slope;
-        let change = |[delay, speed]: [Ball; 2]| (delay * sheared + m * speed).mag();
-        let rest = sheared.mag() * self.rest[0] + m.mag() * self.rest[1];
-        let [along, across, parameter] = self.along.map(change);
-        centre.widened(up(along + across + parameter + rest))
-    }
-}
-
-impl Flights {
     /// `D`
     pub fn gap(&self) -> Ball {
         self.gap
@@ -364,5 +311,32 @@ impl Flights {
         let by_start = (drift - self.cos).checked_div(all)?;
         let by_arrival = (coss - drift).checked_div(all)? + sins;
         Some(centre.widened(up(6.3 * up(by_start.mag() * self.radius + by_arrival.mag() * radius))))
+    }
+}
+
+impl<const M: usize> Landing<M> {
+    /// Holds `n (x - p)` for all images `x`.
+    pub fn along(&self, normal: [Ball; 2], point: [Ball; 2]) -> Ball {
+        self.told(normal, point, |_, change| change)
+    }
+
+    /// The same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15
+    pub fn beside(&self, [n, m]: [Ball; 2], point: [Ball; 2], moved: [State; M]) -> Ball {
+        let from = |k: usize, change: Ball| {
+            let [u, w] = moved[k].map(Ball::exact);
+            change - n * u - m * w
+        };
+        self.told([n, m], point, from)
+    }
+
+    /// `from` makes of what a parameter changes `n x` by what it changes `n (x - p)` by.
+    fn told(&self, [n, m]: [Ball; 2], point: [Ball; 2], from: impl Fn(usize, Ball) -> Ball) -> Ball {
+        let centre = n * (self.phase - point[0]) + m * (self.speed - point[1]);
+        let sheared = n + m * self.slope;
+        let change = |[delay, speed]: [Ball; 2]| delay * sheared + m * speed;
+        let [along, across] = self.along.map(|by| change(by).mag());
+        let by_parameters = (0..M).map(|k| from(k, change(self.parameters[k])).mag()).sum::<f64>();
+        let rest = sheared.mag() * self.rest[0] + m.mag() * self.rest[1];
+        centre.widened(up(along + across + by_parameters + rest))
     }
 }

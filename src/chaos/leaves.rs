@@ -6,8 +6,9 @@
 use super::bases::Seen;
 use super::bundles::Place;
 use super::entropy::entropy;
-use super::flights::{Side, State};
+use super::flights::Side;
 use super::guess::{Guess, cross, length};
+use super::quad::State;
 use super::words::{Base, Path};
 
 /// The widest gaps, which may part them.

@@ -1,10 +1,11 @@
 //! Chaos, proved: regions that no motion leaves and all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
 //! Floats propose, in `bases`, `bundles`, `everywhere`, `guess`, `leaves`, `propose` and `trials`; intervals dispose, in `flights`,
-//! `tube`, `words`, `trap` and `cycles`.
+//! `tube`, `words`, `trap`, `cycles` and `attracted`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D14 and D20-D23 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15 and D20-D23 of `docs/proofs.md`.
 
+mod attracted;
 mod bases;
 mod blocks;
 mod bundles;
@@ -18,6 +19,7 @@ mod guess;
 mod horseshoe;
 mod leaves;
 mod propose;
+mod quad;
 mod region;
 mod scene;
 #[cfg(test)]
@@ -31,7 +33,7 @@ pub use blocks::Word;
 pub use cells::{Asked, Cells, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
 pub use fate::{Entered, Fate};
-pub use flights::{Chord, State};
 pub use horseshoe::{Chaos, MOST_DEPTH, Question};
+pub use quad::{Chord, State};
 pub use region::{Trap, Untrapped};
 pub use words::Base;

@@ -2,8 +2,9 @@
 //!
 //! Labels: proposes throughout.
 
-use super::flights::{Chord, Side, State};
+use super::flights::Side;
 use super::guess::{Guess, Image, applied, cross, length, minus};
+use super::quad::{Chord, State};
 use super::tube::{Part, Tube};
 use std::f64::consts::TAU;
 

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::flights::{Law, State, is_positive};
+use super::flights::{Law, is_positive};
 use super::guess::Guess;
+use super::quad::State;
 use super::scene::{IMPACTS, Visited, visited};
 use super::trap::{Cell, Grid, Refusal, Region};
 use super::tube::side_of;

@@ -1,6 +1,7 @@
 //! From a scene to the reduced map, and to the first states of its orbit.
 
-use super::flights::{Law, State};
+use super::flights::Law;
+use super::quad::State;
 use crate::Error;
 use crate::exact::Exact;
 use crate::number::{Ball, Number};
@@ -27,6 +28,7 @@ impl Law {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Visited {
     pub index: u64,
+    pub wall: Wall,
     pub phase: Ball,
     pub speed: Ball,
 }
@@ -63,7 +65,7 @@ pub(super) fn visited(pair: &ImpactPair, start: &Start, impacts: u64) -> Result<
 
 fn mirrored(index: u64, wall: Wall, phase: Ball, velocity: Ball) -> Visited {
     match wall {
-        Wall::Left => Visited { index, phase, speed: -velocity },
-        Wall::Right => Visited { index, phase: phase + Ball::exact(0.5), speed: velocity },
+        Wall::Left => Visited { index, wall, phase, speed: -velocity },
+        Wall::Right => Visited { index, wall, phase: phase + Ball::exact(0.5), speed: velocity },
     }
 }

@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 
 use super::entropy::entropy;
-use super::flights::{Chord, Flights, Law, Quad, Side, State};
+use super::flights::{Flights, Law, Side};
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
+use super::quad::{Chord, Quad, State};
 use super::trap::{Grid, Region};
 use super::tube::Tube;
 use super::words::{Base, Path, Search};
@@ -38,7 +39,7 @@ fn bases() -> [Base; 3] {
 }
 
 /// The next impact of the flight from one state by the closed form of [`crate::contact`]: another route, certified.
-fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2])> {
+pub(super) fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2])> {
     let alpha = Ball::exact(1.0).checked_div(law.gap).unwrap();
     let beta = alpha.turn() * alpha;
     let pair = Reduced { alpha, beta, restitution: law.restitution };

@@ -4,7 +4,8 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
 use std::thread;
 
-use super::flights::{Flights, Law, Quad, Side, View, is_positive};
+use super::flights::{Flights, Law, Side, View, is_positive};
+use super::quad::Quad;
 use crate::number::{Ball, Number};
 
 /// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in turns modulo 1 and speed over `A W`.

@@ -3,9 +3,10 @@
 use std::sync::Mutex;
 use std::thread;
 
-use super::flights::{Chord, Law, Side, State, is_positive};
+use super::flights::{Law, Side, is_positive};
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
+use super::quad::{Chord, State};
 use super::tube::{Tube, WINDOW, side_of};
 
 /// A quadrilateral of states: the curves from its left to its right edge are what is followed.

@@ -10,6 +10,9 @@ from program import BINARY, ROOT
 
 TEXT = (ROOT / "docs/paper.md").read_text(encoding="utf-8")
 COMMANDS = sorted(set(re.findall(r"`((?:impact-pair|validation/paper/run|cargo)\b[^`]*)`", TEXT)))
+# Lower bounds of the entropy, an impact, and where it is told a cycle.
+BOUNDS = re.findall(r"entropy (?:at least )?\$(\d\.\d+)\$(?: an impact and \$(\d\.\d+)\$ a cycle)?", TEXT)
+ENTROPIES = {told for bound in BOUNDS for told in bound if told}
 
 
 class Document(unittest.TestCase):
@@ -23,6 +26,7 @@ class Document(unittest.TestCase):
     def test_commands_of_the_program_are_certified(self):
         runs = [command for command in COMMANDS if command.startswith("impact-pair ")]
         self.assertTrue(runs)
+        proved = []
         for command in runs:
             with self.subTest(command=command):
                 arguments = shlex.split(command)[1:]
@@ -30,6 +34,13 @@ class Document(unittest.TestCase):
                 done = subprocess.run([BINARY, *arguments, "--quiet"], cwd=ROOT, capture_output=True, text=True,
                                       check=False)
                 self.assertEqual(done.returncode, 0, done.stderr)
+                for certified in re.findall(r"topological entropy is at least (.*)", done.stdout):
+                    proved += re.findall(r"\d\.\d+", certified)
+        for told in ENTROPIES:
+            self.assertTrue([entropy for entropy in proved if entropy.startswith(told)], f"{told} of {proved}")
+
+    def test_entropies_are_told(self):
+        self.assertGreaterEqual(len(ENTROPIES), 8, "the words that tell them have changed")
 
     def test_no_other_command_is_quoted(self):
         self.assertFalse([command for command in COMMANDS if command.startswith("cargo")

@@ -1,0 +1,217 @@
+//! Orbits that converge for all values of a parameter: sets of states that move with it. Lemma D15 of `docs/proofs.md`
+//!
+//! A set is followed from one impact to the next as a parallelogram about a middle that is told for each value of the parameters. What
+//! they move is no error then: where the motion contracts, the parallelograms become small, and one that lies in an earlier one is proved
+//! to be contracted to a periodic orbit.
+
+use std::f64::consts::TAU;
+
+use num_integer::Integer;
+
+use super::bases::apart;
+use super::flights::{Flights, Law, Side};
+use super::guess::{Guess, applied, length};
+use super::quad::{Quad, State};
+use super::scene::Visited;
+use crate::mapping::{Mapping, Word};
+use crate::number::{Ball, Number, UNIT, up};
+use crate::pair::Wall;
+
+#[cfg(test)]
+mod tests;
+
+/// Impacts that are followed.
+const IMPACTS: usize = 2000;
+/// The most from a set to a later one that lies in it; so many more are followed to find the shortest period.
+const LONGEST: usize = 128;
+/// Every so many impacts sets may begin anew that have room for so often the way by which the orbit misses an earlier impact, if that is
+/// near: each of these is tried.
+const AGAIN: usize = 32;
+const ROOMS: [f64; 2] = [0.0, 8.0];
+const NEAR: f64 = 0.02;
+/// Sides are that much longer than they have to be, so that it can be proved that they are long enough.
+const LONGER: f64 = 1.0 + 1e-9;
+/// Wider sets are not followed.
+const WIDEST: f64 = 0.25;
+
+/// States `middle + a sides[0] + b sides[1] + c moved[0] + d moved[1]`, `|a|, |b| <= 1`; `c` and `d` in `[-1, 1]` tell `e` and `D`.
+#[derive(Clone, Copy, Debug)]
+struct Set {
+    middle: State,
+    sides: [State; 2],
+    moved: [State; 2],
+    /// The wall of the impact, and the whole turns passed before the middle's.
+    wall: Wall,
+    turns: f64,
+}
+
+/// The vectors whose products with a vector are its coordinates by two sides; `None` if these are not proved to be independent.
+fn coordinates([p, q]: [State; 2]) -> Option<[[Ball; 2]; 2]> {
+    let [[a, b], [c, d]] = [p.map(Ball::exact), q.map(Ball::exact)];
+    let area = a * d - b * c;
+    let divided = |x: Ball, y: Ball| Some([x.checked_div(area)?, y.checked_div(area)?]);
+    Some([divided(d, -c)?, divided(-b, a)?])
+}
+
+impl Set {
+    fn of(first: &Visited) -> Self {
+        let turns = first.phase.mid().floor(); // exact: whole turns, told by themselves
+        Self {
+            middle: [first.phase.mid() - turns, first.speed.mid()],
+            // D15: what the middle is rounded by
+            sides: [[up(first.phase.rad() + UNIT), 0.0], [0.0, first.speed.rad()]],
+            moved: [[0.0; 2]; 2],
+            wall: first.wall,
+            turns,
+        }
+    }
+
+    fn quad(&self) -> Quad {
+        let Self { middle, sides, moved, .. } = *self;
+        let states = Quad { centre: middle, sides, twist: [0.0; 2], slack: [0.0; 2], floor: 0.0 };
+        let [_, down] = states.radii(&moved);
+        Quad { floor: middle[1] - up(down + UNIT * middle[1]), ..states }
+    }
+
+    /// The set of the images, and on which wall they are; `None` where it is not proved that all land on one, without a graze.
+    fn next(&self, law: &Law, guess: &Guess) -> Option<(Self, Side)> {
+        let quad = self.quad();
+        if !(quad.floor > 0.0 && self.sides.iter().all(|side| length(*side) < WIDEST)) {
+            return None; // exact: given up, nothing is claimed
+        }
+        // proposes: where the images are, and how they lie there
+        let image = guess.map(self.middle)?;
+        let arrival = if image.side == Side::Far { image.state[0] - 0.5 } else { image.state[0] };
+        let [by_gap, by_restitution] = image.moved;
+        let [before, own] = [self.moved, [by_restitution, by_gap]];
+        let moved = [0, 1].map(|k| {
+            let [u, w] = applied(image.jacobian, before[k]);
+            [own[k][0] + u, own[k][1] + w]
+        });
+        let directions = directions(self.sides.map(|side| applied(image.jacobian, side)));
+        let turns = image.state[0].floor(); // exact: whole turns, told by themselves
+        let middle = [image.state[0] - turns, image.state[1]];
+
+        let landing = Flights::moved(law, &quad, self.moved).land(image.side, arrival)?;
+        let point = [Ball::exact(middle[0]) + Ball::exact(turns), Ball::exact(middle[1])];
+        let reach =
+            |sides: [State; 2]| Some(coordinates(sides)?.map(|normal| landing.beside(normal, point, moved).mag()));
+        let long = reach(directions)?;
+        let sides = [0, 1].map(|i| directions[i].map(|x| x * long[i] * LONGER));
+        // D15: the sides reach as far as the images
+        if !reach(sides)?.iter().all(|reach| *reach <= 1.0) {
+            return None;
+        }
+        let wall = if image.side == Side::Far { self.wall.other() } else { self.wall };
+        Some((Self { middle, sides, moved, wall, turns: self.turns + turns }, image.side))
+    }
+
+    /// Twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in it; sets
+    /// shrink as fast as motions converge.
+    fn with_room(self, room: f64, before: &[Self]) -> Self {
+        let away = |other: &Self| apart(other.middle, self.middle);
+        let back = room * before.iter().map(away).fold(f64::INFINITY, f64::min);
+        let least = if back < NEAR { back } else { 0.0 };
+        let longer = |side: State| side.map(|x| x * f64::max(2.0, least / length(side))); // D15: not shorter
+        Self { sides: self.sides.map(longer), ..self }
+    }
+
+    /// By how many whole turns another one has to be shifted to lie in this one, for each value of the parameters with a margin; `None`
+    /// where that is not proved. Lemma D15
+    fn holds(&self, other: &Self) -> Option<f64> {
+        let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
+        let away = [
+            Ball::exact(other.middle[0]) - Ball::exact(shift) - Ball::exact(self.middle[0]),
+            Ball::exact(other.middle[1]) - Ball::exact(self.middle[1]),
+        ];
+        let is_within = |normal: &[Ball; 2]| {
+            let along = |[u, w]: [Ball; 2]| normal[0] * u + normal[1] * w;
+            let side = |k: usize| along(other.sides[k].map(Ball::exact)).mag();
+            let moved = |k: usize| {
+                let [was, is] = [self.moved[k], other.moved[k]].map(|by| by.map(Ball::exact));
+                along([is[0] - was[0], is[1] - was[1]]).mag()
+            };
+            up(along(away).mag() + side(0) + side(1) + moved(0) + moved(1)) < 1.0 // D15: strictly inside
+        };
+        coordinates(self.sides)?.iter().all(is_within).then_some(shift)
+    }
+}
+
+/// Directions of unit length along the longer one of two vectors and square to it, phases in radians.
+fn directions([p, q]: [State; 2]) -> [State; 2] {
+    let [u, w] = if length(p) > length(q) { p } else { q };
+    let size = length([u, w]);
+    [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
+}
+
+/// A periodic orbit that has a state in a set: so many impacts, and whole turns, after which it comes again.
+struct Period {
+    from: usize,
+    impacts: usize,
+    turns: f64,
+}
+
+/// The word of the periodic orbit that the orbit from a state converges to, for all `D` and `e` of the law, from some impact on, and how
+/// many cycles it takes; `None` where that is not proved. Lemma D15
+pub(super) fn attracted(law: &Law, first: &Visited, goes_on: &dyn Fn() -> bool) -> Option<(Word, u32)> {
+    ROOMS.into_iter().find_map(|room| converges(law, first, room, goes_on))
+}
+
+/// The same by sets that have so much room every now and then.
+fn converges(law: &Law, first: &Visited, room: f64, goes_on: &dyn Fn() -> bool) -> Option<(Word, u32)> {
+    let guess = Guess::new(law);
+    let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());
+    let mut found: Option<(Period, usize)> = None;
+    while sets.len() <= IMPACTS && goes_on() {
+        let last = sets.len();
+        let Some((set, side)) = sets[last - 1].next(law, &guess) else { break };
+        for from in (last.saturating_sub(LONGEST)..last).rev() {
+            let impacts = last - from;
+            if found.as_ref().is_some_and(|(period, _)| impacts.is_multiple_of(period.impacts)) {
+                continue;
+            }
+            let Some(shift) = sets[from].holds(&set) else { continue };
+            match &mut found {
+                None => {
+                    found = Some((Period { from, impacts, turns: set.turns - sets[from].turns + shift }, last));
+                    break;
+                }
+                Some((period, _)) => period.divide(impacts),
+            }
+        }
+        let has_room = last.is_multiple_of(AGAIN) && (found.is_some() || room > 0.0); // proposes: larger sets hold as much
+        sets.push(if has_room { set.with_room(room, &sets[last - AGAIN..last - AGAIN / 2]) } else { set });
+        sides.push(side);
+        let Some((period, since)) = &found else { continue };
+        if period.impacts == 1 || last == since + LONGEST {
+            break;
+        }
+    }
+    let (Period { from, impacts, turns }, _) = found?;
+    told(sets[from].wall, &sides[from..from + impacts], turns)
+}
+
+impl Period {
+    /// It comes again after so many impacts as well: so after the greatest common divisor of both. Lemma D15
+    fn divide(&mut self, impacts: usize) {
+        let common = self.impacts.gcd(&impacts);
+        self.turns /= (self.impacts / common) as f64; // exact: whole turns after each part
+        self.impacts = common;
+    }
+}
+
+/// The word of so many flights from a wall, in whole turns of mirrored phases; twice where it ends on the other wall.
+fn told(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
+    let far = sides.iter().filter(|&&side| side == Side::Far).count();
+    let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is told half a turn later
+    let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
+    let mut from = wall;
+    let mut mappings = Vec::new();
+    for side in sides.repeat(rounds) {
+        let to = if side == Side::Far { from.other() } else { from };
+        mappings.push(Mapping::between(from, to));
+        from = to;
+    }
+    let cycles = half_cycles * rounds as i64 / 2; // exact: an even number
+    Some((Word::new(mappings).ok()?, u32::try_from(cycles).ok()?))
+}
