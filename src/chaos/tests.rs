@@ -55,7 +55,7 @@ pub(super) fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2]
 }
 
 /// Whether two enclosures of one number have a member in common.
-fn meet(a: Ball, b: Ball) -> bool {
+pub(super) fn meet(a: Ball, b: Ball) -> bool {
     (a.mid() - b.mid()).abs() <= a.rad() + b.rad() + 1e-15
 }
 

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::Scene;
-use crate::chaos::tests::truth;
+use crate::chaos::tests::{meet, truth};
 use crate::chaos::{Asked, Cells, Stretch, Verdict};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Progress, Settings};
 
@@ -39,7 +39,8 @@ fn vector(size: f64) -> impl Strategy<Value = State> {
 }
 
 proptest! {
-    /// Lemma D15: the next set holds the image of each member, told for its own parameters.
+    /// Lemma D15: the next set holds the image of each member, told for its own parameters; and what images differ by from any states
+    /// that move with these is in its bounds.
     #[test]
     fn the_next_set_holds_the_images(
         (gap, restitution) in prop_oneof![Just((1.178125, 0.5)), Just((3.0, 0.5)), Just((1.0, 0.8)), Just((0.1, 0.8))],
@@ -47,6 +48,7 @@ proptest! {
         middle in (0.0..1.0f64, 0.05..1.6f64),
         (p, q) in (vector(1e-3), vector(1e-3)),
         (r, s) in (vector(2e-3), vector(2e-3)),
+        other in [vector(1e-3), vector(1e-3)],
         part in [-1.0..=1.0f64, -1.0..=1.0, -1.0..=1.0, -1.0..=1.0],
         is_corner in any::<bool>(),
     ) {
@@ -58,6 +60,16 @@ proptest! {
             prop_assert_eq!(side, true_side);
             let found = reach(&next, image, [part[2], part[3]]);
             prop_assert!(found <= 1.0 + 1e-9, "{found}");
+            let arrival = image[0].mid() - if side == Side::Far { 0.5 } else { 0.0 };
+            let landing = Flights::moved(&law, &set.quad(), set.moved).land(side, arrival);
+            for i in 0..2 {
+                let normal = [i == 0, i == 1].map(|is_it| Ball::exact(if is_it { 1.0 } else { 0.0 }));
+                let moved = Ball::exact(part[2]) * Ball::exact(other[0][i]) + Ball::exact(part[3]) * Ball::exact(other[1][i]);
+                if let Some(landing) = landing {
+                    let found = landing.beside(normal, [Ball::exact(0.0); 2], other);
+                    prop_assert!(meet(found, image[i] - moved), "{found:?} {image:?} {moved:?}");
+                }
+            }
         }
     }
 
