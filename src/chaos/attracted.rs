@@ -110,7 +110,7 @@ impl Set {
     /// shrink as fast as motions converge.
     fn with_room(self, room: f64, before: &[Self]) -> Self {
         let away = |other: &Self| apart(other.middle, self.middle);
-        let back = room * before.iter().map(away).fold(f64::INFINITY, f64::min);
+        let back = room * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how much longer
         let least = if back < NEAR { back } else { 0.0 };
         let longer = |side: State| side.map(|x| x * f64::max(2.0, least / length(side))); // D15: not shorter
         Self { sides: self.sides.map(longer), ..self }
@@ -165,7 +165,8 @@ fn converges(law: &Law, first: &Visited, room: f64, goes_on: &dyn Fn() -> bool) 
     while sets.len() <= IMPACTS && goes_on() {
         let last = sets.len();
         let Some((set, side)) = sets[last - 1].next(law, &guess) else { break };
-        for from in (last.saturating_sub(LONGEST)..last).rev() {
+        let recent = last.saturating_sub(LONGEST)..last; // exact: all there are
+        for from in recent.rev() {
             let impacts = last - from;
             if found.as_ref().is_some_and(|(period, _)| impacts.is_multiple_of(period.impacts)) {
                 continue;
