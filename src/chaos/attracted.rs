@@ -106,13 +106,17 @@ impl Set {
         Some((Self { middle, sides, moved, wall, turns: self.turns + turns }, image.side))
     }
 
-    /// Twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in it; sets
+    /// At least twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in it; sets
     /// shrink as fast as motions converge.
     fn with_room(self, room: f64, before: &[Self]) -> Self {
         let away = |other: &Self| apart(other.middle, self.middle);
         let back = room * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how much longer
         let least = if back < NEAR { back } else { 0.0 };
-        let longer = |side: State| side.map(|x| x * f64::max(2.0, least / length(side))); // D15: not shorter
+        let longer = |side: State| {
+            let power = (least / length(side)).log2().ceil().max(1.0); // D15: at least twice as long
+            let factor = f64::powi(2.0, power as i32); // D15: a power of two, so that no side is turned by rounding
+            side.map(|x| factor * x)
+        };
         Self { sides: self.sides.map(longer), ..self }
     }
 
