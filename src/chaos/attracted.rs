@@ -106,8 +106,8 @@ impl Set {
         Some((Self { middle, sides, moved, wall, turns: self.turns + turns }, image.side))
     }
 
-    /// At least twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in it; sets
-    /// shrink as fast as motions converge.
+    /// At least twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in
+    /// it; sets shrink as fast as motions converge.
     fn with_room(self, room: f64, before: &[Self]) -> Self {
         let away = |other: &Self| apart(other.middle, self.middle);
         let back = room * before.iter().map(away).fold(f64::INFINITY, f64::min); // proposes: how much longer
