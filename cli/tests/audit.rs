@@ -355,20 +355,23 @@ fn ctrl_c_keeps_what_is_judged() {
     let impacts: String = (1..=100_000).map(impact).collect();
     std::fs::write(&list, format!("time,wall\n{impacts}")).unwrap();
     let arguments = ["scenes/figure-12-exact.toml", list.to_str().unwrap(), "--format", "json", "--output"];
-    // The draft appears after the handler is in place, and then impact after impact is certified.
-    let is_ready = || {
-        std::thread::sleep(std::time::Duration::from_millis(300));
-        common::files(&folder).len() == 2
+    // The draft appears after the handler is in place.
+    let is_ready = || common::files(&folder).len() == 2;
+    let command = || {
+        let _ = std::fs::remove_file(&file);
+        let mut command = audit(&arguments);
+        command.arg(&file);
+        command
     };
-    let answer = common::interrupted(audit(&arguments).arg(&file), is_ready);
+    let document = || serde_json::from_str::<Value>(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    let inside = |document: &Value| document["counts"]["inside"].as_u64().unwrap();
+    let answer = common::interrupted_within(command, is_ready, |_| inside(&document()) > 1);
     assert_eq!(answer.status.code(), Some(1));
     let text = String::from_utf8(answer.stderr).unwrap();
     assert!(text.contains("interrupted "), "{text}");
-    let document: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
-    let (counts, events) = (&document["counts"], document["events"].as_array().unwrap());
-    let (inside, undecided) = (counts["inside"].as_u64().unwrap(), counts["undecided"].as_u64().unwrap());
-    assert!(
-        undecided > 1 && inside > 1 && inside + undecided == 100_000 && document["double_precision"]["float"].is_null()
-    );
+    let document = document();
+    let (inside, undecided) = (inside(&document), document["counts"]["undecided"].as_u64().unwrap());
+    assert!(undecided > 1 && inside + undecided == 100_000 && document["double_precision"]["float"].is_null());
+    let events = document["events"].as_array().unwrap();
     assert!(events[..inside as usize].iter().all(|event| event["verdict"] == "inside"));
 }

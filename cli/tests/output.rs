@@ -95,27 +95,29 @@ mod interrupted {
         assert_eq!(String::from_utf8(answer.stderr).unwrap(), format!("interrupted after impact {count}\n"));
     }
 
-    /// What the program writes to a file and says when Ctrl-C comes soon after its draft is there.
-    fn interrupted(name: &str, arguments: &[&str]) -> (serde_json::Value, String) {
+    /// What the program writes to a file and says when Ctrl-C comes as soon as there are some of `what`.
+    fn interrupted(name: &str, arguments: &[&str], what: &str) -> (serde_json::Value, String) {
         let folder = folder(name);
         let file = folder.join("answer.json");
-        let is_ready = || {
-            std::thread::sleep(std::time::Duration::from_millis(300));
-            !files(&folder).is_empty()
+        let command = || {
+            let _ = fs::remove_file(&file);
+            let mut command = common::program(arguments);
+            command.args(["--format", "json", "--output"]).arg(&file);
+            command
         };
-        let mut command = common::program(arguments);
-        let answer = common::interrupted(command.args(["--format", "json", "--output"]).arg(&file), is_ready);
+        let document = || serde_json::from_str::<serde_json::Value>(&fs::read_to_string(&file).unwrap()).unwrap();
+        let is_within = |_: &_| !document()[what].as_array().unwrap().is_empty();
+        let answer = common::interrupted_within(command, || !files(&folder).is_empty(), is_within);
         assert_eq!(answer.status.code(), Some(1), "{answer:?}");
         assert_eq!(files(&folder), ["answer.json"]);
-        let document = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
-        (document, String::from_utf8(answer.stderr).unwrap())
+        (document(), String::from_utf8(answer.stderr).unwrap())
     }
 
     #[test]
     fn a_manifold_keeps_the_points_that_are_proved() {
         let range =
             ["scenes/figure-10.toml", "--manifold", "frequency=5..60:90000", "--digits", "100", "--cycles", "1..99"];
-        let (document, said) = interrupted("manifold-interrupted", &[&["two-impact"], &range[..]].concat());
+        let (document, said) = interrupted("manifold-interrupted", &[&["two-impact"], &range[..]].concat(), "curves");
         assert_eq!(said, "interrupted: all points that are there are proved, others are left\n");
         assert_eq!((&document["interrupted"], &document["certified"]), (&true.into(), &false.into()));
         let curves = document["curves"].as_array().unwrap();
@@ -127,7 +129,7 @@ mod interrupted {
     fn bifurcations_keep_those_that_are_proved() {
         let over = ["--over", "amplitude=0.03..0.499", "--doublings", "8", "--digits", "400"];
         let word = ["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1"];
-        let (document, said) = interrupted("bifurcations-interrupted", &[&word[..], &over].concat());
+        let (document, said) = interrupted("bifurcations-interrupted", &[&word[..], &over].concat(), "points");
         let points = document["points"].as_array().unwrap();
         assert!(said.starts_with("interrupted: ") && said.contains(&format!("{} bifurcation", points.len())), "{said}");
         assert_eq!((&document["interrupted"], &document["certified"]), (&true.into(), &false.into()));

@@ -73,6 +73,28 @@ pub fn interrupted(command: &mut Command, is_ready: impl Fn() -> bool) -> Output
     child.wait_with_output().unwrap()
 }
 
+/// What the program answers when Ctrl-C comes within its work: longer after it `is_ready` from one try to the next, until
+/// the answer `is_within`. Machines and builds differ by more than any one wait allows for.
+#[cfg(unix)]
+pub fn interrupted_within(
+    command: impl Fn() -> Command,
+    is_ready: impl Fn() -> bool,
+    is_within: impl Fn(&Output) -> bool,
+) -> Output {
+    let after = |wait| {
+        let mut child = command().stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        while !is_ready() {
+            assert!(child.try_wait().unwrap().is_none(), "it is never ready");
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        std::thread::sleep(wait);
+        interrupt(&child);
+        child.wait_with_output().unwrap()
+    };
+    let waits = (5..14).map(|power| std::time::Duration::from_millis(1 << power));
+    waits.map(after).find(is_within).expect("an answer within the work")
+}
+
 /// Ctrl-C.
 #[cfg(unix)]
 pub fn interrupt(child: &Child) {
