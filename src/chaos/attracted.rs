@@ -9,8 +9,9 @@ use std::f64::consts::TAU;
 use num_integer::Integer;
 
 use super::bases::apart;
-use super::flights::{Flights, Law, Side};
+use super::flights::Flights;
 use super::guess::{Guess, applied, length};
+use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use super::scene::Visited;
 use crate::mapping::{Mapping, Word};
@@ -81,7 +82,7 @@ impl Set {
         }
         // proposes: where the images are, and how they lie there
         let image = guess.map(self.middle)?;
-        let arrival = if image.side == Side::Far { image.state[0] - 0.5 } else { image.state[0] };
+        let arrival = image.state[0] - image.side.shift();
         let [by_gap, by_restitution] = image.moved;
         let [before, own] = [self.moved, [by_restitution, by_gap]];
         let moved = [0, 1].map(|k| {
@@ -102,8 +103,10 @@ impl Set {
         if !reach(sides)?.iter().all(|reach| *reach <= 1.0) {
             return None;
         }
-        let wall = if image.side == Side::Far { self.wall.other() } else { self.wall };
-        Some((Self { middle, sides, moved, wall, turns: self.turns + turns }, image.side))
+        Some((
+            Self { middle, sides, moved, wall: image.side.lands_on(self.wall), turns: self.turns + turns },
+            image.side,
+        ))
     }
 
     /// At least twice as large and, where it comes back to one of some sets before, so large that what it converges to is likely to be in
@@ -213,7 +216,7 @@ fn told(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
     let mut from = wall;
     let mut mappings = Vec::new();
     for side in sides.repeat(rounds) {
-        let to = if side == Side::Far { from.other() } else { from };
+        let to = side.lands_on(from);
         mappings.push(Mapping::between(from, to));
         from = to;
     }

@@ -4,8 +4,9 @@
 
 use std::f64::consts::TAU;
 
-use super::flights::{Law, is_positive};
+use super::flights::is_positive;
 use super::guess::{Guess, applied, length};
+use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
 use super::trials::{DEPTH, Effort, SLOW, Trials};

@@ -1,6 +1,5 @@
 //! Words as they are told, and two of them that follow one another in any order.
 
-use super::flights::Side;
 use super::words::Path;
 use crate::mapping::Mapping;
 use crate::pair::Wall;
@@ -22,9 +21,7 @@ impl Word {
     pub(super) fn of(path: &Path) -> Self {
         let mut wall = Wall::Left;
         let walls = path.sides.iter().map(|side| {
-            if *side == Side::Far {
-                wall = wall.other();
-            }
+            wall = side.lands_on(wall);
             wall
         });
         Self { walls: walls.collect(), from: path.from, to: path.to, half_cycles: path.half_turns }

@@ -7,9 +7,9 @@ use std::thread;
 
 use super::attracted::attracted;
 use super::bases::{Seen, seen};
-use super::flights::Law;
 use super::guess::Guess;
 use super::horseshoe::{Chaos, bases, problem};
+use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
 use super::trials::ANY;

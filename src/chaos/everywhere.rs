@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 
 use super::bases::{LENGTHS, Seen, apart};
 use super::entropy::entropy;
-use super::flights::Side;
 use super::guess::{Guess, cross};
+use super::law::Side;
 use super::propose::Making;
 use super::quad::{Chord, State};
 use super::trials::each;

@@ -46,7 +46,7 @@ impl Fate {
         let mut attractor = None;
         for asked in ASKED {
             if attractor.is_none() {
-                attractor = attracted(pair, start, asked, goes_on)?;
+                attractor = limit(pair, start, asked, goes_on)?;
             }
         }
         let region = match bases {
@@ -62,7 +62,7 @@ impl Fate {
 }
 
 /// The periodic orbit that so many impacts of an orbit prove it to converge to. Lemma Q3
-fn attracted(
+fn limit(
     pair: &ImpactPair,
     start: &Start,
     (arithmetic, impacts): (Arithmetic, u64),

@@ -3,17 +3,9 @@
 use std::array;
 use std::f64::consts::TAU;
 
+use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use crate::number::{Ball, Number, TINY, UNIT, up};
-
-/// The pair as the reduced map sees it: every impact mirrored to the left wall, lengths in amplitudes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Law {
-    /// `D = d/A`
-    pub gap: Ball,
-    /// `e`
-    pub restitution: Ball,
-}
 
 /// What a flight's drift and its height at a phase of arrival change by, along one side: `drift`, and `x drift - shift`.
 #[derive(Clone, Copy, Debug)]
@@ -22,24 +14,6 @@ struct Slope {
     shift: Ball,
     /// How far the far wall moves.
     ahead: f64,
-}
-
-/// Which wall a flight ends on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) enum Side {
-    /// The wall it left.
-    Near,
-    /// The other one.
-    Far,
-}
-
-impl Side {
-    fn sign(self) -> f64 {
-        match self {
-            Self::Near => -1.0,
-            Self::Far => 1.0,
-        }
-    }
 }
 
 /// The flights from a quadrilateral, with `M` parameters among their directions: `e`, or `e` and `D`.

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use super::flights::{Law, Side};
+use super::law::{Law, Side};
 use super::quad::State;
 use crate::contact::first_contact_f64;
 use crate::flight::Flight;

@@ -6,8 +6,8 @@
 use super::bases::Seen;
 use super::bundles::Place;
 use super::entropy::entropy;
-use super::flights::Side;
 use super::guess::{Guess, cross, length};
+use super::law::Side;
 use super::quad::State;
 use super::words::{Base, Path};
 
@@ -215,7 +215,7 @@ fn crossings(images: &[[f64; 2]], taken: &[bool]) -> Vec<[usize; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chaos::flights::Law;
+    use crate::chaos::law::Law;
     use crate::number::Ball;
 
     /// So many images, evenly from one place to another.

@@ -17,6 +17,7 @@ mod fate;
 mod flights;
 mod guess;
 mod horseshoe;
+mod law;
 mod leaves;
 mod propose;
 mod quad;

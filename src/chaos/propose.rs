@@ -2,8 +2,8 @@
 //!
 //! Labels: proposes throughout.
 
-use super::flights::Side;
 use super::guess::{Guess, Image, applied, cross, length, minus};
+use super::law::Side;
 use super::quad::{Chord, State};
 use super::tube::{Part, Tube};
 use std::f64::consts::TAU;

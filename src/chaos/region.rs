@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::flights::{Law, is_positive};
+use super::flights::is_positive;
 use super::guess::Guess;
+use super::law::Law;
 use super::quad::State;
 use super::scene::{IMPACTS, Visited, visited};
 use super::trap::{Cell, Grid, Refusal, Region};

@@ -1,6 +1,6 @@
 //! From a scene to the reduced map, and to the first states of its orbit.
 
-use super::flights::Law;
+use super::law::Law;
 use super::quad::State;
 use crate::Error;
 use crate::exact::Exact;

@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 
 use super::entropy::entropy;
-use super::flights::{Flights, Law, Side};
+use super::flights::Flights;
 use super::guess::Guess;
+use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, Quad, State};
 use super::trap::{Grid, Region};
@@ -86,7 +87,7 @@ proptest! {
         let law = Law { gap: law.gap.widened(radii.0), restitution: law.restitution.widened(radii.1) };
         let guess = Guess::new(&law);
         let landed = guess.map(quad.centre).and_then(|image| {
-            let arrival = image.state[0] - if image.side == Side::Far { 0.5 } else { 0.0 };
+            let arrival = image.state[0] - image.side.shift();
             Some((image.side, Flights::new(&law, &quad).land(image.side, arrival)?))
         });
         if let (Some((side, landing)), Some((true_side, [u, w]))) = (landed, truth(&one, member)) {

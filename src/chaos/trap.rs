@@ -4,7 +4,8 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
 use std::thread;
 
-use super::flights::{Flights, Law, Side, View, is_positive};
+use super::flights::{Flights, View, is_positive};
+use super::law::{Law, Side};
 use super::quad::Quad;
 use crate::number::{Ball, Number};
 

@@ -7,7 +7,7 @@ use std::thread;
 
 use super::bundles::Bundle;
 use super::entropy::entropy;
-use super::flights::Law;
+use super::law::Law;
 use super::propose::Making;
 use super::words::{Base, Search, Tally};
 

@@ -1,7 +1,8 @@
 //! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas D6, D7 of `docs/proofs.md`.
 
-use super::flights::{Flights, Landing, Law, Side, is_positive};
+use super::flights::{Flights, Landing, is_positive};
 use super::guess::Guess;
+use super::law::{Law, Side};
 use super::quad::{Chord, Quad, State};
 use crate::number::Ball;
 

@@ -3,8 +3,9 @@
 use std::sync::Mutex;
 use std::thread;
 
-use super::flights::{Law, Side, is_positive};
+use super::flights::is_positive;
 use super::guess::Guess;
+use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
 use super::tube::{Tube, WINDOW, side_of};

@@ -1,7 +1,7 @@
 //! A chain of impacts in the reduced map, each in a box, and how it is cut: Lemma D22.
 
 use super::relation::{Leg, Relation};
-use crate::chaos::flights::Side;
+use crate::chaos::law::Side;
 use crate::periodic::Interval;
 use crate::periodic::krawczyk::Jacobian;
 use crate::periodic::precondition::Preconditioner;

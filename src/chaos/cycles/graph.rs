@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::sync::Mutex;
 use std::{mem, thread};
 
-use crate::chaos::flights::Law;
+use crate::chaos::law::Law;
 use crate::chaos::trap::{Cell, Grid, Region};
 use crate::periodic::Interval;
 

@@ -18,7 +18,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use super::flights::Law;
+use super::law::Law;
 use super::region::{Trap, Untrapped};
 use crate::contact::Reason;
 use crate::exact::Enclosure;

@@ -1,6 +1,6 @@
 //! What an impact and the next one have to do with each other, over boxes of their phases: Lemma D20.
 
-use crate::chaos::flights::{Law, Side};
+use crate::chaos::law::{Law, Side};
 use crate::periodic::Interval;
 
 /// The pair over intervals.
@@ -32,13 +32,6 @@ struct Speeds {
 }
 
 const PI: Interval = Interval::new(std::f64::consts::PI, std::f64::consts::PI.next_up());
-
-impl Side {
-    /// What is added to the phase of an impact on it, in turns.
-    pub(super) fn shift(self) -> f64 {
-        if self == Self::Far { 0.5 } else { 0.0 }
-    }
-}
 
 impl Relation {
     pub fn new(law: &Law) -> Self {
@@ -77,7 +70,7 @@ impl Relation {
         let at = self.speeds(side, centres[0], centres[1] - shift)?;
         let Speeds { mut after, mut before, mut rates } = self.speeds(side, from, to)?;
         let [first, second] = [from, to].map(|x| (PI * x.sin()).times(2.0));
-        let (time, sign) = (to - from, if side == Side::Far { 1.0 } else { -1.0 });
+        let (time, sign) = (to - from, side.sign());
         let mut slopes;
         let mut rounds = 2;
         loop {

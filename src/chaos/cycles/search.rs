@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::chain::{Chain, Laws};
 use super::graph::Layer;
 use super::told::Told;
-use crate::chaos::flights::{Law, Side};
+use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Quad;
 use crate::chaos::trap::{Arrivals, Grid};
 use crate::number::up;

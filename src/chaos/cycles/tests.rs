@@ -7,8 +7,8 @@ use super::graph::Graph;
 use super::relation::Relation;
 use super::told::Told;
 use super::*;
-use crate::chaos::flights::Side;
 use crate::chaos::guess::Guess;
+use crate::chaos::law::Side;
 
 fn scene(excitation: &str, pair: &str) -> Scene {
     Scene::parse(&format!(

@@ -1,7 +1,7 @@
 //! Closed chains of the reduced map as the whole system sees them: words of both walls, from the left one on.
 
 use super::chain::Chain;
-use crate::chaos::flights::Side;
+use crate::chaos::law::Side;
 use crate::pair::ImpactPair;
 use crate::periodic::{Interval, Problem};
 

@@ -1,0 +1,48 @@
+//! The reduced map: what it takes from the pair, and which wall its flights end on.
+
+use crate::number::Ball;
+use crate::pair::Wall;
+
+/// The pair as the reduced map sees it: every impact mirrored to the left wall, lengths in amplitudes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Law {
+    /// `D = d/A`
+    pub gap: Ball,
+    /// `e`
+    pub restitution: Ball,
+}
+
+/// Which wall a flight ends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) enum Side {
+    /// The wall it left.
+    Near,
+    /// The other one.
+    Far,
+}
+
+impl Side {
+    /// Of the speed it arrives with, where the wall it leaves is at 0 and the other one above.
+    pub(super) fn sign(self) -> f64 {
+        match self {
+            Self::Near => -1.0,
+            Self::Far => 1.0,
+        }
+    }
+
+    /// The wall that a flight from this one ends on.
+    pub(super) fn lands_on(self, wall: Wall) -> Wall {
+        match self {
+            Self::Near => wall,
+            Self::Far => wall.other(),
+        }
+    }
+
+    /// What is added to the phase of an impact on it, in turns.
+    pub(super) fn shift(self) -> f64 {
+        match self {
+            Self::Near => 0.0,
+            Self::Far => 0.5,
+        }
+    }
+}
