@@ -14,6 +14,8 @@ pub(super) struct Guess {
     restitution: f64,
     /// Their radii.
     radii: [f64; 2],
+    /// Sine and cosine of one step.
+    step: (f64, f64),
 }
 
 /// By rows, of phases and speeds.
@@ -35,10 +37,11 @@ pub(super) struct Image {
 /// Flights are looked at in steps of this, no more than so many.
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
+
 impl Guess {
     pub fn new(law: &Law) -> Self {
         let radii = [law.gap, law.restitution].map(|x| x.parted().1.hi());
-        Self { gap: law.gap.mid(), restitution: law.restitution.mid(), radii }
+        Self { gap: law.gap.mid(), restitution: law.restitution.mid(), radii, step: (TAU * STEP).sin_cos() }
     }
 
     /// The next impact; `None` where none is found.
@@ -46,21 +49,23 @@ impl Guess {
         let (sin0, cos0) = (TAU * (start - start.floor())).sin_cos();
         let after = self.restitution * speed;
         let drift = after + cos0;
-        let flight = |time: f64| {
-            let angle = TAU * time;
-            // By the start's own sine and cosine, which a double holds well.
-            let (s, c) = angle.sin_cos();
-            let (sin1, cos1) = (sin0 * c + cos0 * s, cos0 * c - sin0 * s);
-            (drift * angle - sin1 + sin0, drift - cos1, sin1)
-        };
+        // Sine and cosine of the wall's phase by the start's own, which a double holds well.
+        let turned = |[sin, cos]: [f64; 2], (s, c): (f64, f64)| [sin * c + cos * s, cos * c - sin * s];
+        let at = |time: f64, [sin, cos]: [f64; 2]| (drift * TAU * time - sin + sin0, drift - cos, sin);
+        let flight = |time: f64| at(time, turned([sin0, cos0], (TAU * time).sin_cos()));
         let is_inside = |height: f64| height > 0.0 && height < self.gap;
-        let (mut from, mut rate_before) = (0.0, after);
+        let (mut from, mut rate_before, mut waves) = (0.0, after, [sin0, cos0]);
         for k in 1..=STEPS {
             let to = STEP * f64::from(k);
-            let (height, rate, _) = flight(to);
+            waves = turned(waves, self.step);
+            let (height, rate, _) = at(to, waves);
             // The extremum of a step may be beyond a wall, too.
             let turning = if rate_before * rate < 0.0 && k > 1 {
-                let time = zero(from, to, |time| flight(time).1 * rate.signum());
+                let sign = rate.signum();
+                let time = zero(from, to, |time| {
+                    let (_, rate, sin1) = flight(time);
+                    [sign * rate, sign * TAU * sin1]
+                });
                 (!is_inside(flight(time).0)).then_some(time)
             } else {
                 None
@@ -69,7 +74,10 @@ impl Guess {
                 let is_far = flight(end).0 > 0.5 * self.gap;
                 let (sign, level) = if is_far { (1.0, self.gap) } else { (-1.0, 0.0) };
                 let begin = if k == 1 { 1e-9 } else { from };
-                let time = zero(begin, end, |time| sign * (flight(time).0 - level));
+                let time = zero(begin, end, |time| {
+                    let (height, rate, _) = flight(time);
+                    [sign * (height - level), sign * TAU * rate]
+                });
                 let (_, rate, sin1) = flight(time);
                 let angle = TAU * time;
                 // (A.7)
@@ -112,19 +120,20 @@ impl Guess {
     }
 }
 
-/// Where an increasing function is 0, by false position and halving.
-fn zero(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (mut below, mut above) = (f(low), f(high));
-    for k in 0..60 {
-        let secant = low - below * (high - low) / (above - below);
-        let at = if k % 3 == 2 || !secant.is_finite() { 0.5 * (low + high) } else { secant.clamp(low, high) };
-        let value = f(at);
-        if value == 0.0 || high - low < 4e-16 * high {
-            return at;
+/// Where a function that increases is 0, from it and its derivative: by Newton's method, by halving where that leaves the bracket.
+fn zero(mut low: f64, mut high: f64, f: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let mut at = 0.5 * (low + high);
+    for _ in 0..60 {
+        let [value, slope] = f(at);
+        *if value < 0.0 { &mut low } else { &mut high } = at;
+        let newton = at - value / slope;
+        let next = if (low..=high).contains(&newton) { newton } else { 0.5 * (low + high) };
+        if (next - at).abs() <= f64::EPSILON * high {
+            return next;
         }
-        if value < 0.0 { (low, below) = (at, value) } else { (high, above) = (at, value) }
+        at = next;
     }
-    0.5 * (low + high)
+    at
 }
 
 /// A vector's image.
