@@ -25,7 +25,7 @@ PROFILE = ["--profile", "validation"]
 PROGRAM = TARGET / "validation" / "impact-pair"
 TAIL = 40
 # Seconds after which a part has failed; ten times as many in full.
-PATIENCE = 1800
+PATIENCE = 2700
 # What runs now: stopped when another part fails, or the user interrupts.
 RUNNING = set()
 
