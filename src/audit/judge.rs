@@ -7,7 +7,7 @@ use super::list::Listed;
 use super::tolerance::Tolerance;
 use super::truth::{Rest, Site, SiteKind, Truth};
 use super::verdict::{Reason, Verdict};
-use crate::exact::{Dyadic, Enclosure};
+use crate::exact::{Dyadic, Enclosure, compare_rational};
 
 /// A row, a certified impact, or both.
 #[derive(Clone, Debug)]
@@ -91,8 +91,8 @@ struct Judge<'a> {
     tolerance: &'a Tolerance,
     times: Vec<Enclosure>,
     /// The middles of the contacts' times, and the times where the nearest contact changes.
-    middles: Vec<BigRational>,
-    boundaries: Vec<BigRational>,
+    middles: Vec<Dyadic>,
+    boundaries: Vec<Dyadic>,
 }
 
 impl<'a> Judge<'a> {
@@ -104,16 +104,17 @@ impl<'a> Judge<'a> {
 
     /// The contact nearest in time.
     fn nearest(&self, row: usize) -> Option<usize> {
-        let before = self.boundaries.partition_point(|boundary| boundary < &self.rows[row].time.low);
+        let before =
+            self.boundaries.partition_point(|boundary| compare_rational(boundary, &self.rows[row].time.low).is_lt());
         (!self.truth.sites.is_empty()).then_some(before)
     }
 
     /// The contacts on its wall that a row may be: the nearest one, and all within the tolerance; the start only then.
     fn candidates(&self, row: usize) -> Vec<usize> {
         let around = self.tolerance.around_time(&self.times[row]);
-        let (from, to) = (around.inf().to_rational(), around.sup().to_rational());
-        let first = self.middles.partition_point(|middle| middle < &from);
-        let near = first..self.middles.partition_point(|middle| middle <= &to);
+        let (from, to) = (around.inf(), around.sup());
+        let first = self.middles.partition_point(|middle| middle < from);
+        let near = first..self.middles.partition_point(|middle| middle <= to);
         let is_start = |site: usize| self.truth.sites[site].kind == SiteKind::Start;
         let nearest = self.nearest(row).filter(|&site| !near.contains(&site));
         let nearest = nearest.filter(|&site| !is_start(site) && !self.is_beyond(row, site));
@@ -126,16 +127,19 @@ impl<'a> Judge<'a> {
     fn is_beyond(&self, row: usize, site: usize) -> bool {
         let is_open = self.truth.doubtful_from.is_some() && site + 1 == self.truth.sites.len();
         // As far as the last contact's half of the flight that led to it.
-        let half = site.checked_sub(1).map(|before| &self.middles[site] - &self.boundaries[before]);
-        is_open
-            && self.rows[row].time.low
-                > half.map_or_else(|| self.middles[site].clone(), |half| &self.middles[site] + half)
+        let end = || {
+            let middle = self.middles[site].to_rational();
+            let half = site.checked_sub(1).map(|before| &middle - self.boundaries[before].to_rational());
+            half.map_or_else(|| middle.clone(), |half| &middle + half)
+        };
+        is_open && self.rows[row].time.low > end()
     }
 
     fn is_nearer(&self, one: usize, other: usize, site: usize) -> bool {
         let distance = |row: usize| {
             let time = &self.rows[row].time;
-            let twice = &time.low + &time.high - &self.middles[site] - &self.middles[site];
+            let middle = self.middles[site].to_rational();
+            let twice = &time.low + &time.high - &middle - &middle;
             if twice < BigRational::from_integer(0.into()) { -twice } else { twice }
         };
         distance(one) < distance(other)
@@ -143,14 +147,15 @@ impl<'a> Judge<'a> {
 
     /// The first contact from `next` on that is matched or is not before this time.
     fn unmatched_before(&self, next: usize, alignment: &Alignment, time: &BigRational) -> usize {
-        let is_earlier = |&site: &usize| alignment.row_of[site].is_none() && &self.middles[site] < time;
+        let is_earlier =
+            |&site: &usize| alignment.row_of[site].is_none() && compare_rational(&self.middles[site], time).is_lt();
         (next..self.middles.len()).take_while(is_earlier).last().map_or(next, |last| last + 1)
     }
 
     fn missed(&self, site: usize, alignment: &Alignment, end: &BigRational) -> Option<Finding> {
         let Site { kind, time, .. } = &self.truth.sites[site];
         let is_missed =
-            alignment.row_of[site].is_none() && *kind == SiteKind::Impact && &time.sup().to_rational() <= end;
+            alignment.row_of[site].is_none() && *kind == SiteKind::Impact && compare_rational(time.sup(), end).is_le();
         is_missed.then_some(Finding { verdict: Verdict::Missed, row: None, site: Some(site), errors: None })
     }
 

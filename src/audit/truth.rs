@@ -3,12 +3,11 @@
 use std::ops::ControlFlow;
 
 use impact_pair_certificate::document::ArithmeticDocument;
-use num_rational::BigRational;
 
 use super::judge::Finding;
 use super::tolerance::Tolerance;
 use crate::document::{Conclusion, Event, Kind, arithmetic};
-use crate::exact::{Enclosure, Exact};
+use crate::exact::{Dyadic, Enclosure, Exact};
 use crate::orbit::{Orbit, Outcome, Place, Settings, Watch};
 use crate::pair::Wall;
 use crate::{Error, Scene};
@@ -48,8 +47,8 @@ pub enum SiteKind {
 
 impl Site {
     /// The middle of the time's enclosure.
-    pub(super) fn middle(&self) -> BigRational {
-        middle(&self.time.inf().to_rational(), &self.time.sup().to_rational())
+    pub(super) fn middle(&self) -> Dyadic {
+        self.time.inf().middle(self.time.sup())
     }
 }
 
@@ -148,12 +147,12 @@ impl Truth {
     }
 
     /// The times at which one contact stops being the nearest one and the next begins to be; a rest between is halved.
-    pub fn boundaries(&self) -> Vec<BigRational> {
+    pub fn boundaries(&self) -> Vec<Dyadic> {
         let boundary = |pair: &[Site]| {
             let [one, next] = pair else { unreachable!("windows of two") };
             match one.rest.as_ref().and_then(|rest| Some((&rest.from, rest.until.as_ref()?))) {
-                Some((from, until)) => middle(&from.sup().to_rational(), &until.inf().to_rational()),
-                None => middle(&one.middle(), &next.middle()),
+                Some((from, until)) => from.sup().middle(until.inf()),
+                None => one.middle().middle(&next.middle()),
             }
         };
         self.sites.windows(2).map(boundary).collect()
@@ -207,8 +206,4 @@ fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance)
     {
         sites.pop();
     }
-}
-
-fn middle(one: &BigRational, other: &BigRational) -> BigRational {
-    (one + other) / BigRational::from_integer(2.into())
 }

@@ -162,6 +162,13 @@ impl Dyadic {
         Dyadic::new(self.mantissa.clone(), join(self.exponent, shift))
     }
 
+    /// The exact middle of two. **Cost**: as many bits as their exponents are apart.
+    pub fn middle(&self, other: &Dyadic) -> Dyadic {
+        let unit = self.exponent.min(other.exponent); // exact: the unit of both
+        let sum = (&self.mantissa << (self.exponent - unit)) + (&other.mantissa << (other.exponent - unit));
+        Dyadic::new(sum, join(unit, -1))
+    }
+
     /// A dyadic of at most `bits` mantissa bits, on the side of `self` that `round` says.
     pub(crate) fn rounded(&self, bits: u32, round: Round) -> Dyadic {
         let Some(top) = self.top() else {
@@ -325,6 +332,12 @@ mod tests {
                 prop_assert_eq!(d.to_f64_down(), x);
                 prop_assert_eq!(d.to_f64_up(), x);
             }
+        }
+
+        #[test]
+        fn a_middle_is_as_far_from_both(m: i64, e in -300i64..300, n: i64, f in -300i64..300) {
+            let (a, b) = (dyadic(m, e), dyadic(n, f));
+            prop_assert_eq!(a.middle(&b).scaled(1).to_rational(), a.to_rational() + b.to_rational());
         }
 
         #[test]
