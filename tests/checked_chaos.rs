@@ -97,7 +97,7 @@ fn long_words_are_confirmed() {
 
 #[test]
 fn spoiled_words_are_refused() {
-    let document = chaos(3, None);
+    let document = chaos(5, None);
     assert!(is_confirmed(&document));
     let words = document["words"].as_array().unwrap();
     let edited = |edit: &dyn Fn(&mut Vec<Value>)| {
@@ -125,7 +125,7 @@ fn spoiled_words_are_refused() {
     refuses(&edited(&|words| words.push(added.clone())), "a word more", "not proved again");
     let beyond = json!({ "from": 3, "to": 0, "impacts": 2, "half_cycles": 2, "flights": "FF" });
     refuses(&edited(&|words| words.push(beyond.clone())), "a base that is not there", "contradicts");
-    let shallow = with(&document, &[("/depth", json!(2))]);
+    let shallow = with(&document, &[("/depth", json!(3))]);
     refuses(&shallow, "a lower depth", "contradicts");
 }
 
