@@ -61,7 +61,7 @@ impl Orbit {
             return Progress::Ended;
         };
         self.aside.grazes += 1;
-        let is_late = self.is_past(turns, Ball::exact(at));
+        let is_late = self.is_past(turns, Ball::exact(at), || finite(Ball::exact(at)));
         if is_late || self.asked.settings.impacts.is_some_and(|impacts| self.aside.grazes > impacts) {
             self.outcome = Some(Outcome::Periodic(Period { cycles: 1, impacts: 0 }));
             self.aside.is_late = is_late;
@@ -73,16 +73,17 @@ impl Orbit {
 
     /// An event of a motion that is proved to be periodic.
     fn repeat(&mut self, event: Progress) -> Progress {
-        let (turns, phase) = match &event {
-            Progress::Impact(impact) => (impact.turns, impact.phase),
+        let (turns, enclosed) = match &event {
+            Progress::Impact(impact) => (impact.turns, impact.enclosures().0),
             Progress::Graze(Graze { turns, phase, .. }) | Progress::Release(Release { turns, phase, .. }) => {
-                let (mid, rad) = phase.mid_rad();
-                (*turns, Ball::new(mid, rad))
+                (*turns, phase.clone())
             }
             // Infinitely many impacts come before a rest, some of them perhaps in time.
             Progress::Rest(_) | Progress::Retraced(_) | Progress::Ended => return event,
         };
-        if self.is_past(turns, phase) {
+        let (mid, rad) = enclosed.mid_rad();
+        let phase = Ball::new(mid, rad);
+        if self.is_past(turns, phase, || enclosed) {
             return self.finish(Outcome::TimeReached);
         }
         if let Progress::Impact(impact) = &event {
@@ -95,7 +96,7 @@ impl Orbit {
     /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
     #[cold]
     pub(super) fn come_to_rest(&mut self) -> Option<Progress> {
-        let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
+        let wall = self.cursor.wall.filter(|_| self.cursor.height.is_none())?;
         let after = wall.inward(self.engine.pair.rebound_of(self.cursor.velocity));
         let is_still = self.engine.pair.beta == Ball::exact(0.0);
         let Cursor { turns, phase, index, .. } = self.cursor;
@@ -146,14 +147,14 @@ impl Orbit {
         let Released { wall, turns, phase: enclosure, .. } = release.clone();
         let (mid, rad) = enclosure.mid_rad();
         let phase = Ball::new(mid, rad);
-        if self.is_past(turns, phase) {
+        if self.is_past(turns, phase, || release.phase.clone()) {
             return self.finish(Outcome::TimeReached);
         }
         let event = self.hand_out(Progress::Release(Release { wall, turns, phase: enclosure }));
         self.aside.recurrence.release(&release, self.listed);
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
-        self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
+        self.start = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
         self.cursor = self.start;
         self.engine.bits = self.bits();
         self.engine.motion =
@@ -172,13 +173,13 @@ impl Orbit {
         let whole = passed.at.mid().to_f64().round(); // exact: any whole number is taken off
         let turns = turns::after(self.cursor.turns, whole)?;
         let at = passed.at.clone() - MpBall::from_f64(whole);
-        if self.is_past(turns, at.to_ball()) {
+        let phase = at.enclosure()?.rounded(self.asked.shown);
+        if self.is_past(turns, at.to_ball(), || phase.clone()) {
             return Some(self.finish(Outcome::TimeReached));
         }
-        let phase = at.enclosure()?.rounded(self.asked.shown);
         self.cursor = Cursor {
             wall: self.cursor.wall.filter(|wall| *wall == passed.wall),
-            is_inside: true,
+            height: Some(passed.height.to_ball()),
             turns: turns::after(self.cursor.turns, passed.turns)?,
             phase: MpBall::exact(passed.phase.clone()).to_ball(),
             velocity: passed.velocity.to_ball(),

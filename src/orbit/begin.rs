@@ -16,7 +16,7 @@ use crate::clock::Phase;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, too_large};
-use crate::shaken::Origin;
+use crate::shaken::{Location, Origin};
 use crate::{Error, Scene, rest};
 
 impl Orbit {
@@ -52,7 +52,11 @@ impl Orbit {
         };
         let (phase, velocity) = motion.starts().unwrap_or((origin.phase, origin.velocity)); // F2: where it is no other
         let (wall, turns) = (origin.wall(), origin.turns);
-        let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
+        let height = match origin.place {
+            Location::Inside(height) => Some(height),
+            Location::Wall(_) => None,
+        };
+        let cursor = Cursor { index: 0, wall, height, turns, phase, velocity };
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
         let patience = given.shaken.patience(widths[0].linear);
         let engine = Engine {

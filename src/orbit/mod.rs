@@ -41,13 +41,14 @@ pub use watch::Watch;
 pub use crate::clock::Clock;
 use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
-use crate::exact::Exact;
+use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
 use crate::periodic::Passing;
 use crate::turns;
 use aside::Aside;
+use event::finite;
 use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
@@ -135,11 +136,11 @@ pub(super) struct Cursor {
     index: u64,
     /// The wall of the last impact; `None` where there is none, or a graze of the other wall may have been one.
     wall: Option<Wall>,
-    /// Inside the gap: at the start, or after a graze.
-    is_inside: bool,
+    /// Above the left wall, in gaps, where the ball is inside the gap: at the start, or after a graze.
+    height: Option<Ball>,
     turns: i64,
     phase: Ball,
-    /// Before the impact.
+    /// Before the impact; inside the gap that of the flight.
     velocity: Ball,
 }
 
@@ -214,12 +215,12 @@ impl Orbit {
             return Err(self.give_up(Undecided::endless()));
         };
         let Contact { wall, phase, velocity, .. } = contact;
-        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), is_inside: false, turns, phase, velocity };
+        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), height: None, turns, phase, velocity };
         if next.index <= self.listed {
             self.cursor = next;
             return Err(Progress::Retraced(next.index));
         }
-        if self.is_past(turns, phase) {
+        if self.is_past(turns, phase, || self.enclosed(phase)) {
             return Err(self.finish(Outcome::TimeReached));
         }
         let excess = self.excess(turns, &contact);
@@ -281,13 +282,27 @@ impl Orbit {
         self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
     }
 
-    /// Whether an impact certainly comes after the time to stop at.
-    fn is_past(&self, turns: i64, phase: Ball) -> bool {
+    /// Whether an event certainly comes after the time to stop at: as its bounds say that are listed, `enclosed` its phase
+    /// without the whole turns.
+    fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
         self.asked.until.is_some_and(|until| {
             // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
             let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
-            ahead.mid() > ahead.rad()
+            // V7: what doubles do not decide the bounds do
+            ahead.mid() > ahead.rad() || ahead.mid() >= -ahead.rad() && self.is_listed_past(turns, &enclosed())
         })
+    }
+
+    /// The same by the bounds that are listed, against the exact time to stop at.
+    #[cold]
+    fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
+        let until = self.asked.settings.until.as_ref();
+        until.is_some_and(|until| until.enclose(self.asked.shown).sup() < self.clock.time(turns, phase).inf())
+    }
+
+    /// The phase of the contact in hand as it is listed, without the whole turns.
+    fn enclosed(&self, phase: Ball) -> Enclosure {
+        self.engine.motion.enclosures(self.asked.shown).map_or_else(|| finite(phase), |(phase, _)| phase)
     }
 }
 
