@@ -6,14 +6,14 @@ use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
 use super::recurrence::Recurrence;
 use super::shadowed::Near;
 use super::shortfall::Shortfall;
-use super::{Cursor, Orbit};
+use super::{Cursor, Followed, Orbit};
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
 use crate::pair::{Inward, Wall};
-use crate::shaken::{Released, Still};
+use crate::shaken::{Origin, Released, Still};
 #[cfg(feature = "multiprecision")]
 use crate::turns;
 
@@ -24,8 +24,7 @@ pub(super) struct Aside {
     pub is_due: bool,
     /// The ball rests and will be released then; for ever if it is not.
     pub resting: Option<Option<Released>>,
-    /// It never hits a wall again, and may graze some, so many times so far.
-    pub still: Option<Still>,
+    /// Of a motion that hits no wall: grazes so far.
     pub grazes: u64,
     pub recurrence: Recurrence,
     /// The time asked for has ended the list.
@@ -40,7 +39,7 @@ impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
     pub(super) fn aside(&mut self) -> Option<Progress> {
-        if let Some(still) = self.aside.still {
+        if let Some(still) = self.followed.still {
             return Some(self.graze_again(still));
         }
         if let Some(event) = self.aside.recurrence.repeat() {
@@ -93,16 +92,21 @@ impl Orbit {
         event
     }
 
+    /// The exact state that the motion is at, while it is still at the one that is followed.
+    fn exactly(&self) -> Option<&Origin<Exact>> {
+        let is_there = self.followed.is_given && self.cursor.index == self.followed.from.index;
+        is_there.then_some(&self.engine.given.origin)
+    }
+
     /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
     #[cold]
     pub(super) fn come_to_rest(&mut self) -> Option<Progress> {
         let wall = self.cursor.wall.filter(|_| self.cursor.height.is_none())?;
         let after = wall.inward(self.engine.pair.rebound_of(self.cursor.velocity));
         let is_still = self.engine.pair.beta == Ball::exact(0.0);
-        let Cursor { turns, phase, index, .. } = self.cursor;
+        let Cursor { turns, phase, .. } = self.cursor;
         let phase = self.engine.motion.enclosures(u32::MAX).map_or_else(|| finite(phase), |(phase, _)| phase);
-        let is_exact = index == 0 && self.aside.near.is_none();
-        let phases: &[Exact] = if is_exact { &self.engine.given.origin.phases } else { &[] };
+        let phases: &[Exact] = self.exactly().map_or(&[], |origin| &origin.phases);
         let time = match is_still {
             true => (after == Ball::exact(0.0)).then_some(0.0)?,
             false => self.engine.given.shaken.accumulation(wall, turns, &phase, after, phases)?,
@@ -124,8 +128,8 @@ impl Orbit {
         if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
-        let at_start = self.cursor.index == self.start.index;
-        let enclosed = if at_start { &self.engine.given.origin.phase.enclose(self.asked.shown) } else { now };
+        let exactly = self.exactly().map(|origin| origin.phase.enclose(self.asked.shown));
+        let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
         let release = match for_ever {
@@ -154,8 +158,8 @@ impl Orbit {
         self.aside.recurrence.release(&release, self.listed);
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
-        self.start = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
-        self.cursor = self.start;
+        let from = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
+        (self.cursor, self.followed) = (from, Followed::new(from, true, &self.engine.given, &self.asked.settings));
         self.engine.bits = self.bits();
         self.engine.motion =
             self.engine.given.motion(self.asked.settings.arithmetic).expect("the arithmetic was there at the start");
@@ -186,7 +190,8 @@ impl Orbit {
             ..self.cursor
         };
         // From here on the data are a box: no precision makes it narrower.
-        (self.start, self.engine.raise, self.engine.is_point) = (self.cursor, None, false);
+        self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.asked.settings);
+        (self.engine.raise, self.engine.is_point) = (None, false);
         Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
     }
 

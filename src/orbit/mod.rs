@@ -8,7 +8,6 @@ mod course;
 mod dense;
 mod event;
 mod given;
-mod later;
 mod motion;
 mod passage;
 #[cfg(feature = "multiprecision")]
@@ -46,6 +45,7 @@ use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
 use crate::periodic::Passing;
+use crate::shaken::{Initial, Still};
 use crate::turns;
 use aside::Aside;
 use event::finite;
@@ -86,8 +86,9 @@ pub struct Orbit {
     clock: Clock,
     asked: Asked,
     engine: Engine,
-    /// Where the motion starts.
-    start: Cursor,
+    /// The start asked for; those near by, one of which has the orbit, of a shadowed one.
+    initial: Initial<Ball>,
+    followed: Followed,
     /// Where the motion is.
     cursor: Cursor,
     /// Impacts handed out.
@@ -128,6 +129,16 @@ struct Engine {
     haste: f64,
     /// Nor is it told before it is as short as this, or ends before the pressure does.
     patience: Option<f64>,
+}
+
+/// The state that the motion is followed from, and what is known of it: with another state all of it is another.
+#[derive(Clone, Copy, Debug)]
+struct Followed {
+    from: Cursor,
+    /// It is [`Given::origin`] itself, and not a box of starts near by, or past a graze.
+    is_given: bool,
+    /// No wall is ever hit from there on.
+    still: Option<Still>,
 }
 
 /// How far the motion has come.

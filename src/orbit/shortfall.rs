@@ -94,12 +94,13 @@ impl Orbit {
     #[cfg(feature = "multiprecision")]
     pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
         let Some(raise) = &mut self.engine.raise else { return false };
-        let Some(motion) = raise.again(shortfall, self.cursor.index - self.start.index, self.engine.motion.accuracy())
+        let Some(motion) =
+            raise.again(shortfall, self.cursor.index - self.followed.from.index, self.engine.motion.accuracy())
         else {
             return false;
         };
         self.engine.motion = motion;
-        self.cursor = self.start;
+        self.cursor = self.followed.from;
         true
     }
 
