@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::affine::{Affine, COLUMN_BITS};
 use super::clock::{Beside, beside};
-use super::contact::{Claimed, Doubt, Start};
+use super::contact::{Claimed, Doubt};
 use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::step::{Departure, Landing};
@@ -61,7 +61,7 @@ impl Course<'_> {
             None => {
                 let height = self.data.state(&Piece::default(), parameters.bits()).2;
                 let height = height.expect("a start without a wall is inside the gap");
-                Departure { start: Start { wall: None, is_release: false }, phase, height, velocity }
+                Departure::inside(phase, height, velocity)
             }
         }
     }

@@ -36,6 +36,7 @@ mod rest;
 mod round;
 mod shadow;
 mod shaking;
+mod standing;
 mod step;
 mod still;
 mod sweep;
@@ -250,11 +251,12 @@ impl Certificate {
         let mut found = Vec::new();
         for claim in self.events() {
             // Whether the set lies inside the printed bounds does not matter here.
+            let before = walk.impacts;
             let _ = walk.confirm(claim);
             if !matches!(claim.kind, ClaimKind::Impact { .. }) {
                 continue;
             }
-            let Some(landing) = walk.landing.take() else { break };
+            let Some(landing) = walk.standing.landing().filter(|_| walk.impacts > before) else { break };
             let time = walk.clock.time(&landing.phase.hull());
             let velocity = walk.clock.velocity(&landing.velocity.hull());
             found.push((time.enclosure().clone(), velocity.enclosure().clone()));

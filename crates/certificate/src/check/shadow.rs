@@ -18,7 +18,8 @@ use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::pseudo::{Point, Shot, improve, is_fine, plan, take, worst};
-use super::step::{Departure, Landing};
+use super::standing::Standing;
+use super::step::Landing;
 use super::target::narrowest;
 use super::walk::Walk;
 use super::{Effort, FIRST_BITS, Finding, Verdict};
@@ -63,11 +64,11 @@ impl Certificate {
                 .start
                 .as_ref()
                 .ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
-            let walk = Walk::new(self, data, &Piece::default(), FIRST_BITS);
-            let is_of_times = data.wall.is_some() && walk.departure.velocity.hull().is_zero();
+            let start = Standing::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
+            let is_of_times = data.wall.is_some() && start.departure().velocity.hull().is_zero();
             let hits = self.events().iter().map_while(Hit::of).collect();
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, stop };
-            shadow.fits(walk)?;
+            shadow.fits(start.last())?;
             if !data.is_point() {
                 return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
             }
@@ -222,25 +223,22 @@ impl Shadow<'_> {
         bits: u32,
         progress: &mut impl FnMut(usize),
     ) -> Result<(), Doubted> {
-        let mut walk = Walk::new(self.certificate, data, &Piece::default(), bits);
-        // Where there is no chain the start is the scene's.
-        if let Some((impacts, node)) = last {
-            let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
-            self.stand_at(&mut walk, *impacts, Landing { wall: self.hits[impacts - 1].wall, phase, velocity });
-        }
+        let mut walk = match last {
+            Some((impacts, node)) => {
+                let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
+                let landing = Landing { wall: self.hits[impacts - 1].wall, phase, velocity };
+                let frame = Frame::new(data, &Piece::default(), bits);
+                let standing = Standing::after(&frame.parameters, landing);
+                Walk::at((self.certificate, data), frame, standing, *impacts)
+            }
+            // Where there is no chain the start is the scene's.
+            None => Walk::new(self.certificate, data, &Piece::default(), bits),
+        };
         let mut confirmed = |event| {
             data.budget.allow(bits, data.tones.len());
             progress(event);
         };
         walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))
-    }
-
-    /// A walk that has come to an impact, with these states before it.
-    fn stand_at(&self, walk: &mut Walk<'_>, impacts: usize, landing: Landing) {
-        walk.departure = Departure::rebound(&walk.parameters, &landing);
-        walk.last = Some(landing.wall);
-        (walk.impacts, walk.event) = (impacts as u64, impacts); // exact: a length
-        walk.landing = Some(landing);
     }
 
     /// A claim that is proved to be false: flights from no state within the bounds before lead into its own.
@@ -251,15 +249,16 @@ impl Shadow<'_> {
             FIRST_BITS,
             |course, k| {
                 let Course { data, frame, .. } = course;
-                let mut walk = Walk::new(self.certificate, data, &Piece::default(), FIRST_BITS);
-                match k.checked_sub(1).map(|hit| &self.hits[hit]) {
-                    Some(hit) => self.stand_at(&mut walk, k, frame.states(hit.wall, hit.time, hit.velocity)),
+                let standing = match k.checked_sub(1).map(|hit| &self.hits[hit]) {
+                    Some(hit) => Standing::after(&frame.parameters, frame.states(hit.wall, hit.time, hit.velocity)),
                     None => {
                         // The wall does not matter inside the gap.
                         let Landing { phase, velocity, .. } = frame.states(Wall::Left, &time, &velocity);
-                        walk.departure = course.departure(0, [phase, velocity]);
+                        Standing::of_starts(course.departure(0, [phase, velocity]))
                     }
-                }
+                };
+                let frame = Frame::new(data, &Piece::default(), FIRST_BITS);
+                let mut walk = Walk::at((self.certificate, data), frame, standing, k);
                 match walk.confirm(&self.certificate.events()[k]) {
                     Err(doubt @ Doubt::False(_)) => Err(doubt),
                     _ => Ok(()),

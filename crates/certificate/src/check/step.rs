@@ -116,6 +116,11 @@ impl Departure {
         Self::on_wall(parameters, *wall, phase.clone(), after)
     }
 
+    /// From inside the gap.
+    pub fn inside(phase: Affine, height: Affine, velocity: Affine) -> Self {
+        Self { start: Start { wall: None, is_release: false }, phase, height, velocity }
+    }
+
     /// From `wall` with velocity `velocity` after the impact.
     pub fn on_wall(parameters: &Parameters, wall: Wall, phase: Affine, velocity: Affine) -> Self {
         let half_gap = &parameters.half_gap;

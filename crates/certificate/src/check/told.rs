@@ -9,17 +9,23 @@ use super::FIRST_BITS;
 use super::clock::{Beside, beside};
 use super::contact::Doubt;
 use super::shadow::{Doubted, Shadow};
-use super::walk::Walk;
+use super::standing::Last;
+use super::walk::{are_bounds, is_next};
 use crate::ClaimKind;
 use impact_pair_exact::{Exact, Real, compare_rational};
 
 impl Shadow<'_> {
     /// The impacts have their numbers and mappings.
-    pub(super) fn fits(&self, mut walk: Walk<'_>) -> Result<(), Doubted> {
+    pub(super) fn fits(&self, mut last: Last) -> Result<(), Doubted> {
         for (k, claim) in self.certificate.events()[..self.hits.len()].iter().enumerate() {
             let ClaimKind::Impact { index, mapping, velocity } = &claim.kind else { break };
-            walk.fits(claim, *index, *mapping, velocity).map_err(|doubt| (k, doubt))?;
-            (walk.impacts, walk.last) = (walk.impacts + 1, Some(claim.wall));
+            // exact: a length
+            let is_numbered = is_next(k as u64, *index);
+            is_numbered
+                .and_then(|()| last.leads(*mapping, claim.wall))
+                .and_then(|()| are_bounds(velocity))
+                .map_err(|doubt| (k, doubt))?;
+            last = Last::Wall(claim.wall);
         }
         Ok(())
     }
