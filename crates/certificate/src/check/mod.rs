@@ -28,6 +28,7 @@ mod fixed_point;
 mod flight;
 mod frame;
 mod graze;
+mod near;
 mod outcome;
 mod periodic;
 mod pseudo;
@@ -41,7 +42,6 @@ mod step;
 mod still;
 mod sweep;
 mod target;
-mod told;
 mod walk;
 
 use std::sync::atomic::AtomicBool;
@@ -207,9 +207,9 @@ impl Certificate {
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
-            let mut confirmed = |event| {
+            let mut confirmed = |walk: &Walk<'_>| {
                 data.budget.allow(bits, data.tones.len());
-                progress(event);
+                progress(walk.event);
             };
             let Err(doubt) = walk.all(&mut confirmed) else { continue };
             let event = walk.event;

@@ -25,7 +25,7 @@ use super::walk::Walk;
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::Certificate;
 use crate::document::NearDocument;
-use impact_pair_exact::Real;
+use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
 /// Steps of Newton's iteration.
@@ -72,9 +72,9 @@ impl Certificate {
             if !data.is_point() {
                 return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
             }
-            shadow.starts_as_told().map_err(|doubt| (end, doubt))?;
-            let bits = shadow.answer(data, progress)?;
-            shadow.is_as_near_as_told().map_err(|doubt| (end, doubt))?;
+            shadow.starts_around_the_scenes().map_err(|doubt| (end, doubt))?;
+            let (bits, offs) = shadow.answer(data, progress)?;
+            shadow.is_within_epsilon(offs).map_err(|doubt| (end, doubt))?;
             data.budget.add(effort.work);
             self.attracts(data, effort.pieces).map_err(|doubt| (end, doubt))?;
             Ok(bits)
@@ -137,19 +137,23 @@ impl Shadow<'_> {
         in_blocks(flights, BLOCK, of_block, progress)
     }
 
-    /// The bits that confirm all events and the outcome.
-    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<u32, Doubted> {
+    /// The bits that confirm all events and the outcome, and how far each impact of the orbit that is found is at most from the middle
+    /// of the bounds of its time \[rad\].
+    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(u32, Vec<Dyadic>), Doubted> {
         // Where the motion ceases to expand, the chain may end before the next other event.
         let mut bits = self.bits();
         let chained = self.chained(true, bits, progress).or_else(|_| self.chained(false, bits, progress));
-        let last = match chained {
-            Ok(last) => last,
+        let (last, chained) = match chained {
+            Ok(chained) => chained,
             // exact: where nothing is refuted, what is in doubt
             Err(doubted) => return Err(self.refuted().unwrap_or(doubted)),
         };
         let mut before = None;
         loop {
-            let Err((event, doubt)) = self.goes_on(data, last.as_ref(), bits, progress) else { return Ok(bits) };
+            let (event, doubt) = match self.goes_on(data, last.as_ref(), bits, progress) {
+                Ok(offs) => return Ok((bits, [chained, offs].concat())),
+                Err(doubted) => doubted,
+            };
             // More of them help after a release, which does not depend on the start.
             let is_stuck = before.is_some_and(|before| event <= before);
             if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
@@ -160,14 +164,14 @@ impl Shadow<'_> {
         }
     }
 
-    /// The last impact of a chain of nodes, and its node; `None` where there is none. Unless `is_whole` it ends where the motion has
-    /// expanded most, which may be at the start.
+    /// The last impact of a chain of nodes, and its node, `None` where there is none; and how far the nodes are off ([`Course::link`]).
+    /// Unless `is_whole` it ends where the motion has expanded most, which may be at the start.
     fn chained(
         &self,
         is_whole: bool,
         bits: u32,
         progress: &mut impl FnMut(usize),
-    ) -> Result<Option<(usize, Node)>, Doubted> {
+    ) -> Result<(Option<(usize, Node)>, Vec<Dyadic>), Doubted> {
         let nothing = |_: usize| {};
         let mut points = self.under(bits, |course| course.middles());
         let mut shots: Vec<Shot> = Vec::new();
@@ -179,7 +183,7 @@ impl Shadow<'_> {
             shots = self.of_each(0..points.len() - 1, bits, shot, nothing)?;
             take(&mut points, &shots, is_whole);
             if points.len() == 1 {
-                return Ok(None);
+                return Ok((None, Vec::new()));
             }
             let (at, ratio) = worst(&points);
             if is_fine(ratio) {
@@ -195,8 +199,8 @@ impl Shadow<'_> {
         self.starts_near(&points[0], bits).map_err(|doubt| (0, doubt))?;
         let link =
             |course: &Course<'_>, k: usize| course.link(k, [&points[k].node, &points[k + 1].node], &shots[k].lasting);
-        self.of_each(0..points.len() - 1, bits, link, progress)?;
-        Ok(points.pop().map(|last| (points.len(), last.node)))
+        let offs = self.of_each(0..points.len() - 1, bits, link, progress)?;
+        Ok((points.pop().map(|last| (points.len(), last.node)), offs))
     }
 
     /// The first node lies in the bounds of the start.
@@ -215,14 +219,14 @@ impl Shadow<'_> {
         })
     }
 
-    /// The events after the last node, and the outcome.
+    /// The events after the last node, and the outcome; how far their impacts are off.
     fn goes_on(
         &self,
         data: &Data,
         last: Option<&(usize, Node)>,
         bits: u32,
         progress: &mut impl FnMut(usize),
-    ) -> Result<(), Doubted> {
+    ) -> Result<Vec<Dyadic>, Doubted> {
         let mut walk = match last {
             Some((impacts, node)) => {
                 let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
@@ -234,11 +238,16 @@ impl Shadow<'_> {
             // Where there is no chain the start is the scene's.
             None => Walk::new(self.certificate, data, &Piece::default(), bits),
         };
-        let mut confirmed = |event| {
+        let mut offs = Vec::new();
+        let mut confirmed = |walk: &Walk<'_>| {
             data.budget.allow(bits, data.tones.len());
-            progress(event);
+            progress(walk.event);
+            let claimed = &self.certificate.events()[walk.event - 1].time;
+            let landing = walk.standing.landing();
+            offs.extend(landing.map(|landing| walk.clock.off(&walk.clock.time(&landing.phase.hull()), claimed)));
         };
-        walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))
+        walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))?;
+        Ok(offs)
     }
 
     /// A claim that is proved to be false: flights from no state within the bounds before lead into its own.

@@ -71,14 +71,14 @@ impl<'c> Walk<'c> {
     }
 
     /// Confirms all claims from the one in hand on, or stops at the first that is not.
-    pub fn all(&mut self, progress: &mut impl FnMut(usize)) -> Result<(), Doubt> {
+    pub fn all(&mut self, progress: &mut impl FnMut(&Self)) -> Result<(), Doubt> {
         for claim in &self.certificate.events()[self.event..] {
             if self.data.budget.is_stopped() {
                 return Err(Doubt::Open("it is stopped".into()));
             }
             self.confirm(claim)?;
             self.event += 1;
-            progress(self.event);
+            progress(self);
         }
         self.outcome()
     }
