@@ -33,6 +33,10 @@ const STEPS: u32 = 8;
 /// Bits below the narrowest bounds.
 const SPARE_BITS: i64 = 112;
 
+/// Where a chain up to the next other event is not proved, it may end before: where the motion has first expanded by one of these shares
+/// of the most, one tried after another. Where it hardly expands that is the start, and the scene's own motion is followed.
+const ENDS: [f64; 2] = [1.0, 1.0 / 16.0];
+
 /// A claim by its position among the events, and what is to be said of it.
 pub(super) type Doubted = (usize, Doubt);
 
@@ -140,9 +144,10 @@ impl Shadow<'_> {
     /// The bits that confirm all events and the outcome, and how far each impact of the orbit that is found is at most from the middle
     /// of the bounds of its time \[rad\].
     fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(u32, Vec<Dyadic>), Doubted> {
-        // Where the motion ceases to expand, the chain may end before the next other event.
         let mut bits = self.bits();
-        let chained = self.chained(true, bits, progress).or_else(|_| self.chained(false, bits, progress));
+        let chained = ENDS.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
+            chained.or_else(|_| self.chained(Some(share), bits, progress))
+        });
         let (last, chained) = match chained {
             Ok(chained) => chained,
             // exact: where nothing is refuted, what is in doubt
@@ -150,14 +155,16 @@ impl Shadow<'_> {
         };
         let mut before = None;
         loop {
-            let (event, doubt) = match self.goes_on(data, last.as_ref(), bits, progress) {
+            let doubted = match self.goes_on(data, last.as_ref(), bits, progress) {
                 Ok(offs) => return Ok((bits, [chained, offs].concat())),
                 Err(doubted) => doubted,
             };
+            let event = doubted.0;
             // More of them help after a release, which does not depend on the start.
             let is_stuck = before.is_some_and(|before| event <= before);
             if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
-                return Err((event, doubt));
+                let are_open = last.is_some();
+                return Err(if are_open { doubted } else { self.refuted().unwrap_or(doubted) }); // exact: what is in doubt
             }
             before = Some(event);
             bits = self.certificate.more_bits(bits, event).min(self.effort.bits); // proposes
@@ -165,10 +172,10 @@ impl Shadow<'_> {
     }
 
     /// The last impact of a chain of nodes, and its node, `None` where there is none; and how far the nodes are off ([`Course::link`]).
-    /// Unless `is_whole` it ends where the motion has expanded most, which may be at the start.
+    /// With some `share` it ends where the motion has first expanded that share of the most, which may be at the start.
     fn chained(
         &self,
-        is_whole: bool,
+        share: Option<f64>,
         bits: u32,
         progress: &mut impl FnMut(usize),
     ) -> Result<(Option<(usize, Node)>, Vec<Dyadic>), Doubted> {
@@ -181,7 +188,7 @@ impl Shadow<'_> {
                 course.shot(k, [&points[k], &points[k + 1]], shots.get(k).map(|shot| &shot.lasting))
             };
             shots = self.of_each(0..points.len() - 1, bits, shot, nothing)?;
-            take(&mut points, &shots, is_whole);
+            take(&mut points, &shots, share);
             if points.len() == 1 {
                 return Ok((None, Vec::new()));
             }
