@@ -26,12 +26,13 @@ impl Still {
     /// velocity after the start.
     pub fn of(data: &Data, is_at_rest: bool) -> Option<Self> {
         let tone = data.only()?;
-        let stands = tone.amplitude.sign() == Some(Ordering::Equal);
+        let shaken = tone.amplitude.sign();
+        let stands = shaken == Some(Ordering::Equal);
         let (zero, one) = (Exact::from(0), Exact::from(1));
         let after = if is_at_rest { &zero } else { &data.velocity };
-        let is_on_wall = data.wall.is_some();
-        // Where the box stands a ball without velocity on a wall lies there; with velocity it leaves.
-        if is_on_wall && (stands || !is_at_rest) || !data.has_no_drift(after) {
+        // Where the box may stand a ball without velocity on a wall may lie there; with velocity it leaves.
+        let leaves = is_at_rest && shaken == Some(Ordering::Greater);
+        if data.wall.is_some() && !leaves || !data.has_no_drift(after) {
             return None;
         }
         let quarters = if stands { BigInt::ZERO } else { data.quarter()? };
