@@ -191,7 +191,10 @@ impl Claims {
     /// All claims, in words.
     pub fn all(&self) -> String {
         match self {
-            Self::Orbit(certificate) => format!("{} and the outcome", counted(certificate.events().len(), "event")),
+            Self::Orbit(certificate) => {
+                let near = certificate.nearness();
+                format!("{} and the outcome{near}", counted(certificate.events().len(), "event"))
+            }
             Self::Periodic(certificate) => counted(certificate.count(), "orbit"),
             Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),

@@ -28,6 +28,7 @@ mod fixed_point;
 mod flight;
 mod frame;
 mod graze;
+mod near;
 mod outcome;
 mod periodic;
 mod pseudo;
@@ -36,11 +37,11 @@ mod rest;
 mod round;
 mod shadow;
 mod shaking;
+mod standing;
 mod step;
 mod still;
 mod sweep;
 mod target;
-mod told;
 mod walk;
 
 use std::sync::atomic::AtomicBool;
@@ -206,9 +207,9 @@ impl Certificate {
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
-            let mut confirmed = |event| {
+            let mut confirmed = |walk: &Walk<'_>| {
                 data.budget.allow(bits, data.tones.len());
-                progress(event);
+                progress(walk.event);
             };
             let Err(doubt) = walk.all(&mut confirmed) else { continue };
             let event = walk.event;
@@ -250,11 +251,12 @@ impl Certificate {
         let mut found = Vec::new();
         for claim in self.events() {
             // Whether the set lies inside the printed bounds does not matter here.
+            let before = walk.impacts;
             let _ = walk.confirm(claim);
             if !matches!(claim.kind, ClaimKind::Impact { .. }) {
                 continue;
             }
-            let Some(landing) = walk.landing.take() else { break };
+            let Some(landing) = walk.standing.landing().filter(|_| walk.impacts > before) else { break };
             let time = walk.clock.time(&landing.phase.hull());
             let velocity = walk.clock.velocity(&landing.velocity.hull());
             found.push((time.enclosure().clone(), velocity.enclosure().clone()));

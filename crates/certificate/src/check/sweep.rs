@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::step::Departure;
+use super::standing::Last;
 use super::walk::{Walk, compare};
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::Certificate;
@@ -90,7 +90,7 @@ impl ClaimedOrbit {
 
     fn follow(&self, walk: &mut Walk<'_>) -> Result<(), Doubt> {
         let mut states = self.states.iter().peekable();
-        if walk.still.is_some() && self.impacts > 0 {
+        if walk.standing.still().is_some() && self.impacts > 0 {
             return Err(Doubt::Open("the ball has no drift".into()));
         }
         let mut may_rest = false;
@@ -99,9 +99,7 @@ impl ClaimedOrbit {
             let open = || Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"));
             let landing = walk.next_landing().ok_or_else(open)?;
             // The bounces of a chatter that ends in a rest have no number: then all others are told wrongly here.
-            may_rest |= walk.last == Some(landing.wall);
-            walk.last = Some(landing.wall);
-            walk.departure = Departure::rebound(&walk.parameters, &landing);
+            may_rest |= walk.standing.last() == Last::Wall(landing.wall);
             if let Some(state) = states.next_if(|state| state.index == next) {
                 state.compare(walk, &landing).map_err(|doubt| match doubt {
                     Doubt::False(message) if may_rest => {
@@ -110,7 +108,7 @@ impl ClaimedOrbit {
                     doubt => doubt,
                 })?;
             }
-            walk.impacts = next;
+            walk.go_on(landing);
             walk.data.budget.allow(walk.bits, walk.data.tones.len());
         }
         Ok(())
