@@ -35,6 +35,7 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) 
         certified: is_certified(asked.settings.arithmetic),
         claim: (asked.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
         arithmetic: ArithmeticDocument::asked(&asked.settings),
+        reference: asked.reference.map(|term| term as u64 + 1), // exact: a number of terms
         summary: asked.summary,
         shard,
     }
@@ -61,16 +62,24 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         Outcome::ImpactsReached | Outcome::TimeReached => "not-attracted",
         other => other.kind(),
     };
+    let lasting = point.lasting.clone().unwrap_or_default();
+    let duration = lasting.time.as_ref().map(decimal_bounds);
     let period = match (&point.outcome, &point.attraction) {
-        (Outcome::Periodic(Period { cycles, impacts }), _) => {
-            Some(SweepPeriod { word: None, impacts: *impacts, cycles: *cycles, from: None, first: None })
-        }
+        (Outcome::Periodic(Period { impacts, .. }), _) => Some(SweepPeriod {
+            word: None,
+            impacts: *impacts,
+            cycles: lasting.cycles,
+            duration,
+            from: None,
+            first: None,
+        }),
         (_, Some(attraction)) => Some(SweepPeriod {
             word: Some(attraction.word.to_string()),
             impacts: attraction.word.mappings().len() as u64,
-            cycles: attraction.cycles.into(),
+            cycles: lasting.cycles,
+            duration,
             from: Some(attraction.from),
-            first: Some(impact(&attraction.first)),
+            first: attraction.first.as_ref().map(impact),
         }),
         _ => None,
     };

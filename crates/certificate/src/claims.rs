@@ -63,7 +63,9 @@ impl Claims {
             Some(CHAOS_CELLS_SCHEMA) => {
                 Self::Unchecked("stretches of a parameter: horseshoes and attracted orbits in each")
             }
-            Some(AUDIT_SCHEMA) => Self::Unchecked("comparisons with another program's list: what is inside, missed or false"),
+            Some(AUDIT_SCHEMA) => {
+                Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
+            }
             Some(TRADE_SCHEMA) => Self::Unchecked("measurements of what accuracy costs"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
@@ -89,8 +91,7 @@ impl Claims {
     ) -> Result<Judged, Error> {
         let (mut before, mut most) = (0, (0, 0));
         for document in documents {
-            let Judged { verdict, confirmed } =
-                document.judge(effort, stop, &mut |event| progress(before + event))?;
+            let Judged { verdict, confirmed } = document.judge(effort, stop, &mut |event| progress(before + event))?;
             let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
             let verdict = match verdict {
                 Verdict::Confirmed { bits, pieces } => {
@@ -138,28 +139,40 @@ impl Claims {
         progress: &mut dyn FnMut(usize),
     ) -> Result<Judged, Error> {
         let mut reached = 0;
-        let mut watch = |event: usize| {
+        if let Self::List(documents) = self {
+            return Self::judge_list(documents, effort, stop, progress);
+        }
+        if let Self::Sweep(certificate) = self {
+            let verdict = certificate.judge_until(effort, stop, |point, are_confirmed| {
+                progress(point);
+                reached = if are_confirmed { point } else { reached };
+            })?;
+            return Ok(self.judged(verdict, reached));
+        }
+        let watch = |event: usize| {
             reached = reached.max(event);
             progress(event);
         };
         let verdict = match self {
-            Self::List(documents) => return Self::judge_list(documents, effort, stop, progress),
-            Self::Sweep(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Orbit(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Periodic(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Cycles(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Chaos(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Trap(certificate) => certificate.check_until(effort, stop, &mut watch),
-            Self::Unchecked(_) => {
+            Self::Orbit(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Periodic(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Cycles(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Chaos(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Trap(certificate) => certificate.check_until(effort, stop, watch),
+            Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
         }?;
+        Ok(self.judged(verdict, reached))
+    }
+
+    fn judged(&self, verdict: Verdict, reached: usize) -> Judged {
         let confirmed = match verdict {
             Verdict::Confirmed { .. } => self.count() + 1,
             _ => self.certain(reached),
         };
-        Ok(Judged { verdict, confirmed })
+        Judged { verdict, confirmed }
     }
 
     /// How many claims come one after another: events, orbits.

@@ -76,7 +76,9 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
             *by_impacts.entry(cycle.reduced_impacts).or_default() += u64::from(cycle.reduced_impacts);
         }
     }
-    let listed = |impacts: u32| by_impacts.iter().filter(|(least, _)| impacts.is_multiple_of(**least)).map(|(_, n)| n).sum::<u64>();
+    let listed = |impacts: u32| {
+        by_impacts.iter().filter(|(least, _)| impacts.is_multiple_of(**least)).map(|(_, n)| n).sum::<u64>()
+    };
     let wrong = fixed_points.iter().find(|(impacts, told)| **impacts == 0 || listed(**impacts) != **told)?;
     let (impacts, told) = wrong;
     Some(format!("fixed_points: {told} of {impacts} impacts, but those of the listed orbits are {}", listed(*impacts)))

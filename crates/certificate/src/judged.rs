@@ -124,8 +124,7 @@ impl Certificate {
     /// Whether each event that is confirmed is so for all data: of data that are intervals the pieces come one after another, and of a
     /// shadowed orbit the links say something only all together.
     fn confirms_one_by_one(&self) -> bool {
-        self.claim() == ClaimName::ExactStart
-            && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
+        self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
     }
 }
 

@@ -42,7 +42,8 @@ impl<'n> Leaves<'n> {
         }
         match value {
             Value::Object(entries) if !entries.is_empty() => {
-                let full = |path: &str, key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+                let full =
+                    |path: &str, key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
                 for (key, value) in entries {
                     self.add(&full(path, key), &full(unnumbered, key), value);
                 }

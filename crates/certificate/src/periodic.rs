@@ -2,7 +2,8 @@
 
 use super::attraction::ClaimedOrbit;
 use crate::document::{
-    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument, value,
+    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument,
+    value,
 };
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
