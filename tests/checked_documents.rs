@@ -149,6 +149,16 @@ fn r17_documents_in_a_list_are_judged_one_by_one() {
     assert!(Claims::parse("[1]").is_err());
 }
 
+/// What comes after a list is not passed over.
+#[test]
+fn r32_nothing_comes_after_a_list_of_documents() {
+    let list = json!([two_impact(1)]).to_string();
+    assert!(Claims::parse(&list).is_ok());
+    for more in [&list[..], "{}", "1", "x"] {
+        assert!(Claims::parse(&format!("{list}\n{more}")).is_err(), "{more}");
+    }
+}
+
 /// The cycle that an impact is told to be in is a claim: of even cycles and of several harmonics.
 #[test]
 fn r17_cycles_of_impacts_are_judged() {

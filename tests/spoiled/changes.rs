@@ -152,11 +152,11 @@ const WORDS: [&[&str]; 9] = [
     &["P1 P2", "P2 P1", "P3", "P1 P2 P1 P2", "P4 P4 P1 P3 P2"],
 ];
 
-/// Another word that may stand in the place of one.
-pub fn another_word(text: &str) -> Option<&'static str> {
+/// The words that may stand in the place of one.
+pub fn other_words(text: &str) -> Option<Vec<&'static str>> {
     let all = [&WORDS[..], &[&["fold", "pitchfork", "period-doubling"]]].concat();
     let words = all.into_iter().find(|words| words.contains(&text))?;
-    words.iter().copied().find(|word| *word != text)
+    Some(words.iter().copied().filter(|word| *word != text).collect())
 }
 
 fn bounds(items: &[Value]) -> Option<[String; 2]> {

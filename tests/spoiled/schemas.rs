@@ -63,7 +63,7 @@ pub fn sample(schema: &Value, root: &Value) -> Value {
         let mut entries = Map::new();
         for part in &parts {
             for (key, inner) in part["properties"].as_object().into_iter().flatten() {
-                entries.insert(key.clone(), sample(inner, root));
+                entries.insert(key.clone(), if key == "key" { json!("pair.gap") } else { sample(inner, root) });
             }
             if part["additionalProperties"].is_object() {
                 entries.insert("1".into(), sample(&part["additionalProperties"], root));

@@ -6,7 +6,7 @@ use serde_json::{Deserializer, Value};
 
 use crate::document::{
     AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA,
-    PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted,
+    PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
 };
 use crate::{
     BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, Effort, Finding, Judged,
@@ -44,8 +44,9 @@ impl Claims {
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
-        if let Some(Value::Array(documents)) = &head {
-            return Self::list(documents);
+        if let Some(Value::Array(_)) = &head {
+            // Nothing may come after it.
+            return Self::list(&value(text)?);
         }
         let schema = head.as_ref().and_then(|head| head["schema"].as_str());
         Ok(match schema {
@@ -74,12 +75,13 @@ impl Claims {
         })
     }
 
-    fn list(documents: &[Value]) -> Result<Self, Error> {
+    fn list(documents: &Value) -> Result<Self, Error> {
         let parse = |document: &Value| match document {
             Value::Object(_) => Self::parse(&document.to_string()),
             _ => Err(Error::certificate("a list must be one of documents".to_owned())),
         };
-        Ok(Self::List(documents.iter().map(parse).collect::<Result<_, _>>()?))
+        let documents = documents.as_array().into_iter().flatten();
+        Ok(Self::List(documents.map(parse).collect::<Result<_, _>>()?))
     }
 
     /// Judges one document after another; the first that is not confirmed says why.
