@@ -116,6 +116,9 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
     let outcome = head.as_object_mut().unwrap().remove("outcome").unwrap();
     let end = json!({ "outcome": outcome, "arithmetic": head["arithmetic"] });
     all.push(("lines".into(), [&[head][..], events.as_array().unwrap(), &[end]].concat()));
+    // The one left is what a check itself writes.
+    let others = schemas::names().into_iter().filter(|name| SCHEMAS.iter().all(|(known, ..)| known != name));
+    assert_eq!(others.collect::<Vec<_>>(), ["check"]);
     let (mut told, mut refused) = (0, Vec::new());
     for (name, base, line) in SCHEMAS {
         let schema = schemas::read(name);
@@ -212,8 +215,9 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
 #[test]
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed) = (0, Vec::new());
-    // What is undecided from its start on claims nothing but that it is so.
-    for (name, lines) in all().into_iter().filter(|(name, _)| name != "too long") {
+    // What is undecided from its start on claims nothing but that it is so. A word that is not there is sought for seconds.
+    let is_tried = |name: &str| name != "too long" && (name != "chaos" || crate::tried() == usize::MAX);
+    for (name, lines) in all().into_iter().filter(|(name, _)| is_tried(name)) {
         let found = checked(&lines, None).expect(&name);
         assert_eq!(found.verdict, VerdictName::Confirmed, "{name}: {}", found.message);
         assert!(found.claims.iter().all(|claim| claim.verdict == VerdictName::Confirmed && claim.reason.is_none()));
