@@ -1,8 +1,8 @@
 //! The sweep JSON Lines: what is certified at a point.
 
 use impact_pair_certificate::document::{
-    ArithmeticDocument, ClaimName, ExtendedBounds, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepExponent,
-    SweepHead, SweepImpact, SweepPeriod, SweepRecord,
+    ArithmeticDocument, ClaimName, ExtendedBounds, OutcomeDocument, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis,
+    SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
 use super::{Asked, Axis, Grid, Point, State};
@@ -90,7 +90,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         values: values.iter().map(|(_, value)| value.text()).collect(),
         outcome: outcome.to_owned(),
         reason: reason.map(|reason| reason.name().to_owned()),
-        message: point.conclusion.message().to_owned(),
+        message: message(point),
         claim: point.shadow.as_ref().map(|_| ClaimName::Shadowed),
         complete: reason.is_none() && point.first_wide.is_none() && !is_lost,
         bits: point.bits,
@@ -101,6 +101,23 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         period,
         states: point.states.iter().map(impact).collect(),
     }
+}
+
+/// The line in words of how it ended, its cycles those of the reference.
+fn message(point: &Point) -> String {
+    let own = point.conclusion.document();
+    let Some(lasting) = &point.lasting else { return own.message };
+    let Some(cycles) = lasting.cycles else {
+        let cycles = own.cycles.map(u64::from).or(own.period.map(|period| period.cycles)).unwrap_or_default();
+        let every = if cycles == 1 { "every cycle".to_owned() } else { format!("every {cycles} cycles") };
+        return own.message.replacen(&every, "in each period", 1);
+    };
+    let told = OutcomeDocument {
+        cycles: own.cycles.and_then(|_| u32::try_from(cycles).ok()),
+        period: own.period.map(|period| Period { cycles, ..period }),
+        ..own.clone()
+    };
+    told.words().unwrap_or(own.message)
 }
 
 fn impact(state: &State) -> SweepImpact {
