@@ -2,12 +2,13 @@
 
 use super::attraction::ClaimedOrbit;
 use crate::document::{
-    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument, value,
+    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument,
+    value,
 };
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
-/// What a periodic JSON claims of periodic orbits, or that of two-impact motions, or of all cycles.
+/// What a periodic JSON claims of periodic orbits, or that of two-impact motions.
 #[derive(Clone, Debug)]
 pub struct PeriodicCertificate {
     pair: ImpactPair,
@@ -73,6 +74,8 @@ impl PeriodicCertificate {
         ]));
         // Where it claims nothing, nothing is left out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
+        // That all is proved says of a search that there are no others; of two impacts it is always said.
+        unjudged.extend((document.certified && (document.exhaustive || is_two_impact)).then(|| "certified".to_owned()));
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
         let (pair, _) = document.scene.model()?;
@@ -87,17 +90,18 @@ impl PeriodicCertificate {
         Self::new(pair, orbits, (document.certified && !is_two_impact, !has_rest), unjudged)
     }
 
-    /// Reads the JSON of all cycles: its orbits, not that there are no others.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub fn parse_cycles(text: &str) -> Result<Self, Error> {
+    /// Reads the orbits of the JSON of all cycles.
+    pub(super) fn parse_cycles(text: &str) -> Result<Self, Error> {
         let value = value(text)?;
         let whole = Place::of_schema(&value, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
         let mut unjudged = whole.unread::<CyclesDocument>()?;
-        unjudged.extend(whole.keys_but(&["schema", "scene", "certified", "orbits"]));
-        unjudged.extend(["orbits.reduced_impacts", "scene.start"].map(str::to_owned));
+        // That there are no others is not judged, nor what follows from it, but that these are so many.
+        unjudged.extend(whole.keys_but(&["schema", "scene", "orbits"]));
+        unjudged.push("scene.start".to_owned());
+        let is_open = |orbit: &PeriodicOrbitDocument| orbit.physical != Some(true) || orbit.symmetric.is_none();
+        let open = document.orbits.iter().enumerate().filter(|(_, cycle)| is_open(&cycle.orbit));
+        unjudged.extend(open.map(|(i, _)| format!("orbits[{i}].reduced_impacts")));
         let (pair, _) = document.scene.model()?;
         let places = whole.get("orbits")?.list()?;
         let orbits = document.orbits.iter().zip(&places).map(|(cycle, place)| {

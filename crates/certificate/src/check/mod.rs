@@ -23,6 +23,7 @@ mod chatter;
 mod clock;
 mod contact;
 mod curve;
+mod cycles;
 mod data;
 mod fixed_point;
 mod flight;

@@ -6,6 +6,7 @@ use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::standing::Last;
+use super::step::Landing;
 use super::walk::{Walk, compare};
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::Certificate;
@@ -25,6 +26,16 @@ impl SweepCertificate {
         stop: Option<&'static AtomicBool>,
         mut progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
+        self.judge_until(effort, stop, |point, _| progress(point))
+    }
+
+    /// The same; `progress` is told whether all points so far are confirmed as well.
+    pub(crate) fn judge_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize, bool),
+    ) -> Result<Verdict, Error> {
         let (mut most, mut open, mut confirmed) = (0, None, 0);
         for (event, point) in self.points().iter().enumerate() {
             let budget = Budget::new(effort.work, effort.parts, stop);
@@ -39,7 +50,7 @@ impl SweepCertificate {
                     confirmed += 1;
                 }
             }
-            progress(event + 1);
+            progress(event + 1, open.is_none());
         }
         Ok(match open {
             Some(Finding { event, message }) => {
@@ -101,7 +112,8 @@ impl ClaimedOrbit {
             // The bounces of a chatter that ends in a rest have no number: then all others are told wrongly here.
             may_rest |= walk.standing.last() == Last::Wall(landing.wall);
             if let Some(state) = states.next_if(|state| state.index == next) {
-                state.compare(walk, &landing).map_err(|doubt| match doubt {
+                let phase = self.told(walk, &landing)?;
+                state.compare(walk, &landing, phase).map_err(|doubt| match doubt {
                     Doubt::False(message) if may_rest => {
                         Doubt::Open(format!("{message}, or a rest comes before, whose bounces are not counted"))
                     }
@@ -115,8 +127,21 @@ impl ClaimedOrbit {
     }
 }
 
+impl ClaimedOrbit {
+    /// The phase of an impact, of the term that phases are told of: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
+    fn told(&self, walk: &Walk<'_>, landing: &Landing) -> Result<Real, Doubt> {
+        let found = walk.absolute(&landing.phase.hull());
+        let Some(reference) = &self.reference else { return Ok(found) };
+        let (own, bits) = (self.pair.excitation().reference(), found.bits());
+        let since = found - &Real::of(own.phase(), bits);
+        let rate = Real::of(reference.frequency(), bits).over(&Real::of(own.frequency(), bits));
+        let rate = rate.ok_or_else(|| Doubt::Open("the frequencies are too far apart".into()))?;
+        Ok(since * &rate + &Real::of(reference.phase(), bits))
+    }
+}
+
 impl ClaimedState {
-    fn compare(&self, walk: &Walk<'_>, landing: &super::step::Landing) -> Result<(), Doubt> {
+    fn compare(&self, walk: &Walk<'_>, landing: &Landing, found: Real) -> Result<(), Doubt> {
         let Self { index, wall, phase, velocity } = self;
         if *wall != landing.wall {
             return Err(Doubt::False(format!("impact {index} is on the other wall")));
@@ -130,7 +155,6 @@ impl ClaimedState {
         if lower.is_negative() || turn.is_below(&lower) {
             return Err(Doubt::False(format!("the phase of impact {index} is not in [0, 2 pi)")));
         }
-        let found = walk.absolute(&landing.phase.hull());
         let ahead = (found.clone() - &lower.hull(&upper).middle()).over(&turn);
         let half = Real::int(1, bits).half();
         // V6: any whole number of periods
