@@ -24,6 +24,7 @@ mod clock;
 mod contact;
 mod curve;
 mod data;
+mod distinct;
 mod fixed_point;
 mod flight;
 mod frame;
