@@ -221,9 +221,12 @@ fn r32_an_orbit_in_wider_bounds_is_not_another_one() {
     let mut copy = with_one_twice(&document, 0);
     let last = copy["orbits"].as_array().unwrap().len() - 1;
     for impact in copy["orbits"][last]["impacts"].as_array_mut().unwrap() {
-        for (key, end, by) in [("phase", 0, "-1e-9"), ("phase", 1, "1e-9"), ("velocity", 0, "-1e-9"), ("velocity", 1, "1e-9")] {
+        for (key, end, by) in
+            [("phase", 0, "-1e-9"), ("phase", 1, "1e-9"), ("velocity", 0, "-1e-9"), ("velocity", 1, "1e-9")]
+        {
             let moved = format!("{} + {by}", impact[key][end].as_str().unwrap());
-            let moved = impact_pair::exact::decimal_bounds(&moved.parse::<impact_pair::exact::Exact>().unwrap().enclose(200));
+            let moved =
+                impact_pair::exact::decimal_bounds(&moved.parse::<impact_pair::exact::Exact>().unwrap().enclose(200));
             impact[key][end] = json!(moved[end]);
         }
     }

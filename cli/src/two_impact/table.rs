@@ -16,7 +16,9 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
     lines.push(scene.parameters_in_words());
     match unknown {
-        Unknown::Velocity => lines.push("given A and d: all motions with two impacts in N cycles that never rest".into()),
+        Unknown::Velocity => {
+            lines.push("given A and d: all motions with two impacts in N cycles that never rest".into())
+        }
         Unknown::Amplitude(speed) => lines.push(format!("given d and |v| = {speed}: A_N (68), equispaced")),
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
     }

@@ -173,6 +173,7 @@ mod tests {
     use crate::number::Ball;
     use crate::pair::Wall;
     use crate::periodic::Chain;
+    use crate::shaken::Shaken;
     use crate::{Excitation, Harmonic, ImpactPair};
 
     fn is_physical(orbit: &PeriodicOrbit) -> bool {

@@ -46,8 +46,7 @@ impl Recurrence {
     pub fn are_apart(&self, one: &ClaimedOrbit, other: &ClaimedOrbit, mirrors_are_one: bool) -> bool {
         let mirrored = if mirrors_are_one && self.has_mirror { &[false, true][..] } else { &[false] };
         let shifts = 0..other.impacts.len();
-        let mut views =
-            shifts.flat_map(|shift| mirrored.iter().map(move |&is_mirrored| View { shift, is_mirrored }));
+        let mut views = shifts.flat_map(|shift| mirrored.iter().map(move |&is_mirrored| View { shift, is_mirrored }));
         views.all(|view| self.are_apart_in(view, &one.impacts, &other.impacts))
     }
 

@@ -80,9 +80,7 @@ impl OrbitOf {
     /// Whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
     fn is_within(&self, other: &Self) -> bool {
         let is_alone = other.orbit.unique && other.orbit.physical == Some(true) && self.orbit.physical == Some(true);
-        is_alone
-            && (&self.word, self.cycles) == (&other.word, other.cycles)
-            && begins_within(&self.orbit, &other.orbit)
+        is_alone && (&self.word, self.cycles) == (&other.word, other.cycles) && begins_within(&self.orbit, &other.orbit)
     }
 }
 
