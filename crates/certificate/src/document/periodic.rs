@@ -27,7 +27,7 @@ pub struct PeriodicDocument {
     pub cycles: u32,
     /// Whether there are no others, but for what it `excludes`.
     pub exhaustive: bool,
-    /// Of what others nothing is claimed, where it is exhaustive: [`RESTING`].
+    /// Of what others nothing is claimed, where it is exhaustive: `motions that rest`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub excludes: Option<String>,
     /// Whether all that was asked is proved.
@@ -129,7 +129,7 @@ pub struct TwoImpactDocument {
     pub solved_for: String,
     /// Whether there are no others, but for what it `excludes`.
     pub exhaustive: bool,
-    /// Of what others nothing is claimed, where it is exhaustive: [`RESTING`].
+    /// Of what others nothing is claimed, where it is exhaustive: `motions that rest`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub excludes: Option<String>,
     /// Always: what is not proved is `undecided`.
