@@ -365,3 +365,90 @@ fn r32_cycles_whose_counts_are_not_those_of_their_orbits_are_refuted() {
     }
     assert!(matches!(judged(&twice), Verdict::Undecided(_)), "{:?}", judged(&twice));
 }
+
+/// All orbits of the word LR in a cycle beyond the pitchfork (Lemma W4), `A/d = 0.36` and `e = 0.8`: two symmetric ones, and two that are mirror
+/// images of each other.
+fn four_orbits() -> Value {
+    let scene = r#"
+        excitation = { amplitude = 0.36, frequency = "pi", phase = 0.25 }
+        pair = { gap = 1, restitution = 0.8 }
+        start = { time = 0, wall = "left", velocity = -1 }"#;
+    let scene = Scene::parse(scene).unwrap();
+    let problem = Problem::new(scene.pair(), &"LR".parse().unwrap(), 1).unwrap();
+    let census = problem.find(scene.start(), Precision::default());
+    json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+}
+
+fn judged(document: &Value) -> Verdict {
+    Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+}
+
+/// The document with one of its orbits at the end as well.
+fn with_one_twice(document: &Value, i: usize) -> Value {
+    let mut copy = document.clone();
+    copy["orbits"].as_array_mut().unwrap().push(document["orbits"][i].clone());
+    copy
+}
+
+#[test]
+fn r32_an_orbit_listed_twice_is_not_two() {
+    for document in [four_orbits(), two_impact(3)] {
+        assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?}", judged(&document));
+        for i in 0..document["orbits"].as_array().unwrap().len() {
+            let twice = judged(&with_one_twice(&document, i));
+            match document["orbits"][i]["physical"] == true {
+                true => assert!(matches!(twice, Verdict::Refuted(_)), "{i}: {twice:?}"),
+                false => assert!(matches!(twice, Verdict::Undecided(_)), "{i}: {twice:?}"),
+            }
+        }
+    }
+}
+
+/// What is wider than what is asked of its bounds is the same orbit.
+#[test]
+fn r32_an_orbit_in_wider_bounds_is_not_another_one() {
+    let document = four_orbits();
+    let mut copy = with_one_twice(&document, 0);
+    let last = copy["orbits"].as_array().unwrap().len() - 1;
+    for impact in copy["orbits"][last]["impacts"].as_array_mut().unwrap() {
+        for (key, end, by) in
+            [("phase", 0, "-1e-9"), ("phase", 1, "1e-9"), ("velocity", 0, "-1e-9"), ("velocity", 1, "1e-9")]
+        {
+            let moved = format!("{} + {by}", impact[key][end].as_str().unwrap());
+            let moved =
+                impact_pair::exact::decimal_bounds(&moved.parse::<impact_pair::exact::Exact>().unwrap().enclose(200));
+            impact[key][end] = json!(moved[end]);
+        }
+    }
+    assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{:?}", judged(&copy));
+}
+
+/// Of cycles, a motion and its mirror image are one.
+#[test]
+fn r32_a_cycle_listed_with_its_mirror_image_is_not_two() {
+    let document = four_orbits();
+    let cycles = |chosen: &[usize]| {
+        let cycle = |&i: &usize| {
+            let mut cycle = document["orbits"][i].clone();
+            cycle["reduced_impacts"] = json!(2);
+            cycle["word"] = document["word"].clone();
+            cycle["cycles"] = document["cycles"].clone();
+            cycle
+        };
+        json!({
+            "schema": "impact-pair/cycles/1", "program": "none", "certified": true, "exhaustive": true, "scene": document["scene"],
+            "boxes": 1, "impacts": [1, 2], "fixed_points": {}, "no_attractor": false,
+            "orbits": chosen.iter().map(cycle).collect::<Vec<_>>(),
+        })
+    };
+    let symmetric = |i: &usize| document["orbits"][*i]["symmetric"] == true;
+    let count = document["orbits"].as_array().unwrap().len();
+    let (own, others): (Vec<usize>, Vec<usize>) = (0..count).partition(symmetric);
+    assert_eq!((own.len(), others.len()), (2, 2));
+    assert!(matches!(judged(&cycles(&[own[0], own[1], others[0]])), Verdict::Confirmed { .. }));
+    assert!(matches!(judged(&cycles(&others)), Verdict::Undecided(_)));
+    assert!(matches!(judged(&cycles(&[own[0], own[0]])), Verdict::Refuted(_)));
+    // That none is left out is not judged, and named.
+    let claims = Claims::parse(&cycles(&own).to_string()).unwrap();
+    assert!(claims.unjudged().iter().any(|key| key == "certified"), "{:?}", claims.unjudged());
+}

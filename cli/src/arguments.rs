@@ -178,7 +178,9 @@ Examples:
 
 Each orbit listed is proved to be the only one in its bounds. Physical: no flight touches a wall before it ends. Stable: \
 both eigenvalues of the period's Jacobian lie inside the unit circle; unstable: one lies outside. Without --all the \
-orbits are those that the scene's motion and evenly spread starts lead to; there may be others.
+orbits are those that the scene's motion and evenly spread starts lead to; there may be others. Motions in which the ball rests on a wall are \
+not looked for, with --all neither: with e > 0 they have infinitely many impacts in a period, or meet a wall without velocity just where it begins to \
+press; with e = 0 each is what follows a release, and run proves it from there.
 
 Exit code: 0 all that was asked is certified; 1 some of it is not: no orbit was found, something of one is undecided or \
 wider than --digits (the output still holds all that is certified); 2 usage, bad input, I/O.";
@@ -193,7 +195,7 @@ pub struct PeriodicArguments {
     /// The cycles 2 pi/W that the word takes, W being the fastest harmonic's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
-    /// Search the whole state space, so that these are all
+    /// Search the whole state space, so that these are all in which the ball never rests on a wall
     #[arg(long)]
     pub all: bool,
     /// Enclosures are asked to be at most 10^-D wide: of phases in cycles, of velocities relative to A W

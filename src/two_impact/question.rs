@@ -65,7 +65,7 @@ pub struct Answer {
     pub orbits: Vec<Orbit>,
     /// Parts of `th1 - th0` \[rad\] in which there may be others.
     pub undecided: Vec<Enclosure>,
-    /// Whether there are proved to be no others with two impacts in N cycles.
+    /// Whether there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
     /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits asked for.
     pub is_complete: bool,

@@ -16,6 +16,7 @@ pub struct PeriodicCertificate {
     orbits: Vec<OrbitOf>,
     says_all_is_proved: bool,
     has_no_rest: bool,
+    mirrors_are_one: bool,
     unjudged: Vec<String>,
 }
 
@@ -43,9 +44,11 @@ impl PeriodicCertificate {
                 return Err(solved_for.refused("only what is solved for the velocity is checked"));
             }
             let has_rest = !document.undecided.is_empty();
-            let TwoImpactDocument { schema, scene, word, cycles, exhaustive, certified, orbits, .. } = document;
+            let TwoImpactDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, .. } =
+                document;
+            let undecided = None;
             let document =
-                PeriodicDocument { schema, scene, word, cycles, exhaustive, certified, orbits, undecided: None };
+                PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
             ((document, has_rest), whole.unread::<TwoImpactDocument>()?)
         } else {
             let document: PeriodicDocument = whole.read()?;
@@ -87,7 +90,9 @@ impl PeriodicCertificate {
         }
         let cycles = document.cycles.into();
         let orbits = orbits.into_iter().map(|orbit| OrbitOf { word: word.clone(), cycles, orbit }).collect();
-        Self::new(pair, orbits, (document.certified && !is_two_impact, !has_rest), unjudged)
+        let says_all_is_proved = document.certified && !is_two_impact;
+        let document = Self::new(pair, orbits, unjudged)?;
+        Ok(Self { says_all_is_proved, has_no_rest: !has_rest, ..document })
     }
 
     /// Reads the orbits of the JSON of all cycles.
@@ -109,15 +114,13 @@ impl PeriodicCertificate {
             Ok(OrbitOf { word: cycle.word.parse()?, cycles: cycle.cycles.into(), orbit })
         });
         let orbits = orbits.collect::<Result<_, Error>>()?;
-        Self::new(pair, orbits, (document.certified, document.undecided.is_empty()), unjudged)
+        let says_all_is_proved = document.certified;
+        let has_no_rest = document.undecided.is_empty();
+        let document = Self::new(pair, orbits, unjudged)?;
+        Ok(Self { says_all_is_proved, has_no_rest, mirrors_are_one: true, ..document })
     }
 
-    fn new(
-        pair: ImpactPair,
-        orbits: Vec<OrbitOf>,
-        (says_all_is_proved, has_no_rest): (bool, bool),
-        mut unjudged: Vec<String>,
-    ) -> Result<Self, Error> {
+    fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {
         // Of what is no motion it is not judged whether there are others, one of them its mirror image.
         for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.orbit.physical != Some(true)) {
             unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
@@ -126,7 +129,8 @@ impl PeriodicCertificate {
         unjudged.dedup();
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
-        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, unjudged })
+        let (says_all_is_proved, has_no_rest, mirrors_are_one) = (false, true, false);
+        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one, unjudged })
     }
 
     /// The impact pair.
@@ -155,6 +159,11 @@ impl PeriodicCertificate {
     /// Whether no part of the state space is left undecided.
     pub(super) fn has_no_rest(&self) -> bool {
         self.has_no_rest
+    }
+
+    /// Whether an orbit and its mirror image are listed as one.
+    pub(super) fn mirrors_are_one(&self) -> bool {
+        self.mirrors_are_one
     }
 
     /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.

@@ -6,7 +6,8 @@
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
 //! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
-//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Regions and words of horseshoes are proved in
+//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are told apart by their
+//! bounds ([`distinct`], Lemma V13). Regions and words of horseshoes are proved in
 //! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
 
@@ -25,6 +26,7 @@ mod contact;
 mod curve;
 mod cycles;
 mod data;
+mod distinct;
 mod fixed_point;
 mod flight;
 mod frame;
