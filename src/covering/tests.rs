@@ -233,9 +233,11 @@ fn r32_parallel_axes_and_negative_sides_cover_nothing() {
     for nodes in shadow.nodes.as_slice().windows(2).take(200) {
         let [node, next] = [nodes[0], nodes[1]];
         let landing = node.land(&*one).unwrap();
-        let [s1, s2] = next.axes.unstable;
-        for stable in [[s1, s2], [s1, s2.next_up()], [-s1, -s2]] {
-            let next = Node { axes: Axes { stable, ..next.axes }, ..next };
+        // Both along the unstable direction, or along the stable one: there the image is stretched across the adjugate's rows.
+        let Axes { unstable, stable, .. } = next.axes;
+        let parallel = |[s1, s2]: [f64; 2]| [[s1, s2], [s1, s2.next_up()], [-s1, -s2]].map(|other| [[s1, s2], other]);
+        for [unstable, stable] in parallel(unstable).into_iter().chain(parallel(stable)) {
+            let next = Node { axes: Axes { unstable, stable, ..next.axes }, ..next };
             let link = Link::new(&node.axes, &landing, &next).unwrap();
             for across in [link.narrowest(node.sides), next.sides[1], -1e-9, f64::MAX] {
                 assert!(!link.covers(node.sides, [next.sides[0], across]), "{stable:?} {across:e}");

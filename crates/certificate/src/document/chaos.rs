@@ -80,7 +80,7 @@ pub struct ChaosDocument {
     /// Whether it was stopped before the depth that was asked for.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
-    /// The bases, disjoint.
+    /// The bases, disjoint from each other and from their own translates by whole forcing periods.
     pub bases: Vec<BaseDocument>,
     /// The words.
     pub words: Vec<WordDocument>,
@@ -231,7 +231,7 @@ pub struct WordDocument {
     pub to: u32,
     /// How many impacts it has.
     pub impacts: u32,
-    /// How many half cycles it takes.
+    /// Half cycles from its start to its end, less what the phases of the two bases differ by.
     pub half_cycles: i64,
     /// Its flights in order of time: `F` to the far wall, `N` back to the near one.
     pub flights: String,

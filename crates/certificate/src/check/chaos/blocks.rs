@@ -33,7 +33,7 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
         lengths.entry(ways).or_default().push(flights.len());
     }
     let open = |message: &str| Err(Doubt::Open(message.to_owned()));
-    if lengths.len() > MOST_PAIRS / lengths.len().max(1) {
+    if lengths.len() * lengths.len() > MOST_PAIRS {
         return open("the horseshoe is not judged: the words lead in too many ways");
     }
     let shortest = shortest(lengths, bases);
@@ -52,15 +52,17 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
         return Err(Doubt::False("the horseshoe has a block that is none of the words".into()));
     };
     let [one, other] = [a, b].map(|word| block(word));
-    let size = {
-        let [a, b] = [one.0.len(), other.0.len()];
-        [a.max(b), a.min(b)]
-    }; // exact: lengths
+    let size = size(one.0.len(), other.0.len());
     if one != other && is_free([&blocks[&one], &blocks[&other]], bases) && shortest == Some(size) {
         Ok(())
     } else {
         Err(Doubt::False("the horseshoe is not one of two shortest blocks in any order".into()))
     }
+}
+
+/// Of blocks of so many impacts.
+fn size(a: usize, b: usize) -> Size {
+    [a.max(b), a.min(b)] // exact: lengths
 }
 
 /// What makes words one block.
@@ -78,7 +80,7 @@ fn shortest(mut lengths: BTreeMap<&Ways, Vec<usize>>, bases: usize) -> Option<Si
         for (other, those) in lengths.range::<&Ways, _>(one..) {
             let pair = if one == other { [these.first(), these.get(1)] } else { [these.first(), those.first()] };
             let [Some(&a), Some(&b)] = pair else { continue };
-            let size = [a.max(b), a.min(b)]; // exact: lengths
+            let size = size(a, b);
             if found.is_none_or(|found| size < found) && is_free([one, other], bases) {
                 found = Some(size);
             }
