@@ -158,7 +158,7 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
 
 /// The chain by itself is told from the scene's time, too.
 #[test]
-fn r32_a_chain_of_uncertain_direction_begins_at_the_start_asked_for() {
+fn a_chain_of_uncertain_direction_begins_at_the_start_asked_for() {
     let scene = scene(ONE, "1/3", "1.5", NOTHING);
     let chain = Shadow::of(&scene).unwrap();
     let (turns, phase, velocity) = chain.start();
