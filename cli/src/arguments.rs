@@ -290,7 +290,6 @@ const CHECK_HELP: &str = "\
 Examples:
   impact-pair run scenes/figure-14.toml --format json | impact-pair check -
   impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl
-  impact-pair check orbit.jsonl
   impact-pair check orbit.jsonl --format json
 
 Each flight is followed anew from the exact data of the certificate's own scene: in physical units, by halving, in one \

@@ -47,7 +47,13 @@ fn a_document_is_checked_orbit_by_orbit() {
     let said = String::from_utf8(checked.stdout).unwrap();
     assert!(checked.status.success() && said.starts_with("confirmed: 2 orbits"), "{said}");
     assert!(said.contains("exhaustive") && said.contains("fixed_points"), "{said}");
-    fs::write(&path, text.replace("\"unstable\"", "\"stable\"")).unwrap();
-    let checked = program(&["check", &path]).output().unwrap();
-    assert!(String::from_utf8(checked.stdout).unwrap().starts_with("refuted: orbits[0]"));
+    let stable = text.replace("\"unstable\"", "\"stable\"");
+    let says = |text: &str, words: &str| {
+        fs::write(&path, text).unwrap();
+        let checked = program(&["check", &path]).output().unwrap();
+        let said = String::from_utf8(checked.stdout).unwrap();
+        assert!(said.starts_with(words), "{said}");
+    };
+    says(&stable, "refuted: no_attractor");
+    says(&stable.replace("\"no_attractor\":true", "\"no_attractor\":false"), "refuted: orbits[0]");
 }

@@ -208,6 +208,9 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
         // Without a drift the ball swings alike in every frequency; a region that attracts is entered from other starts as well.
         "scene.excitation.frequency" => name == "never",
         "scene.excitation.phase" | "scene.start.time" => name == "trap",
+        // What chatters on one wall does not see the other; a dead impact forgets how fast it was.
+        "scene.gap" => name == "chatter in a time",
+        "scene.start.velocity" => name == "dead impacts under two",
         _ => false,
     }
 }

@@ -16,14 +16,8 @@ pub(super) struct Leaves<'n> {
     pub others: Vec<String>,
 }
 
-/// Values that claim nothing at their key, as the weakest of what may stand there.
-const WEAKEST: [(&str, &str); 5] = [
-    ("certified", "false"),
-    ("exhaustive", "false"),
-    ("no_attractor", "false"),
-    ("no_rest", "false"),
-    ("stability", "\"undecided\""),
-];
+/// Keys of flags that claim nothing where they are false.
+const FLAGS: [&str; 4] = ["certified", "exhaustive", "no_attractor", "no_rest"];
 
 /// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
 const CLAIM_NONE: [&str; 2] = ["events.mapping", "horseshoe"];
@@ -74,7 +68,9 @@ impl<'n> Leaves<'n> {
             Value::Null => !CLAIM_NONE.contains(&unnumbered),
             Value::Array(items) => items.is_empty() && self.items != Some(unnumbered),
             Value::Object(entries) => entries.is_empty(),
-            plain => WEAKEST.iter().any(|(at, weakest)| *at == key && plain.to_string() == *weakest),
+            Value::Bool(is_so) => !is_so && FLAGS.contains(&key),
+            Value::String(word) => key == "stability" && word == "undecided",
+            Value::Number(_) => false,
         }
     }
 }
