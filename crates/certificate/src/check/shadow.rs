@@ -40,6 +40,14 @@ const ENDS: [f64; 2] = [1.0, 1.0 / 16.0];
 /// A claim by its position among the events, and what is to be said of it.
 pub(super) type Doubted = (usize, Doubt);
 
+/// A chain of nodes that is proved.
+struct Chained {
+    /// The number of its last impact and the node there; `None` where it is empty.
+    last: Option<(usize, Node)>,
+    /// How far its nodes are off ([`Course::link`]).
+    offs: Vec<Dyadic>,
+}
+
 /// A shadowed orbit and how much its check may take.
 pub(super) struct Shadow<'c> {
     pub certificate: &'c Certificate,
@@ -148,7 +156,7 @@ impl Shadow<'_> {
         let chained = ENDS.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
             chained.or_else(|_| self.chained(Some(share), bits, progress))
         });
-        let (last, chained) = match chained {
+        let Chained { last, offs: chained } = match chained {
             Ok(chained) => chained,
             // exact: where nothing is refuted, what is in doubt
             Err(doubted) => return Err(self.refuted().unwrap_or(doubted)),
@@ -171,14 +179,8 @@ impl Shadow<'_> {
         }
     }
 
-    /// The last impact of a chain of nodes, and its node, `None` where there is none; and how far the nodes are off ([`Course::link`]).
-    /// With some `share` it ends where the motion has first expanded that share of the most, which may be at the start.
-    fn chained(
-        &self,
-        share: Option<f64>,
-        bits: u32,
-        progress: &mut impl FnMut(usize),
-    ) -> Result<(Option<(usize, Node)>, Vec<Dyadic>), Doubted> {
+    /// A chain of nodes along the impacts. With some `share` it ends where the motion has first expanded that share of the most, which may be at the start.
+    fn chained(&self, share: Option<f64>, bits: u32, progress: &mut impl FnMut(usize)) -> Result<Chained, Doubted> {
         let nothing = |_: usize| {};
         let mut points = self.under(bits, |course| course.middles());
         let mut shots: Vec<Shot> = Vec::new();
@@ -190,7 +192,7 @@ impl Shadow<'_> {
             shots = self.of_each(0..points.len() - 1, bits, shot, nothing)?;
             take(&mut points, &shots, share);
             if points.len() == 1 {
-                return Ok((None, Vec::new()));
+                return Ok(Chained { last: None, offs: Vec::new() });
             }
             let (at, ratio) = worst(&points);
             if is_fine(ratio) {
@@ -207,7 +209,7 @@ impl Shadow<'_> {
         let link =
             |course: &Course<'_>, k: usize| course.link(k, [&points[k].node, &points[k + 1].node], &shots[k].lasting);
         let offs = self.of_each(0..points.len() - 1, bits, link, progress)?;
-        Ok((points.pop().map(|last| (points.len(), last.node)), offs))
+        Ok(Chained { last: points.pop().map(|last| (points.len(), last.node)), offs })
     }
 
     /// The first node lies in the bounds of the start.
