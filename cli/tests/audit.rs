@@ -410,3 +410,31 @@ fn r32_a_chatter_within_the_tolerance_of_its_start_is_right() {
     let document = judged(&String::from_utf8(list.stdout).unwrap(), &[path, "-"], 0);
     assert_eq!(disagreements(&document), []);
 }
+
+/// Before the first contact that any member of the data has nothing is in doubt.
+#[test]
+fn r32_what_comes_before_all_that_may_happen_is_false() {
+    let scene = scene("0.1", "[0.1, 0.9]", "time = 0, position = 0, velocity = \"[1.4, 1.6]\"");
+    let answer = answer("time,wall\n0.1,right\n", &[scene.path().to_str().unwrap(), "-"]);
+    let said = String::from_utf8(answer.stdout).unwrap() + &String::from_utf8(answer.stderr).unwrap();
+    assert!(answer.status.code() == Some(1) && !said.contains("agreed: all"), "{said}");
+}
+
+/// The program's own list: impacts of a chatter that ends within the tolerance, faster than the tolerance.
+#[test]
+fn r32_fast_impacts_just_before_a_rest_are_right() {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = "excitation = { amplitude = 0.184914855478891, frequency = \"2*pi\", phase = -0.9459879159136833 }\n\
+                pair = { gap = 1, restitution = 1.2045338356120227e-07 }\n\
+                start = { time = 0, wall = \"right\", velocity = 1.073933065304292e-07 }";
+    std::fs::write(file.path(), text).unwrap();
+    let path = file.path().to_str().unwrap();
+    let list =
+        program(&["run", path, "--impacts", "6", "--digits", "14", "--format", "json", "--quiet"]).output().unwrap();
+    let list = String::from_utf8(list.stdout).unwrap();
+    for tolerance in ["1e-9", "1e-6", "1e-3"] {
+        let answer = answer(&list, &[path, "-", "--tolerance", tolerance, "--format", "json", "--quiet"]);
+        let document: Value = serde_json::from_slice(&answer.stdout).unwrap();
+        assert_eq!(disagreements(&document), [], "{document}");
+    }
+}

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use super::align::{Alignment, align};
 use super::list::Listed;
 use super::tolerance::Tolerance;
-use super::truth::{Rest, Site, SiteKind, Truth};
+use super::truth::{Rest, Site, SiteKind, Truth, is_faster};
 use super::verdict::{Reason, Verdict};
 use crate::exact::{Dyadic, Enclosure, compare_rational};
 
@@ -155,6 +155,13 @@ impl<'a> Judge<'a> {
         self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf() <= self.truth.sites[site].time.sup())
     }
 
+    /// Whether a row may be a contact that is not certified, as far as its times are compared.
+    fn is_in_doubt(&self, row: usize) -> bool {
+        let around = self.tolerance.around_time(&self.times[row]);
+        self.truth.doubtful_from.as_ref().is_some_and(|from| around.sup() >= from.inf())
+            || self.near(row).any(|site| self.is_before_doubt(site))
+    }
+
     /// Whether any other contact may.
     fn may_hold_another(&self, site: usize) -> bool {
         let sites = &self.truth.sites;
@@ -211,7 +218,9 @@ impl<'a> Judge<'a> {
         };
         let is_outside = tolerance.is_outside_in_time(&errors.time)
             || errors.velocity.as_ref().is_some_and(|velocity| tolerance.is_outside_in_velocity(velocity));
-        if is_outside && self.may_hold_another(site) {
+        // A row before the enclosure, and before the doubt, is no contact at all.
+        let is_within = self.near(row).contains(&site) || self.is_in_doubt(row);
+        if is_outside && is_within && self.may_hold_another(site) {
             return Finding { verdict: Verdict::Undecided, row: Some(row), site: None, errors: None };
         }
         let verdict = if is_outside { Verdict::Outside } else { Verdict::Inside };
@@ -225,10 +234,7 @@ impl<'a> Judge<'a> {
     /// The verdict on a row that is no contact.
     fn unmatched(&self, row: usize, candidates: &[usize], alignment: &Alignment) -> Finding {
         let (nearest, time) = (self.nearest(row), &self.times[row]);
-        let is_in_doubt = self.truth.doubtful_from.as_ref();
-        // A contact may come from then on; the row may be it, as far as its times are compared.
-        let is_in_doubt = is_in_doubt.is_some_and(|from| self.tolerance.around_time(time).sup() >= from.inf())
-            || self.near(row).any(|site| self.is_before_doubt(site));
+        let is_in_doubt = self.is_in_doubt(row);
         let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
         let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
         let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));
@@ -266,13 +272,10 @@ impl<'a> Judge<'a> {
     /// Whether a row lies in the chatter that ends in this rest: on its wall, no later than it by more than the tolerance,
     /// and with a velocity between that of the impact before and none.
     fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
-        let Site { wall, velocity, .. } = &self.truth.sites[site];
+        let first = &self.truth.sites[site];
         let (time, end) = (&self.times[row], self.tolerance.around_time(&rest.from));
-        let is_fast = self.velocity(row).zip(velocity.as_ref()).is_some_and(|(listed, first)| {
-            let slower = first.hull(&Enclosure::point(Dyadic::zero()));
-            self.tolerance.is_outside_in_velocity(&self.tolerance.distance(&listed, &slower))
-        });
-        rest.is_accumulation && self.rows[row].wall == *wall && time.inf() <= end.sup() && !is_fast
+        let is_fast = self.velocity(row).is_some_and(|listed| is_faster(&listed, first, self.tolerance));
+        rest.is_accumulation && self.rows[row].wall == first.wall && time.inf() <= end.sup() && !is_fast
     }
 }
 

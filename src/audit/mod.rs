@@ -211,7 +211,12 @@ impl<'s> Audit<'s> {
     pub fn conclusion(&self) -> String {
         let open = self.is_open().then(|| self.truth.message());
         let mut said = match (self.count(Verdict::disagrees), open) {
-            (0, None) => format!("agreed: all {} listed", self.rows.len()),
+            (0, None) if self.is_agreed() => format!("agreed: all {} listed", self.rows.len()),
+            (0, None) => format!(
+                "undecided: {} of {} listed",
+                self.count(|verdict| verdict == Verdict::Undecided),
+                self.rows.len()
+            ),
             (0, Some(open)) => open,
             (n, open) => {
                 let impacts = if n == 1 { "impact" } else { "impacts" };
