@@ -6,7 +6,8 @@
 //! the edge 0. The true ones are of every schema that `check` reads, in several states of their flags ([`originals`]). Where a
 //! forgery is only almost certain to be false and is confirmed, the claims are computed anew, in 320 bits ([`known`]).
 //!
-//! `FORGER_CASES` limits the forgeries of one kind that are made of one document (3; `all` for all of them); `--nocapture` shows the table.
+//! `FORGER_CASES` limits the forgeries of one kind that are made of one document (3; `all` for all of them), `FORGER_ONLY=WORDS` asks for
+//! those alone whose names have these words, and shows each verdict; `--nocapture` shows the table.
 
 #![cfg(feature = "multiprecision")]
 
@@ -32,6 +33,7 @@ mod shadow;
 mod truth;
 
 use std::collections::BTreeMap;
+use std::time::Instant;
 
 use forged::{Forged, Forgery, Original, are_named, changed};
 use impact_pair::certificate::{Claims, Effort, Verdict};
@@ -59,6 +61,16 @@ fn cases() -> usize {
     }
 }
 
+/// The forgeries that are asked for.
+fn asked() -> Vec<&'static Forgery> {
+    let words = only().unwrap_or_default();
+    FORGERIES.into_iter().flatten().filter(|forgery| forgery.name.contains(&words)).collect()
+}
+
+fn only() -> Option<String> {
+    std::env::var("FORGER_ONLY").ok()
+}
+
 /// The verdict of `check` on a forgery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Judgement {
@@ -76,7 +88,7 @@ enum Judgement {
 /// The verdict, and the names of what is not judged; `None` where the document is refused.
 fn verdict(text: &str) -> Option<(Verdict, Vec<String>)> {
     let claims = Claims::parse(text).ok()?;
-    let effort = Effort { bits: 1 << 12, work: 1 << 12, pieces: 16, ..Effort::default() };
+    let effort = Effort { bits: 1 << 11, work: 1 << 12, pieces: 16, ..Effort::default() };
     let verdict = claims.check_until(&effort, None, |_| {}).ok()?;
     Some((verdict, claims.unjudged()))
 }
@@ -101,7 +113,7 @@ fn judged(original: &Original, forged: &Forged) -> Judgement {
 /// Some of the forgeries, spread over all of them.
 fn spread(all: Vec<Forged>, most: usize) -> Vec<Forged> {
     let count = all.len();
-    let is_taken = |i: usize| count <= most || (i * most) / count != (i + 1).saturating_mul(most) / count;
+    let is_taken = |i: usize| count <= most || i == 0 || (i - 1) * most / count != i * most / count;
     all.into_iter().enumerate().filter(|(i, _)| is_taken(*i)).map(|(_, forged)| forged).collect()
 }
 
@@ -111,7 +123,7 @@ type Counts = BTreeMap<(&'static str, &'static str, Judgement), usize>;
 fn table(counts: &Counts, kinds: &[&'static str]) -> String {
     let mut text = format!("| forgery: refuted / undecided / not judged | {} |\n", kinds.join(" | "));
     text += &format!("|---{}|\n", "|---".repeat(kinds.len()));
-    for forgery in FORGERIES.iter().copied().flatten() {
+    for forgery in asked() {
         let cell = |kind: &&'static str| {
             let of = |judgement| counts.get(&(forgery.name, *kind, judgement)).copied().unwrap_or(0);
             let all = [Judgement::Refuted, Judgement::Undecided, Judgement::NotJudged].map(of);
@@ -145,9 +157,15 @@ fn nothing_that_is_forged_is_confirmed() {
     kinds.dedup();
     let (mut counts, mut wrong) = (Counts::new(), Vec::new());
     for original in &originals {
-        for forgery in FORGERIES.iter().copied().flatten() {
+        for forgery in asked() {
             for forged in spread(forgery.of(original), most) {
+                let since = Instant::now();
                 let judgement = judged(original, &forged);
+                if only().is_some() {
+                    let (what, spent) = (&forged.what, since.elapsed());
+                    let found = verdict(&original.text(&forged.document)).map(|(verdict, _)| verdict);
+                    println!("{spent:?} {}, {}: {what}: {judgement:?}: {found:?}", forgery.name, original.name);
+                }
                 *counts.entry((forgery.name, original.kind, judgement)).or_default() += 1;
                 if judgement == Judgement::Confirmed {
                     let Forgery { name, why, .. } = forgery;
@@ -164,7 +182,7 @@ fn nothing_that_is_forged_is_confirmed() {
     println!("{}", table(&counts, &kinds));
     println!("{refuted} refuted, {undecided} undecided, {named} not judged; {true_ones} are true after all");
     assert!(wrong.is_empty(), "{} confirmed that are false:\n{}", wrong.len(), wrong.join("\n"));
-    for forgery in FORGERIES.iter().copied().flatten() {
+    for forgery in asked() {
         let false_ones =
             counts.iter().filter(|((name, _, found), _)| *name == forgery.name && *found != Judgement::True);
         assert!(false_ones.count() > 0, "{} forges no document", forgery.name);

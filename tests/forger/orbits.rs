@@ -50,7 +50,9 @@ fn list(original: &Original) -> Option<(&'static str, &[Value])> {
 fn orbits<'a>(original: &'a Original) -> Vec<(String, &'a Value)> {
     let Some((path, all)) = list(original) else { return Vec::new() };
     let within = if original.is(&["bifurcations"]) { "/orbit" } else { "" };
-    let one = |(k, entry): (usize, &'a Value)| (format!("{path}/{k}{within}"), if within.is_empty() { entry } else { &entry["orbit"] });
+    let one = |(k, entry): (usize, &'a Value)| {
+        (format!("{path}/{k}{within}"), if within.is_empty() { entry } else { &entry["orbit"] })
+    };
     all.iter().enumerate().map(one).collect()
 }
 

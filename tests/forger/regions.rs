@@ -17,6 +17,11 @@ pub const FORGERIES: &[Forgery] = &[
         forge: words,
     },
     Forgery { name: "chaos: bases", why: "bases are disjoint, and words lead from one to another", forge: bases },
+    Forgery {
+        name: "chaos: a base wider than a turn",
+        why: "it is not disjoint from itself a turn later",
+        forge: wide_bases,
+    },
     Forgery { name: "chaos: horseshoe", why: "these are not the shortest two blocks", forge: horseshoes },
     Forgery {
         name: "chaos: scene's orbit",
@@ -114,14 +119,6 @@ fn bases(original: &Original) -> Vec<Forged> {
     }
     let own = original.document["bases"].as_array().unwrap();
     let mut all = Vec::new();
-    // Far above all others, so that it meets none but itself, a turn later.
-    let wide = json!({
-        "phase": "3.2", "speed": "50", "expanding": ["3.8", "0"], "contracting": ["-0.01", "0.1"],
-        "corners": { "left": [[-0.1, 49.9], [-0.102, 50.1]], "right": [[1.102, 49.9], [1.1, 50.1]] },
-    });
-    let mut more = own.clone();
-    more.push(wide);
-    all.push(original.with("one wider than a turn more", &[("/bases", Value::Array(more))]));
     let mut more = own.clone();
     more.push(own[0].clone());
     all.push(original.with("one twice", &[("/bases", Value::Array(more))]));
@@ -133,7 +130,26 @@ fn bases(original: &Original) -> Vec<Forged> {
         for by in [[0.5, 0.0], [0.0, 0.1 * speed], [0.0, -0.1 * speed], [tenth, 0.0]] {
             all.push(original.with(format!("base {k} moved"), &[(&format!("/bases/{k}"), moved(base, by))]).probably());
         }
-        all.push(original.with(format!("base {k} a turn wider"), &[(&format!("/bases/{k}"), widened(base))]));
+    }
+    all
+}
+
+fn wide_bases(original: &Original) -> Vec<Forged> {
+    if original.kind != "chaos" {
+        return Vec::new();
+    }
+    let own = original.document["bases"].as_array().unwrap();
+    let mut all = Vec::new();
+    // Far above all others, so that it meets none but itself, a turn later.
+    let wide = json!({
+        "phase": "3.2", "speed": "50", "expanding": ["3.8", "0"], "contracting": ["-0.01", "0.1"],
+        "corners": { "left": [[-0.1, 49.9], [-0.102, 50.1]], "right": [[1.102, 49.9], [1.1, 50.1]] },
+    });
+    let mut more = own.clone();
+    more.push(wide);
+    all.push(original.with("one wider than a turn more", &[("/bases", Value::Array(more))]));
+    for (k, base) in own.iter().enumerate() {
+        all.push(original.with(format!("base {k}"), &[(&format!("/bases/{k}"), widened(base))]));
     }
     all
 }

@@ -33,7 +33,10 @@ fn place(original: &Original) -> &'static str {
 fn under(original: &Original, what: String, scene: Value) -> Option<Forged> {
     serde_json::from_value::<SceneDocument>(scene.clone()).ok()?.model().ok()?;
     let forged = original.with(what, &[(place(original), scene)]);
-    // What the sweep varies only names the scene, and where there is no impact a neighbour may have none either.
+    // Of basins no impact is listed, but what becomes of them.
+    let is_of_basins = original.is(&["sweep"]) && original.document[0]["summary"] == true;
+    let forged = if is_of_basins { forged.at(&["[1].period", "[1].exponent"]) } else { forged };
+    // Where there is no impact a neighbour may have none either.
     Some(forged.probably())
 }
 
@@ -172,15 +175,8 @@ fn harmonics(original: &Original) -> Vec<Forged> {
         values
     });
     let still = with(own, &[("/excitation/amplitude/0", json!("0"))]);
+    let is_of_scene = !is_named_only(original, "/excitation/amplitude/0");
+    let still = is_of_scene.then(|| under(original, "the first vanishes".into(), still)).flatten();
     let fewer = (!fewer[0].is_empty()).then(|| with_terms("one less", fewer)).flatten();
-    [
-        more("1e-3", "2"),
-        more("1e-3", "3"),
-        more("0.05", "sqrt(2)"),
-        fewer,
-        under(original, "the first vanishes".into(), still),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    [more("1e-3", "2"), more("1e-3", "3"), more("0.05", "sqrt(2)"), fewer, still].into_iter().flatten().collect()
 }

@@ -1,13 +1,10 @@
 //! Shadowed orbits: whose start it is, what follows the shadowed impacts, and how near.
 
-use impact_pair::certificate::document::SceneDocument;
-use impact_pair::document;
-use impact_pair::orbit::Settings;
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
 use crate::events::mended;
-use crate::forged::{Forged, Forgery, Original, bounds, fraction, pair, rational, with};
+use crate::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, rational, with};
 use crate::futures::{ended, motion, reworded};
 
 pub const FORGERIES: &[Forgery] = &[
@@ -93,7 +90,7 @@ fn followed_by_others(original: &Original) -> Vec<Forged> {
     }
     let mut scene = original.document["scene"].clone();
     let sign = if velocity < fraction(0, 1) { fraction(-1, 1000) } else { fraction(1, 1000) };
-    scene["start"]["velocity"] = json!(crate::forged::decimal(&(velocity + sign)));
+    scene["start"]["velocity"] = json!(decimal(&(velocity + sign)));
     let Some(others) = motion(&scene, events.len() as u64) else { return Vec::new() };
     let is_apart = |k: usize| {
         let times = [&events[k], &others[k]].map(|event| bounds(&event["time"]));
@@ -119,67 +116,59 @@ fn still_after_an_impact(original: &Original) -> Vec<Forged> {
     let Some([time, velocity]) = near(document).filter(|_| original.kind == "orbit" && is_still) else {
         return Vec::new();
     };
-    let mut all = Vec::new();
-    for by in [fraction(1, 50), fraction(-1, 50)] {
-        let mut scene = document["scene"].clone();
-        scene["start"]["velocity"] = json!(crate::forged::decimal(&(&velocity + &by)));
-        let (ball, start) = serde_json::from_value::<SceneDocument>(scene).unwrap().model().unwrap();
-        let found =
-            json!(document::orbit(&ball, &start, Settings { impacts: Some(1), ..Settings::default() }).unwrap());
-        let Some(mut impact) =
-            found["events"].as_array().unwrap().iter().find(|event| event["event"] == "impact").cloned()
-        else {
-            continue;
-        };
-        for key in ["time", "velocity"] {
-            let [lower, upper] = bounds(&impact[key]).unwrap();
-            impact[key] = pair(&(lower - fraction(1, 1000)), &(upper + fraction(1, 1000)));
-        }
-        let [_, from] = bounds(&impact["time"]).unwrap();
-        let later =
-            document["events"].as_array().unwrap().iter().filter(|event| bounds(&event["time"]).unwrap()[0] > from);
-        let events: Vec<Value> = std::iter::once(&impact).chain(later).cloned().collect();
-        let mut forged = document.clone();
-        forged["claim"] = json!("shadowed");
-        let ends =
-            if by > fraction(0, 1) { [&velocity - &by, &velocity + &by] } else { [&velocity + &by, &velocity - &by] };
-        forged["outcome"]["start"] = json!({ "time": pair(&time, &time), "velocity": pair(&ends[0], &ends[1]) });
-        let until = json!({ "kind": "time-reached", "until": "1000000000" });
-        let period = json!({ "kind": "periodic", "period": { "cycles": 1, "impacts": 0 } });
-        for (what, fields) in [
-            ("as it ends", None),
-            ("never", Some(json!({ "kind": "never-impacts" }))),
-            ("a time", Some(until)),
-            ("periodic", Some(period)),
-        ] {
-            let events = if what == "as it ends" { events.clone() } else { vec![impact.clone()] };
-            let mut document = mended(&forged, events);
-            document["events"][0]["mapping"] = Value::Null;
-            let document = fields.map_or(document.clone(), |fields| ended(&document, &fields));
-            all.push(original.forged(format!("an impact, then {what}"), document));
-        }
+    // Where the still ball grazes, a slow one hits before it would; elsewhere a fast one does soon.
+    let by = if original.events().is_empty() { fraction(1, 1) } else { fraction(1, 100) };
+    let mut scene = document["scene"].clone();
+    scene["start"]["velocity"] = json!(decimal(&(&velocity + &by)));
+    let found = motion(&scene, 1).unwrap();
+    let mut impact = found.iter().find(|event| event["event"] == "impact").unwrap().clone();
+    for key in ["time", "velocity"] {
+        let [lower, upper] = bounds(&impact[key]).unwrap();
+        impact[key] = pair(&(lower - fraction(1, 1000)), &(upper + fraction(1, 1000)));
     }
-    all
+    let [_, from] = bounds(&impact["time"]).unwrap();
+    let later = original.events().iter().filter(|event| bounds(&event["time"]).unwrap()[0] > from);
+    let events: Vec<Value> = std::iter::once(&impact).chain(later).cloned().collect();
+    let reach = by * fraction(2, 1);
+    let mut shadowed = with(document, &[("/claim", json!("shadowed"))]);
+    shadowed["outcome"]["start"] =
+        json!({ "time": pair(&time, &time), "velocity": pair(&(&velocity - &reach), &(&velocity + &reach)) });
+    let forged = |what: &str, events: &[Value], fields: Option<Value>| {
+        let mut document = mended(&shadowed, events.to_vec());
+        document["events"][0]["mapping"] = Value::Null;
+        let document = fields.map_or(document.clone(), |fields| ended(&document, &fields));
+        original.forged(format!("an impact, then {what}"), document)
+    };
+    let until = json!({ "kind": "time-reached", "until": "1000000000" });
+    let period = json!({ "kind": "periodic", "period": { "cycles": 1, "impacts": 0 } });
+    vec![
+        forged("what the still one does", &events, None),
+        forged("none up to a time", &events[..1], Some(until)),
+        forged("none for ever", &events[..1], Some(json!({ "kind": "never-impacts" }))),
+        forged("a motion that repeats", &events[..1], Some(period)),
+    ]
 }
 
 fn epsilons(original: &Original) -> Vec<Forged> {
     if original.kind != "shadow" || original.document["outcome"]["epsilon"].is_null() {
         return Vec::new();
     }
-    // Outward to so many places: a true document but for what follows.
-    let rounded = |places: u32| {
-        let mut copy = original.document.clone();
+    // The first impacts, in bounds rounded outward to as many places: a true document but for what follows.
+    let rounded = |places: u32, count: usize| {
         let units = BigRational::from_integer(num_traits::pow(10.into(), places as usize));
-        for event in copy["events"].as_array_mut().unwrap() {
+        let mut events = original.events()[..count].to_vec();
+        for event in &mut events {
             let [lower, upper] = bounds(&event["time"]).unwrap();
             let [lower, upper] = [(lower * &units).floor(), (upper * &units).ceil()].map(|x| x.to_integer());
             event["time"] = json!([format!("{lower}e-{places}"), format!("{upper}e-{places}")]);
         }
-        copy
+        mended(&ended(&original.document, &json!({ "kind": "impacts-reached" })), events)
     };
     let small = json!({ "median": "1e-300", "maximum": "1e-300" });
     let mut all = vec![("as it is".to_owned(), original.document.clone())];
-    all.extend([2, 3, 6].map(|places| (format!("bounds of {places} places"), rounded(places))));
+    for (places, count) in [(2, 1), (6, 1), (3, 2), (9, 3)] {
+        all.push((format!("{count} in bounds of {places} places"), rounded(places, count)));
+    }
     let told = |document: Value| reworded(with(&document, &[("/outcome/epsilon", small.clone())]));
     all.into_iter().map(|(what, document)| original.forged(what, told(document))).collect()
 }
