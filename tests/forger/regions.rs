@@ -122,12 +122,11 @@ fn bases(original: &Original) -> Vec<Forged> {
     let mut more = own.clone();
     more.push(own[0].clone());
     all.push(original.with("one twice", &[("/bases", Value::Array(more))]));
-    for (k, base) in own.iter().enumerate() {
-        let corner = |edge: &str, i: usize| [0, 1].map(|j| base["corners"][edge][i][j].as_f64().unwrap());
-        let [[left, _], [right, _]] = ["left", "right"].map(|edge| corner(edge, 0));
-        let speed = base["speed"].as_str().unwrap().parse::<f64>().unwrap();
-        let tenth = 0.1 * (right - left);
-        for by in [[0.5, 0.0], [0.0, 0.1 * speed], [0.0, -0.1 * speed], [tenth, 0.0]] {
+    let words = original.document["words"].as_array().unwrap();
+    // One to which no word leads may be elsewhere as well.
+    for (k, base) in own.iter().enumerate().filter(|(k, _)| words.iter().any(|word| word["to"] == *k)) {
+        let tenth = 0.1 * base["speed"].as_str().unwrap().parse::<f64>().unwrap();
+        for by in [[0.0, tenth], [0.0, -tenth], [0.1, 0.0], [0.5, 0.0]] {
             all.push(original.with(format!("base {k} moved"), &[(&format!("/bases/{k}"), moved(base, by))]).probably());
         }
     }
