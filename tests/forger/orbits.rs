@@ -155,7 +155,6 @@ fn symmetric(original: &Original) -> Vec<Forged> {
         let Some(is_symmetric) = orbit["symmetric"].as_bool() else { continue };
         let (flag, state) = (format!("{path}/symmetric"), format!("{path}/physical"));
         let other = json!(!is_symmetric);
-        all.push(original.with(format!("{path}, physical {}", orbit["physical"]), &[(&flag, other.clone())]));
         for physical in [Value::Null, json!(false)].into_iter().filter(|physical| *physical != orbit["physical"]) {
             let what = format!("{path}, physical then {physical}");
             let changes =
@@ -167,6 +166,7 @@ fn symmetric(original: &Original) -> Vec<Forged> {
             }
             all.push(Forged { of, ..original.with(what, &changes) });
         }
+        all.push(original.with(format!("{path}, physical {}", orbit["physical"]), &[(&flag, other.clone())]));
     }
     all
 }
