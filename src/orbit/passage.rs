@@ -2,16 +2,37 @@
 
 use std::cmp::Ordering;
 
-use super::{Cursor, Impact, Orbit, Rest};
+use super::{Impact, Orbit, Rest};
 use crate::exact::Enclosure;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Enclosing};
+use crate::shaken::Initial;
 use crate::turns::in_radians;
+
+/// Bits beyond those of a number of turns and of what is shown.
+const SPARE_BITS: u32 = 64;
 
 impl Orbit {
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
         in_radians(&impact.enclosures().0, self.asked.shown)
+    }
+
+    /// The phase `(W t + tau)/(2 pi)` of an impact, whole turns included.
+    pub(crate) fn turns_of(&self, impact: &Impact) -> Enclosure {
+        let whole = self.clock.origin() + impact.turns;
+        // X1: any number of bits encloses
+        let bits = self
+            .asked
+            .shown
+            .saturating_add(u32::try_from(whole.bits()).unwrap_or(u32::MAX / 2))
+            .saturating_add(SPARE_BITS);
+        Enclosure::from_rational(&whole.into(), bits).add(&impact.enclosures().0, bits)
+    }
+
+    /// Bits of what is shown beyond the digits.
+    pub(crate) fn shown_bits(&self) -> u32 {
+        self.asked.shown
     }
 
     /// The bounds of an impact's velocity \[length/time\], before it.
@@ -35,16 +56,17 @@ impl Orbit {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// The same in two parts, from an impact or from the start.
+    /// The same in two parts, from an impact or from the start asked for; at inside starts only the column of the velocity is meant.
     #[cfg(feature = "multiprecision")]
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);
         }
-        let Cursor { index, wall, turns, phase, velocity, .. } = self.start;
+        let Initial { turns, phase, velocity, .. } = self.initial;
+        let wall = self.initial.place.wall();
         // F3: inside the gap the velocity is that of the flight, as after an impact with e = -1.
         let restitution = if wall.is_some() { self.engine.pair.restitution } else { Ball::exact(-1.0) };
-        let start = Impact { index, mapping: None, wall: to.wall, turns, phase, velocity, precise: None };
+        let start = Impact { index: 0, mapping: None, wall: to.wall, turns, phase, velocity, precise: None };
         self.passage(restitution, &start, to)
     }
 
@@ -54,10 +76,11 @@ impl Orbit {
         Sheared::between(restitution, self.turns_between(from, to), swings, [from.velocity, to.velocity])
     }
 
-    /// The start as impact number 0, when it is on a wall; for an orbit that has not been advanced.
+    /// The start asked for as impact number 0, when it is on a wall.
     pub fn start_impact(&self) -> Option<Impact> {
-        let Cursor { index, wall, turns, phase, velocity, .. } = self.start;
-        wall.map(|wall| Impact { index, mapping: None, wall, turns, phase, velocity, precise: None })
+        let Initial { turns, phase, velocity, .. } = self.initial;
+        let wall = self.initial.place.wall();
+        wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
     }
 
     /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3

@@ -92,9 +92,13 @@ impl Certificate {
             unjudged.extend(event.unread::<EventDocument>()?);
         }
         unjudged.extend(outcome.unread::<OutcomeDocument>()?);
+        let ended: OutcomeDocument = outcome.read()?;
+        if ended.kind == "undecided" {
+            // That something cannot be decided claims nothing; that all is listed up to a time does.
+            unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
+        }
         unjudged.sort();
         unjudged.dedup();
-        let ended: OutcomeDocument = outcome.read()?;
         // What every kind says, older documents do not.
         let required: &[&str] = match ended.kind.as_str() {
             "time-reached" => &["impacts", "until"],

@@ -17,7 +17,7 @@ use crate::check::blocks::{BLOCK, in_blocks};
 use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
 use crate::check::data::{Data, Piece};
-use crate::check::step::{Departure, Landing};
+use crate::check::step::Landing;
 use crate::check::walk::Walk;
 use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::document::{Decimal, TrapDocument};
@@ -180,7 +180,7 @@ impl TrapCertificate {
         let mut bits = FIRST_BITS;
         loop {
             let mut walk = Walk::new(&certificate, &data, &Piece::default(), bits);
-            let landing = (walk.still.is_none()).then(|| follow(&mut walk, impact)).flatten();
+            let landing = (walk.standing.still().is_none()).then(|| follow(&mut walk, impact)).flatten();
             let state = landing.and_then(|landing| {
                 let turn = Real::pi(bits) * 2;
                 let phase = walk.absolute(&landing.phase.hull()).over(&turn)?;
@@ -206,9 +206,8 @@ fn follow(walk: &mut Walk<'_>, impact: u64) -> Option<Landing> {
     let mut last = None;
     while walk.impacts < impact {
         let landing = walk.next_landing()?;
-        walk.departure = Departure::rebound(&walk.parameters, &landing);
-        (walk.last, last) = (Some(landing.wall), Some(landing));
-        walk.impacts += 1;
+        walk.go_on(landing.clone());
+        last = Some(landing);
         walk.data.budget.allow(walk.bits, walk.data.tones.len());
     }
     last
