@@ -17,6 +17,7 @@ pub const FORGERIES: &[Forgery] = &[
         forge: words,
     },
     Forgery { name: "chaos: bases", why: "bases are disjoint, and words lead from one to another", forge: bases },
+    Forgery { name: "chaos: depth", why: "longer words were not looked for", forge: depths },
     Forgery {
         name: "chaos: a base wider than a turn",
         why: "it is not disjoint from itself a turn later",
@@ -56,6 +57,11 @@ fn entropies(original: &Original) -> Vec<Forged> {
         all.extend([raised(own), json!("9")].map(|value| original.with(path.clone(), &[(&path, value)])));
     }
     all
+}
+
+fn depths(original: &Original) -> Vec<Forged> {
+    let own = original.document["depth"].as_u64().filter(|_| original.kind == "chaos");
+    own.map(|own| original.with("deeper", &[("/depth", json!(own + 50))])).into_iter().collect()
 }
 
 fn words(original: &Original) -> Vec<Forged> {
