@@ -177,12 +177,12 @@ fn horseshoes(original: &Original) -> Vec<Forged> {
     let own = original.document["horseshoe"].as_str().unwrap();
     let mut others = vec![json!(null), json!("each block is P1 P2 or P1 P2 P1 P2 P1 P2, in any order")];
     others.push(json!(own.replacen("P2", "P2 P3 P4", 1)));
-    let words: Vec<&str> = own.split(" cycles)").collect();
-    for (k, part) in words[..words.len() - 1].iter().enumerate() {
-        let (before, count) = part.rsplit_once('(').unwrap();
-        let longer = format!("{before}({}", count.parse::<f64>().unwrap() + 1.0);
-        let parts = [&words[..k], &[longer.as_str()], &words[k + 1..]].concat();
-        others.push(json!(parts.join(" cycles)")));
+    // Blocks are named by their half cycles as well.
+    for (at, _) in own.match_indices('(') {
+        let (before, after) = own.split_at(at + 1);
+        let digits = after.find(|c: char| !c.is_ascii_digit()).unwrap_or(0);
+        let Ok(count) = after[..digits].parse::<u64>() else { continue };
+        others.push(json!(format!("{before}{}{}", count + 1, &after[digits..])));
     }
     others.into_iter().map(|other| original.with("another", &[("/horseshoe", other)])).collect()
 }
