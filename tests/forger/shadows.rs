@@ -101,8 +101,8 @@ fn followed_by_others(original: &Original) -> Vec<Forged> {
     (1..events.len().min(others.len()))
         .filter(|&k| are_impacts(k) && is_apart(k))
         .map(|k| {
-            let told = others[k..].iter().take_while(|event| event["event"] == "impact");
-            let all = events[..k].iter().chain(told).cloned().collect();
+            let impacts = others[k..].iter().take_while(|event| event["event"] == "impact");
+            let all = events[..k].iter().chain(impacts).cloned().collect();
             original.forged(format!("from event {k} on"), mended(&original.document, all))
         })
         .collect()
@@ -169,6 +169,6 @@ fn epsilons(original: &Original) -> Vec<Forged> {
     for (places, count) in [(2, 1), (6, 1), (3, 2), (9, 3)] {
         all.push((format!("{count} in bounds of {places} places"), rounded(places, count)));
     }
-    let told = |document: Value| reworded(with(&document, &[("/outcome/epsilon", small.clone())]));
-    all.into_iter().map(|(what, document)| original.forged(what, told(document))).collect()
+    let claimed = |document: Value| reworded(with(&document, &[("/outcome/epsilon", small.clone())]));
+    all.into_iter().map(|(what, document)| original.forged(what, claimed(document))).collect()
 }

@@ -7,7 +7,7 @@ use crate::forged::{Forged, Forgery, Original};
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "sweep: another's impacts", why: "two points of the grid have other orbits", forge: exchanged },
     Forgery { name: "sweep: an impact less", why: "it comes between those around it", forge: dropped },
-    Forgery { name: "sweep: transient", why: "each impact is told to be the one after it", forge: later },
+    Forgery { name: "sweep: transient", why: "each impact is listed as the one after it", forge: later },
     Forgery { name: "sweep: what becomes of points", why: "its orbit does not, or not in this rhythm", forge: ended },
 ];
 
