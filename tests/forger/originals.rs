@@ -158,16 +158,17 @@ fn chaos(over: Option<&str>) -> Original {
 fn sweeps() -> Vec<Original> {
     let of = |name: &str, scene: &Scene, over: &[&str], asked: Asked| {
         let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
+        let asked = Asked { reference: grid.reference(scene).unwrap(), ..asked };
         let mut lines = vec![json!(sweep::head(scene, &grid, &asked, None))];
         for number in 0..grid.points() {
             let values = grid.values(number).unwrap();
-            let point = sweep::follow(&scene.with(&values).unwrap(), &asked, || true).unwrap().unwrap();
+            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
             lines.push(json!(sweep::record(number, &values, &point)));
         }
         Original::new("sweep", name, Value::Array(lines))
     };
     let settings = Settings { digits: 6, ..Settings::default() };
-    let impacts = Asked { transient: 3, impacts: 5, summary: false, settings };
+    let impacts = Asked { transient: 3, impacts: 5, summary: false, reference: None, settings };
     let basins = Asked { transient: 10, impacts: 10, summary: true, ..impacts.clone() };
     vec![
         of("of parameters", &figure("figure-14"), &["amplitude=7..9:3"], impacts.clone()),
