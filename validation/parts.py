@@ -62,7 +62,8 @@ PARTS = [
     cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
     cargo("tests", TEST,
           f"{MANY} {TEST} --features png,pdf,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
-          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled", ("program",)),
+          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled"
+          f" && FORGER_CASES=all {TEST} --test forger", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),

@@ -1,0 +1,70 @@
+//! Whether the claims that a forgery leaves are true all the same: computed anew by the library.
+
+use impact_pair::Scene;
+use impact_pair::certificate::document::{BaseDocument, SceneDocument};
+use impact_pair::chaos::{Chaos, Question};
+use impact_pair::document;
+use impact_pair::mapping::Word;
+use impact_pair::periodic::Precision;
+use impact_pair::periodic::bifurcation::{Wanted, survey};
+use serde_json::{Value, json};
+
+use crate::forged::bounds;
+use crate::truth;
+
+/// Whether all that is judged of a document holds; of what is not computed anew it is said not to.
+pub fn is_true(kind: &str, document: &Value) -> bool {
+    match kind {
+        "list" => document.as_array().unwrap().iter().all(truth::is_true),
+        "bifurcations" => has_bifurcations(document) == Some(true),
+        "cycles" => document["orbits"].as_array().unwrap().iter().all(|orbit| has_orbit(document, orbit)),
+        "chaos" => has_words(document) == Some(true),
+        "trap" | "sweep" => false,
+        _ => truth::is_true(document),
+    }
+}
+
+/// Each of its points is found, of its kind.
+fn has_bifurcations(document: &Value) -> Option<bool> {
+    let (pair, start) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
+    let word: Word = document["word"].as_str()?.parse().ok()?;
+    let over = &document["over"];
+    let over = format!("{}={}..{}", over["key"].as_str()?, over["low"].as_str()?, over["high"].as_str()?);
+    let precision = Precision { digits: 20, ..Precision::default() };
+    let wanted = Wanted { over: over.parse().ok()?, doublings: 3, precision };
+    let asked = (&word, document["cycles"].as_u64()? as u32);
+    let diagram = survey(&pair, &start, asked, &wanted, || true).ok()?;
+    let found = json!(document::bifurcations(&start, asked, &diagram).ok()?);
+    let is_found = |claim: &Value| {
+        found["points"].as_array().unwrap().iter().any(|point| {
+            let parameters = bounds(&claim["parameter"]).zip(bounds(&point["parameter"]));
+            claim["kind"] == point["kind"]
+                && claim["word"] == point["word"]
+                && parameters.is_some_and(|(claim, point)| claim[0] <= point[0] && point[1] <= claim[1])
+        })
+    };
+    Some(document["points"].as_array()?.iter().all(is_found))
+}
+
+/// A cycle is one of the periodic orbits of its word.
+fn has_orbit(document: &Value, orbit: &Value) -> bool {
+    let [word, cycles] = ["word", "cycles"].map(|key| &orbit[key]);
+    truth::is_true(
+        &json!({ "scene": document["scene"], "word": word, "cycles": cycles, "certified": false, "orbits": [orbit] }),
+    )
+}
+
+/// Each of its words is found from its bases.
+fn has_words(document: &Value) -> Option<bool> {
+    let (pair, start) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
+    let bases: Vec<BaseDocument> = serde_json::from_value(document["bases"].clone()).ok()?;
+    let question = Question { depth: document["depth"].as_u64()? as usize, bases: document::bases(&bases) };
+    // It only names what is found.
+    let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).ok()?;
+    let found =
+        json!(document::chaos(&scene, None, &question, &Chaos::of(&pair, &start, &question, &|_, _| true).ok()?));
+    let found = found["words"].as_array()?;
+    let all = document["words"].as_array()?;
+    let count = |words: &[Value], word: &Value| words.iter().filter(|other| *other == word).count();
+    Some(all.iter().all(|word| count(all, word) <= count(found, word)))
+}

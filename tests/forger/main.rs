@@ -1,0 +1,190 @@
+//! True documents made false by construction: no false claim is confirmed, unless `check` names it as not judged.
+//!
+//! Beside `tests/spoiled`, which changes one leaf after another without knowing what it changes, each forgery here is a function from
+//! a true document to false ones, with the sentence why they are false ([`FORGERIES`]): the claims of a neighbouring scene under this
+//! scene's name, each outcome in the place of each other, events dropped, inserted and exchanged, an orbit twice or left out, bounds at
+//! the edge 0. The true ones are of every schema that `check` reads, in several states of their flags ([`originals`]). Where a
+//! forgery is only almost certain to be false and is confirmed, the claims are computed anew, in 320 bits ([`known`]).
+//!
+//! `FORGER_CASES` limits the forgeries of one kind that are made of one document (2; `all` for all of them), `FORGER_ONLY=WORDS` asks for
+//! those alone whose names have these words, and shows each verdict; `--nocapture` shows the table.
+
+#![cfg(feature = "multiprecision")]
+
+mod edges;
+mod events;
+mod forged;
+mod futures;
+mod known;
+mod orbits;
+mod originals;
+mod outcomes;
+mod regions;
+mod scenes;
+mod shadows;
+mod sweeps;
+
+// Of `tests/spoiled`: its true documents, and what judges them anew.
+#[path = "../spoiled/documents.rs"]
+mod documents;
+#[path = "../spoiled/shadow.rs"]
+mod shadow;
+#[path = "../spoiled/truth.rs"]
+mod truth;
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use forged::{Forged, Forgery, Original, are_named, changed};
+use impact_pair::certificate::{Claims, Effort, Verdict};
+
+/// Forgeries of one kind of one document by default.
+const CASES: usize = 2;
+
+/// All forgeries, by what they forge.
+const FORGERIES: [&[Forgery]; 8] = [
+    scenes::FORGERIES,
+    outcomes::FORGERIES,
+    events::FORGERIES,
+    shadows::FORGERIES,
+    orbits::FORGERIES,
+    edges::FORGERIES,
+    regions::FORGERIES,
+    sweeps::FORGERIES,
+];
+
+fn cases() -> usize {
+    match std::env::var("FORGER_CASES") {
+        Ok(text) if text == "all" => usize::MAX,
+        Ok(text) => text.parse().unwrap_or_else(|_| panic!("FORGER_CASES must be a number or `all`, got {text:?}")),
+        Err(_) => CASES,
+    }
+}
+
+/// The forgeries that are asked for.
+fn asked() -> Vec<&'static Forgery> {
+    let words = only().unwrap_or_default();
+    FORGERIES.into_iter().flatten().filter(|forgery| forgery.name.contains(&words)).collect()
+}
+
+fn only() -> Option<String> {
+    std::env::var("FORGER_ONLY").ok()
+}
+
+/// The verdict of `check` on a forgery.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Judgement {
+    /// As it is read or afterwards.
+    Refuted,
+    Undecided,
+    /// Confirmed but for the claims that are false, which are named.
+    NotJudged,
+    /// Confirmed, and true after all.
+    True,
+    /// Confirmed, but false.
+    Confirmed,
+}
+
+/// The verdict, and the names of what is not judged; `None` where the document is refused.
+fn verdict(text: &str) -> Option<(Verdict, Vec<String>)> {
+    let claims = Claims::parse(text).ok()?;
+    let effort = Effort { bits: 1 << 11, work: 1 << 12, pieces: 16, ..Effort::default() };
+    let verdict = claims.check_until(&effort, None, |_| {}).ok()?;
+    Some((verdict, claims.unjudged()))
+}
+
+fn judged(original: &Original, forged: &Forged) -> Judgement {
+    match verdict(&original.text(&forged.document)) {
+        None | Some((Verdict::Refuted(_), _)) => Judgement::Refuted,
+        Some((Verdict::Undecided(_) | Verdict::Interrupted { .. }, _)) => Judgement::Undecided,
+        Some((Verdict::Confirmed { .. }, unjudged)) => {
+            let false_claims = forged.false_claims.clone().unwrap_or_else(|| changed(&forged.of, &forged.document));
+            if are_named(&false_claims, &unjudged) {
+                Judgement::NotJudged
+            } else if !forged.is_certain && known::is_true(original.kind, &forged.document) {
+                Judgement::True
+            } else {
+                Judgement::Confirmed
+            }
+        }
+    }
+}
+
+/// Some of the forgeries, spread over all of them.
+fn spread(all: Vec<Forged>, most: usize) -> Vec<Forged> {
+    let count = all.len();
+    let is_taken = |i: usize| count <= most || i == 0 || (i - 1) * most / count != i * most / count;
+    all.into_iter().enumerate().filter(|(i, _)| is_taken(*i)).map(|(_, forged)| forged).collect()
+}
+
+/// How often each judgement was found of each kind of document.
+type Counts = BTreeMap<(&'static str, &'static str, Judgement), usize>;
+
+fn table(counts: &Counts, kinds: &[&'static str]) -> String {
+    let mut text = format!("| forgery: refuted / undecided / not judged | {} |\n", kinds.join(" | "));
+    text += &format!("|---{}|\n", "|---".repeat(kinds.len()));
+    for forgery in asked() {
+        let cell = |kind: &&'static str| {
+            let of = |judgement| counts.get(&(forgery.name, *kind, judgement)).copied().unwrap_or(0);
+            let all = [Judgement::Refuted, Judgement::Undecided, Judgement::NotJudged].map(of);
+            if all == [0; 3] { String::new() } else { all.map(|count| count.to_string()).join(" / ") }
+        };
+        text += &format!("| {} | {} |\n", forgery.name, kinds.iter().map(cell).collect::<Vec<_>>().join(" | "));
+    }
+    text
+}
+
+/// The originals are confirmed, so that what refuses a forgery is what is forged.
+fn confirmed() -> Vec<Original> {
+    let originals = originals::all();
+    for original in &originals {
+        let found = verdict(&original.text(&original.document));
+        assert!(
+            matches!(found, Some((Verdict::Confirmed { .. }, _))),
+            "{}, {}: {found:?} {}",
+            original.kind,
+            original.name,
+            original.document
+        );
+    }
+    originals
+}
+
+#[test]
+fn nothing_that_is_forged_is_confirmed() {
+    let (most, originals) = (cases(), confirmed());
+    let mut kinds: Vec<&'static str> = originals.iter().map(|original| original.kind).collect();
+    kinds.dedup();
+    let (mut counts, mut wrong) = (Counts::new(), Vec::new());
+    for original in &originals {
+        for forgery in asked() {
+            for forged in spread(forgery.of(original), most) {
+                let since = Instant::now();
+                let judgement = judged(original, &forged);
+                if only().is_some() {
+                    let (what, spent) = (&forged.what, since.elapsed());
+                    let found = verdict(&original.text(&forged.document)).map(|(verdict, _)| verdict);
+                    println!("{spent:?} {}, {}: {what}: {judgement:?}: {found:?}", forgery.name, original.name);
+                }
+                *counts.entry((forgery.name, original.kind, judgement)).or_default() += 1;
+                if judgement == Judgement::Confirmed {
+                    let Forgery { name, why, .. } = forgery;
+                    let Original { kind, name: of, .. } = original;
+                    let text = original.text(&forged.document);
+                    wrong.push(format!("{kind}, {of}: {name}, {}\n  false: {why}\n  {text}", forged.what));
+                }
+            }
+        }
+    }
+    let total = |wanted| counts.iter().filter(|((.., found), _)| *found == wanted).map(|(_, count)| count).sum();
+    let [refuted, undecided, named, true_ones]: [usize; 4] =
+        [Judgement::Refuted, Judgement::Undecided, Judgement::NotJudged, Judgement::True].map(total);
+    println!("{}", table(&counts, &kinds));
+    println!("{refuted} refuted, {undecided} undecided, {named} not judged; {true_ones} are true after all");
+    assert!(wrong.is_empty(), "{} confirmed that are false:\n{}", wrong.len(), wrong.join("\n"));
+    for forgery in asked() {
+        let false_ones =
+            counts.iter().filter(|((name, _, found), _)| *name == forgery.name && *found != Judgement::True);
+        assert!(false_ones.count() > 0, "{} forges no document", forgery.name);
+    }
+}

@@ -1,0 +1,200 @@
+//! True documents of every schema that `check` reads, in several states of their flags.
+
+use std::fs;
+
+use impact_pair::Scene;
+use impact_pair::certificate::document::BaseDocument;
+use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
+use impact_pair::document::{self, Units};
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::{Budget, Precision, Problem};
+use impact_pair::sweep::{self, Asked, Grid};
+use serde_json::{Value, json};
+
+use crate::documents;
+use crate::forged::{Original, with};
+
+/// Kinds of documents, in the order of the table.
+const KINDS: [&str; 10] =
+    ["orbit", "shadow", "periodic", "two-impact", "bifurcations", "cycles", "trap", "chaos", "sweep", "list"];
+
+pub fn all() -> Vec<Original> {
+    let mut all: Vec<Original> = documents::all().into_iter().map(|(name, document)| named(&name, document)).collect();
+    all.extend(shadows());
+    all.push(every_orbit());
+    all.extend(bifurcations());
+    all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
+    all.extend(sweeps());
+    all.extend(left_open(&all));
+    all.extend(lists(&all));
+    all.sort_by_key(|original| KINDS.iter().position(|kind| *kind == original.kind));
+    all
+}
+
+fn named(name: &str, document: Value) -> Original {
+    let kind = match (document["solved_for"].is_string(), document["orbits"].is_array()) {
+        (true, _) => "two-impact",
+        (_, true) => "periodic",
+        _ if document["claim"] == "shadowed" => "shadow",
+        _ => "orbit",
+    };
+    Original::new(kind, name, document)
+}
+
+fn figure(name: &str) -> Scene {
+    Scene::parse(&fs::read_to_string(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()).unwrap()
+}
+
+/// Chaotic ones that are longer than their exact starts' are, with first impacts proved by precision, up to a time, and where the
+/// shadowed impacts end with a rest.
+fn shadows() -> Vec<Original> {
+    let of = |name: &str, scene: &Scene, settings: Settings| {
+        let settings = Settings { arithmetic: Arithmetic::Shadow, until: None, ..settings };
+        Original::new("shadow", name, json!(document::orbit(scene.pair(), scene.start(), settings).unwrap()))
+    };
+    let (steep, usual) = (figure("figure-14"), Settings::default());
+    let resting = Scene::parse(
+        r#"
+        excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
+        pair = { gap = 40, restitution = 0.5 }
+        start = { time = 0, wall = "left", velocity = -5 }"#,
+    )
+    .unwrap();
+    let inside = Scene::parse(
+        r#"
+        excitation = { amplitude = 8, frequency = "pi", phase = 0 }
+        pair = { gap = 9.42497, restitution = 0.5 }
+        start = { time = 0.1, position = 0.25, velocity = -12.56636 }"#,
+    )
+    .unwrap();
+    vec![
+        of("forty impacts", &steep, Settings { impacts: Some(40), ..usual.clone() }),
+        of("spliced", &steep, Settings { impacts: Some(30), splice: 10, ..usual.clone() }),
+        of("handed over", &resting, Settings { impacts: Some(70), ..usual.clone() }),
+        of("from inside", &inside, Settings { impacts: Some(30), ..usual }),
+    ]
+}
+
+fn scene(excitation: &str, gap: &str, restitution: &str) -> Scene {
+    Scene::parse(&format!(
+        "excitation = {{ {excitation} }}\npair = {{ gap = {gap}, restitution = {restitution} }}\n\
+         start = {{ time = 0, wall = \"left\", velocity = -12 }}"
+    ))
+    .unwrap()
+}
+
+/// All orbits of a word.
+fn every_orbit() -> Original {
+    let scene = scene("amplitude = 2, frequency = \"pi\", phase = 0", "9.42497", "0.5");
+    let problem = Problem::new(scene.pair(), &"P1 P2".parse().unwrap(), 1).unwrap();
+    let census = problem.find_all(scene.start(), Precision::default(), Budget::default());
+    let document = json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census));
+    assert_eq!(document["exhaustive"], true);
+    Original::new("periodic", "every orbit", document)
+}
+
+/// Folds, pitchforks, doublings and grazes over the amplitude, of one harmonic and of one of two, the gap and the restitution.
+fn bifurcations() -> Vec<Original> {
+    let one = "amplitude = 0.36, frequency = \"pi\", phase = 0.25";
+    let two = "amplitude = [0.36, 0.02], frequency = [\"pi\", \"3*pi\"], phase = [0.25, 0.4]";
+    let of = |name: &str, (excitation, word, cycles): (&str, &str, u32), over: &str, (doublings, digits)| {
+        let scene = scene(excitation, "1", "0.8");
+        let precision = Precision { digits, ..Precision::default() };
+        let wanted = Wanted { over: over.parse::<Over>().unwrap(), doublings, precision };
+        let word = word.parse().unwrap();
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, || true).unwrap();
+        let document = json!(document::bifurcations(scene.start(), (&word, cycles), &diagram).unwrap());
+        Original::new("bifurcations", name, document)
+    };
+    vec![
+        of("over the amplitude", (one, "RL", 1), "amplitude=0.03..0.48", (1, 12)),
+        of("with a graze", (one, "RL", 1), "amplitude=0.3..0.55", (1, 9)),
+        of("over the gap", (one, "RL", 1), "gap=0.75..1.1", (1, 9)),
+        of("over the restitution", (one, "RL", 1), "restitution=0.6..0.7", (0, 20)),
+        of("of three impacts", (one, "LLR", 1), "amplitude=0.4..0.5", (0, 9)),
+        of("over the first of two", (two, "RL", 3), "amplitude.1=0.03..0.05", (0, 12)),
+        of("over the second of two", (two, "RL", 3), "amplitude.2=0..0.06", (0, 9)),
+    ]
+}
+
+fn cycles() -> Original {
+    let (scene, asked) = (figure("figure-14"), 1..=3);
+    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &|_| true).unwrap();
+    Original::new(
+        "cycles",
+        "of three impacts",
+        json!(document::cycles(&scene, &asked, found.as_ref().map_err(|why| *why)).unwrap()),
+    )
+}
+
+fn trap(name: &str) -> Original {
+    let scene = figure(name);
+    Original::new(
+        "trap",
+        name,
+        json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap()),
+    )
+}
+
+fn chaos(over: Option<&str>) -> Original {
+    let scene = figure("figure-14");
+    let read = fs::read_to_string(format!("{}/docs/bases-figure-14.json", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let bases: Vec<BaseDocument> =
+        serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
+    let question = Question { depth: 3, bases: document::bases(&bases) };
+    let over: Option<Over> = over.map(|over| over.parse().unwrap());
+    let pair = match &over {
+        Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
+        None => scene.pair().clone(),
+    };
+    let found = Chaos::of(&pair, scene.start(), &question, &|_, _| true).unwrap();
+    let name = if over.is_some() { "over a range" } else { "of a point" };
+    Original::new("chaos", name, json!(document::chaos(&scene, over.as_ref(), &question, &found)))
+}
+
+/// Impacts of points, over parameters and initial data; and basins, without impacts.
+fn sweeps() -> Vec<Original> {
+    let of = |name: &str, scene: &Scene, over: &[&str], asked: Asked| {
+        let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
+        let asked = Asked { reference: grid.reference(scene).unwrap(), ..asked };
+        let mut lines = vec![json!(sweep::head(scene, &grid, &asked, None))];
+        for number in 0..grid.points() {
+            let values = grid.values(number).unwrap();
+            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+            lines.push(json!(sweep::record(number, &values, &point)));
+        }
+        Original::new("sweep", name, Value::Array(lines))
+    };
+    let settings = Settings { digits: 6, ..Settings::default() };
+    let impacts = Asked { transient: 3, impacts: 5, summary: false, reference: None, settings };
+    let basins = Asked { transient: 10, impacts: 10, summary: true, ..impacts.clone() };
+    vec![
+        of("of parameters", &figure("figure-14"), &["amplitude=7..9:3"], impacts.clone()),
+        of("of starts", &figure("figure-14"), &["start.phase=0..1:2", "start.velocity=-13..-12:2"], impacts),
+        of("of basins", &figure("figure-13"), &["start.velocity=-13..-12:2"], basins),
+    ]
+}
+
+/// The same where it is left open whether orbits are physical.
+fn left_open(all: &[Original]) -> Vec<Original> {
+    let opened = |original: &Original| {
+        let (list, within) = if original.is(&["bifurcations"]) { ("points", "/orbit") } else { ("orbits", "") };
+        let count = original.document[list].as_array().unwrap().len();
+        let mut document = with(&original.document, &[("/certified", json!(false))]);
+        for k in 0..count {
+            document = with(&document, &[(&format!("/{list}/{k}{within}/physical"), Value::Null)]);
+        }
+        Original::new(original.kind, &format!("{}, open whether physical", original.name), document)
+    };
+    let names =
+        ["one stable, one not", "two impacts", "over the amplitude", "over the first of two", "of three impacts"];
+    all.iter().filter(|original| names.contains(&original.name.as_str())).map(opened).collect()
+}
+
+fn lists(all: &[Original]) -> Vec<Original> {
+    let named = |name: &str| all.iter().find(|original| original.name == name).unwrap().document.clone();
+    let of = |name: &str, documents: [&str; 2]| Original::new("list", name, json!(documents.map(named)));
+    vec![of("orbits", ["two impacts", "every orbit"]), of("motions", ["one stable, one not", "time"])]
+}
