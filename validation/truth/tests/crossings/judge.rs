@@ -31,8 +31,8 @@ pub enum Finding {
 
 /// What is found of an answer.
 pub struct Judgement {
-    pub check: Finding,
-    pub truth: Finding,
+    /// Of `check`, and of the truth.
+    pub findings: [Finding; 2],
     /// What it says: an outcome, orbits, a refusal.
     pub outcome: String,
     /// What is wrong, or why it is open, by each judge.
@@ -266,9 +266,6 @@ impl Answer {
 /// Both judges' findings on an answer.
 pub fn judge(case: &mut Case, answer: &Answer) -> Judgement {
     let (check, said) = answer.text().map_or((Finding::Nothing, String::new()), |text| check(&text));
-    if std::env::var("CROSSINGS_ONLY").is_ok() {
-        println!("checked: {check:?} {said}");
-    }
     let (truth, found) = match answer {
         Answer::Refused(_) | Answer::Nothing(_) | Answer::Chaos(_) => (Finding::Nothing, String::new()),
         _ => match truth(case, answer) {
@@ -277,5 +274,5 @@ pub fn judge(case: &mut Case, answer: &Answer) -> Judgement {
             Err(Halt::Wrong(words)) => (Finding::Wrong, words),
         },
     };
-    Judgement { check, truth, outcome: answer.outcome(), words: [said, found] }
+    Judgement { findings: [check, truth], outcome: answer.outcome(), words: [said, found] }
 }

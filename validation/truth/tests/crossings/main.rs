@@ -24,8 +24,29 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use common::Random;
-use judge::{Finding, judge};
+use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
+
+/// Outcomes that must occur.
+const OUTCOMES: [&str; 17] = [
+    "impacts-reached",
+    "time-reached",
+    "rests-forever",
+    "never-impacts",
+    "periodic",
+    "attracted",
+    "undecided (graze)",
+    "undecided (width)",
+    "undecided (budget)",
+    "shadowed: impacts-reached",
+    "shadowed: time-reached",
+    "orbits, and no others",
+    "no orbit, and no others",
+    "bifurcations",
+    "a horseshoe",
+    "agreed",
+    "refused",
+];
 
 /// The default seed.
 const SEED: u64 = 1995;
@@ -43,11 +64,19 @@ fn asked(name: &str, default: u64) -> u64 {
     }
 }
 
+/// Findings of `check` and of the truth, and how long they took.
+#[derive(Default)]
+struct Counts {
+    findings: [[u64; 4]; 2],
+    time: Duration,
+}
+
 /// All that is counted.
 #[derive(Default)]
 struct Tally {
-    /// By question: findings of `check`, and of the truth; how long it took.
-    questions: BTreeMap<Question, ([[u64; 4]; 2], Duration)>,
+    questions: BTreeMap<Question, Counts>,
+    /// By the value of each trait.
+    traits: BTreeMap<(usize, &'static str), Counts>,
     outcomes: BTreeMap<String, u64>,
     coverage: Coverage,
     no_scenes: u64,
@@ -55,15 +84,41 @@ struct Tally {
     open: BTreeMap<String, u64>,
 }
 
+impl Counts {
+    fn add(&mut self, judgement: &Judgement, time: Duration) {
+        for (counts, finding) in self.findings.iter_mut().zip(&judgement.findings) {
+            counts[*finding as usize] += 1;
+        }
+        self.time += time;
+    }
+
+    fn row(&self, name: &str) -> String {
+        let asked: u64 = self.findings[0].iter().sum();
+        let counts: Vec<_> = self.findings.iter().flatten().map(u64::to_string).collect();
+        let each = self.time.as_secs_f64() * 1e3 / asked as f64;
+        format!("| {name} | {asked} | {} | {each:.1} |", counts.join(" | "))
+    }
+}
+
 impl Tally {
+    fn add(&mut self, crossing: &Crossing, judgement: &Judgement, time: Duration) {
+        self.coverage.add(crossing);
+        *self.outcomes.entry(judgement.outcome.clone()).or_default() += 1;
+        self.questions.entry(crossing.question).or_default().add(judgement, time);
+        for place in crossing.words().into_iter().enumerate() {
+            self.traits.entry(place).or_default().add(judgement, time);
+        }
+    }
+
     fn print(&self) {
-        println!("| question | asked | check: confirmed | undecided | nothing | refuted | truth: right | open | nothing | wrong | ms |");
-        println!("|---|{}", "---|".repeat(10));
-        for (question, ([check, truth], time)) in &self.questions {
-            let asked: u64 = check.iter().sum();
-            let counts: Vec<_> = check.iter().chain(truth).map(u64::to_string).collect();
-            let each = time.as_secs_f64() * 1e3 / asked as f64;
-            println!("| {} | {asked} | {} | {each:.1} |", question.words(), counts.join(" | "));
+        let head = "asked | check: confirmed | undecided | nothing | refuted | truth: right | open | nothing | wrong | ms |";
+        println!("\n| question | {head}\n|---|{}", "---|".repeat(10));
+        for (question, counts) in &self.questions {
+            println!("{}", counts.row(&question.words()));
+        }
+        println!("\n| trait | {head}\n|---|{}", "---|".repeat(10));
+        for ((_, name), counts) in &self.traits {
+            println!("{}", counts.row(name));
         }
         println!("\n| outcome | answers |\n|---|---|");
         for (outcome, count) in &self.outcomes {
@@ -74,6 +129,23 @@ impl Tally {
         for (why, count) in &self.open {
             println!("open: {count} {why}");
         }
+    }
+
+    /// Nothing is false; a judge that is never asked, or never decides, would pass anything.
+    fn judged(&self, cases: u64, all: usize, seed: u64) {
+        let shown = if asked("CROSSINGS_ALL", 0) > 0 { usize::MAX } else { 8 };
+        let first = &self.wrong[..self.wrong.len().min(shown)];
+        assert!(self.wrong.is_empty(), "{} answers are false (seed {seed}):\n{}", self.wrong.len(), first.join("\n"));
+        if cases < 2 * all as u64 {
+            return;
+        }
+        let [pairs, all_pairs, triples, all_triples] = self.coverage.counts();
+        assert_eq!((pairs, triples, self.no_scenes), (all_pairs, all_triples, 0), "not all are asked");
+        for outcome in OUTCOMES {
+            assert!(self.outcomes.contains_key(outcome), "no answer is \"{outcome}\"");
+        }
+        let right = |judge: usize| self.questions.values().map(|counts| counts.findings[judge][0]).sum::<u64>();
+        assert!(4 * right(0) > cases && 2 * right(1) > cases, "too few are decided");
     }
 }
 
@@ -86,10 +158,13 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
         return;
     };
     let text = case.text.clone();
+    if is_shown {
+        println!("{crossing:?}\n{text}");
+    }
     let made = catch_unwind(AssertUnwindSafe(|| {
         let answer = case.ask();
         if is_shown {
-            println!("{crossing:?}\n{text}{}\nasked in {:.1?}", answer.shown(), clock.elapsed());
+            println!("{}\nasked in {:.1?}", answer.shown(), clock.elapsed());
         }
         let judgement = judge(&mut case, &answer);
         if is_shown {
@@ -104,15 +179,8 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
         tally.wrong.push(format!("{named}: a panic\n{text}"));
         return;
     };
-    tally.coverage.add(&crossing);
-    *tally.outcomes.entry(judgement.outcome.clone()).or_default() += 1;
-    let entry = tally.questions.entry(crossing.question).or_default();
-    entry.0[0][judgement.check as usize] += 1;
-    entry.0[1][judgement.truth as usize] += 1;
-    entry.1 += elapsed;
-    for (judge, finding, words) in
-        [("check", judgement.check, &judgement.words[0]), ("the truth", judgement.truth, &judgement.words[1])]
-    {
+    tally.add(&crossing, &judgement, elapsed);
+    for ((judge, finding), words) in ["check", "the truth"].into_iter().zip(judgement.findings).zip(&judgement.words) {
         if is_shown {
             println!("{judge}: {finding:?} {words}");
         }
@@ -135,8 +203,9 @@ fn no_answer_of_a_crossing_is_false() {
     let (array, tally, next) = (array(seed), Mutex::new(Tally::default()), AtomicU64::new(0));
     if let Ok(only) = std::env::var("CROSSINGS_ONLY") {
         let number = only.parse().expect("CROSSINGS_ONLY is a number");
-        answer(seed, number, crossing(&array, number), true, &tally);
-    } else {
+        return answer(seed, number, crossing(&array, number), true, &tally);
+    }
+    {
         let work = || loop {
             let number = next.fetch_add(1, Ordering::Relaxed);
             if number >= cases {
@@ -153,7 +222,5 @@ fn no_answer_of_a_crossing_is_false() {
     }
     let tally = tally.into_inner().unwrap();
     tally.print();
-    let shown = if asked("CROSSINGS_ALL", 0) > 0 { usize::MAX } else { 8 };
-    let first = &tally.wrong[..tally.wrong.len().min(shown)];
-    assert!(tally.wrong.is_empty(), "{} answers are false (seed {seed}):\n{}", tally.wrong.len(), first.join("\n"));
+    tally.judged(cases, array.len(), seed);
 }

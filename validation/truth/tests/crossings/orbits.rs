@@ -145,7 +145,6 @@ fn is_rotated(a: &[bool], b: &[bool]) -> bool {
 /// A list that says there are no others: every periodic motion of the word and of so many cycles that a run proves must be on it,
 /// those with rests as well, unless the document says that it leaves them out.
 pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Judged<()> {
-    let text = document.to_string();
     let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else { return wrong("no word".into()) };
     let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
     let own = walls(&word);
@@ -171,7 +170,7 @@ pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Ju
                 let sides: Vec<bool> = hits.map(|event| event["wall"] == "left").collect();
                 let is_skipped = events.iter().any(|event| event["skipped"] == "infinite");
                 let last = &sides[sides.len().saturating_sub(count)..];
-                let excludes_rests = text.contains("rest\"") || text.contains("rests") || text.contains("_rest");
+                let excludes_rests = document["excludes"].as_str().is_some_and(|words| words.contains("rest"));
                 if count > 0 && !is_skipped && !excludes_rests && is_rotated(last, &own) {
                     return wrong(format!("there is another, with rests, from {:?}", start));
                 }

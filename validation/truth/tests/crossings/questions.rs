@@ -20,7 +20,7 @@ use super::flight::float;
 use super::members::Member;
 use super::motion::Motion;
 use super::scenes::Case;
-use super::traits::Question;
+use super::traits::{Question, Restitution};
 
 /// The most bits of `auto`: what straddling starts need.
 const MAX_BITS: u32 = 1024;
@@ -249,7 +249,9 @@ impl Case {
 
     fn chaos(&mut self) -> Result<Answer, Error> {
         // To find some takes a second.
-        let is_given = self.random.below(4) > 0;
+        let amplitude = self.scene.pair().excitation().terms()[0].amplitude().text();
+        let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
+        let is_given = amplitude == "8" && is_half && self.random.below(4) > 0;
         let bases = if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::Question { depth: 2, bases };
         let patience = Patience::new();

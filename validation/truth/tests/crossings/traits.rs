@@ -152,6 +152,11 @@ impl Crossing {
         [self.start as usize, self.excitation as usize, self.restitution as usize, self.data as usize, question]
     }
 
+    /// The values of the traits of the scene, in words.
+    pub fn words(&self) -> [&'static str; 4] {
+        [self.start.words(), self.excitation.words(), self.restitution.words(), self.data.words()]
+    }
+
     fn pairs(&self, questions: &[Question]) -> Vec<[(usize, usize); 2]> {
         let places = self.places(questions);
         let of = |a: usize| (a + 1..5).map(move |b| [(a, places[a]), (b, places[b])]);
