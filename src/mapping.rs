@@ -76,6 +76,13 @@ impl<N: Number> Sheared<N> {
         Some(Self { time: [time_by_time, time_by_velocity], slope: swing1, velocity: [-swing0, -restitution] })
     }
 
+    /// The derivative along a curve for its first column, and no other: `product` multiplies a row with the curve's direction.
+    pub fn along(self, product: impl Fn([N; 2]) -> N) -> Self {
+        let Self { time, slope, velocity } = self;
+        let [time, velocity] = [time, velocity].map(|row| [product(row), N::from_f64(0.0)]);
+        Self { time, slope, velocity }
+    }
+
     /// Both in one.
     #[inline(always)]
     pub fn jacobian(self) -> [[N; 2]; 2] {

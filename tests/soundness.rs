@@ -263,3 +263,55 @@ fn r14_a_scan_that_cannot_step_ends_as_a_graze() {
         assert!(is_graze || !events.is_empty(), "{arithmetic}: {:?}", orbit.outcome());
     }
 }
+
+/// A start inside the gap, or on a wall, under one harmonic or two with a gap of 1.
+fn undecided(excitation: &str, restitution: &str, start: &str, arithmetic: &str) -> BigRational {
+    let text = format!(
+        "excitation = {{ {excitation} }}\npair = {{ gap = 1, restitution = \"{restitution}\" }}\nstart = {{ time = 0, {start} }}"
+    );
+    let (_, orbit) = events(&Scene::parse(&text).unwrap(), arithmetic.parse().unwrap(), 3);
+    let Some(Outcome::Undecided { time: (from, None), .. }) = orbit.outcome() else { panic!("{:?}", orbit.outcome()) };
+    from.inf().to_rational()
+}
+
+#[test]
+fn r32_what_is_undecided_may_happen_from_the_time_given_on() {
+    // True contacts: mpmath, 50 digits, the first root of (11) for a member of the data; given to below.
+    let one = "amplitude = \"0.1\", frequency = \"2*pi\", phase = 0";
+    let two = "amplitude = [\"0.1\", \"0.001\"], frequency = [\"2*pi\", \"pi\"], phase = 0";
+    let inside = "position = \"[-0.05, 0.05]\", velocity = \"0.02-0.2*pi\"";
+    let opposite = "amplitude = \"0.1\", frequency = \"2*pi\", phase = \"pi\"";
+    let fast = "wall = \"left\", velocity = \"[-0.799101784376548, -0.798901784376548]\"";
+    for (excitation, restitution, start, arithmetic, contact) in [
+        (one, "0.5", inside, "interval", "17.7044"),
+        (two, "0.5", inside, "interval", "15.6667"),
+        (opposite, "1", fast, "interval", "5.2807"),
+        #[cfg(feature = "multiprecision")]
+        (one, "0.5", "position = 0, velocity = \"1e-12-2*pi*0.1\"", "64", "400000000000.75"),
+        #[cfg(feature = "multiprecision")]
+        (
+            "amplitude = \"0.05\", frequency = \"2*pi\", phase = \"0-1e-8\"",
+            "1e-30",
+            "wall = \"right\", velocity = \"1e-3*pi\"",
+            "64",
+            "1e-8",
+        ),
+    ] {
+        let (from, contact) = (undecided(excitation, restitution, start, arithmetic), rational(contact));
+        assert!(from <= contact, "{excitation}, {start}: from {from}, a contact before {contact}");
+        let far = &contact * rational("0.999") - rational("1e-7");
+        assert!(from >= far, "{excitation}, {start}: from {from}, far before {contact}");
+    }
+}
+
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r32_no_event_is_listed_after_the_time_to_stop_at() {
+    // The first impact is at 0.551348020218521190909... (mpmath, 50 digits: (A.4) of figure 14): 40 digits tell it from the time asked for.
+    let scene = Scene::parse(include_str!("../scenes/figure-14.toml")).unwrap();
+    for (until, listed) in [("0.55134802021852118", 0), ("0.5513480202185212", 1)] {
+        let settings = Settings { until: Some(until.parse().unwrap()), digits: 40, ..Settings::default() };
+        let mut orbit = Orbit::of(&scene, settings).unwrap();
+        assert_eq!((orbit.by_ref().count(), orbit.outcome()), (listed, Some(&Outcome::TimeReached)), "{until}");
+    }
+}

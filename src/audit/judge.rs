@@ -182,7 +182,9 @@ impl<'a> Judge<'a> {
     /// The verdict on a row that is no contact.
     fn unmatched(&self, row: usize, candidates: &[usize], alignment: &Alignment) -> Finding {
         let (nearest, time) = (self.nearest(row), &self.times[row]);
-        let is_in_doubt = self.truth.doubtful_from.as_ref().is_some_and(|from| time.sup() >= from.inf());
+        let is_in_doubt = self.truth.doubtful_from.as_ref();
+        // A contact may come from then on; the row may be it, as far as its times are compared.
+        let is_in_doubt = is_in_doubt.is_some_and(|from| self.tolerance.around_time(time).sup() >= from.inf());
         let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
         let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
         let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));

@@ -8,7 +8,6 @@ use std::cmp::Ordering;
 use super::bounds::{Bounds, HOP_SINE_ERROR, NARROW, Radii, SLACK, TAU};
 use super::extrema::{Extrema, Target};
 use super::solve::{Iterate, look_near};
-use crate::flight::Flight;
 use crate::number::kernel::{ACOS_ERROR, Departure, SIN_COS_ERROR};
 use crate::number::{Ball, Kernel, UNIT, binade, up};
 
@@ -41,8 +40,8 @@ pub(crate) struct Bracket {
 pub(crate) enum Doubt {
     /// The direction of departure is not certain.
     Departure,
-    /// The named extremum, so many turns after the start, may touch the wall.
-    Extremum { target: Target, time: f64 },
+    /// An extremum of this kind may touch its wall.
+    Extremum { target: Target },
     /// The contact may lie at an extremum.
     Location,
 }
@@ -332,21 +331,14 @@ impl Extrema {
         };
         let is_below = 1.0 - max_number.mul_add(drift, self.max) > margin;
         if max_number >= 0.0 && !is_below {
-            return Err(Doubt::Extremum { target: Target::Far, time: self.first_max + max_number });
+            return Err(Doubt::Extremum { target: Target::Far });
         }
         let is_above = min_number.mul_add(drift, self.min) > margin;
         if min_number >= 0.0 && !is_above {
-            return Err(Doubt::Extremum { target: Target::Near, time: self.first_min + min_number });
+            return Err(Doubt::Extremum { target: Target::Near });
         }
         Ok(())
     }
-}
-
-/// Where a doubtful extremum may be, as a ball of times since the start.
-#[cold]
-pub(crate) fn around<const WIDE: bool>(bounds: &Bounds<'_, WIDE>, time: f64) -> Ball {
-    let flight: &Flight<f64> = bounds.flight;
-    Ball::new(time, up(bounds.critical_phase() + bounds.radii.phase + UNIT * (time.abs() + flight.phase.abs())))
 }
 
 #[cfg(test)]

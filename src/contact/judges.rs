@@ -1,7 +1,7 @@
 //! The judges of a proposal: the enclosure, for one flight and for a set of them, and none at all.
 
 use super::bounds::{Bounds, Margins, Radii};
-use super::certify::{Arrival, Bracket, Doubt, around};
+use super::certify::{Arrival, Bracket, Doubt};
 use super::extrema::{Extrema, Target};
 use super::solve::{Iterate, Judge, NoProposal, propose};
 use super::{Contact, Reason, Undecided};
@@ -212,29 +212,25 @@ impl Judge for Unproved<'_> {
 #[cold]
 fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
     match none {
-        NoProposal::Rest => {
-            Undecided { reason: Reason::Graze, wall: Some(flight.wall), time: Some(Ball::exact(0.0)), lasting: false }
-        }
-        NoProposal::NoDrift | NoProposal::TooLong => {
-            Undecided { reason: Reason::Budget, wall: None, time: None, lasting: false }
-        }
+        NoProposal::Rest => Undecided::graze(Some(flight.wall)),
+        NoProposal::NoDrift | NoProposal::TooLong => Undecided { lasting: false, ..Undecided::endless() },
     }
 }
 
 /// The wall of `target` may be touched with no velocity, at any later time.
 #[cold]
 fn unbracketed(from: Wall, target: Target) -> Undecided {
-    Undecided { reason: Reason::Graze, wall: Some(target.wall(from)), time: None, lasting: false }
+    Undecided::graze(Some(target.wall(from)))
 }
 
 /// What could not be excluded before a bracketed contact.
 #[cold]
 fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Arrival) -> Undecided {
     let flight = bounds.flight;
-    let (wall, time) = match doubt {
-        Doubt::Departure => (flight.wall, Ball::exact(0.0)),
-        Doubt::Extremum { target, time } => (target.wall(flight.wall), around(&bounds, time)),
-        Doubt::Location => (arrival.target.wall(flight.wall), arrival.time),
+    let wall = match doubt {
+        Doubt::Departure => flight.wall,
+        Doubt::Extremum { target } => target.wall(flight.wall),
+        Doubt::Location => arrival.target.wall(flight.wall),
     };
-    Undecided { reason: Reason::Graze, wall: Some(wall), time: Some(time), lasting: false }
+    Undecided::graze(Some(wall))
 }

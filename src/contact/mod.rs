@@ -81,21 +81,31 @@ pub struct Undecided {
     pub reason: Reason,
     /// The wall that may be touched, when it is one.
     pub wall: Option<Wall>,
-    /// When it may be touched, in turns after the start of the flight; `None` for any later time.
-    pub time: Option<Ball>,
+    /// Encloses the first contact, in turns after the start of the flight, where it is proved but not narrowly enough.
+    pub contact: Option<Ball>,
     /// No precision will decide it.
     pub(crate) lasting: bool,
 }
 
 impl Undecided {
+    /// A wall may be touched with no velocity: this one, if it is known.
+    pub(crate) fn graze(wall: Option<Wall>) -> Self {
+        Self { reason: Reason::Graze, wall, contact: None, lasting: false }
+    }
+
+    /// The ball lies on its wall and is pressed against it: there is no flight.
+    pub(crate) fn rest(wall: Wall) -> Self {
+        Self { lasting: true, ..Self::graze(Some(wall)) }
+    }
+
     /// The motion lasts longer than is followed, in any precision.
     pub(crate) fn endless() -> Self {
-        Self { reason: Reason::Budget, wall: None, time: None, lasting: true }
+        Self { reason: Reason::Budget, wall: None, contact: None, lasting: true }
     }
 
     /// The set that arrives at `contact` is too wide.
     pub(crate) fn width(contact: &Contact<Ball>) -> Self {
-        Self { reason: Reason::Width, wall: Some(contact.wall), time: Some(contact.time), lasting: false }
+        Self { reason: Reason::Width, wall: Some(contact.wall), contact: Some(contact.time), lasting: false }
     }
 
     /// More digits are asked for than `contact` is known to.

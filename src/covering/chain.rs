@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::Ending;
 use super::node::{Axes, Landing, Link, Node};
 use super::proposal::{Point, farthest, length, plan};
-use super::start::Segment;
+use super::start::{Segment, Starts};
 use crate::contact::Undecided;
 use crate::exact::Exact;
 use crate::number::Ball;
@@ -23,8 +23,8 @@ const TRIES: u32 = 2;
 
 /// A chain under any excitation.
 pub(crate) trait Covering: std::fmt::Debug + Send {
-    /// The phases (of the origin's turns) and the velocities of the starts: one of them has the orbit.
-    fn starts(&self) -> (Ball, Ball);
+    /// Starts, one of which has the orbit.
+    fn starts(&self) -> Starts;
 
     /// The next nodes, proved; empty at the end.
     fn advance(&mut self) -> Vec<Node>;
@@ -41,13 +41,14 @@ pub(crate) type OnWall = (Wall, i64, Ball, Ball);
 
 /// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
 pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
-    /// The first axis of the chain's first link is the curve's.
-    fn axes(&self) -> Axes;
+    /// The unit of velocities, a power of two.
+    fn scale(&self) -> f64;
 
-    /// The phases and the velocities of the starts within `a`.
-    fn starts(&self, a: f64) -> (Ball, Ball);
+    /// The starts within `a`, in units of the curve's parameter.
+    fn starts(&self, a: f64) -> Starts;
 
-    /// Proves that all of the starts within `a` come to one wall, so many turns later, transversally.
+    /// Proves that all of the starts within `a` come to one wall, so many turns later, transversally; the derivative is that by the
+    /// parameter.
     fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
 
     /// The start on a wall itself, and its phases under several harmonics where they are known exactly.
@@ -114,7 +115,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
     /// The first impact of the given start itself.
     fn first(&mut self) -> Result<Point, Undecided> {
         let landing = self.beginning.land(&self.shaken, 0.0)?;
-        Ok(Point::at(&landing, self.beginning.axes().scale, self.stretched(&landing)))
+        Ok(Point::at(&landing, self.beginning.scale(), self.stretched(&landing)))
     }
 
     /// What the chain begins with.
@@ -125,9 +126,8 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
 
     /// The image of the curve's direction, scaled.
     fn stretched(&self, landing: &Landing) -> [f64; 2] {
-        let [[a, b], [c, d]] = landing.jacobian.jacobian().map(|row| row.map(Ball::mid));
-        let Axes { unstable: [x, y], scale, .. } = self.beginning.axes();
-        [a * x + b * scale * y, c / scale * x + d * y]
+        let [phase, velocity] = landing.jacobian.jacobian().map(|row| row[0].mid());
+        [phase, velocity / self.beginning.scale()]
     }
 
     /// The number of the last point that this block hands out, and of the last one that it proves: all that is asked for, or a block.
@@ -169,7 +169,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         let reach = self.points[0].covering_side(length(self.stretched(&given)));
         let landing = self.beginning.land(&self.shaken, reach)?;
         let next = &mut self.points[0].node;
-        link([reach, 0.0], Link::new(&self.beginning.axes(), &landing, next), next).ok_or(None)?;
+        link([reach, 0.0], Link::new(&Axes::of_curve(self.beginning.scale()), &landing, next), next).ok_or(None)?;
         self.reach = reach;
         Ok(())
     }
@@ -228,7 +228,7 @@ fn link(sides: [f64; 2], link: Option<Link>, next: &mut Node) -> Option<()> {
 }
 
 impl<S: Flying, B: Beginning<S>> Covering for Chain<S, B> {
-    fn starts(&self) -> (Ball, Ball) {
+    fn starts(&self) -> Starts {
         self.beginning.starts(self.reach)
     }
 

@@ -21,7 +21,7 @@ pub use crate::clock::Clock;
 use crate::contact::Undecided;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall, ball};
-use crate::shaken::Either;
+use crate::shaken::{Either, Initial};
 use impact_pair_model::Start;
 
 /// An impact of a true orbit near the given one.
@@ -82,8 +82,6 @@ pub enum Ending {
 #[derive(Debug)]
 pub struct Shadow {
     clock: Clock,
-    /// Whole turns of the start.
-    turns: i64,
     chain: Box<dyn Covering>,
     nodes: std::vec::IntoIter<Node>,
     listed: u64,
@@ -98,13 +96,12 @@ impl Shadow {
         let clock = Clock::new(pair, start.time(), 0)?;
         let either = Either::new(pair, &clock)?;
         let origin = either.origin(pair, start, &clock)?.map(ball)?;
-        let turns = origin.turns;
         let mut chain: Box<dyn Covering> = match either {
             Either::One(one) => Box::new(Chain::from_origin(one, origin, None)),
             Either::Several(several) => Box::new(Chain::from_origin(several, origin, None)),
         };
         let nodes = chain.advance().into_iter();
-        Ok(Self { clock, turns, chain, nodes, listed: 0 })
+        Ok(Self { clock, chain, nodes, listed: 0 })
     }
 
     /// The orbit near that of a scene; what is wrong with it is told with its line.
@@ -120,8 +117,8 @@ impl Shadow {
     ///
     /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
     pub fn start(&self) -> (i64, Ball, Ball) {
-        let (phase, velocity) = self.chain.starts();
-        (self.turns, phase, velocity)
+        let Initial { turns, phase, velocity, .. } = self.chain.starts().bounds;
+        (turns, phase, velocity)
     }
 
     /// Turns phases into times and reduced velocities into velocities.

@@ -18,6 +18,13 @@ pub(crate) struct Axes {
     pub scale: f64,
 }
 
+impl Axes {
+    /// Those of a curve that is given by a parameter.
+    pub fn of_curve(scale: f64) -> Self {
+        Self { unstable: [1.0, 0.0], stable: [0.0, 1.0], scale }
+    }
+}
+
 /// All states `centre + xi unstable + eta stable` on a wall with `|xi| <= a`, `|eta| <= b`, `sides = [a, b]`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
@@ -41,7 +48,7 @@ pub(crate) struct Landing {
     pub phase: Ball,
     pub velocity: Ball,
     pub slope: Ball,
-    /// Over the set.
+    /// Over the set; that of a curve is the derivative by its parameter, in the first column. Lemmas F3, F6
     pub jacobian: Sheared<Ball>,
 }
 

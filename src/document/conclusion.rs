@@ -89,10 +89,14 @@ fn epsilon(nearness: [f64; 2]) -> EpsilonDocument {
     EpsilonDocument { median, maximum }
 }
 
-/// What is known of what was not decided: from when to when it may happen, open when there is no latest time.
-fn undecided(plain: OutcomeDocument, reason: Reason, (from, to): &(Enclosure, Option<Enclosure>)) -> OutcomeDocument {
-    let time: [Option<Decimal>; 2] = match to {
-        Some(to) => bounds(&from.hull(to)).map(Some),
+/// What is known of what was not decided: no contact comes before; and the next contact itself, where it is proved.
+fn undecided(
+    plain: OutcomeDocument,
+    reason: Reason,
+    (from, contact): &(Enclosure, Option<Enclosure>),
+) -> OutcomeDocument {
+    let time: [Option<Decimal>; 2] = match contact {
+        Some(contact) => bounds(contact).map(Some),
         None => {
             let [earliest, _] = bounds(from);
             [Some(earliest), None]

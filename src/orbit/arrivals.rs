@@ -8,7 +8,7 @@ use crate::contact::Undecided;
 use crate::exact::Exact;
 use crate::mapping::Mapping;
 use crate::pair::{ImpactPair, Wall};
-use crate::shaken::{Location, Origin};
+use crate::shaken::{Location, Origin, Past};
 use crate::turns;
 
 /// Asks a pair for the impact that follows a state on a wall.
@@ -74,7 +74,8 @@ impl Arrivals {
         let reduced = self.dial.velocity(velocity).filter(|_| points);
         let velocity =
             reduced.ok_or_else(|| refused("start.velocity", velocity, "must be finite and point at the wall"))?;
-        let origin = Origin { place: Location::Wall(wall), turns, phase, velocity, phases: Vec::new(), release: None };
+        let place = Location::Wall(wall);
+        let origin = Origin { place, turns, phase, velocity, phases: Vec::new(), past: Past::Nothing };
         Ok(self.given.shaken.clone().interval(&origin).next_contact().and_then(|contact| {
             let turns = turns::after(turns, contact.turns).ok_or_else(Undecided::endless)?;
             let [phase, reached] = [contact.phase, contact.velocity].map(super::event::finite);

@@ -6,14 +6,14 @@ use super::event::{Graze, Outcome, Progress, Release, Rest, finite};
 use super::recurrence::Recurrence;
 use super::shadowed::Near;
 use super::shortfall::Shortfall;
-use super::{Cursor, Orbit};
+use super::{Cursor, Followed, Orbit};
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
 use crate::orbit::Arithmetic;
 use crate::pair::{Inward, Wall};
-use crate::shaken::{Released, Still};
+use crate::shaken::{Origin, Released, Still};
 #[cfg(feature = "multiprecision")]
 use crate::turns;
 
@@ -24,8 +24,7 @@ pub(super) struct Aside {
     pub is_due: bool,
     /// The ball rests and will be released then; for ever if it is not.
     pub resting: Option<Option<Released>>,
-    /// It never hits a wall again, and may graze some, so many times so far.
-    pub still: Option<Still>,
+    /// Of a motion that hits no wall: grazes so far.
     pub grazes: u64,
     pub recurrence: Recurrence,
     /// The time asked for has ended the list.
@@ -40,7 +39,7 @@ impl Orbit {
     /// What comes of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
     pub(super) fn aside(&mut self) -> Option<Progress> {
-        if let Some(still) = self.aside.still {
+        if let Some(still) = self.followed.still {
             return Some(self.graze_again(still));
         }
         if let Some(event) = self.aside.recurrence.repeat() {
@@ -61,7 +60,7 @@ impl Orbit {
             return Progress::Ended;
         };
         self.aside.grazes += 1;
-        let is_late = self.is_past(turns, Ball::exact(at));
+        let is_late = self.is_past(turns, Ball::exact(at), || finite(Ball::exact(at)));
         if is_late || self.asked.settings.impacts.is_some_and(|impacts| self.aside.grazes > impacts) {
             self.outcome = Some(Outcome::Periodic(Period { cycles: 1, impacts: 0 }));
             self.aside.is_late = is_late;
@@ -73,16 +72,17 @@ impl Orbit {
 
     /// An event of a motion that is proved to be periodic.
     fn repeat(&mut self, event: Progress) -> Progress {
-        let (turns, phase) = match &event {
-            Progress::Impact(impact) => (impact.turns, impact.phase),
+        let (turns, enclosed) = match &event {
+            Progress::Impact(impact) => (impact.turns, impact.enclosures().0),
             Progress::Graze(Graze { turns, phase, .. }) | Progress::Release(Release { turns, phase, .. }) => {
-                let (mid, rad) = phase.mid_rad();
-                (*turns, Ball::new(mid, rad))
+                (*turns, phase.clone())
             }
             // Infinitely many impacts come before a rest, some of them perhaps in time.
             Progress::Rest(_) | Progress::Retraced(_) | Progress::Ended => return event,
         };
-        if self.is_past(turns, phase) {
+        let (mid, rad) = enclosed.mid_rad();
+        let phase = Ball::new(mid, rad);
+        if self.is_past(turns, phase, || enclosed) {
             return self.finish(Outcome::TimeReached);
         }
         if let Progress::Impact(impact) = &event {
@@ -92,16 +92,21 @@ impl Orbit {
         event
     }
 
+    /// The exact state that the motion is at, while it is still at the one that is followed.
+    fn exactly(&self) -> Option<&Origin<Exact>> {
+        let is_there = self.followed.is_given && self.cursor.index == self.followed.from.index;
+        is_there.then_some(&self.engine.given.origin)
+    }
+
     /// The ball chatters and comes to rest, or does not leave at all: proved by Lemmas Z1 and Z2, or `None`.
     #[cold]
     pub(super) fn come_to_rest(&mut self) -> Option<Progress> {
-        let wall = self.cursor.wall.filter(|_| !self.cursor.is_inside)?;
+        let wall = self.cursor.wall.filter(|_| self.cursor.height.is_none())?;
         let after = wall.inward(self.engine.pair.rebound_of(self.cursor.velocity));
         let is_still = self.engine.pair.beta == Ball::exact(0.0);
-        let Cursor { turns, phase, index, .. } = self.cursor;
+        let Cursor { turns, phase, .. } = self.cursor;
         let phase = self.engine.motion.enclosures(u32::MAX).map_or_else(|| finite(phase), |(phase, _)| phase);
-        let is_exact = index == 0 && self.aside.near.is_none();
-        let phases: &[Exact] = if is_exact { &self.engine.given.origin.phases } else { &[] };
+        let phases: &[Exact] = self.exactly().map_or(&[], |origin| &origin.phases);
         let time = match is_still {
             true => (after == Ball::exact(0.0)).then_some(0.0)?,
             false => self.engine.given.shaken.accumulation(wall, turns, &phase, after, phases)?,
@@ -123,8 +128,8 @@ impl Orbit {
         if is_wide && self.engine.arithmetic == Arithmetic::Auto && self.restart(Shortfall::Width(1.0)) {
             return Some(Progress::Retraced(0));
         }
-        let at_start = self.cursor.index == self.start.index;
-        let enclosed = if at_start { &self.engine.given.origin.phase.enclose(self.asked.shown) } else { now };
+        let exactly = self.exactly().map(|origin| origin.phase.enclose(self.asked.shown));
+        let enclosed = exactly.as_ref().unwrap_or(now); // exact: another enclosure of the same phase
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         let enclosed = enclosed.add(&span, self.asked.shown.saturating_add(64)); // X1: any number of bits encloses
         let release = match for_ever {
@@ -146,15 +151,15 @@ impl Orbit {
         let Released { wall, turns, phase: enclosure, .. } = release.clone();
         let (mid, rad) = enclosure.mid_rad();
         let phase = Ball::new(mid, rad);
-        if self.is_past(turns, phase) {
+        if self.is_past(turns, phase, || release.phase.clone()) {
             return self.finish(Outcome::TimeReached);
         }
         let event = self.hand_out(Progress::Release(Release { wall, turns, phase: enclosure }));
         self.aside.recurrence.release(&release, self.listed);
         self.engine.given.leave(release);
         let velocity = Ball::exact(0.0);
-        self.start = Cursor { index: self.listed, wall: Some(wall), is_inside: false, turns, phase, velocity };
-        self.cursor = self.start;
+        let from = Cursor { index: self.listed, wall: Some(wall), height: None, turns, phase, velocity };
+        (self.cursor, self.followed) = (from, Followed::new(from, true, &self.engine.given, &self.asked.settings));
         self.engine.bits = self.bits();
         self.engine.motion =
             self.engine.given.motion(self.asked.settings.arithmetic).expect("the arithmetic was there at the start");
@@ -172,20 +177,21 @@ impl Orbit {
         let whole = passed.at.mid().to_f64().round(); // exact: any whole number is taken off
         let turns = turns::after(self.cursor.turns, whole)?;
         let at = passed.at.clone() - MpBall::from_f64(whole);
-        if self.is_past(turns, at.to_ball()) {
+        let phase = at.enclosure()?.rounded(self.asked.shown);
+        if self.is_past(turns, at.to_ball(), || phase.clone()) {
             return Some(self.finish(Outcome::TimeReached));
         }
-        let phase = at.enclosure()?.rounded(self.asked.shown);
         self.cursor = Cursor {
             wall: self.cursor.wall.filter(|wall| *wall == passed.wall),
-            is_inside: true,
+            height: Some(passed.height.to_ball()),
             turns: turns::after(self.cursor.turns, passed.turns)?,
             phase: MpBall::exact(passed.phase.clone()).to_ball(),
             velocity: passed.velocity.to_ball(),
             ..self.cursor
         };
         // From here on the data are a box: no precision makes it narrower.
-        (self.start, self.engine.raise, self.engine.is_point) = (self.cursor, None, false);
+        self.followed = Followed::new(self.cursor, false, &self.engine.given, &self.asked.settings);
+        (self.engine.raise, self.engine.is_point) = (None, false);
         Some(self.hand_out(Progress::Graze(Graze { wall: passed.wall, turns, phase })))
     }
 

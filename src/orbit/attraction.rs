@@ -44,7 +44,7 @@ impl Orbit {
     pub(super) fn attractor(&self) -> Option<Attractor> {
         // The grazes of a motion without impacts end here as well; floats prove nothing.
         if !self.asked.settings.attractor
-            || self.aside.still.is_some()
+            || self.followed.still.is_some()
             || self.asked.settings.arithmetic == Arithmetic::Float
         {
             return None;

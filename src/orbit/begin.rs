@@ -11,8 +11,9 @@ use super::shadowed::Near;
 #[cfg(feature = "multiprecision")]
 use super::splice::Splice;
 use super::width::Width;
-use super::{Arithmetic, Asked, Clock, Cursor, Engine, Orbit, Settings, Start};
+use super::{Arithmetic, Asked, Clock, Cursor, Engine, Followed, Orbit, Settings, Start};
 use crate::clock::Phase;
+use crate::covering::start::Starts;
 use crate::exact::Exact;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, too_large};
@@ -45,14 +46,20 @@ impl Orbit {
             Arithmetic::Shadow => shadowed(&given, &origin, (pair, start, &clock), &settings)?,
             arithmetic => given.motion(arithmetic)?,
         };
-        let near = Near::new(&clock, start, &origin, &*motion);
+        let near = Near::new(&clock, start, &*motion);
         let arithmetic = match settings.arithmetic {
             Arithmetic::Shadow if near.is_none() => Arithmetic::Interval,
             arithmetic => arithmetic,
         };
-        let (phase, velocity) = motion.starts().unwrap_or((origin.phase, origin.velocity)); // F2: where it is no other
-        let (wall, turns) = (origin.wall(), origin.turns);
-        let cursor = Cursor { index: 0, wall, is_inside: wall.is_none(), turns, phase, velocity };
+        // A shadow begins at the starts near by, any other motion at its origin.
+        let (initial, (place, turns, phase, velocity)) = match motion.starts() {
+            Some(Starts { bounds, .. }) => {
+                (bounds.clone(), (bounds.place, bounds.turns, bounds.phase, bounds.velocity))
+            }
+            None => (origin.initial(), (origin.place.clone(), origin.turns, origin.phase, origin.velocity)),
+        };
+        let cursor = Cursor { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity };
+        let followed = Followed::new(cursor, near.is_none(), &given, &settings);
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
         let patience = given.shaken.patience(widths[0].linear);
         let engine = Engine {
@@ -71,7 +78,8 @@ impl Orbit {
             clock,
             asked: Asked { settings, until, widths, shown },
             engine,
-            start: cursor,
+            initial,
+            followed,
             cursor,
             listed: 0,
             first_wide: None,
@@ -97,11 +105,18 @@ impl Orbit {
             let left = self.asked.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.asked.settings.clone() };
             self.engine.raise =
-                Some(Raise::new(self.engine.given.clone(), self.start.turns, self.asked.until, &settings));
+                Some(Raise::new(self.engine.given.clone(), self.followed.from.turns, self.asked.until, &settings));
         }
-        let is_float = self.asked.settings.arithmetic == Arithmetic::Float;
-        self.aside.still = self.engine.given.shaken.still(&self.engine.given.origin).filter(|_| !is_float);
-        self.aside.is_due |= self.aside.still.is_some();
+        self.aside.is_due |= self.followed.still.is_some();
+    }
+}
+
+impl Followed {
+    /// What is known of a state: the origin of what is given, or a box.
+    pub(super) fn new(from: Cursor, is_given: bool, given: &Given, settings: &Settings) -> Self {
+        let is_proved = is_given && settings.arithmetic != Arithmetic::Float;
+        let still = || given.shaken.still(&given.origin);
+        Self { from, is_given, still: is_proved.then(still).flatten() }
     }
 }
 
@@ -127,9 +142,9 @@ fn shadowed(
     #[cfg(feature = "multiprecision")]
     {
         let reduced = *given.shaken.pair();
-        let splice = Splice::new((pair, start, clock), (&reduced, origin.clone()), spliced, settings.max_bits)?;
+        let splice = Splice::new((pair, start, clock), (&reduced, origin.initial()), spliced, settings.max_bits)?;
         let left = settings.impacts.map(|impacts| impacts - (spliced - 1));
-        shaken().spliced(origin, splice, left).ok_or_else(|| Splice::refused(spliced))
+        shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
     }
     #[cfg(not(feature = "multiprecision"))]
     {

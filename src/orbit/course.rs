@@ -1,11 +1,11 @@
 //! Where the ball is between the events of an orbit: what figures draw.
 
 use super::event::finite;
-use super::{Cursor, Impact, Orbit, Release};
+use super::{Impact, Orbit, Release};
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::pair::Wall;
-use crate::shaken::Location;
+use crate::shaken::{Initial, Location};
 
 /// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
 ///
@@ -54,12 +54,10 @@ fn on(wall: Wall) -> Ball {
 }
 
 impl Orbit {
-    /// The flight from the start, and its phase: whole turns and the rest. To be asked before the orbit goes on.
+    /// The flight from the start asked for, or from those near by of a shadowed orbit, and its phase: whole turns and the rest.
     pub fn first_course(&self) -> (Course, i64, Ball) {
-        let origin = self.engine.given.origin_ball().expect("the orbit started with these numbers");
-        // A shadowed orbit starts near the given one.
-        let Cursor { turns, phase, velocity, .. } = self.start;
-        let course = match origin.place {
+        let Initial { turns, phase, velocity, .. } = self.initial;
+        let course = match self.initial.place {
             Location::Wall(wall) => self.leaving(wall, turns, phase, self.engine.pair.rebound_of(velocity)),
             Location::Inside(height) => self.course(turns, phase, height - Ball::exact(0.5), velocity),
         };

@@ -135,7 +135,8 @@ pub enum Outcome {
         reason: Reason,
         /// The wall concerned, when it is one.
         wall: Option<Wall>,
-        /// When the wall may be touched \[time\]: from, and to unless it is open.
+        /// No wall is touched after the last event and before the first of these \[time\] (Lemma C7). The second encloses the next contact, where
+        /// it is proved but not narrowly enough.
         time: (Enclosure, Option<Enclosure>),
     },
 }

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::later::decided;
 use super::motion::{FloatMotion, IntervalMotion, Motion};
 #[cfg(feature = "multiprecision")]
 use super::plan::Plan;
@@ -26,7 +25,7 @@ pub(super) struct Given {
     pub pair: Arc<ImpactPair>,
     /// The pair without units, under one harmonic or several.
     pub shaken: Arc<dyn Motions>,
-    /// The orbit's start, or the last release.
+    /// The start or a later state of its motion, or the last release.
     pub origin: Origin<Exact>,
 }
 
@@ -41,7 +40,7 @@ pub(super) trait Motions: Shaken {
     fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
     /// The same after what is proved by precision.
     #[cfg(feature = "multiprecision")]
-    fn spliced(self: Arc<Self>, origin: &Origin<Ball>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
+    fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
     /// In as many bits as planned.
     #[cfg(feature = "multiprecision")]
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion>;
@@ -61,8 +60,8 @@ impl<S: Flying> Motions for S {
     }
 
     #[cfg(feature = "multiprecision")]
-    fn spliced(self: Arc<Self>, origin: &Origin<Ball>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
-        ShadowMotion::spliced(self, origin, splice, left)
+    fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
+        ShadowMotion::spliced(self, splice, left)
     }
 
     #[cfg(feature = "multiprecision")]
@@ -74,8 +73,6 @@ impl<S: Flying> Motions for S {
 impl Given {
     /// What is given of `pair` from `start`, told by the clock.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
-        let later = decided(pair, start);
-        let start = later.as_ref().unwrap_or(start); // R3: the same motion
         let either = Either::new(pair, clock)?;
         let origin = either.origin(pair, start, clock)?;
         let shaken: Arc<dyn Motions> = match either {

@@ -8,7 +8,6 @@ mod course;
 mod dense;
 mod event;
 mod given;
-mod later;
 mod motion;
 mod passage;
 #[cfg(feature = "multiprecision")]
@@ -41,13 +40,15 @@ pub use watch::Watch;
 pub use crate::clock::Clock;
 use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
-use crate::exact::Exact;
+use crate::exact::{Enclosure, Exact};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
 use crate::periodic::Passing;
+use crate::shaken::{Initial, Still};
 use crate::turns;
 use aside::Aside;
+use event::finite;
 use given::Given;
 use motion::Motion;
 #[cfg(feature = "multiprecision")]
@@ -85,8 +86,9 @@ pub struct Orbit {
     clock: Clock,
     asked: Asked,
     engine: Engine,
-    /// Where the motion starts.
-    start: Cursor,
+    /// The start asked for; those near by, one of which has the orbit, of a shadowed one.
+    initial: Initial<Ball>,
+    followed: Followed,
     /// Where the motion is.
     cursor: Cursor,
     /// Impacts handed out.
@@ -129,17 +131,27 @@ struct Engine {
     patience: Option<f64>,
 }
 
+/// The state that the motion is followed from, and what is known of it: with another state all of it is another.
+#[derive(Clone, Copy, Debug)]
+struct Followed {
+    from: Cursor,
+    /// It is [`Given::origin`] itself, and not a box of starts near by, or past a graze.
+    is_given: bool,
+    /// No wall is ever hit from there on.
+    still: Option<Still>,
+}
+
 /// How far the motion has come.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor {
     index: u64,
     /// The wall of the last impact; `None` where there is none, or a graze of the other wall may have been one.
     wall: Option<Wall>,
-    /// Inside the gap: at the start, or after a graze.
-    is_inside: bool,
+    /// Above the left wall, in gaps, where the ball is inside the gap: at the start, or after a graze.
+    height: Option<Ball>,
     turns: i64,
     phase: Ball,
-    /// Before the impact.
+    /// Before the impact; inside the gap that of the flight.
     velocity: Ball,
 }
 
@@ -214,12 +226,12 @@ impl Orbit {
             return Err(self.give_up(Undecided::endless()));
         };
         let Contact { wall, phase, velocity, .. } = contact;
-        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), is_inside: false, turns, phase, velocity };
+        let next = Cursor { index: self.cursor.index + 1, wall: Some(wall), height: None, turns, phase, velocity };
         if next.index <= self.listed {
             self.cursor = next;
             return Err(Progress::Retraced(next.index));
         }
-        if self.is_past(turns, phase) {
+        if self.is_past(turns, phase, || self.enclosed(phase)) {
             return Err(self.finish(Outcome::TimeReached));
         }
         let excess = self.excess(turns, &contact);
@@ -281,13 +293,27 @@ impl Orbit {
         self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
     }
 
-    /// Whether an impact certainly comes after the time to stop at.
-    fn is_past(&self, turns: i64, phase: Ball) -> bool {
+    /// Whether an event certainly comes after the time to stop at: as its bounds say that are listed, `enclosed` its phase
+    /// without the whole turns.
+    fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
         self.asked.until.is_some_and(|until| {
             // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
             let ahead = Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest);
-            ahead.mid() > ahead.rad()
+            // V7: what doubles do not decide the bounds do
+            ahead.mid() > ahead.rad() || ahead.mid() >= -ahead.rad() && self.is_listed_past(turns, &enclosed())
         })
+    }
+
+    /// The same by the bounds that are listed, against the exact time to stop at.
+    #[cold]
+    fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
+        let until = self.asked.settings.until.as_ref();
+        until.is_some_and(|until| until.enclose(self.asked.shown).sup() < self.clock.time(turns, phase).inf())
+    }
+
+    /// The phase of the contact in hand as it is listed, without the whole turns.
+    fn enclosed(&self, phase: Ball) -> Enclosure {
+        self.engine.motion.enclosures(self.asked.shown).map_or_else(|| finite(phase), |(phase, _)| phase)
     }
 }
 

@@ -8,6 +8,7 @@ use super::set::StateSet;
 #[cfg(feature = "multiprecision")]
 pub(super) use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
+use crate::covering::start::Starts;
 use crate::exact::Enclosure;
 use crate::flight::Launch;
 use crate::number::Ball;
@@ -26,8 +27,8 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     /// (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
 
-    /// The phases and the velocities of the starts, one of which has this motion; `None` where it is the given start itself.
-    fn starts(&self) -> Option<(Ball, Ball)> {
+    /// Starts, one of which has this motion, which then begins at that start; `None` where it is that of the start asked for.
+    fn starts(&self) -> Option<Starts> {
         None
     }
 
@@ -126,7 +127,7 @@ impl<S: Flying> IntervalMotion<S> {
         let states = match origin.place {
             Location::Wall(wall) => {
                 let set = StateSet::new(phase, velocity, shaken.pair().scale(velocity));
-                States::Wall { wall, set, is_release: origin.release.is_some() }
+                States::Wall { wall, set, is_release: origin.release().is_some() }
             }
             Location::Inside(height) => States::Inside { height, phase, velocity },
         };

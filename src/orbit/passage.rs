@@ -2,10 +2,11 @@
 
 use std::cmp::Ordering;
 
-use super::{Cursor, Impact, Orbit, Rest};
+use super::{Impact, Orbit, Rest};
 use crate::exact::Enclosure;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Enclosing};
+use crate::shaken::Initial;
 use crate::turns::in_radians;
 
 impl Orbit {
@@ -35,16 +36,17 @@ impl Orbit {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// The same in two parts, from an impact or from the start.
+    /// The same in two parts, from an impact or from the start asked for; at inside starts only the column of the velocity is meant.
     #[cfg(feature = "multiprecision")]
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);
         }
-        let Cursor { index, wall, turns, phase, velocity, .. } = self.start;
+        let Initial { turns, phase, velocity, .. } = self.initial;
+        let wall = self.initial.place.wall();
         // F3: inside the gap the velocity is that of the flight, as after an impact with e = -1.
         let restitution = if wall.is_some() { self.engine.pair.restitution } else { Ball::exact(-1.0) };
-        let start = Impact { index, mapping: None, wall: to.wall, turns, phase, velocity, precise: None };
+        let start = Impact { index: 0, mapping: None, wall: to.wall, turns, phase, velocity, precise: None };
         self.passage(restitution, &start, to)
     }
 
@@ -54,10 +56,11 @@ impl Orbit {
         Sheared::between(restitution, self.turns_between(from, to), swings, [from.velocity, to.velocity])
     }
 
-    /// The start as impact number 0, when it is on a wall; for an orbit that has not been advanced.
+    /// The start asked for as impact number 0, when it is on a wall.
     pub fn start_impact(&self) -> Option<Impact> {
-        let Cursor { index, wall, turns, phase, velocity, .. } = self.start;
-        wall.map(|wall| Impact { index, mapping: None, wall, turns, phase, velocity, precise: None })
+        let Initial { turns, phase, velocity, .. } = self.initial;
+        let wall = self.initial.place.wall();
+        wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
     }
 
     /// Whether all that starts near a motion that comes to this rest comes to it as well. Lemma L3

@@ -124,7 +124,7 @@ impl<S: Flying> PreciseMotion<S> {
     pub fn new(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Self {
         let bits = plan.bits(0);
         let enclose = |x: &Exact| <MpBall as Phased>::enclose(x, bits);
-        let phase = match origin.release.as_ref().and_then(|release| release.zero.as_ref()) {
+        let phase = match origin.release().and_then(|release| release.zero.as_ref()) {
             Some(zero) => zero.refined(bits),
             None => enclose(&origin.phase),
         };
@@ -133,7 +133,7 @@ impl<S: Flying> PreciseMotion<S> {
         let states = match &origin.place {
             Location::Wall(wall) => {
                 let set = PreciseSet::new(&phase, &velocity, shaken.pair().scale(velocity.to_ball()));
-                States::Wall { wall: *wall, set, is_release: origin.release.is_some() }
+                States::Wall { wall: *wall, set, is_release: origin.release().is_some() }
             }
             Location::Inside(height) => States::Inside { height: enclose(height), phase, velocity },
         };

@@ -19,11 +19,11 @@ use crate::clock::Clock;
 use crate::contact::{Contact, Undecided};
 use crate::covering::chain::{AHEAD, Beginning, Chain, Covering};
 use crate::covering::node::Node;
-use crate::covering::start::Segment;
+use crate::covering::start::{Segment, Starts, Varied};
 use crate::exact::Enclosure;
 use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
-use crate::shaken::{Flying, Location, Origin};
+use crate::shaken::{Flying, Initial, Location, Origin, Past};
 
 /// Bits that show what the start has in common with the given one.
 pub(super) const START_BITS: u32 = 160;
@@ -38,7 +38,7 @@ pub(super) struct ShadowMotion<S: Flying, B> {
     start_bounds: Option<StartBounds>,
     chain: Chain<S, B>,
     nodes: IntoIter<Node>,
-    /// The last node handed out; its turns and phase, or those of the start.
+    /// The last node handed out; its turns and phase, or those of the starts.
     last: Option<Node>,
     at: (i64, Ball),
     /// What goes on after the last node.
@@ -92,12 +92,12 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// The starts of a motion near the one from `start`; either their time or their velocity is that of the given start.
-    pub fn new(clock: &Clock, start: &Start, origin: &Origin<Ball>, motion: &dyn Motion) -> Option<Self> {
-        let (phase, velocity) = motion.starts()?;
-        let in_doubles = || match velocity == origin.velocity {
-            true => (clock.time(origin.turns, &finite(phase)), start.velocity().enclose(START_BITS)),
-            false => (start.time().enclose(START_BITS), clock.velocity(&finite(velocity))),
+    /// The starts of a motion near the one from `start`; either their time or their velocity is that of the start asked for.
+    pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
+        let Starts { varied, bounds: Initial { turns, phase, velocity, .. } } = motion.starts()?;
+        let in_doubles = || match varied {
+            Varied::Time => (clock.time(turns, &finite(phase)), start.velocity().enclose(START_BITS)),
+            Varied::Velocity => (start.time().enclose(START_BITS), clock.velocity(&finite(velocity))),
         };
         let (time, velocity) = motion.start_bounds().unwrap_or_else(in_doubles);
         Some(Self { time, velocity, nearness: Nearness::default() })
@@ -111,31 +111,27 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
         let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
         let nodes = chain.advance();
         let regular = (!chain.expands()).then_some((nodes.len() + AHEAD) as u64); // proposes: what to claim
-        Some((Box::new(Self::of(shaken, origin, chain, nodes)?), regular))
+        Some((Box::new(Self::of(shaken, chain, nodes)?), regular))
     }
 }
 
 #[cfg(feature = "multiprecision")]
 impl<S: Flying> ShadowMotion<S, Splice> {
     /// The same after impacts that are proved by precision.
-    pub fn spliced(
-        shaken: Arc<S>,
-        origin: &Origin<Ball>,
-        splice: Splice,
-        left: Option<u64>,
-    ) -> Option<Box<dyn Motion>> {
+    pub fn spliced(shaken: Arc<S>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
         let mut chain = Chain::new(shaken.clone(), splice, left);
         let nodes = chain.advance();
         let (before, near) = chain.beginning().proved()?;
         let (before, start_bounds) = (Vec::from(before).into_iter(), Some(near.clone()));
-        Some(Box::new(Self { before, start_bounds, ..Self::of(shaken, origin, chain, nodes)? }))
+        Some(Box::new(Self { before, start_bounds, ..Self::of(shaken, chain, nodes)? }))
     }
 }
 
 impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
     /// The motion along a chain that has begun; `None` where it has not.
-    fn of(shaken: Arc<S>, origin: &Origin<Ball>, chain: Chain<S, B>, nodes: Vec<Node>) -> Option<Self> {
-        let (at, is_begun) = ((origin.turns, origin.phase), !nodes.is_empty());
+    fn of(shaken: Arc<S>, chain: Chain<S, B>, nodes: Vec<Node>) -> Option<Self> {
+        let Initial { turns, phase, .. } = chain.starts().bounds;
+        let (at, is_begun) = ((turns, phase), !nodes.is_empty());
         let (before, nodes) = (Vec::new().into_iter(), nodes.into_iter());
         is_begun.then_some(Self {
             shaken,
@@ -165,7 +161,7 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
         let node = self.last?;
         let (phase, velocity) = (node.phases(), node.velocities());
         let place = Location::Wall(node.wall);
-        let origin = Origin { place, turns: node.turns, phase, velocity, phases: Vec::new(), release: None };
+        let origin = Origin { place, turns: node.turns, phase, velocity, phases: Vec::new(), past: Past::Nothing };
         Some(IntervalMotion::new(self.shaken.clone(), &origin))
     }
 }
@@ -191,7 +187,7 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
         Ok(self.passed(node.wall, node.turns, node.phases(), node.velocities()))
     }
 
-    fn starts(&self) -> Option<(Ball, Ball)> {
+    fn starts(&self) -> Option<Starts> {
         Some(self.chain.starts())
     }
 

@@ -4,7 +4,9 @@ use super::event::{Outcome, Progress, finite};
 use super::{Arithmetic, Cursor, Orbit};
 use crate::contact::{Contact, Reason, Undecided};
 use crate::exact::Enclosure;
+use crate::flight::Launch;
 use crate::number::Ball;
+use crate::shaken::{Since, clear};
 use crate::turns;
 
 /// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
@@ -92,12 +94,13 @@ impl Orbit {
     #[cfg(feature = "multiprecision")]
     pub(super) fn restart(&mut self, shortfall: Shortfall) -> bool {
         let Some(raise) = &mut self.engine.raise else { return false };
-        let Some(motion) = raise.again(shortfall, self.cursor.index - self.start.index, self.engine.motion.accuracy())
+        let Some(motion) =
+            raise.again(shortfall, self.cursor.index - self.followed.from.index, self.engine.motion.accuracy())
         else {
             return false;
         };
         self.engine.motion = motion;
-        self.cursor = self.start;
+        self.cursor = self.followed.from;
         true
     }
 
@@ -107,18 +110,29 @@ impl Orbit {
         false
     }
 
+    /// The flights from the last state.
+    fn launch(&self) -> Option<Launch<Ball>> {
+        let Cursor { wall, height, turns, phase, velocity, .. } = self.cursor;
+        let from_wall = |wall| Launch::from_wall(wall, turns, phase, self.engine.pair.rebound_of(velocity), false);
+        height.map_or_else(|| wall.map(from_wall), |height| Some(Launch::from_inside(height, turns, phase, velocity)))
+    }
+
     fn end(&mut self, undecided: Undecided) -> Progress {
         let Cursor { turns, phase, .. } = self.cursor;
         let now = || self.clock.time(turns, &finite(phase));
-        let time = match undecided.time {
-            Some(since) => {
-                let whole = since.mid().floor(); // N1: the rest is kept
-                let rest = phase + (since - Ball::exact(whole));
-                let at = turns::after(turns, whole).map(|turns| self.clock.time(turns, &finite(rest)));
-                (at.clone().unwrap_or_else(now), at)
-            }
-            None => (now(), None),
+        let later = |whole: f64, rest: Ball| {
+            turns::after(turns, whole).map(|turns| self.clock.time(turns, &finite(phase + rest)))
         };
+        let contact = undecided.contact.and_then(|since| {
+            let whole = since.mid().floor(); // N1: the rest is kept
+            later(whole, since - Ball::exact(whole))
+        });
+        let clear = || {
+            let Since { whole, rest } = clear(&*self.engine.given.shaken, &self.launch()?);
+            later(whole, Ball::exact(rest))
+        };
+        let from = contact.clone().or_else(clear).unwrap_or_else(now);
+        let time = (from, contact);
         self.outcome = Some(Outcome::Undecided { reason: undecided.reason, wall: undecided.wall, time });
         Progress::Ended
     }

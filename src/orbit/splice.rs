@@ -3,7 +3,9 @@
 //! **Lemma F6** (splicing). Let the set of all starts within `a` of a given one, along the velocity (or the time) as in Lemma F3, be flown
 //! through `m` impacts, each proved to be the first contact, on one wall, transversal, for all of them. Then `F^m` is differentiable
 //! there; by the chain rule its derivative along the segment is `J_m ... J_1 q`, with each `J_i` at the start's own impacts, so that the
-//! product of the balls that hold (A.7) over the sets holds it. With it for the column of the first axis, and the image of the given
+//! product of the balls that hold (A.7) over the sets holds it. `J_1` is (A.7) of the whole flight from the start asked for, at the
+//! scene's time, as in F3: where flights are followed from a later state of it (R3), that is where first contacts are searched for, and
+//! nothing else. With the product for the column of the first axis, and the image of the given
 //! start itself for `F(x)`, condition 2 of F1 says that the image of the segment crosses a node, and F2 goes on from there: the start
 //! that it speaks of is in the segment, and its first impacts are in the sets. Columns are kept with a power of two taken out, which is
 //! exact, and `a` is given in the units of what is left.
@@ -17,12 +19,13 @@ use crate::Error;
 use crate::clock::Clock;
 use crate::contact::Undecided;
 use crate::covering::chain::{Beginning, OnWall};
-use crate::covering::node::{Axes, Landing};
+use crate::covering::node::Landing;
+use crate::covering::start::{Starts, Varied};
 use crate::exact::{Enclosure, Exact};
 use crate::mapping::Sheared;
 use crate::number::{Ball, Number, TINY, up};
 use crate::pair::{ImpactPair, Reduced};
-use crate::shaken::{Flying, Origin};
+use crate::shaken::{Flying, Initial};
 use impact_pair_model::Place;
 
 /// Digits to which the given start's own impacts are proved: those of doubles.
@@ -36,8 +39,9 @@ pub(super) struct Splice {
     pair: ImpactPair,
     start: Start,
     clock: Clock,
-    origin: Origin<Ball>,
-    is_of_times: bool,
+    /// The start asked for in doubles.
+    initial: Initial<Ball>,
+    varied: Varied,
     bits: u32,
     impacts: u64,
     given: Flown,
@@ -61,17 +65,17 @@ impl Splice {
     /// When these are not all proved.
     pub fn new(
         (pair, start, clock): (&ImpactPair, &Start, &Clock),
-        (reduced, origin): (&Reduced<Ball>, Origin<Ball>),
+        (reduced, initial): (&Reduced<Ball>, Initial<Ball>),
         impacts: u64,
         max_bits: u32,
     ) -> Result<Self, Error> {
-        let is_of_times = origin.wall().is_some() && reduced.rebound_of(origin.velocity) == Ball::exact(0.0);
+        let varied = Varied::of(reduced, &initial);
         let settings = Settings { digits: DIGITS, max_bits, impacts: Some(impacts), ..Settings::default() };
         let mut orbit = Orbit::new(pair, start, settings)?;
-        let given = fly(&mut orbit, impacts, is_of_times).ok_or_else(|| Self::refused(impacts))?;
+        let given = fly(&mut orbit, impacts, varied).ok_or_else(|| Self::refused(impacts))?;
         let (pair, start, clock, bits) = (pair.clone(), start.clone(), clock.clone(), orbit.bits());
         let scale = reduced.scale(given.landing.velocity);
-        Ok(Self { pair, start, clock, origin, is_of_times, bits, impacts, given, scale, curve: None })
+        Ok(Self { pair, start, clock, initial, varied, bits, impacts, given, scale, curve: None })
     }
 
     /// The impacts that cannot be spliced.
@@ -97,10 +101,9 @@ impl Splice {
             Exact::interval(&value.checked_sub(&apart).ok()?, &value.checked_add(&apart).ok()?).ok()
         };
         let (mut time, mut velocity) = (self.start.time().clone(), self.start.velocity().clone());
-        if self.is_of_times {
-            time = spread(&time, &self.clock.duration(&apart))?;
-        } else {
-            velocity = spread(&velocity, &self.clock.velocity(&apart))?;
+        match self.varied {
+            Varied::Time => time = spread(&time, &self.clock.duration(&apart))?,
+            Varied::Velocity => velocity = spread(&velocity, &self.clock.velocity(&apart))?,
         }
         let bits = START_BITS.saturating_add(self.bits); // X1: any number of bits encloses
         let near = (time.enclose(bits), velocity.enclose(bits));
@@ -118,14 +121,14 @@ impl Splice {
         let mut orbit = Orbit::new(&self.pair, start, settings).ok()?;
         // Turns are counted from one origin.
         (orbit.clock.origin() == self.clock.origin()).then_some(())?;
-        fly(&mut orbit, self.impacts, self.is_of_times)
+        fly(&mut orbit, self.impacts, self.varied)
     }
 }
 
 /// Follows an orbit through so many impacts and nothing else. Lemma F6
-fn fly(orbit: &mut Orbit, count: u64, is_of_times: bool) -> Option<Flown> {
+fn fly(orbit: &mut Orbit, count: u64, varied: Varied) -> Option<Flown> {
     let mut impacts: Vec<Impact> = Vec::new();
-    let mut column = Column::along(if is_of_times { [1.0, 0.0] } else { [0.0, 1.0] });
+    let mut column = Column::along(varied.direction());
     let mut last = None;
     loop {
         let impact = match orbit.advance() {
@@ -140,9 +143,7 @@ fn fly(orbit: &mut Orbit, count: u64, is_of_times: bool) -> Option<Flown> {
         last = Some(orbit.sheared(impacts.last(), &impact)?);
         impacts.push(impact);
     }
-    let Sheared { time, slope, velocity } = last?;
-    let [time, velocity] = [time, velocity].map(|row| [column.times(row), Ball::exact(0.0)]);
-    let jacobian = Sheared { time, slope, velocity };
+    let jacobian = last?.along(|row| column.times(row));
     let Impact { wall, turns, phase, velocity, .. } = *impacts.last()?;
     let landing = Landing { wall, turns, phase, velocity, slope: Ball::exact(0.0), jacobian };
     // exact: a length
@@ -197,15 +198,14 @@ fn two_to(n: i32) -> BigRational {
 }
 
 impl<S: Flying> Beginning<S> for Splice {
-    fn axes(&self) -> Axes {
-        Axes { unstable: [1.0, 0.0], stable: [0.0, 1.0], scale: self.scale }
+    fn scale(&self) -> f64 {
+        self.scale
     }
 
-    fn starts(&self, a: f64) -> (Ball, Ball) {
+    fn starts(&self, a: f64) -> Starts {
         // F6: a number below all doubles is below the smallest normal one.
         let apart = up(a * 2f64.powi(-self.given.exponent) + TINY);
-        let Origin { phase, velocity, .. } = self.origin;
-        if self.is_of_times { (phase.widened(apart), velocity) } else { (phase, velocity.widened(apart)) }
+        Starts::within(apart, self.varied, &self.initial)
     }
 
     fn land(&mut self, _: &S, a: f64) -> Result<Landing, Undecided> {

@@ -46,7 +46,7 @@ pub(super) fn guesses<S: Chained>(
 fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
     let first = || -> Option<Passing> {
         let clock = Clock::new(pair, start.time(), f64::MANTISSA_DIGITS).ok()?;
-        let origin = Origin::new(pair, start, &clock, Vec::new()).and_then(|origin| origin.map(ball)).ok()?;
+        let origin = Origin::at(pair, start, &clock, Vec::new()).and_then(|origin| origin.map(ball)).ok()?;
         let launch = origin.launch(shaken.pair().restitution.mid());
         let contact = shaken.propose(&launch).ok()?;
         let whole = (launch.turns + clock.turns_into(chain.period())) as f64;

@@ -9,7 +9,7 @@ use super::harmonics::Rates;
 use super::phased::{Phased, magnitude};
 use super::reach::Reach;
 use super::view::Side;
-use crate::contact::{Reason, Undecided};
+use crate::contact::Undecided;
 use crate::number::{Ball, TINY, UNIT, is_positive, up};
 use crate::pair::Wall;
 use crate::turns::LONGEST_FLIGHT;
@@ -358,12 +358,12 @@ fn low<N: Phased>(x: &N) -> f64 {
 impl<N: Phased> Doubt<N> {
     /// The doubt as the orbit tells it.
     pub fn undecided(&self, start: Option<Wall>) -> Undecided {
-        let (reason, wall, time) = match self {
-            Self::Graze { wall, at, .. } => (Reason::Graze, Some(*wall), Some(ball(&at.time()))),
-            Self::Departure | Self::Rest => (Reason::Graze, start, Some(Ball::exact(0.0))),
-            Self::Budget => (Reason::Budget, None, None),
-        };
-        Undecided { reason, wall, time, lasting: matches!(self, Self::Rest | Self::Budget) }
+        match self {
+            Self::Graze { wall, .. } => Undecided::graze(Some(*wall)),
+            Self::Departure => Undecided::graze(start),
+            Self::Rest => Undecided { lasting: true, ..Undecided::graze(start) },
+            Self::Budget => Undecided::endless(),
+        }
     }
 }
 

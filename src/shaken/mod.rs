@@ -4,6 +4,8 @@
 //! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
 //! Times are in turns of the fastest harmonic, told as whole turns and the rest, lengths in gaps.
 
+mod clear;
+mod later;
 mod one;
 mod origin;
 mod several;
@@ -31,8 +33,9 @@ use crate::number::Ball;
 use crate::number::{Magnitude, MpBall};
 use crate::pair::{ImpactPair, Reduced, Wall, rebound_of, within};
 use crate::several::{Phased, Turning, phases_at};
+pub(crate) use clear::{Since, clear};
 pub(crate) use one::One;
-pub(crate) use origin::{Location, Origin, Released};
+pub(crate) use origin::{Initial, Location, Origin, Past, Released};
 pub(crate) use several::Several;
 use shaking::Shaking;
 pub(crate) use still::Still;
@@ -48,6 +51,9 @@ pub(crate) trait Shaken: Debug + Send + Sync {
 
     /// `E/d`, `E'` in gaps a turn and `y''` in gaps a turn squared. **Equations** (1), (9), (10)
     fn displacement(&self, turns: i64, phase: Ball) -> [Ball; 3];
+
+    /// An upper bound of `|y''|` at all times, in gaps a turn squared.
+    fn steepest(&self) -> f64;
 
     /// `y''` in plain doubles.
     #[cfg(feature = "multiprecision")]
@@ -179,13 +185,12 @@ impl Either {
         })
     }
 
-    /// The exact start of `pair`.
+    /// The state that the motion of `pair` from `start` is followed from.
     pub fn origin(&self, pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Origin<Exact>, Error> {
-        let phases = match self {
-            Self::One(_) => Vec::new(),
-            Self::Several(_) => within("start.time", start.time(), phases_at(pair, start.time()))?,
-        };
-        Origin::new(pair, start, clock, phases)
+        Origin::new(pair, start, clock, |start| match self {
+            Self::One(_) => Ok(Vec::new()),
+            Self::Several(_) => within("start.time", start.time(), phases_at(pair, start.time())),
+        })
     }
 }
 

@@ -13,7 +13,7 @@ use crate::contact::{
 use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
 use crate::flight::{Flight, Launch};
-use crate::number::{Ball, Kernel, Number, UNIT, Wave, kernel};
+use crate::number::{ABOVE_TURN, Ball, Kernel, Number, UNIT, Wave, kernel, up};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall};
 #[cfg(feature = "multiprecision")]
@@ -66,6 +66,10 @@ impl Shaken for One {
         let sin_cos = phase.sin_cos();
         let (shift, speed, _) = displacement_velocity_acceleration(alpha, sin_cos);
         [shift, speed, beta.turn() * beta * sin_cos.0]
+    }
+
+    fn steepest(&self) -> f64 {
+        up(ABOVE_TURN * self.court.pair.beta.mag())
     }
 
     #[cfg(feature = "multiprecision")]

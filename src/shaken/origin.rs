@@ -1,28 +1,52 @@
 //! Where a motion starts, without units, in any arithmetic.
 
+use std::cmp::Ordering;
+
 use impact_pair_model::{Place, Start};
 
+use super::later::decided;
 use crate::Error;
 use crate::clock::Clock;
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
-use crate::number::Ball;
+use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
 
-/// A start in turns and gaps; the phase is in `[-1/2, 1/2]` (about).
+/// The start asked for, in turns and gaps: at the scene's time and place; the phase is in `[-1/2, 1/2]` (about).
 #[derive(Clone, Debug)]
-pub(crate) struct Origin<N> {
+pub(crate) struct Initial<N> {
     pub place: Location<N>,
     /// Whole turns since the clock's origin.
     pub turns: i64,
     pub phase: N,
     /// Before the impact for a start on a wall.
     pub velocity: N,
+}
+
+/// A state that a motion is followed from, in turns and gaps, and what is known of it; the phase is in `[-1/2, 1/2]` (about).
+#[derive(Clone, Debug)]
+pub(crate) struct Origin<N> {
+    pub place: Location<N>,
+    /// Whole turns since the clock's origin.
+    pub turns: i64,
+    pub phase: N,
+    /// Before the impact for a state on a wall.
+    pub velocity: N,
     /// The phases of several harmonics, exactly; none at a release.
     pub phases: Vec<Exact>,
-    /// The release that it is, if it is one.
-    pub release: Option<Released>,
+    pub past: Past<N>,
+}
+
+/// What leads to a state that a motion is followed from.
+#[derive(Clone, Debug)]
+pub(crate) enum Past<N> {
+    /// Nothing: it is the start asked for, or stands for itself.
+    Nothing,
+    /// A flight that touches no wall, from the start asked for. Lemma R3
+    Flight(Initial<N>),
+    /// A rest, which ends with this release.
+    Rest(Released),
 }
 
 /// Where the ball is.
@@ -33,30 +57,94 @@ pub(crate) enum Location<N> {
     Inside(N),
 }
 
-impl<N> Origin<N> {
-    /// The wall it starts on, if it does.
+impl<N> Location<N> {
+    /// The wall, on one.
     pub fn wall(&self) -> Option<Wall> {
-        match self.place {
-            Location::Wall(wall) => Some(wall),
-            Location::Inside(_) => None,
+        match self {
+            Self::Wall(wall) => Some(*wall),
+            Self::Inside(_) => None,
         }
     }
 
+    /// The height, inside the gap.
+    pub fn height(self) -> Option<N> {
+        match self {
+            Self::Wall(_) => None,
+            Self::Inside(height) => Some(height),
+        }
+    }
+
+    fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Location<M>, E> {
+        Ok(match self {
+            Self::Wall(wall) => Location::Wall(*wall),
+            Self::Inside(height) => Location::Inside(f("start.position", height)?),
+        })
+    }
+}
+
+impl<N> Initial<N> {
     /// The same start in another arithmetic; `f` also gets the key of what it reads.
+    fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Initial<M>, E> {
+        let (phase, velocity) = (f("start.time", &self.phase)?, f("start.velocity", &self.velocity)?);
+        Ok(Initial { place: self.place.map(f)?, turns: self.turns, phase, velocity })
+    }
+}
+
+impl<N> Origin<N> {
+    /// The wall it is on, if it is on one.
+    pub fn wall(&self) -> Option<Wall> {
+        self.place.wall()
+    }
+
+    /// The release that it is, if it is one.
+    pub fn release(&self) -> Option<&Released> {
+        match &self.past {
+            Past::Rest(release) => Some(release),
+            Past::Nothing | Past::Flight(_) => None,
+        }
+    }
+
+    /// The same state in another arithmetic; `f` also gets the key of what it reads.
     pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Origin<M>, E> {
-        let place = match &self.place {
-            Location::Wall(wall) => Location::Wall(*wall),
-            Location::Inside(height) => Location::Inside(f("start.position", height)?),
+        let past = match &self.past {
+            Past::Nothing => Past::Nothing,
+            Past::Flight(initial) => Past::Flight(initial.map(&f)?),
+            Past::Rest(release) => Past::Rest(release.clone()),
         };
         let (phase, velocity) = (f("start.time", &self.phase)?, f("start.velocity", &self.velocity)?);
-        let (turns, phases, release) = (self.turns, self.phases.clone(), self.release.clone());
-        Ok(Origin { place, turns, phase, velocity, phases, release })
+        Ok(Origin { place: self.place.map(f)?, turns: self.turns, phase, velocity, phases: self.phases.clone(), past })
+    }
+}
+
+impl<N: Clone> Origin<N> {
+    /// The start asked for, where this is that start or a later state of its motion; else itself.
+    pub fn initial(&self) -> Initial<N> {
+        match &self.past {
+            Past::Flight(initial) => initial.clone(),
+            Past::Nothing | Past::Rest(_) => {
+                let Self { place, turns, phase, velocity, .. } = self.clone();
+                Initial { place, turns, phase, velocity }
+            }
+        }
     }
 }
 
 impl Origin<Exact> {
-    /// The exact start of a pair, told by the clock; `phases` are those of several harmonics there.
-    pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock, phases: Vec<Exact>) -> Result<Self, Error> {
+    /// The state that the motion of `pair` from `start` is followed from: a little later where its direction is not certain (Lemma
+    /// R3); `phases` are those of several harmonics at a time.
+    pub fn new(
+        pair: &ImpactPair,
+        start: &Start,
+        clock: &Clock,
+        phases: impl Fn(&Start) -> Result<Vec<Exact>, Error>,
+    ) -> Result<Self, Error> {
+        let asked = Self::at(pair, start, clock, phases(start)?)?;
+        let Some(later) = decided(pair, start) else { return Ok(asked) };
+        Ok(Self { past: Past::Flight(asked.initial()), ..Self::at(pair, &later, clock, phases(&later)?)? })
+    }
+
+    /// The state itself, told by the clock.
+    pub fn at(pair: &ImpactPair, start: &Start, clock: &Clock, phases: Vec<Exact>) -> Result<Self, Error> {
         let (turns, phase) = clock.split("start.time", start.time())?;
         let velocity = clock.reduced_velocity(start.velocity())?;
         let place = match start.place() {
@@ -68,7 +156,7 @@ impl Origin<Exact> {
                 Location::Inside(within("start.position", position, height)?)
             }
         };
-        Ok(Self { place, turns, phase, velocity, phases, release: None })
+        Ok(Self { place, turns, phase, velocity, phases, past: Past::Nothing })
     }
 
     /// A release: no velocity, and the phase as exactly as it can be shown.
@@ -80,7 +168,7 @@ impl Origin<Exact> {
             phase: Exact::interval(&lo, &hi).expect("bounds are in order"),
             velocity: Exact::from(0),
             phases: Vec::new(),
-            release: Some(release),
+            past: Past::Rest(release),
         }
     }
 }
@@ -91,10 +179,31 @@ impl Origin<Ball> {
         let (turns, phase, velocity) = (self.turns, self.phase.mid(), self.velocity.mid());
         match self.place {
             Location::Wall(wall) => {
-                Launch::from_wall(wall, turns, phase, rebound(&restitution, velocity), self.release.is_some())
+                Launch::from_wall(wall, turns, phase, rebound(&restitution, velocity), self.release().is_some())
             }
             Location::Inside(height) => Launch::from_inside(height.mid(), turns, phase, velocity),
         }
+    }
+
+    /// The turns since the start asked for: exactly 0 where it is that start.
+    pub fn delay(&self) -> Ball {
+        let Past::Flight(initial) = &self.past else { return Ball::exact(0.0) };
+        // Lemma N1: the two are less than a turn apart (R3).
+        Ball::exact((self.turns - initial.turns) as f64) + (self.phase - initial.phase)
+    }
+
+    /// The place after starts that are up to `apart` gaps a turn faster or slower than the one asked for; `None` where one of them
+    /// may touch a wall before. Lemma R3
+    pub fn place_after(&self, apart: f64) -> Option<Location<Ball>> {
+        let (Past::Flight(initial), Location::Inside(height)) = (&self.past, &self.place) else {
+            return Some(self.place.clone());
+        };
+        let Location::Inside(from) = initial.place else { return None };
+        let farther = Ball::exact(apart) * self.delay();
+        let rooms = [from, Ball::exact(1.0) - from];
+        // R3: half of the way to the nearer wall at most
+        let is_free = |room: Ball| (room - farther - farther).certain_sign() == Some(Ordering::Greater);
+        rooms.into_iter().all(is_free).then(|| Location::Inside(height.widened(farther.mag())))
     }
 }
 

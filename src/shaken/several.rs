@@ -118,6 +118,10 @@ impl Shaken for Several {
         [sums.sine, sums.cosine, sums.swing]
     }
 
+    fn steepest(&self) -> f64 {
+        self.balls.harmonics.rates.second
+    }
+
     #[cfg(feature = "multiprecision")]
     fn swing(&self, turns: i64, phase: f64) -> f64 {
         self.floats.harmonics.sums(turns, &phase).swing

@@ -5,11 +5,11 @@ use std::cmp::Ordering;
 use rug::Float;
 
 use super::Isolated;
+use crate::contact::Undecided;
 use crate::contact::extrema::Target;
 use crate::contact::solve::inverse_smoothstep;
-use crate::contact::{Reason, Undecided};
 use crate::flight::Flight;
-use crate::number::{ABOVE_TURN, Ball, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TURN, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -29,7 +29,6 @@ struct Piece {
 /// Encloses the only contact that is first for every flight of the set.
 pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
     let rising = is_rising(flight)?;
-    let zero = MpBall::from_f64(0.0);
     let speeds = [flight.drift.clone().minus(&flight.beta), flight.drift.clone().plus(&flight.beta)];
     // Lemma C5: a start without velocity at exactly sin th0 = 0 has |c| = beta and is monotone all the same.
     let is_release = [&flight.velocity, &flight.sin].iter().all(|x| x.sign() == Some(Ordering::Equal));
@@ -37,7 +36,7 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
         _ if is_release => monotone(flight)?,
         [Some(Ordering::Less), Some(Ordering::Greater)] => first_piece(flight, rising)?,
         [Some(Ordering::Greater), _] | [_, Some(Ordering::Less)] => monotone(flight)?,
-        _ => return Err(graze(flight, None, zero)),
+        _ => return Err(graze(flight, None)),
     };
     let turns = (flight.phase.mid().to_f64() + piece.guess.to_f64()).round(); // exact: any whole number is taken off
     if turns.partial_cmp(&LONGEST_FLIGHT) != Some(Ordering::Less) {
@@ -49,7 +48,7 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
         let time = MpBall::new(found.at.clone(), found.reach) + MpBall::from_f64(turns) - flight.phase.clone();
         let is_later = (time.clone() - (end.clone() - MpBall::from_f64(1.0))).sign() == Some(Ordering::Greater);
         if !(is_later && time.clone().minus(end).sign() == Some(Ordering::Less)) {
-            return Err(graze(flight, Some(piece.target), time));
+            return Err(graze(flight, Some(piece.target)));
         }
     }
     Ok(found)
@@ -67,8 +66,8 @@ pub(super) fn is_rising(flight: &Flight<MpBall>) -> Result<bool, Undecided> {
         // On release the next derivative decides, which has the sign of cos th0.
         Some(Ordering::Equal) if flight.cos.sign() == Some(Ordering::Greater) => Ok(true),
         Some(_) if is_inside => Ok(false),
-        Some(_) => Err(rest(flight)),
-        None => Err(graze(flight, Some(Target::Near), MpBall::from_f64(0.0))),
+        Some(_) => Err(Undecided::rest(flight.wall)),
+        None => Err(graze(flight, Some(Target::Near))),
     }
 }
 
@@ -188,7 +187,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     let touches = |kind: &Kind| match kind.room.sign() {
         Some(Ordering::Greater) => Ok(false),
         Some(Ordering::Less) => Ok(true),
-        _ => Err(graze(flight, Some(kind.target), kind.first.clone())),
+        _ => Err(graze(flight, Some(kind.target))),
     };
     let [soon, late] = turning.in_order();
     let (kind, k) = if touches(soon)? {
@@ -201,7 +200,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
         for (number, side) in [(k - 1.0, Ordering::Greater), (k, Ordering::Less)] {
             let number = MpBall::from_f64(number);
             if (kind.room.clone() - step.clone() * number.clone()).sign() != Some(side) {
-                return Err(graze(flight, Some(kind.target), kind.first.clone() + number));
+                return Err(graze(flight, Some(kind.target)));
             }
         }
         (kind, k)
@@ -267,8 +266,7 @@ fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated,
         }
         at = next;
     }
-    let time = MpBall::exact(at) + MpBall::from_f64(turns) - flight.phase.clone();
-    Err(graze(flight, Some(piece.target), time))
+    Err(graze(flight, Some(piece.target)))
 }
 
 /// Lemma C3 in balls: `z'` keeps its sign within `reach` of `at`, and `z` vanishes there once.
@@ -282,7 +280,7 @@ fn prove(
     sin: &MpBall,
 ) -> Result<Isolated, Undecided> {
     let time = MpBall::exact(at.clone()) + MpBall::from_f64(turns) - flight.phase.clone();
-    let doubtful = || graze(flight, Some(target), time.clone());
+    let doubtful = || graze(flight, Some(target));
     let steepest = flight.steepest();
     let least = velocity.mig().ok_or_else(doubtful)?;
     let reach = (residual.mag() + residual.mag()).over(least);
@@ -306,19 +304,13 @@ fn prove(
 }
 
 /// A wall that may be touched with no velocity.
-fn graze(flight: &Flight<MpBall>, target: Option<Target>, time: MpBall) -> Undecided {
-    let wall = target.map(|target| target.wall(flight.wall));
-    Undecided { reason: Reason::Graze, wall, time: Some(time.to_ball()), lasting: false }
-}
-
-/// The ball lies on its wall and is pressed against it.
-fn rest(flight: &Flight<MpBall>) -> Undecided {
-    Undecided { reason: Reason::Graze, wall: Some(flight.wall), time: Some(Ball::exact(0.0)), lasting: true }
+fn graze(flight: &Flight<MpBall>, target: Option<Target>) -> Undecided {
+    Undecided::graze(target.map(|target| target.wall(flight.wall)))
 }
 
 /// The drift may be 0, or the flight is too long to follow.
 fn endless(flight: &Flight<MpBall>) -> Undecided {
     // Either it is known not to be 0, and then the flight is too long in any precision, or exactly 0.
     let lasting = flight.drift.sign().is_some();
-    Undecided { reason: Reason::Budget, wall: None, time: None, lasting }
+    Undecided { lasting, ..Undecided::endless() }
 }

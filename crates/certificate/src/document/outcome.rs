@@ -36,7 +36,8 @@ pub struct OutcomeDocument {
     /// The wall of what is undecided, or that the ball rests on for ever.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wall: Option<Wall>,
-    /// From when to when it may happen \[time\]: not before; open when there is no latest time.
+    /// No wall is touched after the last event listed and before the first of these \[time\]. The second is `null`; where the next
+    /// contact is proved, but not as narrowly as asked, the contact lies between the two.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub time: Option<[Option<Decimal>; 2]>,
     /// The motion repeats itself exactly.

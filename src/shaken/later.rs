@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::{Place, Start};
+use impact_pair_model::{Place, Start};
+
 use crate::exact::{Exact, ExactError};
 use crate::number::{is_positive, up};
 use crate::pair::ImpactPair;
@@ -38,7 +39,7 @@ fn longest(pair: &ImpactPair, position: &Exact, velocity: &Exact) -> Result<f64,
     let speed =
         harmonics.map(|term| size(term.amplitude()) * size(term.frequency())).fold(0.0, |sum, x| up(sum + up(2.0 * x)));
     let least = room[0].min(room[1]); // R3: the nearer wall
-    // R3: at most half of the way there
+    // R3: at most a quarter of the way there
     let most = (0.25 * least / up(speed + size(velocity))).min(0.125 / size(pair.excitation().reference().frequency()));
     Ok(if is_positive(most) && most.is_finite() { 2f64.powi(most.log2().floor() as i32) } else { 0.0 }) // R3: half of it at least
 }
