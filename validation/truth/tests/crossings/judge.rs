@@ -40,7 +40,7 @@ pub struct Judgement {
 }
 
 /// What a crossing needs; long flights and wide data are for other tests.
-const EFFORT: Effort = Effort { bits: 512, parts: 1 << 6, pieces: 4, work: 1 << 11 };
+const EFFORT: Effort = Effort { bits: 384, parts: 1 << 6, pieces: 2, work: 1 << 9 };
 
 fn check(document: &str) -> (Finding, String) {
     let Ok(claims) = Claims::parse(document) else { return (Finding::Nothing, "not read".into()) };

@@ -224,7 +224,15 @@ impl<'a> Motion<'a> {
             }
             "undecided" => {
                 let Some(from) = decimal(&outcome["time"][0]) else { return wrong("no time is told".into()) };
-                self.is_clear(&from, &format!("{what}, not before {}", outcome["time"][0]))
+                self.is_clear(&from, &format!("{what}, not before {}", outcome["time"][0]))?;
+                // A second bound is that of a proved contact.
+                let Some(to) = decimal(&outcome["time"][1]) else { return Ok(()) };
+                match self.next()? {
+                    Next::Contact(contact) if contact.time <= to => Ok(()),
+                    other => {
+                        wrong(format!("{what}, up to {}, but the truth is {}", outcome["time"][1], described(&other)))
+                    }
+                }
             }
             "never-impacts" => match self.next()? {
                 Next::Touch(_, _, clear) => {

@@ -98,7 +98,9 @@ fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
 
 /// One orbit of a list: whether the true motion is as is told where it is physical, and another where it is not.
 pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
-    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else { return wrong("an orbit without impacts".into()) };
+    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+        return wrong("an orbit without impacts".into());
+    };
     let Some(is_physical) = orbit["physical"].as_bool() else { return Err(Halt::Open("undecided whether physical")) };
     let off = away(member, &told, &period(member, &told, [0.0; 2])?);
     if is_physical && off > OFF {
@@ -112,7 +114,9 @@ pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
 
 /// Trace and determinant of the period, by differences of true motions.
 pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]> {
-    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else { return wrong("an orbit without impacts".into()) };
+    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+        return wrong("an orbit without impacts".into());
+    };
     let step = 2f64.powi(-120);
     let tone = reference(&member.tones);
     let mut columns = Vec::new();
@@ -145,7 +149,9 @@ fn is_rotated(a: &[bool], b: &[bool]) -> bool {
 /// A list that says there are no others: every periodic motion of the word and of so many cycles that a run proves must be on it,
 /// those with rests as well, unless the document says that it leaves them out.
 pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Judged<()> {
-    let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else { return wrong("no word".into()) };
+    let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else {
+        return wrong("no word".into());
+    };
     let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
     let own = walls(&word);
     for start in starts {

@@ -35,6 +35,8 @@ const BASES: [[[f64; 2]; 3]; 3] = [
     [[0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]],
     [[0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]],
 ];
+/// How often a search for all orbits is asked whether to go on.
+const SEARCHED: usize = 4_000;
 /// How often a search for bases is asked whether to go on.
 const CHAOS: usize = 3;
 
@@ -45,7 +47,12 @@ pub enum Answer {
     /// An orbit JSON.
     Orbit(Value),
     /// The head of a sweep and its records, and the scenes of its points.
-    Sweep { head: Value, records: Vec<Value>, points: Vec<Scene>, asked: Box<sweep::Asked> },
+    Sweep {
+        head: Value,
+        records: Vec<Value>,
+        points: Vec<Scene>,
+        asked: Box<sweep::Asked>,
+    },
     /// A periodic JSON; whether it was asked for all.
     Periodic(Value),
     Bifurcations(Value),
@@ -207,8 +214,9 @@ impl Case {
         let problem = Problem::new(self.scene.pair(), &word, cycles)?;
         let units = Units::new(problem.pair())?;
         let precision = Precision { digits: 9, max_bits: 256 };
+        let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
         let census = match is_all {
-            true => problem.find_all(self.scene.start(), precision, Budget { boxes: 20_000, halvings: 30 }),
+            true => problem.find_all_while(self.scene.start(), precision, budget, &|_| patience.goes_on(SEARCHED)),
             false => problem.find(self.scene.start(), precision),
         };
         Ok(Answer::Periodic(json!(units.document(&problem, self.scene.start(), &census))))
@@ -252,7 +260,8 @@ impl Case {
         let amplitude = self.scene.pair().excitation().terms()[0].amplitude().text();
         let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
         let is_given = amplitude == "8" && is_half && self.random.below(4) > 0;
-        let bases = if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
+        let bases =
+            if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::Question { depth: 2, bases };
         let patience = Patience::new();
         let goes_on = |_: usize, boxes: u64| patience.goes_on(CHAOS) && boxes < 4 * BOXES as u64;

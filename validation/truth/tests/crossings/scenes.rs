@@ -87,9 +87,7 @@ impl Term {
 
 /// The sum over terms of `A W^power` times a function of the phase at a time.
 fn sum(terms: &[Term], time: &str, power: u32, function: &str) -> String {
-    let one = |term: &Term| {
-        format!("({})*({})^{power}*{function}({})", term.most, term.frequency, term.angle(time))
-    };
+    let one = |term: &Term| format!("({})*({})^{power}*{function}({})", term.most, term.frequency, term.angle(time));
     terms.iter().map(one).collect::<Vec<_>>().join("+")
 }
 
@@ -231,11 +229,8 @@ fn at_graze(random: &mut Random, parts: &mut Parts) {
     };
     let drift = format!("({})", sum(terms, &later, 1, "cos"));
     let velocity = format!("{drift}-({})", sum(terms, start, 1, "cos"));
-    let way = format!(
-        "{drift}*({later}-({start}))-({}-({}))",
-        sum(terms, &later, 0, "sin"),
-        sum(terms, start, 0, "sin")
-    );
+    let way =
+        format!("{drift}*({later}-({start}))-({}-({}))", sum(terms, &later, 0, "sin"), sum(terms, start, 0, "sin"));
     let is_made_for_it = parts.restitution == "1/2" || parts.restitution == "1";
     let is_from_left = value(&velocity).is_some_and(|v| v > 1e-9) && value(&way).is_some_and(|way| way > 1e-9);
     if is_made_for_it && is_from_left && random.below(2) == 0 {

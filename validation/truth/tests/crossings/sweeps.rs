@@ -39,9 +39,9 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
     for state in record["states"].as_array().map_or(&[][..], Vec::as_slice) {
         let same = |event: &&Value| event["event"] == "impact" && event["index"] == state["index"];
         let event = run["events"].as_array().and_then(|events| events.iter().find(same));
-        let Some(event) = event.filter(|event| {
-            event["wall"] == state["wall"] && meet(&event["velocity"], &state["velocity"])
-        }) else {
+        let Some(event) =
+            event.filter(|event| event["wall"] == state["wall"] && meet(&event["velocity"], &state["velocity"]))
+        else {
             return wrong(format!("{state}, but its own run says {event:?}"));
         };
         let (Some(time), Some(phase)) = (Bounds::read(&event["time"]), Bounds::read(&state["phase"])) else {

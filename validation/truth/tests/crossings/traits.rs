@@ -104,8 +104,7 @@ pub enum Question {
 
 impl Question {
     pub fn all() -> Vec<Self> {
-        let others =
-            [Self::Periodic, Self::All, Self::TwoImpact, Self::Trap, Self::Chaos, Self::Cycles, Self::Audit];
+        let others = [Self::Periodic, Self::All, Self::TwoImpact, Self::Trap, Self::Chaos, Self::Cycles, Self::Audit];
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -172,13 +171,8 @@ impl Coverage {
 
     /// Pairs asked, all pairs, triples asked, all triples.
     pub fn counts(&self) -> [usize; 4] {
-        let sizes = [
-            Start::ALL.len(),
-            Excitation::ALL.len(),
-            Restitution::ALL.len(),
-            Data::ALL.len(),
-            Question::all().len(),
-        ];
+        let sizes =
+            [Start::ALL.len(), Excitation::ALL.len(), Restitution::ALL.len(), Data::ALL.len(), Question::all().len()];
         let all = (0..5).flat_map(|a| (a + 1..5).map(move |b| sizes[a] * sizes[b])).sum();
         [self.pairs.len(), all, self.triples.len(), sizes[0] * sizes[1] * sizes[4]]
     }
