@@ -18,7 +18,7 @@ fn main() -> Result<(), Error> {
     println!("{} words of at most {} impacts, {} boxes", chaos.words().len(), chaos.depth(), chaos.boxes());
     println!("topological entropy at least {:.4} an impact, {:.4} a cycle", chaos.entropy(), chaos.entropy_a_cycle());
     if let Some(pair) = chaos.horseshoe() {
-        let [one, other] = pair.map(Word::in_mappings);
+        let [one, other] = pair.map(Word::as_block);
         println!("each block is {one} or {other}, in any order");
     }
     Ok(())

@@ -277,3 +277,28 @@ fn over_the_restitution_the_pitchfork_solves_the_closed_form() {
     let amplitude = (1.0 + 4.0 * (kappa / pi).powi(2)).sqrt() / (pi * kappa * (1.0 - 4.0 / (pi * pi)));
     assert_abs_diff_eq!(amplitude, 0.36, epsilon = CLOSED_FORM);
 }
+
+/// A survey that is ended before a branch is followed has a path of one station: nothing is proved of a curve.
+#[test]
+fn r32_a_branch_of_one_station_is_not_proved_to_be_a_curve() {
+    let scene = Scene::parse(SCENE).unwrap();
+    let wanted = Wanted { over: "amplitude=0.1..0.2".parse().unwrap(), doublings: 0, precision: Precision::default() };
+    let ended_after = |asked: u32| {
+        let left = std::cell::Cell::new(asked);
+        let goes_on = || {
+            let goes_on = left.get() > 0;
+            left.set(left.get().saturating_sub(1));
+            goes_on
+        };
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, goes_on).unwrap().branches
+    };
+    // The least number of questions after which a branch is begun.
+    let (mut none, mut some) = (0, 1 << 14);
+    while some - none > 1 {
+        let middle = (none + some) / 2;
+        if ended_after(middle).is_empty() { none = middle } else { some = middle }
+    }
+    let branches = ended_after(some);
+    assert!(branches.len() == 1 && branches[0].range[0] == branches[0].range[1], "{branches:?}");
+    assert!(!branches[0].is_proved, "{branches:?}");
+}

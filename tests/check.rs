@@ -348,6 +348,47 @@ fn releases_depend_on_each_datum_as_their_members() {
     }
 }
 
+/// `y = -sin(2 pi t)/2` touches the left wall at 1/4 and the right one at 3/4 of every turn (Lemma Z4), whenever the ball starts.
+#[test]
+fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
+    let of = |[time, position, velocity]: [&str; 3], grazes: [(&str, &str); 3]| {
+        let graze = |(wall, time)| json!({"event": "graze", "wall": wall, "time": [time, time]});
+        json!({
+            "schema": "impact-pair/orbit/1", "certified": true, "events": grazes.map(graze),
+            "outcome": {"kind": "periodic", "impacts": 0, "period": {"cycles": 1, "impacts": 0}},
+            "scene": {
+                "excitation": {"amplitude": ["1/2"], "frequency": ["2*pi"], "phase": ["0"]}, "gap": "1", "restitution": "1/2",
+                "start": {"time": time, "position": position, "velocity": velocity},
+            },
+        })
+    };
+    let grazes = [("left", "0.25"), ("right", "0.75"), ("left", "1.25")];
+    let later = [("right", "0.75"), ("left", "1.25"), ("right", "1.75")];
+    let twelfth = ["1/12", "-1/4", "-pi*cos(pi/6)"];
+    let confirmed = |document: &Value| matches!(verdict(document), Verdict::Confirmed { .. });
+    for (start, grazes) in [(["0", "0", "-pi"], grazes), (twelfth, grazes), (["1/2", "0", "pi"], later)] {
+        let document = of(start, grazes);
+        assert!(confirmed(&document), "{start:?}: {:?}", verdict(&document));
+    }
+    for (start, grazes) in [
+        (["0", "0", "-pi"], later),
+        (["1/2", "0", "pi"], grazes),
+        (["0", "0", "-pi + 1e-30"], grazes),
+        (["0", "0", "-pi - 1e-30"], grazes),
+        (["1/12", "-1/4 + 1e-30", "-pi*cos(pi/6)"], grazes),
+        (["0", "0", "pi"], grazes),
+    ] {
+        assert!(!confirmed(&of(start, grazes)), "{start:?}");
+    }
+    // Where the box may stand still the ball may lie on its wall.
+    let mut on_wall = of(["1/4", "0", "0"], [("left", "1.25"), ("left", "2.25"), ("left", "3.25")]);
+    on_wall["scene"]["start"] = json!({"time": "1/4", "wall": "left", "velocity": "0"});
+    for (amplitude, is_true) in [("[0.1, 0.2]", true), ("[0, 0.1]", false)] {
+        on_wall["scene"]["excitation"]["amplitude"][0] = json!(amplitude);
+        assert_eq!(confirmed(&on_wall), is_true, "{amplitude}: {:?}", verdict(&on_wall));
+    }
+}
+
 #[test]
 fn what_never_touches_a_wall_is_confirmed_and_nothing_else() {
     let document = |amplitudes: [&str; 2], frequencies: [&str; 2], position: &str, velocity: &str| {

@@ -190,3 +190,59 @@ fn r17_a_document_that_contradicts_itself_is_refuted() {
     assert!(matches!(verdict(&none), Verdict::Undecided(_)));
     assert!(claims(&none).unjudged().contains(&"points[0]".to_owned()));
 }
+
+/// At the lower end of the bounds, 0, the second harmonic vanishes: what bifurcates under the first one alone does not for any other value of them.
+/// The fold is that of the closed form (Lemma W2), `A_sn = 1/sqrt(4 + 81 pi^2)`.
+#[test]
+fn r32_a_harmonic_that_vanishes_at_an_end_of_the_bounds_is_not_left_out() {
+    let alone = bifurcations("amplitude=0.03..0.04", 0, 12);
+    assert_eq!(kinds(&alone), ["fold"]);
+    assert_confirmed(&alone);
+    let fold = 1.0 / (4.0 + 81.0 * std::f64::consts::PI.powi(2)).sqrt();
+    // No common period, a common one, and one of a turn; bounds from and around 0.
+    for frequency in ["sqrt(2)*pi", "2*pi", "pi/2"] {
+        for lower in ["0", "-0.01", "-0.010559228503146"] {
+            let mut document = alone.clone();
+            document["scene"]["excitation"] =
+                json!({ "amplitude": ["0.03", "0.001"], "frequency": ["pi", frequency], "phase": ["0.25", "0"] });
+            document["over"]["key"] = json!("excitation.amplitude.2");
+            let upper = format!("{:.15}", 2.0 * (fold - 0.03) + lower.parse::<f64>().unwrap().abs());
+            document["points"][0]["parameter"] = json!([lower, upper]);
+            assert!(!matches!(verdict(&document), Verdict::Confirmed { .. }), "{frequency}: {lower}");
+        }
+    }
+}
+
+/// Of a fold on the branch of symmetric orbits, and of a doubling beyond the pitchfork: whatever is said of first contacts, nothing else than the
+/// truth is confirmed of the mirror image.
+#[test]
+fn r32_symmetry_is_judged_whatever_is_known_of_first_contacts() {
+    let document = bifurcations("amplitude=0.03..0.48", 1, 12);
+    for (i, kind) in kinds(&document).into_iter().enumerate() {
+        let is_symmetric = document["points"][i]["orbit"]["symmetric"].as_bool().unwrap();
+        assert_eq!(is_symmetric, kind != "period-doubling");
+        for (physical, certified) in [(json!(true), true), (Value::Null, false)] {
+            let said = |symmetric: bool| {
+                let mut copy = document.clone();
+                copy["points"] = json!([document["points"][i]]);
+                copy["certified"] = json!(certified);
+                copy["points"][0]["orbit"]["physical"] = physical.clone();
+                copy["points"][0]["orbit"]["symmetric"] = json!(symmetric);
+                verdict(&copy)
+            };
+            assert!(matches!(said(is_symmetric), Verdict::Confirmed { .. }), "{kind}: {physical}");
+            assert!(!matches!(said(!is_symmetric), Verdict::Confirmed { .. }), "{kind}: {physical}");
+        }
+    }
+}
+
+/// One bifurcation listed twice is not two; nor is it if the orbit is told from its other impact.
+#[test]
+fn r32_a_bifurcation_listed_twice_is_not_two() {
+    let document = bifurcations("amplitude=0.03..0.48", 1, 12);
+    for i in 0..kinds(&document).len() {
+        let mut copy = document.clone();
+        copy["points"].as_array_mut().unwrap().push(document["points"][i].clone());
+        assert!(matches!(verdict(&copy), Verdict::Undecided(_)), "{:?}", verdict(&copy));
+    }
+}

@@ -3,7 +3,9 @@
 
 use impact_pair::Scene;
 use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair::chaos::Cycles;
 use impact_pair::document::{self, Units};
+use impact_pair::exact::Exact;
 use impact_pair::orbit::Settings;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
@@ -15,12 +17,13 @@ use serde_json::{Value, json};
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
-    let asked =
-        Asked { transient: 3, impacts: 5, summary: false, settings: Settings { digits: 6, ..Settings::default() } };
+    let settings = Settings { digits: 6, ..Settings::default() };
+    let reference = grid.reference(&scene).unwrap();
+    let asked = Asked { transient: 3, impacts: 5, summary: false, reference, settings };
     let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();
-        let point = sweep::follow(&scene.with(&values).unwrap(), &asked, || true).unwrap().unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
         lines.push(json!(sweep::record(number, &values, &point)));
     }
     lines
@@ -146,6 +149,16 @@ fn r17_documents_in_a_list_are_judged_one_by_one() {
     assert!(Claims::parse("[1]").is_err());
 }
 
+/// What comes after a list is not passed over.
+#[test]
+fn r32_nothing_comes_after_a_list_of_documents() {
+    let list = json!([two_impact(1)]).to_string();
+    assert!(Claims::parse(&list).is_ok());
+    for more in [&list[..], "{}", "1", "x"] {
+        assert!(Claims::parse(&format!("{list}\n{more}")).is_err(), "{more}");
+    }
+}
+
 /// The cycle that an impact is told to be in is a claim: of even cycles and of several harmonics.
 #[test]
 fn r17_cycles_of_impacts_are_judged() {
@@ -174,4 +187,268 @@ fn r17_cycles_of_impacts_are_judged() {
             assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{impact} {by}: {:?}", judged(&copy));
         }
     }
+}
+
+const TWO_TERMS: &str = r#"
+    excitation = { amplitude = [8, 1], frequency = ["pi", "3/2*pi"], phase = [0.1, 1] }
+    pair = { gap = 9.42497, restitution = 0.5 }
+    start = { time = 0.3, wall = "left", velocity = -12.56636 }"#;
+
+fn number(text: &Value) -> f64 {
+    text.as_str().unwrap().parse::<Exact>().unwrap().enclose(64).mid_rad().0
+}
+
+fn middle(bounds: &Value) -> f64 {
+    (number(&bounds[0]) + number(&bounds[1])) / 2.0
+}
+
+/// Over the amplitude of the fastest term from 0 all is continuous where no graze is near, and so is what is told of it: phases, impacts
+/// a cycle, exponents an impact and a cycle.
+#[test]
+fn r32_points_of_one_sweep_are_told_in_one_unit() {
+    let lines = sweep(TWO_TERMS, &["amplitude.2=0..1e-12:2"]);
+    assert_eq!(lines[0]["reference"], 2);
+    let [without, with] = [&lines[1], &lines[2]];
+    let pairs = [
+        (&without["impacts_per_cycle"], &with["impacts_per_cycle"]),
+        (&without["exponent"]["per_impact"], &with["exponent"]["per_impact"]),
+        (&without["exponent"]["per_cycle"], &with["exponent"]["per_cycle"]),
+    ];
+    let states = without["states"].as_array().unwrap().iter().zip(with["states"].as_array().unwrap());
+    let states = states.flat_map(|(a, b)| ["phase", "velocity"].map(|key| (&a[key], &b[key])));
+    for (a, b) in pairs.into_iter().chain(states) {
+        assert!((middle(a) - middle(b)).abs() < 1e-6 * (1.0 + middle(a).abs()), "{a} {b}");
+    }
+    assert!(is_confirmed(&lines), "{:?}", verdict(&lines));
+}
+
+/// Phases are `W t + tau` of the reference at the times that an orbit of the same scene has, whichever term is the fastest, and a start's
+/// phase is one of the reference as well.
+#[test]
+fn r32_phases_are_of_the_reference_whatever_is_the_fastest() {
+    let turn = std::f64::consts::TAU;
+    for (over, term) in [
+        (&["frequency.2=pi/2..3/2*pi:3"][..], 2),
+        (&["frequency.1=pi..2*pi:3"], 1),
+        (&["amplitude.2=0..1:2", "start.phase=1..2:2"], 2),
+        (&["phase.1=0..1:2", "amplitude.1=0..8:2"], 2),
+    ] {
+        let lines = sweep(TWO_TERMS, over);
+        assert_eq!(lines[0]["reference"], term, "{over:?}");
+        assert!(is_confirmed(&lines), "{over:?}: {:?}", verdict(&lines));
+        let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
+        for line in &lines[1..] {
+            let values = grid.values(line["point"].as_u64().unwrap()).unwrap();
+            let scene = grid.scene(&Scene::parse(TWO_TERMS).unwrap(), &values).unwrap();
+            let harmonic = &scene.pair().excitation().terms()[term as usize - 1];
+            let [frequency, delay] = [harmonic.frequency(), harmonic.phase()].map(|x| x.enclose(64).mid_rad().0);
+            let told = |time: f64| (frequency * time + delay).rem_euclid(turn);
+            let settings = Settings { impacts: Some(8), ..Settings::default() };
+            let orbit = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+            for (state, event) in
+                line["states"].as_array().unwrap().iter().zip(&orbit["events"].as_array().unwrap()[3..])
+            {
+                let apart = (told(middle(&event["time"])) - middle(&state["phase"])).abs();
+                assert!(apart < 1e-5 || turn - apart < 1e-5, "{over:?} {state} {event}");
+            }
+            if let Some(axis) = over.iter().position(|axis| axis.starts_with("start.phase")) {
+                let start = told(scene.start().time().enclose(64).mid_rad().0);
+                assert!((start - number(&line["values"][axis])).abs() < 1e-9, "{line}");
+            }
+        }
+    }
+}
+
+/// The period of an attractor in cycles of the reference where they are a whole number, else in time: without the faster term it is that
+/// of figure 13, 2.
+#[test]
+fn r32_a_period_that_is_no_whole_number_of_cycles_is_told_in_time() {
+    let scene = |frequency: &str| {
+        format!(
+            "excitation = {{ amplitude = [2, 0.01], frequency = [\"pi\", \"{frequency}\"], phase = 0 }}
+             pair = {{ gap = 9.42497, restitution = 0.5 }}
+             start = {{ time = 0, wall = \"left\", velocity = -12.56636 }}"
+        )
+    };
+    let period = |frequency: &str| {
+        let scene = Scene::parse(&scene(frequency)).unwrap();
+        let grid = Grid::new(vec!["amplitude.2=0..0.01:2".parse().unwrap()]).unwrap();
+        let reference = grid.reference(&scene).unwrap();
+        let settings = Settings { digits: 6, ..Settings::default() };
+        let asked = Asked { transient: 60, impacts: 40, summary: true, reference, settings };
+        let values = grid.values(0).unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+        json!(sweep::record(0, &values, &point))["period"].clone()
+    };
+    let whole = period("2*pi");
+    assert!(whole["cycles"] == 2 && whole["duration"].is_null() && whole["first"].is_object(), "{whole}");
+    let broken = period("3/2*pi");
+    assert!(broken["cycles"].is_null() && broken["first"].is_null(), "{broken}");
+    assert!((middle(&broken["duration"]) - 2.0).abs() < 1e-12, "{broken}");
+}
+
+/// Sweeps over what one of several terms has are read, and none is confirmed that is changed.
+#[test]
+fn r32_a_sweep_over_a_term_is_read_and_none_that_is_changed_is_confirmed() {
+    for over in ["amplitude.2=0..1:3", "phase.1=0..1:2", "frequency.2=pi..3/2*pi:2"] {
+        let lines = sweep(TWO_TERMS, &[over]);
+        assert!(is_confirmed(&lines), "{over}: {:?}", verdict(&lines));
+        for (line, path, value) in [
+            (0, "/reference", json!(1)),
+            (0, "/points", json!(5)),
+            (0, "/over/0/key", json!("amplitude.1")),
+            (0, "/over/0/to", json!("5")),
+            (2, "/values/0", json!("0.7")),
+        ] {
+            let mut copy = lines.clone();
+            *copy[line].pointer_mut(path).expect(path) = value.clone();
+            assert!(!is_confirmed(&copy), "{over}: {line}: {path}: {value}");
+        }
+    }
+    let mut wrong = sweep(TWO_TERMS, &["amplitude.2=0..1:2"]);
+    for (key, value) in [
+        ("reference", json!(3)),
+        ("reference", json!(0)),
+        ("over", json!([{"key": "amplitude.3", "from": "0", "to": "1", "count": 2}])),
+    ] {
+        wrong[0][key] = value;
+        let text: Vec<_> = wrong.iter().map(Value::to_string).collect();
+        assert!(Claims::parse(&text.join("\n")).is_err(), "{key}");
+    }
+}
+
+/// All cycles of figure 14 with one to four impacts.
+fn cycles() -> Value {
+    let scene = Scene::parse(&SCENE.replace("phase = 0.1", "phase = 0")).unwrap();
+    let found = Cycles::of(&scene, 0, &(1..=4), Precision::default(), &|_| true).unwrap();
+    json!(document::cycles(&scene, &(1..=4), found.as_ref().map_err(|why| *why)).unwrap())
+}
+
+/// By Lemma D23 the fixed points of `n` impacts are those of the cycles whose least number divides `n`: a document that says otherwise of
+/// its own orbits contradicts itself.
+#[test]
+fn r32_cycles_whose_counts_are_not_those_of_their_orbits_are_refuted() {
+    let document = cycles();
+    let judged = |document: &Value| {
+        Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+    };
+    assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
+    let named = Claims::parse(&document.to_string()).unwrap().unjudged();
+    for key in ["certified", "exhaustive", "fixed_points", "impacts", "no_attractor"] {
+        assert!(named.contains(&key.to_owned()), "{key}: {named:?}");
+    }
+    let orbits = document["orbits"].as_array().unwrap();
+    for left_out in 0..orbits.len() {
+        let mut copy = document.clone();
+        copy["orbits"].as_array_mut().unwrap().remove(left_out);
+        assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{left_out}: {:?}", judged(&copy));
+    }
+    for (path, value) in [
+        ("/impacts", json!([1, 5])),
+        ("/fixed_points/3", json!(1)),
+        ("/fixed_points/4", json!(4)),
+        ("/exhaustive", json!(false)),
+        ("/orbits/0/reduced_impacts", json!(2)),
+        ("/orbits/1/reduced_impacts", json!(1)),
+    ] {
+        let mut copy = document.clone();
+        *copy.pointer_mut(path).expect(path) = value;
+        assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{path}: {:?}", judged(&copy));
+    }
+    // One twice in the place of another one, from another impact on, or in the mirror: the counts are those of its orbits.
+    let of_three: Vec<usize> = (0..orbits.len()).filter(|&i| orbits[i]["reduced_impacts"] == 1).collect();
+    let mut twice = document.clone();
+    let first = twice["orbits"][of_three[0]].clone();
+    twice["orbits"].as_array_mut().unwrap().push(first);
+    for n in ["1", "2", "3", "4"] {
+        twice["fixed_points"][n] = json!(twice["fixed_points"][n].as_u64().unwrap() + 1);
+    }
+    assert!(matches!(judged(&twice), Verdict::Undecided(_)), "{:?}", judged(&twice));
+}
+
+/// All orbits of the word LR in a cycle beyond the pitchfork (Lemma W4), `A/d = 0.36` and `e = 0.8`: two symmetric ones, and two that are mirror
+/// images of each other.
+fn four_orbits() -> Value {
+    let scene = r#"
+        excitation = { amplitude = 0.36, frequency = "pi", phase = 0.25 }
+        pair = { gap = 1, restitution = 0.8 }
+        start = { time = 0, wall = "left", velocity = -1 }"#;
+    let scene = Scene::parse(scene).unwrap();
+    let problem = Problem::new(scene.pair(), &"LR".parse().unwrap(), 1).unwrap();
+    let census = problem.find(scene.start(), Precision::default());
+    json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census))
+}
+
+fn judged(document: &Value) -> Verdict {
+    Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+}
+
+/// The document with one of its orbits at the end as well.
+fn with_one_twice(document: &Value, i: usize) -> Value {
+    let mut copy = document.clone();
+    copy["orbits"].as_array_mut().unwrap().push(document["orbits"][i].clone());
+    copy
+}
+
+#[test]
+fn r32_an_orbit_listed_twice_is_not_two() {
+    for document in [four_orbits(), two_impact(3)] {
+        assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?}", judged(&document));
+        for i in 0..document["orbits"].as_array().unwrap().len() {
+            let twice = judged(&with_one_twice(&document, i));
+            match document["orbits"][i]["physical"] == true {
+                true => assert!(matches!(twice, Verdict::Refuted(_)), "{i}: {twice:?}"),
+                false => assert!(matches!(twice, Verdict::Undecided(_)), "{i}: {twice:?}"),
+            }
+        }
+    }
+}
+
+/// What is wider than what is asked of its bounds is the same orbit.
+#[test]
+fn r32_an_orbit_in_wider_bounds_is_not_another_one() {
+    let document = four_orbits();
+    let mut copy = with_one_twice(&document, 0);
+    let last = copy["orbits"].as_array().unwrap().len() - 1;
+    for impact in copy["orbits"][last]["impacts"].as_array_mut().unwrap() {
+        for (key, end, by) in
+            [("phase", 0, "-1e-9"), ("phase", 1, "1e-9"), ("velocity", 0, "-1e-9"), ("velocity", 1, "1e-9")]
+        {
+            let moved = format!("{} + {by}", impact[key][end].as_str().unwrap());
+            let moved =
+                impact_pair::exact::decimal_bounds(&moved.parse::<impact_pair::exact::Exact>().unwrap().enclose(200));
+            impact[key][end] = json!(moved[end]);
+        }
+    }
+    assert!(matches!(judged(&copy), Verdict::Refuted(_)), "{:?}", judged(&copy));
+}
+
+/// Of cycles, a motion and its mirror image are one.
+#[test]
+fn r32_a_cycle_listed_with_its_mirror_image_is_not_two() {
+    let document = four_orbits();
+    let cycles = |chosen: &[usize]| {
+        let cycle = |&i: &usize| {
+            let mut cycle = document["orbits"][i].clone();
+            cycle["reduced_impacts"] = json!(2);
+            cycle["word"] = document["word"].clone();
+            cycle["cycles"] = document["cycles"].clone();
+            cycle
+        };
+        json!({
+            "schema": "impact-pair/cycles/1", "program": "none", "certified": true, "exhaustive": true, "scene": document["scene"],
+            "boxes": 1, "impacts": [1, 2], "fixed_points": {}, "no_attractor": false,
+            "orbits": chosen.iter().map(cycle).collect::<Vec<_>>(),
+        })
+    };
+    let symmetric = |i: &usize| document["orbits"][*i]["symmetric"] == true;
+    let count = document["orbits"].as_array().unwrap().len();
+    let (own, others): (Vec<usize>, Vec<usize>) = (0..count).partition(symmetric);
+    assert_eq!((own.len(), others.len()), (2, 2));
+    assert!(matches!(judged(&cycles(&[own[0], own[1], others[0]])), Verdict::Confirmed { .. }));
+    assert!(matches!(judged(&cycles(&others)), Verdict::Undecided(_)));
+    assert!(matches!(judged(&cycles(&[own[0], own[0]])), Verdict::Refuted(_)));
+    // That none is left out is not judged, and named.
+    let claims = Claims::parse(&cycles(&own).to_string()).unwrap();
+    assert!(claims.unjudged().iter().any(|key| key == "certified"), "{:?}", claims.unjudged());
 }

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Certificate, Effort, Verdict};
+use impact_pair::certificate::{Certificate, Claims, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Settings};
@@ -225,6 +225,123 @@ fn who_stops_a_check_keeps_the_links_that_are_proved() {
     let found = certificate.check_until(&Effort::default(), Some(&STOP), stop).unwrap();
     let Verdict::Interrupted { events } = found else { panic!("{found:?}") };
     assert!((100..2000).contains(&events) && told.is_sorted(), "{events} {told:?}");
+}
+
+/// One harmonic, A = W = 1, tau = pi/2, d = 6, from inside the gap: `y = y(0) + 1 + v(0) t - cos t`. With no velocity the ball grazes the
+/// right wall at pi, 3 pi, 5 pi ... if `y(0) = 1`, and touches no wall if it is a little less. One start near it hits that wall instead.
+fn beside_stillness(position: &str, [time, velocity]: [&Value; 2], more: &[Value], outcome: Value) -> Value {
+    let mut events = vec![
+        json!({"event": "impact", "index": 1, "mapping": null, "wall": "right", "time": time, "velocity": velocity}),
+    ];
+    events.extend_from_slice(more);
+    let mut document = json!({
+        "schema": "impact-pair/orbit/1", "certified": true, "claim": "shadowed", "events": events,
+        "scene": {
+            "excitation": {"amplitude": ["1"], "frequency": ["1"], "phase": ["pi/2"]},
+            "gap": "6", "restitution": "1/2", "start": {"time": "0", "position": position, "velocity": "0"},
+        },
+        "outcome": {"impacts": 1, "start": {"time": ["0", "0"], "velocity": ["-0.0009", "0.0009"]}},
+    });
+    for (key, value) in outcome.as_object().unwrap() {
+        document["outcome"][key] = value.clone();
+    }
+    document
+}
+
+/// With v(0) = 5e-4 the impact is at 3.08603342942608920..., v = 0.05603064495253... (mpmath's `findroot` of the formula above).
+const TIME: [&str; 2] = ["3.08503", "3.08703"];
+const VELOCITY: [&str; 2] = ["0.0550", "0.0571"];
+
+/// What the scene's own start does for ever, a start near it does not.
+#[test]
+fn r32_what_the_scenes_start_does_for_ever_is_not_said_of_another() {
+    let graze = |time: [&str; 2]| json!({"event": "graze", "wall": "right", "time": time});
+    let grazes = [["3.141592", "3.141593"], ["9.424777", "9.424778"], ["15.707963", "15.707964"]].map(graze);
+    let repeats = json!({"kind": "periodic", "period": {"cycles": 1, "impacts": 0}});
+    for position in ["1", "1 - 1e-40"] {
+        let of = |more: &[Value], outcome: &Value| {
+            beside_stillness(position, [&json!(TIME), &json!(VELOCITY)], more, outcome.clone())
+        };
+        let true_one = of(&[], &json!({"kind": "impacts-reached"}));
+        assert!(is_confirmed(&true_one), "{position}: {:?}", verdict(&true_one));
+        let never = json!({"kind": "never-impacts"});
+        let long = json!({"kind": "time-reached", "until": "10^9"});
+        for false_one in
+            [of(&grazes, &repeats), of(&grazes[..1], &repeats), of(&[], &repeats), of(&[], &never), of(&[], &long)]
+        {
+            assert!(!is_confirmed(&false_one), "{position}: {false_one}");
+        }
+    }
+    // Without an impact it is the scene's own start that does it, which is in the bounds.
+    let mut own = beside_stillness("1", [&json!(TIME), &json!(VELOCITY)], &grazes, repeats);
+    own["events"].as_array_mut().unwrap().remove(0);
+    own["outcome"]["impacts"] = json!(0);
+    assert!(is_confirmed(&own), "{:?}", verdict(&own));
+}
+
+/// Epsilon is compared with the bounds as they are, however few digits they have.
+#[test]
+fn r32_epsilon_is_that_of_bounds_of_few_digits() {
+    let of = |median: &str, maximum: &str| {
+        let outcome = json!({"kind": "impacts-reached", "epsilon": {"median": median, "maximum": maximum}});
+        beside_stillness("1", [&json!(["3.08", "3.09"]), &json!(VELOCITY)], &[], outcome)
+    };
+    // Half of 0.01 is 7.9577e-4 turns; printing may have made it wider by a hundredth.
+    assert!(is_confirmed(&of("8e-4", "8e-4")) && is_confirmed(&of("7.9e-4", "7.9e-4")));
+    for [median, maximum] in [["1e-300", "1e-300"], ["7.8e-4", "7.8e-4"], ["1e-300", "8e-4"], ["8e-4", "1e-300"]] {
+        let found = verdict(&of(median, maximum));
+        assert!(matches!(found, Some(Verdict::Undecided(_))), "{median} {maximum}: {found:?}");
+    }
+}
+
+/// A start is near the scene's within a thousandth of the scene's speeds, here 1 by one harmonic; and how near is said.
+#[test]
+fn r32_near_has_a_size() {
+    let of = |reach: &str| {
+        let start = json!({"time": ["0", "0"], "velocity": [format!("-{reach}"), reach]});
+        let outcome = json!({"kind": "impacts-reached", "start": start});
+        beside_stillness("1", [&json!(TIME), &json!(VELOCITY)], &[], outcome)
+    };
+    for reach in ["20", "0.02", "0.00101"] {
+        let found = verdict(&of(reach));
+        let Some(Verdict::Undecided(finding)) = &found else { panic!("{reach}: {found:?}") };
+        assert!(finding.message.ends_with("are too wide to call it near the scene's"), "{}", finding.message);
+    }
+    let near = of("0.00099");
+    assert!(is_confirmed(&near), "{:?}", verdict(&near));
+    let said = Claims::parse(&near.to_string()).unwrap().all();
+    assert_eq!(said, "1 event and the outcome, of a start whose velocity is within 0.000991 of the scene's");
+}
+
+/// The program's own, where flights begin near phase 0 or without velocity, where a chatter ends the chain, and where it is so short
+/// that the scene's own start is the one.
+#[test]
+fn r32_what_the_program_proves_of_starts_at_rest_is_confirmed() {
+    let scene = |amplitude: &str, frequency: &str, phase: &str, gap: &str, restitution: &str, start: &str| {
+        format!(
+            "excitation = {{ amplitude = {amplitude}, frequency = \"{frequency}\", phase = \"{phase}\" }}\n\
+             pair = {{ gap = {gap}, restitution = {restitution} }}\nstart = {{ {start}, velocity = 0 }}"
+        )
+    };
+    let rests = shadowed(&scene("4.92", "pi", "pi", "40", "0.5", "time = \"1/3\", wall = \"right\""), 200);
+    assert!(rests["events"].as_array().unwrap().iter().any(|event| event["event"] == "release"));
+    let short = shadowed(&scene("2", "200*pi", "1.047196", "40", "0.5", "time = \"1/3\", wall = \"left\""), 30);
+    let bouncy = shadowed(&scene("3", "200*pi", "pi/2", "1", "0.95", "time = 0.1, wall = \"left\""), 100);
+    for document in [rests, short, bouncy] {
+        let found = verdict(&document);
+        assert!(matches!(found, Some(Verdict::Confirmed { .. })), "{found:?} {}", document["scene"]);
+    }
+}
+
+#[test]
+fn r32_figure_17_after_ten_impacts_by_precision_is_confirmed() {
+    let scene = Scene::parse(&figure("figure-17")).unwrap();
+    let settings =
+        Settings { arithmetic: Arithmetic::Shadow, impacts: Some(100), until: None, splice: 10, ..Settings::default() };
+    let document = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+    assert_eq!(document["claim"], "shadowed");
+    let found = verdict(&document);
+    assert!(matches!(found, Some(Verdict::Confirmed { .. })), "{found:?}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
 use impact_pair::pair::Reduced;
 use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
-use impact_pair::{Harmonic, ImpactPair};
+use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
 use tolerances::{DETERMINANT, TRACE, VIETA};
 
@@ -445,4 +445,44 @@ proptest! {
             prop_assert!(orbit.stability == Stability::Undecided || fine.stability == orbit.stability);
         }
     }
+}
+
+/// `A/d = 0.9`, `e = 0`: from a release the ball goes to the other wall, rests there, and so on, P1 P2 in one cycle for ever (Lemma Z3). The equations
+/// of a chain, of flights without rests (T1, W1), do not have it: of such motions nothing is claimed (T12).
+#[test]
+fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
+    use impact_pair::document::{Units, two_impact};
+    use impact_pair::orbit::{Outcome, Progress};
+    use impact_pair::pair::Wall;
+    use impact_pair::two_impact::{Question, Unknown};
+
+    let pair = pair("0.9", "0");
+    let start = Start::on_wall(value("0"), Wall::Left, value("0")).unwrap();
+    let settings = Settings { impacts: Some(12), ..Settings::default() };
+    let scene = "excitation = { amplitude = 0.9, frequency = \"2*pi\", phase = 0 }\n\
+                 pair = { gap = 1, restitution = 0 }\nstart = { time = 0, wall = \"left\", velocity = 0 }";
+    let mut orbit = Orbit::of(&Scene::parse(scene).unwrap(), settings).unwrap();
+    let (mut walls, mut rests) = (Vec::new(), 0);
+    loop {
+        match orbit.advance() {
+            Progress::Ended => break,
+            Progress::Impact(impact) => walls.push(impact.wall),
+            Progress::Rest(_) => rests += 1,
+            _ => {}
+        }
+    }
+    assert!(walls.windows(2).all(|pair| pair[0] != pair[1]) && rests >= 2, "{walls:?}, {rests}");
+    assert!(matches!(orbit.outcome(), Some(Outcome::Periodic(_))), "{:?}", orbit.outcome());
+    let problem = problem(&pair, "LR", 1);
+    let census = problem.find_all(&start, Precision::default(), Budget::default());
+    let document = Units::new(&pair).unwrap().document(&problem, &start, &census);
+    assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
+    assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
+    let answer = Question::new(&pair, 1, Unknown::Velocity).unwrap().answer(9);
+    let document = two_impact(&start, &answer, Wall::Left);
+    assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
+    assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
+    // Where not all are looked for, there is nothing to exclude.
+    let some = Units::new(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
+    assert_eq!((some.exhaustive, some.excludes), (false, None));
 }

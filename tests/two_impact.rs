@@ -409,3 +409,22 @@ fn manifolds_over_v_are_mirror_images_on_both_walls() {
     };
     assert!(refused(2, "1") && refused(1, "0") && refused(1, "2") && !refused(1, "1"));
 }
+
+/// W7 (b) with `2 j = N`: `cos th0 = 0` and `d = N pi |v|/W`, whatever A is.
+#[test]
+fn r32_elastic_equispaced_motions_of_an_even_number_of_cycles_are_found() {
+    let pair = pair("1", "7", "1");
+    for (cycles, gap) in [(2, "10"), (4, "20")] {
+        let answer = Question::new(&pair, cycles, Unknown::Gap(exact("5"))).unwrap().answer(20);
+        assert_eq!(answer.orbits.len(), 2);
+        for orbit in &answer.orbits {
+            assert!(holds(&orbit.gap, gap), "{:?}", orbit.gap);
+            let there = self::pair("1", gap, "1");
+            for residual in residuals(&there, orbit, cycles) {
+                assert!(residual.contains(&num_rational::BigRational::from_integer(0.into())), "{residual:?}");
+            }
+        }
+        let refused = Question::new(&pair, cycles, Unknown::Amplitude(exact("5"))).unwrap_err();
+        assert_eq!(refused.key(), Some("cycles"));
+    }
+}

@@ -178,7 +178,9 @@ Examples:
 
 Each orbit listed is proved to be the only one in its bounds. Physical: no flight touches a wall before it ends. Stable: \
 both eigenvalues of the period's Jacobian lie inside the unit circle; unstable: one lies outside. Without --all the \
-orbits are those that the scene's motion and evenly spread starts lead to; there may be others.
+orbits are those that the scene's motion and evenly spread starts lead to; there may be others. Motions in which the ball rests on a wall are \
+not looked for, with --all neither: with e > 0 they have infinitely many impacts in a period, or meet a wall without velocity just where it begins to \
+press; with e = 0 each is what follows a release, and run proves it from there.
 
 Exit code: 0 all that was asked is certified; 1 some of it is not: no orbit was found, something of one is undecided or \
 wider than --digits (the output still holds all that is certified); 2 usage, bad input, I/O.";
@@ -193,7 +195,7 @@ pub struct PeriodicArguments {
     /// The cycles 2 pi/W that the word takes, W being the fastest harmonic's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
-    /// Search the whole state space, so that these are all
+    /// Search the whole state space, so that these are all in which the ball never rests on a wall
     #[arg(long)]
     pub all: bool,
     /// Enclosures are asked to be at most 10^-D wide: of phases in cycles, of velocities relative to A W
@@ -289,6 +291,7 @@ Examples:
   impact-pair run scenes/figure-14.toml --format json | impact-pair check -
   impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl
   impact-pair check orbit.jsonl
+  impact-pair check orbit.jsonl --format json
 
 Each flight is followed anew from the exact data of the certificate's own scene: in physical units, by halving, in one \
 arithmetic of integers whose precision rises until every claimed bound is decided. A claim is confirmed when what is \
@@ -298,23 +301,37 @@ Of a shadowed orbit (run --arithmetic shadow) it is proved that one start within
 box: link by link, by all processors.
 
 Of periodic, two-impact and cycles each orbit is found again: that there is one in its bounds, and no other, its stability, symmetry, and \
-whether a wall is touched earlier; not that there are no others elsewhere. Of bifurcations each fold, pitchfork and period doubling is \
+whether a wall is touched earlier; not that there are no others elsewhere, but of cycles that the counts are those of the orbits that \
+are listed. Of bifurcations each fold, pitchfork and period doubling is \
 found again; not the grazes. Of a sweep the listed impacts are found again; not what becomes of them. Of trap the listed boxes are \
 proved to be closed, of chaos each listed word is proved along tubes made anew, and that the entropies follow from the words. Of \
-manifolds nothing is checked. What is not checked is named in a line of its own. Ctrl-C keeps what is proved so far.
+manifolds nothing is checked. What is not checked is named in a line of its own; with --format json each value of the document stands \
+among the claims with its verdict, or among those that are not checked. Ctrl-C keeps what is proved so far.
 
 Exit code: 0 every claim is proved again but what is named; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// JSON of run or sweep (or JSON Lines), periodic, two-impact, bifurcations, trap or chaos, or - for stdin
+    /// JSON of run or sweep (or JSON Lines), periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
     pub certificate: PathBuf,
     /// Allow so many times the work for each claim before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub effort: u64,
-    /// No progress on stderr
-    #[arg(long, short)]
-    pub quiet: bool,
+    /// How the verdict is written; json is schema impact-pair/check/1
+    #[arg(long, value_enum, default_value_t)]
+    pub format: CheckFormat,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+/// How a verdict is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum CheckFormat {
+    /// For people: the verdict in a line, and in another one what is not checked
+    #[default]
+    Text,
+    /// Each claim with its verdict, and the path of each value that is not checked
+    Json,
 }
 
 impl CheckArguments {

@@ -1,37 +1,39 @@
 //! `impact-pair check CERTIFICATE`: every claim of a JSON document, proved again by another route.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use anyhow::{Context, Result};
+use impact_pair::certificate::document::one_a_line;
 use impact_pair::certificate::{Claims, Verdict};
 
 use crate::Answer;
-use crate::arguments::CheckArguments;
+use crate::arguments::{CheckArguments, CheckFormat};
+use crate::output::Output;
 use crate::progress::{Progress, interruption};
 use crate::scene;
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
-    let path = &arguments.certificate;
-    let claims = Claims::parse(&scene::text(path)?).with_context(|| scene::name(path))?;
-    let progress = Progress::new(Some(claims.count() as u64), !arguments.quiet);
+    let (path, output) = (&arguments.certificate, arguments.destination.output.as_deref());
+    let text = scene::text(path)?;
+    let claims = Claims::parse(&text).with_context(|| scene::name(path))?;
+    scene::keep(path, output)?;
+    let mut out = Output::open(output)?;
+    let progress = Progress::new(Some(claims.count() as u64), !arguments.destination.quiet);
     // From here on Ctrl-C keeps what is proved.
     let stop = Some(interruption());
-    let verdict = claims.check_until(&arguments.effort(), stop, |event| progress.reach(event as u64));
-    let verdict = verdict.with_context(|| scene::name(path))?;
+    let judged = claims.judge(&arguments.effort(), stop, &mut |event| progress.reach(event as u64));
+    let judged = judged.with_context(|| scene::name(path))?;
     progress.clear();
-    let mut said = match &verdict {
-        Verdict::Confirmed { bits, pieces } => {
-            let pieces = if *pieces == 1 { String::new() } else { format!(", the data cut into {pieces} sets") };
-            format!("confirmed: {}, in {bits} bits{pieces}", claims.all())
+    let said = match arguments.format {
+        CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),
+        CheckFormat::Text => {
+            let unjudged = claims.unjudged();
+            let named =
+                if unjudged.is_empty() { String::new() } else { format!("\nnot checked: {}", unjudged.join(", ")) };
+            claims.said(&judged.verdict) + &named
         }
-        Verdict::Refuted(finding) => format!("refuted: {}", claims.described(finding)),
-        Verdict::Undecided(finding) => format!("undecided: {}", claims.described(finding)),
-        Verdict::Interrupted { events } => format!("interrupted: {} confirmed", claims.first(*events)),
     };
-    let unjudged = claims.unjudged();
-    if !unjudged.is_empty() {
-        said += &format!("\nnot checked: {}", unjudged.join(", "));
-    }
-    writeln!(io::stdout(), "{said}").context("cannot write to stdout")?;
-    Ok(if let Verdict::Confirmed { .. } = verdict { Answer::Complete } else { Answer::Incomplete })
+    writeln!(out, "{said}").context("cannot write the output")?;
+    out.commit()?;
+    Ok(if let Verdict::Confirmed { .. } = judged.verdict { Answer::Complete } else { Answer::Incomplete })
 }

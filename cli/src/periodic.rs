@@ -126,8 +126,8 @@ pub fn orbits(count: usize) -> String {
 fn conclusion(census: &Census) -> String {
     let orbits = orbits(census.orbits.len());
     let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
-        (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit".to_owned(),
-        (true, ..) => "there is no other physical one".to_owned(),
+        (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit without a rest".to_owned(),
+        (true, ..) => "there is no other physical one without a rest".to_owned(),
         (false, true, _) if census.is_family => {
             return "not certified: with A = 0 and e = 1 the orbits are a family, one at each phase, and none is isolated".to_owned();
         }

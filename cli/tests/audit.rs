@@ -375,3 +375,38 @@ fn ctrl_c_keeps_what_is_judged() {
     let events = document["events"].as_array().unwrap();
     assert!(events[..inside as usize].iter().all(|event| event["verdict"] == "inside"));
 }
+
+/// A scene of one harmonic with W = 2 pi and a gap of 1, in a file.
+fn scene(amplitude: &str, restitution: &str, start: &str) -> tempfile::NamedTempFile {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = format!(
+        "excitation = {{ amplitude = \"{amplitude}\", frequency = \"2*pi\", phase = 0 }}\n\
+         pair = {{ gap = 1, restitution = \"{restitution}\" }}\nstart = {{ {start} }}"
+    );
+    std::fs::write(file.path(), text).unwrap();
+    file
+}
+
+/// The list is the orbit of a member of the data (by `run --digits 14`: e = 1/2, v = 1.41): its first impact lies in the bounds, the
+/// others come after what is certified.
+#[test]
+fn r32_a_member_of_the_data_is_not_called_false() {
+    let scene = scene("0.1", "[0.1, 0.9]", "time = 0, position = 0, velocity = \"[1.4, 1.6]\"");
+    let path = scene.path().to_str().unwrap();
+    for list in ["time,wall\n0.29261231156811597,right\n", "time,wall\n0.293,right\n1.2,left\n"] {
+        let answer = answer(list, &[path, "-", "--format", "json", "--quiet"]);
+        let document: Value = serde_json::from_slice(&answer.stdout).unwrap();
+        assert_eq!(disagreements(&document), [], "{document}");
+    }
+}
+
+/// The program's own list of a chatter, whose first impacts are within the tolerance of the start and of the rest.
+#[test]
+fn r32_a_chatter_within_the_tolerance_of_its_start_is_right() {
+    let scene = scene("1", "0.2", "time = \"-1/4\", wall = \"left\", velocity = \"-5e-8\"");
+    let path = scene.path().to_str().unwrap();
+    let list =
+        program(&["run", path, "--impacts", "6", "--digits", "14", "--format", "json", "--quiet"]).output().unwrap();
+    let document = judged(&String::from_utf8(list.stdout).unwrap(), &[path, "-"], 0);
+    assert_eq!(disagreements(&document), []);
+}

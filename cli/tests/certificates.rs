@@ -94,6 +94,54 @@ fn certificates_become_theorems() {
     snapshot!("nothing_to_prove", on("prove", &certificate("none", &none, |text| text)));
 }
 
+/// Of each claim its verdict, of what decides also why, and what is not checked.
+#[test]
+fn r32_each_claim_has_its_verdict() {
+    let judged = |path: &PathBuf, arguments: &[&str]| {
+        let answer = on("check", path).args(["--quiet", "--format", "json"]).args(arguments).output().unwrap();
+        (answer.status.code(), String::from_utf8(answer.stdout).unwrap())
+    };
+    let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+    let right = certificate("each_confirmed", &FIGURE_12, |text| text);
+    let (code, said) = judged(&right, &[]);
+    let said = read(&said);
+    assert_eq!(
+        (code, &said["schema"], &said["verdict"]),
+        (Some(0), &"impact-pair/check/1".into(), &"confirmed".into())
+    );
+    assert_eq!(said["not_checked"], serde_json::json!(["arithmetic", "program"]));
+    let verdict = |said: &serde_json::Value, path: &str| {
+        let claims = said["claims"].as_array().unwrap();
+        let found = claims.iter().find(|claim| claim["path"] == path).unwrap_or_else(|| panic!("{path}: {said}"));
+        (found["verdict"].as_str().unwrap().to_owned(), found["reason"].is_string())
+    };
+    for path in ["schema", "scene.gap", "scene.start.velocity", "events[0].time", "events[3].wall", "outcome.impacts"] {
+        assert_eq!(verdict(&said, path), ("confirmed".to_owned(), false), "{path}");
+    }
+    // The third impact on the other wall: those before it are confirmed, those after it are not looked at.
+    let wrong = certificate("each_refuted", &FIGURE_12, |text| {
+        let (before, after) = text.split_once("\"index\":3").unwrap();
+        format!("{before}\"index\":3{}", after.replacen("\"wall\":\"right\"", "\"wall\":\"left\"", 1))
+    });
+    let (code, said) = judged(&wrong, &[]);
+    let said = read(&said);
+    assert_eq!((code, &said["verdict"]), (Some(1), &"refuted".into()));
+    assert_eq!(verdict(&said, "events[1].velocity").0, "confirmed");
+    assert_eq!(verdict(&said, "events[2]"), ("refuted".to_owned(), true));
+    for path in ["events[2].time", "events[3].time", "outcome.impacts", "scene.gap"] {
+        assert_eq!(verdict(&said, path), ("undecided".to_owned(), false), "{path}");
+    }
+    let both = PathBuf::from("each_of_both.json");
+    let texts = [&right, &wrong].map(|path| fs::read_to_string(folder().join(path)).unwrap());
+    fs::write(folder().join(&both), format!("[{}, {}]", texts[0], texts[1])).unwrap();
+    let (code, said) = judged(&both, &["--output", "each_of_both.check.json"]);
+    assert_eq!((code, said.as_str()), (Some(1), ""));
+    let said = read(&fs::read_to_string(folder().join("each_of_both.check.json")).unwrap());
+    assert_eq!(verdict(&said, "[0].outcome.impacts").0, "confirmed");
+    assert_eq!(verdict(&said, "[1].events[2]"), ("refuted".to_owned(), true));
+    assert!(said["not_checked"].as_array().unwrap().contains(&"[1].program".into()), "{said}");
+}
+
 #[test]
 fn both_explain_themselves() {
     snapshot!("arguments_of_check", program(&["check", "--help"]));

@@ -5,9 +5,9 @@ use std::path::Path;
 use std::process::Command;
 
 use impact_pair_certificate::document::{
-    AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CyclesDocument, EventDocument,
-    ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead, PeriodicDocument, SweepHead, SweepRecord, TradeDocument,
-    TrapDocument, TwoImpactDocument,
+    AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument, CyclesDocument,
+    EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead, PeriodicDocument, SweepHead, SweepRecord,
+    TradeDocument, TrapDocument, TwoImpactDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -39,6 +39,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<ChaosDocument>("chaos");
     assert_is_kept::<ChaosCellsDocument>("chaos-cells");
     assert_is_kept::<CyclesDocument>("cycles");
+    assert_is_kept::<CheckDocument>("check");
     assert_is_kept::<AuditDocument>("audit");
     assert_is_kept::<SweepHead>("sweep-head");
     assert_is_kept::<SweepRecord>("sweep-point");
@@ -55,6 +56,8 @@ run = { impacts = 20 }
 fn written(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
+    let run = ["run", "scene.toml", "--quiet", "--output", "orbit.json", "--format", "json"];
+    Command::new(env!("CARGO_BIN_EXE_impact-pair")).current_dir(&folder).args(run).output().unwrap();
     fs::write(folder.path().join("list.csv"), "wall,time\nright,1.0\nleft,2.5\n").unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_impact-pair")).current_dir(&folder).args(arguments).output().unwrap();
     String::from_utf8(output.stdout).unwrap()
@@ -70,6 +73,7 @@ fn assert_is<T: DeserializeOwned + Serialize>(text: &str) {
 #[test]
 fn what_is_written_is_read_back_the_same() {
     assert_is::<OrbitDocument>(&written(&["run", "scene.toml", "--format", "json"]));
+    assert_is::<CheckDocument>(&written(&["check", "orbit.json", "--format", "json"]));
     let lines = written(&["run", "scene.toml", "--format", "jsonl"]);
     let lines: Vec<&str> = lines.lines().collect();
     assert_is::<OrbitHead>(lines[0]);

@@ -26,12 +26,13 @@ from .orbit import Event, Flights, Graze, Impact, Orbit, Outcome, Release, Rest,
 from .orbit import read as read_orbit
 from .scene import MAX_BITS, Scene
 from .sweep import SweepResult
-from .verdicts import Check, Theorem, check, prove
+from .verdicts import Check, Claim, Theorem, check, prove
 
 __all__ = [
     "Bounds",
     "CertificateError",
     "Check",
+    "Claim",
     "Error",
     "Event",
     "Flights",

@@ -108,7 +108,7 @@ class Periodic(Document):
 
     @property
     def exhaustive(self) -> bool:
-        """Whether it is proved that there are no others."""
+        """Whether it is proved that there are no others in which the ball never rests on a wall."""
         return bool(self.document["exhaustive"])
 
     @cached_property
@@ -138,7 +138,7 @@ class Periodic(Document):
         return pd.DataFrame(rows)
 
     def __repr__(self) -> str:
-        rest = "proved to be all" if self.exhaustive else "others are not excluded"
+        rest = "proved to be all without a rest" if self.exhaustive else "others are not excluded"
         lines = [f"{self.word} in {self.cycles} cycles: {len(self)} orbits, {rest}", *map(repr, self)]
         return "\n".join(lines)
 

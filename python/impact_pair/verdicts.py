@@ -19,6 +19,18 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class Claim:
+    """A claim of a document and what a check found of it."""
+
+    #: Where it stands: ``events[0].time``.
+    path: str
+    #: confirmed, refuted or undecided, as are those after the first one that is not confirmed.
+    verdict: str
+    #: Why it is not confirmed: of the claim that decides.
+    reason: str | None
+
+
+@dataclass(frozen=True)
 class Check:
     """What a check found; true where every claim is proved again."""
 
@@ -26,8 +38,10 @@ class Check:
     verdict: str
     #: Which claims, and what is wrong with one.
     message: str
-    #: Keys of the document that no lemma of ``check`` is about.
+    #: Where the document has what claims nothing, or what no lemma of ``check`` is about.
     unjudged: list[str]
+    #: All that is judged, in the order of the document.
+    claims: list[Claim]
 
     def __bool__(self) -> bool:
         return self.verdict == "confirmed"
@@ -63,7 +77,8 @@ def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Chec
     ``effort`` allows so many times the work for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as tell:
-        return Check(*_core.check(text_of(source), effort, tell))
+        verdict, message, unjudged, claims = _core.check(text_of(source), effort, tell)
+    return Check(verdict, message, unjudged, [Claim(*claim) for claim in claims])
 
 
 def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:

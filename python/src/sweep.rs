@@ -29,7 +29,7 @@ impl Sweep {
     /// The line of a point; `None` where it was stopped.
     fn line(&self, point: u64, monitor: &Monitor) -> Result<Option<String>, Fault> {
         let values = self.grid.values(point)?;
-        let scene = self.scene.with(&values).map_err(|error| named(point, &values, &error))?;
+        let scene = self.grid.scene(&self.scene, &values).map_err(|error| named(point, &values, &error))?;
         let found = follow(&scene, &self.asked, || monitor.goes_on()).map_err(|error| named(point, &values, &error))?;
         monitor.add_one();
         let line = |found| serde_json::to_string(&sweep::record(point, &values, &found)).expect("plain data");
@@ -72,7 +72,8 @@ impl Sweep {
         };
         let transient = accepted("transient", impacts.0, 0..=sweep::MOST_IMPACTS)?;
         let impacts = accepted("impacts", impacts.1, 1..=sweep::MOST_IMPACTS)?;
-        let asked = Asked { transient, impacts, summary, settings };
+        let reference = grid.reference(&scene).map_err(Fault::from)?;
+        let asked = Asked { transient, impacts, summary, reference, settings };
         let head = sweep::head(&scene, &grid, &asked, None);
         Ok(Self { scene, grid, asked, head })
     }
@@ -80,7 +81,8 @@ impl Sweep {
     /// Asks that the corners of the grid are scenes: then all points are.
     fn check(&self) -> PyResult<()> {
         for point in self.grid.corners() {
-            let scene = self.scene.with(&self.grid.values(point).map_err(Fault::from)?).map_err(Fault::from)?;
+            let values = self.grid.values(point).map_err(Fault::from)?;
+            let scene = self.grid.scene(&self.scene, &values).map_err(Fault::from)?;
             orbit::Orbit::of(&scene, self.asked.settings.clone()).map_err(Fault::from)?;
         }
         Ok(())

@@ -225,14 +225,12 @@ pub fn audit(
     })
 }
 
-/// Every claim of a document, proved again: the verdict, what is said of it, and what is not checked.
+/// The verdict, what is said of it, what is not checked, and each claim with its verdict, and why not, of the one that decides.
+type Checked = (&'static str, String, Vec<String>, Vec<(String, &'static str, Option<String>)>);
+
+/// Every claim of a document, proved again.
 #[pyfunction]
-pub fn check(
-    py: Python<'_>,
-    text: String,
-    effort: u64,
-    progress: Option<Py<PyAny>>,
-) -> PyResult<(&'static str, String, Vec<String>)> {
+pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAny>>) -> PyResult<Checked> {
     watched(py, progress, move |monitor| {
         let times = u32::try_from(accepted("effort", effort, 1..=u64::MAX)?).unwrap_or(u32::MAX);
         let Effort { parts, work, .. } = Effort::default();
@@ -241,17 +239,19 @@ pub fn check(
         let claims = Claims::parse(&text)?;
         // A check takes a flag that outlives it: a byte, once a check.
         let stop: &'static AtomicBool = Box::leak(Box::default());
-        let verdict = claims.check_until(&effort, Some(stop), |event| {
+        let judged = claims.judge(&effort, Some(stop), &mut |event| {
             monitor.tell(event as u64);
             stop.store(!monitor.goes_on(), std::sync::atomic::Ordering::Relaxed);
         })?;
-        let (kind, said) = match &verdict {
+        let (kind, said) = match &judged.verdict {
             Verdict::Confirmed { bits, .. } => ("confirmed", format!("{}, in {bits} bits", claims.all())),
             Verdict::Refuted(finding) => ("refuted", claims.described(finding)),
             Verdict::Undecided(finding) => ("undecided", claims.described(finding)),
             Verdict::Interrupted { events } => ("interrupted", format!("{} confirmed", claims.first(*events))),
         };
-        Ok((kind, said, claims.unjudged()))
+        let document = claims.document(&text, &judged);
+        let each = document.claims.into_iter().map(|claim| (claim.path, claim.verdict.text(), claim.reason));
+        Ok((kind, said, document.not_checked, each.collect()))
     })
 }
 

@@ -119,7 +119,12 @@ def test_check_and_prove(cli, tmp_path):
     assert verdict.message in cli.text("check", tmp_path / "orbit.json")
     spoiled = orbit.json().replace('"impacts": 10', '"impacts": 11').replace('"impacts":10', '"impacts":11')
     assert spoiled != orbit.json()
-    assert impact_pair.check(spoiled).verdict == "refuted"
+    found = impact_pair.check(spoiled)
+    assert found.verdict == "refuted"
+    assert [claim.path for claim in found.claims if claim.reason] == ["outcome"]
+    assert {claim.verdict for claim in verdict.claims} == {"confirmed"}
+    assert "events[9].time" in {claim.path for claim in verdict.claims}
+    assert verdict.unjudged == ["arithmetic", "program"]
     theorem = orbit.prove(3)
     assert (theorem.impacts, theorem.stop) == (3, None)
     assert theorem.text == cli.text("prove", tmp_path / "orbit.json", "--impacts", 3)

@@ -1,5 +1,7 @@
 //! The judgement: what each row and each certified impact is, and where the list leaves the orbit.
 
+use std::ops::Range;
+
 use num_rational::BigRational;
 
 use super::align::{Alignment, align};
@@ -109,18 +111,56 @@ impl<'a> Judge<'a> {
         (!self.truth.sites.is_empty()).then_some(before)
     }
 
-    /// The contacts on its wall that a row may be: the nearest one, and all within the tolerance; the start only then.
+    /// The contacts on its wall that a row may be: the nearest one, and all whose enclosures are within the tolerance; the start and
+    /// grazes, which need not be listed, only then, and not what may be an impact of a chatter that follows.
     fn candidates(&self, row: usize) -> Vec<usize> {
-        let around = self.tolerance.around_time(&self.times[row]);
-        let (from, to) = (around.inf(), around.sup());
-        let first = self.middles.partition_point(|middle| middle < from);
-        let near = first..self.middles.partition_point(|middle| middle <= to);
+        let near = self.near(row);
         let is_start = |site: usize| self.truth.sites[site].kind == SiteKind::Start;
         let nearest = self.nearest(row).filter(|&site| !near.contains(&site));
         let nearest = nearest.filter(|&site| !is_start(site) && !self.is_beyond(row, site));
         let (lower, upper) = (nearest.filter(|&site| site < near.start), nearest.filter(|&site| site >= near.end));
         let all = lower.into_iter().chain(near).chain(upper);
-        all.filter(|&site| self.truth.sites[site].wall == self.rows[row].wall).collect()
+        all.filter(|&site| self.truth.sites[site].wall == self.rows[row].wall)
+            .filter(|&site| self.truth.sites[site].kind == SiteKind::Impact || !self.is_of_chatter_after(row, site))
+            .collect()
+    }
+
+    /// The contacts whose enclosures a row meets, within the tolerance.
+    fn near(&self, row: usize) -> Range<usize> {
+        let (around, sites) = (self.tolerance.around_time(&self.times[row]), &self.truth.sites);
+        let (from, to) = (around.inf(), around.sup());
+        let mut first = self.middles.partition_point(|middle| middle < from);
+        let mut end = self.middles.partition_point(|middle| middle <= to);
+        while first > 0 && sites[first - 1].time.sup() >= from {
+            first -= 1;
+        }
+        while sites.get(end).is_some_and(|site| site.time.inf() <= to) {
+            end += 1;
+        }
+        first..end
+    }
+
+    /// Whether the velocity of a row is proved not to be that of a contact, and may be that of an impact in the chatter after it.
+    fn is_of_chatter_after(&self, row: usize, site: usize) -> bool {
+        let Site { velocity, rest, .. } = &self.truth.sites[site];
+        let velocities = self.velocity(row).zip(velocity.as_ref());
+        let is_outside = velocities.is_some_and(|(listed, truth)| {
+            self.tolerance.is_outside_in_velocity(&self.tolerance.distance(&listed, truth))
+        });
+        is_outside && rest.as_ref().is_some_and(|rest| self.is_in_chatter(row, site, rest))
+    }
+
+    /// Whether a contact that is not certified may come within the enclosure of this one.
+    fn is_before_doubt(&self, site: usize) -> bool {
+        self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf() <= self.truth.sites[site].time.sup())
+    }
+
+    /// Whether any other contact may.
+    fn may_hold_another(&self, site: usize) -> bool {
+        let sites = &self.truth.sites;
+        let meets =
+            |one: usize, next: usize| sites.get(next).is_some_and(|next| next.time.inf() <= sites[one].time.sup());
+        self.is_before_doubt(site) || meets(site, site + 1) || site > 0 && meets(site - 1, site)
     }
 
     /// Whether a row may well be a contact after the last certified one.
@@ -171,6 +211,9 @@ impl<'a> Judge<'a> {
         };
         let is_outside = tolerance.is_outside_in_time(&errors.time)
             || errors.velocity.as_ref().is_some_and(|velocity| tolerance.is_outside_in_velocity(velocity));
+        if is_outside && self.may_hold_another(site) {
+            return Finding { verdict: Verdict::Undecided, row: Some(row), site: None, errors: None };
+        }
         let verdict = if is_outside { Verdict::Outside } else { Verdict::Inside };
         Finding { verdict, row: Some(row), site: Some(site), errors: Some(errors) }
     }
@@ -184,7 +227,8 @@ impl<'a> Judge<'a> {
         let (nearest, time) = (self.nearest(row), &self.times[row]);
         let is_in_doubt = self.truth.doubtful_from.as_ref();
         // A contact may come from then on; the row may be it, as far as its times are compared.
-        let is_in_doubt = is_in_doubt.is_some_and(|from| self.tolerance.around_time(time).sup() >= from.inf());
+        let is_in_doubt = is_in_doubt.is_some_and(|from| self.tolerance.around_time(time).sup() >= from.inf())
+            || self.near(row).any(|site| self.is_before_doubt(site));
         let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
         let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
         let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));

@@ -225,6 +225,12 @@ impl Base {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
     }
 
+    /// Whether it has no state in common with itself whole turns later: an edge parts it from its translate by one turn, and so by
+    /// more, as it is convex. Lemma D9
+    pub fn is_apart_from_its_translates(&self) -> bool {
+        self.is_parted(self, 1.0) || self.is_parted(self, -1.0)
+    }
+
     /// Whether its phases are from -1 to 2 and its speeds positive.
     pub fn is_near(&self) -> bool {
         let corners = [self.left.bottom, self.left.top, self.right.bottom, self.right.top];

@@ -1,4 +1,4 @@
-//! Words as they are told, and two of them that follow one another in any order.
+//! Words as they are written, and two of them that follow one another in any order: Lemma D9 of `docs/proofs.md`.
 
 use super::words::Path;
 use crate::mapping::Mapping;
@@ -13,7 +13,7 @@ pub struct Word {
     pub to: usize,
     /// Where its impacts are if it starts on the left wall.
     pub walls: Vec<Wall>,
-    /// How many half cycles it takes.
+    /// Half cycles from its start to its end, less what the phases of the two h-sets differ by.
     pub half_cycles: i64,
 }
 
@@ -38,35 +38,96 @@ impl Word {
         names.reverse();
         names.join(" ")
     }
+
+    /// Its mappings and its half cycles, which name a block.
+    pub fn as_block(&self) -> String {
+        let unit = if self.half_cycles == 1 { "half cycle" } else { "half cycles" };
+        format!("{} ({} {unit})", self.in_mappings(), self.half_cycles)
+    }
+
+    /// Whether both are one block, between whatever h-sets: the same walls after as many half cycles. Lemma D9
+    pub fn is_same_block(&self, other: &Self) -> bool {
+        self.walls == other.walls && self.half_cycles == other.half_cycles
+    }
 }
 
-/// The shortest two words that may follow one another in any order.
+/// Words that are one block, and from which h-set to which each of them leads.
+struct Block<'w> {
+    word: &'w Word,
+    ways: Vec<[usize; 2]>,
+}
+
+/// The shortest two blocks that may follow one another in any order in the reduced map.
 pub(super) fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
-    let mut names: Vec<&Word> = Vec::new();
+    let mut blocks: Vec<Block<'_>> = Vec::new();
     for word in words {
-        if names.iter().all(|other| other.walls != word.walls) {
-            names.push(word);
+        let way = [word.from, word.to];
+        match blocks.iter_mut().find(|block| block.word.is_same_block(word)) {
+            Some(block) => block.ways.push(way),
+            None => blocks.push(Block { word, ways: vec![way] }),
         }
     }
-    names.sort_by_key(|word| word.walls.len());
-    let mut pairs: Vec<[&Word; 2]> =
-        names.iter().enumerate().flat_map(|(k, &a)| names[k + 1..].iter().map(move |&b| [a, b])).collect();
-    pairs.sort_by_key(|[a, b]| (b.walls.len(), a.walls.len()));
-    pairs.into_iter().find(|pair| is_free(words, bases, pair))
+    let length = |block: &Block<'_>| block.word.walls.len();
+    blocks.sort_by_key(length);
+    let mut start = 0;
+    // The longer one first, then the shorter one.
+    for group in blocks.chunk_by(|a, b| length(a) == length(b)) {
+        let end = start + group.len(); // exact: indices
+        for (k, a) in blocks[..end].iter().enumerate() {
+            let mut others = blocks[start.max(k + 1)..end].iter(); // exact: indices
+            if let Some(b) = others.find(|b| is_free([a, b], bases)) {
+                return Some([a.word, b.word]);
+            }
+        }
+        start = end;
+    }
+    None
 }
 
-/// Whether there are bases from each of which both lead to such a base.
-fn is_free(words: &[Word], bases: usize, pair: &[&Word; 2]) -> bool {
+/// Whether there are h-sets from each of which a word of either block leads to one of them. Lemma D9
+fn is_free(blocks: [&Block<'_>; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {
-        let leads = |base: usize, name: &Word| {
-            words.iter().any(|word| word.from == base && alive[word.to] && word.walls == name.walls)
-        };
+        let leads = |from: usize, block: &Block<'_>| block.ways.iter().any(|way| way[0] == from && alive[way[1]]);
         let next: Vec<bool> =
-            (0..alive.len()).map(|base| alive[base] && pair.iter().all(|name| leads(base, name))).collect();
+            (0..bases).map(|base| alive[base] && blocks.iter().all(|block| leads(base, block))).collect();
         if next == alive {
             return alive.contains(&true);
         }
         alive = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn word(from: usize, to: usize, walls: &str, half_cycles: i64) -> Word {
+        let wall = |name| if name == 'R' { Wall::Right } else { Wall::Left };
+        Word { from, to, walls: walls.chars().map(wall).collect(), half_cycles }
+    }
+
+    /// The words of chaos-0.036: the two that go to the right wall differ in their time, and only one of them comes again to where it
+    /// started with the third.
+    #[test]
+    fn r32_blocks_of_one_name_and_another_time() {
+        let words = [word(0, 0, "R", 5), word(1, 1, "R", 7), word(1, 1, "RL", 16)];
+        let found = horseshoe(&words, 2).unwrap();
+        assert_eq!(found, [&words[1], &words[2]]);
+        assert_eq!(found.map(Word::as_block), ["P2 (7 half cycles)", "P1 P2 (16 half cycles)"]);
+        // Of the same walls after other times, each from one h-set to the other, no two are free.
+        let apart = [word(0, 1, "R", 5), word(1, 0, "R", 7), word(0, 1, "RL", 16), word(1, 0, "RL", 14)];
+        assert_eq!(horseshoe(&apart, 2), None);
+        // Two times of one sequence of walls are two blocks.
+        let times = [word(0, 0, "R", 5), word(0, 0, "R", 7), word(0, 0, "RL", 16)];
+        assert_eq!(horseshoe(&times, 1), Some([&times[0], &times[1]]));
+    }
+
+    /// By all pairs: the shortest longer block, then the shortest shorter one.
+    #[test]
+    fn the_shortest_of_all_pairs() {
+        let words = [word(0, 0, "RLRL", 8), word(0, 0, "RLR", 5), word(0, 0, "RR", 3), word(0, 0, "RRLL", 6)];
+        assert_eq!(horseshoe(&words, 1), Some([&words[2], &words[1]]));
+        assert_eq!(horseshoe(&words[..1], 1), None);
     }
 }

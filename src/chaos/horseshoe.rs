@@ -93,7 +93,7 @@ impl Chaos {
     /// no bases are given and the floating orbit is regular there are none, and so no words.
     ///
     /// # Errors
-    /// Under several harmonics, when bases overlap or are not convex, and when a value is beyond the range of flights.
+    /// Under several harmonics, when bases overlap each other or their own translates or are not convex, and when a value is beyond the range of flights.
     pub fn of(
         pair: &ImpactPair,
         start: &Start,
@@ -202,7 +202,8 @@ impl Chaos {
         &self.tubes
     }
 
-    /// Two words that may follow one another in any order, as short as there are among them: by the names of their impacts.
+    /// Two blocks, each a sequence of walls and a number of half cycles, that follow one another in any order in the reduced map, with
+    /// as few impacts as there are. Each is written as it starts on the left wall; it is mirrored where it starts on the right one.
     pub fn horseshoe(&self) -> Option<[&Word; 2]> {
         horseshoe(&self.words, self.bases.len())
     }
@@ -273,6 +274,11 @@ pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
         return Some("the bases are not all convex quadrilaterals with their tops on the left from left to right");
     }
     let apart = bases.iter().enumerate().all(|(k, base)| bases[..k].iter().all(|other| base.is_apart(other)));
+    if !bases.iter().all(Base::is_apart_from_its_translates) {
+        return Some(
+            "a base overlaps its own translate by a forcing period: its states have no phase modulo 2 pi of their own",
+        );
+    }
     let near = bases.iter().all(Base::is_near);
     (!(apart && near))
         .then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")

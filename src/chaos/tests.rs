@@ -9,7 +9,7 @@ use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, Quad, State};
 use super::trap::{Grid, Region};
-use super::tube::Tube;
+use super::tube::{Part, Tube, taken};
 use super::words::{Base, Path, Search};
 use super::{Asked, Cells, Chaos, Entered, Fate, Question, Trap, Verdict};
 use crate::Scene;
@@ -309,6 +309,39 @@ fn slow_expansion_is_proved_by_fine_tubes() {
     let expected = std::f64::consts::LN_2 / 16.0;
     assert!(proved(16, 0.0) <= expected && proved(16, 0.0) > expected - 1e-9);
     assert_eq!([proved(15, 0.0), proved(16, 0.01)], [0.0, 0.0]);
+}
+
+/// D9: a state of a base wider than a turn has two phases there, and would follow two words that are one.
+#[test]
+fn r32_a_base_wider_than_a_turn() {
+    let chaos = |right: f64| {
+        let edge = |phase: f64| Chord { bottom: [phase, 5.0], top: [phase, 5.1] };
+        let question = Question { depth: 1, bases: vec![Base { left: edge(0.1), right: edge(right) }] };
+        Chaos::of_scene(&scene("8"), &question, &|_, _| false).map(|_| ()).map_err(|error| error.to_string())
+    };
+    assert!(chaos(1.05).is_ok());
+    assert!(chaos(1.3).unwrap_err().contains("its own translate"));
+}
+
+/// D7, D9: parts that were used before, or lead backward, or leave some out, make no stretch more, whatever is proposed.
+#[test]
+fn r32_distinct_words_rest_on_parts_that_lie_apart() {
+    let part = |cell: usize, [from, to]: [f64; 2], place: usize| Part { cell, from, to, place };
+    let parts = [part(0, [-1.0, 0.5], 3), part(0, [0.5, 1.0], 4), part(1, [-1.0, 1.0], 5), part(2, [-1.0, 0.0], 5)];
+    let mut used = None;
+    assert_eq!(taken(&parts, &[true, true, false, true], &mut used), [0..=1, 3..=3]);
+    assert!(taken(&parts, &[true; 4], &mut used).is_empty(), "the same parts again");
+    let next = [part(2, [-0.5, 1.0], 7), part(3, [-1.0, 1.0], 7)];
+    assert!(taken(&next, &[true; 2], &mut used).is_empty(), "a stretch that begins within the one before");
+    assert_eq!(taken(&[part(2, [0.0, 1.0], 7)], &[true], &mut used), [0..=0]);
+    // Backward within a cell, or beyond it: not mapped, though the same states forward are.
+    let (law, guess) = (figure_14(), Guess::new(&figure_14()));
+    let Base { left, right } = bases()[0];
+    let tube = Tube::new(vec![left, right]);
+    let Proposal { parts, side, next } = MAKING.images(&guess, &tube).swap_remove(0);
+    let good = parts[parts.len() / 2];
+    let is_mapped = |part: Part| tube.is_mapped(&law, &guess, &part, side, &next);
+    assert!(is_mapped(good) && !is_mapped(Part { from: good.to, to: good.from, ..good }));
 }
 
 /// As far as the makings are compared, the horseshoe told is as short as there is; deeper, the entropy is what counts.

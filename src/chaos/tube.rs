@@ -1,5 +1,7 @@
 //! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas D6, D7 of `docs/proofs.md`.
 
+use std::ops::RangeInclusive;
+
 use super::flights::{Flights, Landing, is_positive};
 use super::guess::Guess;
 use super::law::{Law, Side};
@@ -40,12 +42,39 @@ impl Part {
         let is_same = self.cell == other.cell && self.from == other.to; // D7: the common cut
         (is_next || is_same) && (self.place == other.place || self.place == other.place + 1)
     }
+
+    /// Whether it has no inner point in common with another part or with what lies before that: Lemma D9.
+    fn lies_behind(&self, other: &Self) -> bool {
+        self.cell > other.cell || self.cell == other.cell && self.from >= other.to
+    }
+
+    /// Whether it leads forward within its cell. Lemma D7
+    fn is_forward(&self) -> bool {
+        -1.0 <= self.from && self.from < self.to && self.to <= 1.0 // D7: from one edge of the cell to the other
+    }
 }
 
 /// Images lie in the cells up to so many before and after their place.
 pub(crate) const WINDOW: usize = 2;
 /// A part is halved so often.
 const HALVINGS: u32 = 9;
+
+/// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
+/// updated: no two of all that are taken have inner points in common, whatever is proposed. Lemmas D7, D9
+pub(crate) fn taken(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
+    let mut stretches = Vec::new();
+    let mut first = 0;
+    while first < parts.len() {
+        let follows = |k: usize| proved[k] && (k == first || parts[k].follows(&parts[k - 1]));
+        let end = (first..parts.len()).find(|&k| !follows(k)).unwrap_or(parts.len()); // exact: all of them
+        if end > first && used.is_none_or(|used| parts[first].lies_behind(&used)) {
+            stretches.push(first..=end - 1);
+            *used = Some(parts[end - 1]);
+        }
+        first = end.max(first + 1); // exact: the next part
+    }
+    stretches
+}
 
 /// `to - from`
 pub(crate) fn edge(from: State, to: State) -> [Ball; 2] {
@@ -145,7 +174,7 @@ impl Tube {
 
     /// Whether all states of a part are proved to fly to one wall, and to land around its place in the next tube.
     pub fn is_mapped(&self, law: &Law, guess: &Guess, part: &Part, side: Side, next: &Self) -> bool {
-        if !next.is_embedded(part.place) {
+        if !part.is_forward() || !next.is_embedded(part.place) {
             return false;
         }
         let cell = Quad::between(&self.chords[part.cell], &self.chords[part.cell + 1]);

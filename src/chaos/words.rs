@@ -8,7 +8,7 @@ use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
-use super::tube::{Tube, WINDOW, side_of};
+use super::tube::{Tube, WINDOW, side_of, taken};
 
 /// A quadrilateral of states: the curves from its left to its right edge are what is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,6 +164,7 @@ impl<'s> Search<'s> {
     /// One run, one impact further: what crosses a base, and what is left.
     fn follow(&self, run: &Run, goes_on: &(dyn Fn() -> bool + Sync)) -> (Vec<Run>, Vec<Path>, Tally) {
         let (mut runs, mut words, mut tally) = (Vec::new(), Vec::new(), Tally::default());
+        let mut used = None;
         for proposal in self.making.images(&self.guess, &run.tube) {
             if !goes_on() {
                 break;
@@ -175,20 +176,13 @@ impl<'s> Search<'s> {
             tally.failed += proved.iter().filter(|&&is| !is).count() as u64; // exact: a length
             let mut sides = run.sides.clone();
             sides.push(*side);
-            let mut first = 0;
-            while first < parts.len() {
-                let rest = parts[first..].iter().zip(&proved[first..]).enumerate();
-                let goes_on = |n: usize| n == 0 || parts[first + n].follows(&parts[first + n - 1]);
-                let count = rest.take_while(|(n, (_, is_proved))| **is_proved && goes_on(*n)).count();
-                if count > 0 {
-                    let (low, high) = (parts[first].place, parts[first + count - 1].place);
-                    // Lemma D7: the ends of the stretch land before the one and behind the other.
-                    let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // D7: none if it is shorter
-                    if low < high {
-                        self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
-                    }
+            for stretch in taken(parts, &proved, &mut used) {
+                let (low, high) = (parts[*stretch.start()].place, parts[*stretch.end()].place);
+                // Lemma D7: the ends of the stretch land before the one and behind the other.
+                let (low, high) = (low + WINDOW + 2, high.saturating_sub(WINDOW + 1)); // D7: none if it is shorter
+                if low < high {
+                    self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
                 }
-                first += count.max(1); // exact: a count
             }
         }
         (runs, words, tally)

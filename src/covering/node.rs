@@ -105,7 +105,7 @@ pub(crate) struct Link {
     squeeze: f64,
     /// Bounds of the centre's distance `n_1`, `n_2`.
     noise: [f64; 2],
-    /// The determinant's absolute value is at least and at most this.
+    /// The determinant's absolute value is at least and at most this; the first is not positive where it may be 0.
     determinant: (f64, f64),
 }
 
@@ -157,12 +157,14 @@ impl Link {
         })
     }
 
-    /// Condition 2 of Lemma F1, for the sides of the one and of the other.
+    /// Condition 2 of Lemma F1, for the sides of the one and of the other; never where the axes of the other may be parallel.
     #[inline(always)]
     pub fn covers(&self, [a, b]: [f64; 2], [next_a, next_b]: [f64; 2]) -> bool {
         let inside = up(self.determinant.1 * next_a + self.leak * b + self.noise[0] + TINY);
         let room = self.determinant.0 * next_b * (1.0 - 8.0 * UNIT);
-        next_b.is_finite() && self.stretch * a * (1.0 - 8.0 * UNIT) > inside && self.width([a, b]) <= room
+        // F4: axes that are not parallel, and sides that are none below 0; of two factors below 0 the product would be above
+        let is_sound = self.determinant.0 > 0.0 && [a, b, next_a, next_b].iter().all(|side| *side >= 0.0);
+        is_sound && next_b.is_finite() && self.stretch * a * (1.0 - 8.0 * UNIT) > inside && self.width([a, b]) <= room
     }
 
     /// Bounds how far the image reaches along the stable axis, times the determinant.
@@ -171,7 +173,7 @@ impl Link {
         up(self.tilt * a + self.squeeze * b + self.noise[1] + TINY)
     }
 
-    /// The narrowest node that is covered, about.
+    /// The narrowest node that is covered, about; none where the axes may be parallel.
     #[inline(always)]
     pub fn narrowest(&self, sides: [f64; 2]) -> f64 {
         self.width(sides) / self.determinant.0 * (1.0 + 16.0 * UNIT)

@@ -25,6 +25,7 @@ impl Varied {
     }
 
     /// Its direction, in (phase, velocity).
+    #[cfg(feature = "multiprecision")]
     pub fn direction(self) -> [f64; 2] {
         match self {
             Self::Time => [1.0, 0.0],
@@ -136,5 +137,64 @@ impl<S: Flying> Beginning<S> for Segment<S::Waves<Ball>> {
         });
         let image = SetContact { phase: given.phase, velocity: given.velocity, slope: Ball::exact(0.0), all: given };
         Landing::new(self.origin.turns, &image, jacobian)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Scene;
+    use crate::clock::Clock;
+    use crate::pair::ball;
+    use crate::shaken::{Either, One};
+    use std::sync::Arc;
+
+    /// A start whose direction is not certain, as it is followed.
+    fn followed() -> (Arc<One>, Origin<Ball>) {
+        let text = r#"
+            excitation = { amplitude = 8, frequency = "pi", phase = 0.3 }
+            pair = { gap = 9.42497, restitution = 0.5 }
+            start = { time = "1/3", position = 1.5, velocity = "cos(pi/5) - cos(2*pi/5) - 1/2" }"#;
+        let scene = Scene::parse(text).unwrap();
+        let clock = Clock::new(scene.pair(), scene.start().time(), 0).unwrap();
+        let either = Either::new(scene.pair(), &clock).unwrap();
+        let origin = either.origin(scene.pair(), scene.start(), &clock).unwrap().map(ball).unwrap();
+        let Either::One(one) = either else { panic!("one harmonic") };
+        (one, origin)
+    }
+
+    fn is_near(x: Ball, to: f64) -> bool {
+        (x.mid() - to).abs() < 1e-12 * to.abs() + x.rad()
+    }
+
+    /// By (11), `dt1/dv0 = -(t1 - t0)/v1` of the flight from `t0 = 1/3`, which mpmath has end at 0.62232607566923914 with
+    /// 21.460093619252802; by (12), `dv1/dv0 = 1` at a fixed time. A turn takes 2, so that a gap a turn is a velocity of `d/2`.
+    #[test]
+    fn r32_the_derivative_by_the_start_is_that_of_the_flight_from_the_time_of_the_scene() {
+        let (one, origin) = followed();
+        let mut segment = Segment::new(&*one, origin);
+        let [time, speed] = [0.5 * (0.622_326_075_669_239_1 - 1.0 / 3.0), 21.460_093_619_252_802 / (0.5 * 9.42497)];
+        for a in [0.0, 1e-13] {
+            let Landing { jacobian, .. } = segment.land(&*one, a).unwrap();
+            assert!(is_near(jacobian.time[0], -time / speed * segment.scale), "{jacobian:?}");
+            assert!(is_near(jacobian.velocity[0], segment.scale), "{jacobian:?}");
+        }
+    }
+
+    /// Starts that are faster are farther at the later state by as much as the time times what they are faster by; those that might
+    /// come to a wall are refused.
+    #[test]
+    fn r32_faster_starts_are_farther_at_the_state_that_is_followed() {
+        let (_, origin) = followed();
+        let (delay, Location::Inside(height)) = (origin.delay(), &origin.place) else { panic!("inside") };
+        assert!(1e-3 < delay.mid() && delay.mid() < 0.1 && delay.rad() < 1e-15, "{delay:?}");
+        for apart in [0.0, 1e-12, 1.0] {
+            let Some(Location::Inside(all)) = origin.place_after(apart) else { panic!("inside") };
+            let reach = height.rad() + apart * delay.mid();
+            assert!(all.mid() == height.mid() && all.rad() >= reach && all.rad() <= 1.001 * reach + 1e-15, "{all:?}");
+        }
+        // The right wall is nearer: 1/2 - 1.5/9.42497 gaps away.
+        let half = 0.5 * (0.5 - 1.5 / 9.42497) / delay.mid();
+        assert!(origin.place_after(0.999 * half).is_some() && origin.place_after(1.001 * half).is_none());
     }
 }

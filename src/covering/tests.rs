@@ -222,6 +222,41 @@ fn a_spoiled_chain_is_refused() {
     }
 }
 
+/// F1 asks for axes that are not parallel. Where they are, or may be, the least side comes out below 0, and its product with a
+/// determinant below 0 looked wide enough; so do sides below 0 in the other terms.
+#[test]
+fn r32_parallel_axes_and_negative_sides_cover_nothing() {
+    let scene = scene("figure-14");
+    let clock = Clock::new(scene.pair(), scene.start().time(), 0).unwrap();
+    let Either::One(one) = Either::new(scene.pair(), &clock).unwrap() else { panic!("one harmonic") };
+    let shadow = Shadow::of(&scene).unwrap();
+    for nodes in shadow.nodes.as_slice().windows(2).take(200) {
+        let [node, next] = [nodes[0], nodes[1]];
+        let landing = node.land(&*one).unwrap();
+        // Both along the unstable direction, or along the stable one: there the image is stretched across the adjugate's rows.
+        let Axes { unstable, stable, .. } = next.axes;
+        let parallel = |[s1, s2]: [f64; 2]| [[s1, s2], [s1, s2.next_up()], [-s1, -s2]].map(|other| [[s1, s2], other]);
+        for [unstable, stable] in parallel(unstable).into_iter().chain(parallel(stable)) {
+            let next = Node { axes: Axes { unstable, stable, ..next.axes }, ..next };
+            let link = Link::new(&node.axes, &landing, &next).unwrap();
+            for across in [link.narrowest(node.sides), next.sides[1], -1e-9, f64::MAX] {
+                assert!(!link.covers(node.sides, [next.sides[0], across]), "{stable:?} {across:e}");
+            }
+        }
+        let link = Link::new(&node.axes, &landing, &next).unwrap();
+        let ([a, b], [next_a, next_b]) = (node.sides, next.sides);
+        assert!(link.covers([a, b], [next_a, next_b]));
+        for (sides, next_sides) in [
+            ([a, -b], [next_a, next_b]),
+            ([-a, b], [next_a, next_b]),
+            ([a, b], [-next_a, next_b]),
+            ([a, b], [next_a, -next_b]),
+        ] {
+            assert!(!link.covers(sides, next_sides));
+        }
+    }
+}
+
 /// Within `1` of it in units of a radius.
 fn member(ball: Ball, at: f64) -> BigRational {
     let rational = |x: f64| BigRational::from_float(x).unwrap();

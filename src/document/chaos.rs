@@ -79,8 +79,11 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
         boxes: chaos.boxes(),
         entropy: entropy([chaos.entropy(), chaos.entropy_a_cycle()]),
         horseshoe: chaos.horseshoe().map(|pair| {
-            let [a, b] = pair.map(|word| word.in_mappings());
-            format!("each block is {a} or {b}, in any order")
+            let [a, b] = pair.map(|word| word.as_block());
+            format!(
+                "each block is {a} or {b}, in any order in the map mirrored to one wall: \
+                 each is written as it starts on the left wall, and mirrored where it starts on the right one"
+            )
         }),
         scene_orbit: scene_orbit(chaos.fate()),
         interrupted: chaos.depth() < question.depth && !chaos.bases().is_empty(),

@@ -1,7 +1,7 @@
 //! The periodic JSON: proved periodic orbits in the units of the scene.
 
 use impact_pair_certificate::document::{
-    EigenvalueDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicImpactDocument, PeriodicOrbitDocument,
+    EigenvalueDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicImpactDocument, PeriodicOrbitDocument, RESTING,
     RegionDocument, SceneDocument, bounds,
 };
 
@@ -65,6 +65,7 @@ impl Units {
             word: problem.word().to_string(),
             cycles: problem.chain().cycles(),
             exhaustive: census.exhaustive,
+            excludes: census.exhaustive.then(|| RESTING.to_owned()),
             certified: census.is_certified(),
             orbits: census.orbits.iter().map(|orbit| self.orbit(problem, orbit)).collect(),
             undecided: (!census.undecided.is_empty()).then_some(undecided),

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use impact_pair_certificate::document::{
     CurveDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA, PROGRAM, PartDocument,
-    PeriodicOrbitDocument, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
+    PeriodicOrbitDocument, RESTING, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
 };
 
 use super::periodic::periodic_orbit;
@@ -24,6 +24,7 @@ pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocume
         cycles: question.cycles(),
         solved_for: unknown.name().to_owned(),
         exhaustive: answer.is_exhaustive,
+        excludes: answer.is_exhaustive.then(|| RESTING.to_owned()),
         certified: true,
         undecided: answer.undecided.iter().map(|spacing| SpacingDocument { spacing: bounds(spacing) }).collect(),
         orbits: answer.orbits.iter().map(|found| orbit(found, unknown, wall)).collect(),

@@ -70,6 +70,8 @@ pub struct Disturbance {
     /// The last impact; the start when it is on a wall.
     last: Option<Impact>,
     turns: Ball,
+    /// The turns of another harmonic in one of the fastest, and its square, where the former are the unit of times.
+    rate: Option<[Ball; 2]>,
     /// The growth is not known any more: it will not matter if a rest follows.
     is_lost: bool,
     /// What is known without the growth, once that is so.
@@ -90,7 +92,14 @@ impl Disturbance {
     fn new(orbit: &Orbit, last: Option<Impact>) -> Self {
         let restitution = orbit.restitution();
         let growth = Growth::new(restitution == Ball::exact(0.0));
-        Self { growth, restitution, last, turns: Ball::exact(0.0), is_lost: false, settled: None }
+        Self { growth, restitution, last, turns: Ball::exact(0.0), rate: None, is_lost: false, settled: None }
+    }
+
+    /// The same told in the turns of another harmonic, so many in one of the fastest: cycles are its turns, and (A.7) has times in turns
+    /// of it and velocities in gaps a turn of it. Before it is followed.
+    #[must_use]
+    pub fn in_turns_of(self, rate: Option<Ball>) -> Self {
+        Self { rate: rate.map(|rate| [rate, rate * rate]), ..self }
     }
 
     /// Follows it over the orbit's next event.
@@ -109,8 +118,9 @@ impl Disturbance {
 
     fn pass(&mut self, orbit: &Orbit, impact: &Impact) {
         let Some(last) = self.last.replace(impact.clone()) else { return };
-        self.turns = self.turns + orbit.turns_between(&last, impact);
-        let Some(jacobian) = orbit.jacobian(&last, impact) else {
+        let turns = orbit.turns_between(&last, impact);
+        self.turns = self.turns + self.rate.map_or(turns, |[rate, _]| turns * rate);
+        let Some(jacobian) = orbit.jacobian(&last, impact).and_then(|jacobian| self.told(jacobian)) else {
             // It may be a graze as far as is known.
             self.settled = Some(Exponent::Unknown(Unknown::Width));
             return;
@@ -119,6 +129,14 @@ impl Disturbance {
         let determinant = (square * last.velocity).checked_div(impact.velocity);
         let is_known = !self.is_lost && determinant.is_some_and(|it| self.growth.multiply(&jacobian, it));
         self.is_lost = !is_known;
+    }
+
+    /// (A.7) in the units asked for: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
+    /// times what it is.
+    fn told(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
+        let Some([_, square]) = self.rate else { return Some(jacobian) };
+        let [[tt, tv], [vt, vv]] = jacobian;
+        Some([[tt, tv * square], [vt.checked_div(square)?, vv]])
     }
 
     /// The exponent over the impacts so far. Lemma L3

@@ -9,10 +9,30 @@ use crate::number::{Ball, Enclosing};
 use crate::shaken::Initial;
 use crate::turns::in_radians;
 
+/// Bits beyond those of a number of turns and of what is shown.
+const SPARE_BITS: u32 = 64;
+
 impl Orbit {
     /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
         in_radians(&impact.enclosures().0, self.asked.shown)
+    }
+
+    /// The phase `(W t + tau)/(2 pi)` of an impact, whole turns included.
+    pub(crate) fn turns_of(&self, impact: &Impact) -> Enclosure {
+        let whole = self.clock.origin() + impact.turns;
+        // X1: any number of bits encloses
+        let bits = self
+            .asked
+            .shown
+            .saturating_add(u32::try_from(whole.bits()).unwrap_or(u32::MAX / 2))
+            .saturating_add(SPARE_BITS);
+        Enclosure::from_rational(&whole.into(), bits).add(&impact.enclosures().0, bits)
+    }
+
+    /// Bits of what is shown beyond the digits.
+    pub(crate) fn shown_bits(&self) -> u32 {
+        self.asked.shown
     }
 
     /// The bounds of an impact's velocity \[length/time\], before it.

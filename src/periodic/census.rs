@@ -17,7 +17,7 @@ pub struct Region {
 pub struct Census {
     /// Each once, in the order of their first phases.
     pub orbits: Vec<PeriodicOrbit>,
-    /// Proved: the word has no other orbit that is physical, in the whole state space (Lemma T9).
+    /// Proved: the word has no other orbit that is physical, in the whole state space (Lemma T9). Motions that rest are none of these (Lemma T12).
     pub exhaustive: bool,
     /// Where else orbits may be, if all of them were asked for.
     pub undecided: Vec<Region>,

@@ -5,7 +5,7 @@
 //! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
 //! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Under several harmonics
-//! with a common period ([`Problem::period`]) all that is the same. Lemmas T1-T11, H10-H12 and H14 are in
+//! with a common period ([`Problem::period`]) all that is the same. Lemmas T1-T12, H10-H12 and H14 are in
 //! `docs/proofs.md`.
 
 mod attractor;

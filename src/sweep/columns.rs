@@ -136,7 +136,7 @@ fn said(record: &SweepRecord) -> [Cell<'_>; SAID.len()] {
         text(record.exponent.reason.as_ref()),
         text(period.and_then(|period| period.word.as_ref())),
         whole(period.map(|period| period.impacts)),
-        whole(period.map(|period| period.cycles)),
+        whole(period.and_then(|period| period.cycles)),
         whole(period.and_then(|period| period.from)),
     ]
 }

@@ -1,8 +1,8 @@
 //! The sweep JSON Lines: what is certified at a point.
 
 use impact_pair_certificate::document::{
-    ArithmeticDocument, ClaimName, ExtendedBounds, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepExponent,
-    SweepHead, SweepImpact, SweepPeriod, SweepRecord,
+    ArithmeticDocument, ClaimName, ExtendedBounds, OutcomeDocument, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis,
+    SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
 use super::{Asked, Axis, Grid, Point, State};
@@ -35,6 +35,7 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) 
         certified: is_certified(asked.settings.arithmetic),
         claim: (asked.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
         arithmetic: ArithmeticDocument::asked(&asked.settings),
+        reference: asked.reference.map(|term| term as u64 + 1), // exact: a number of terms
         summary: asked.summary,
         shard,
     }
@@ -61,16 +62,24 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         Outcome::ImpactsReached | Outcome::TimeReached => "not-attracted",
         other => other.kind(),
     };
+    let lasting = point.lasting.clone().unwrap_or_default();
+    let duration = lasting.time.as_ref().map(decimal_bounds);
     let period = match (&point.outcome, &point.attraction) {
-        (Outcome::Periodic(Period { cycles, impacts }), _) => {
-            Some(SweepPeriod { word: None, impacts: *impacts, cycles: *cycles, from: None, first: None })
-        }
+        (Outcome::Periodic(Period { impacts, .. }), _) => Some(SweepPeriod {
+            word: None,
+            impacts: *impacts,
+            cycles: lasting.cycles,
+            duration,
+            from: None,
+            first: None,
+        }),
         (_, Some(attraction)) => Some(SweepPeriod {
             word: Some(attraction.word.to_string()),
             impacts: attraction.word.mappings().len() as u64,
-            cycles: attraction.cycles.into(),
+            cycles: lasting.cycles,
+            duration,
             from: Some(attraction.from),
-            first: Some(impact(&attraction.first)),
+            first: attraction.first.as_ref().map(impact),
         }),
         _ => None,
     };
@@ -81,7 +90,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         values: values.iter().map(|(_, value)| value.text()).collect(),
         outcome: outcome.to_owned(),
         reason: reason.map(|reason| reason.name().to_owned()),
-        message: point.conclusion.message().to_owned(),
+        message: message(point),
         claim: point.shadow.as_ref().map(|_| ClaimName::Shadowed),
         complete: reason.is_none() && point.first_wide.is_none() && !is_lost,
         bits: point.bits,
@@ -92,6 +101,23 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         period,
         states: point.states.iter().map(impact).collect(),
     }
+}
+
+/// The line in words of how it ended, its cycles those of the reference.
+fn message(point: &Point) -> String {
+    let own = point.conclusion.document();
+    let Some(lasting) = &point.lasting else { return own.message };
+    let Some(cycles) = lasting.cycles else {
+        let cycles = own.cycles.map(u64::from).or(own.period.map(|period| period.cycles)).unwrap_or_default();
+        let every = if cycles == 1 { "every cycle".to_owned() } else { format!("every {cycles} cycles") };
+        return own.message.replacen(&every, "in each period", 1);
+    };
+    let told = OutcomeDocument {
+        cycles: own.cycles.and_then(|_| u32::try_from(cycles).ok()),
+        period: own.period.map(|period| Period { cycles, ..period }),
+        ..own.clone()
+    };
+    told.words().unwrap_or(own.message)
 }
 
 fn impact(state: &State) -> SweepImpact {

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::Error;
 use crate::exact::{Exact, ExactError};
-use crate::scene::Key;
+use crate::scene::{Key, Scene};
 
 /// The points that a grid has at most.
 pub const MOST_POINTS: u64 = 100_000_000;
@@ -137,6 +137,51 @@ impl Grid {
             [slow, fast] => vec![(point / fast.count) % slow.count, point % fast.count],
             _ => vec![point],
         }
+    }
+
+    /// The number, from 0, of the term whose cycles are the unit of the sweep of a scene: one for all its points. `None` where the
+    /// excitation has a single term.
+    ///
+    /// It is the fastest of the terms that move the box where all axes are at their upper ends: so of terms whose amplitudes vary from
+    /// 0 as well. Phases `W t + tau`, cycles and what is said a cycle are told of this term at every point, also where another term is
+    /// faster there, or where this one does not move the box.
+    ///
+    /// # Errors
+    /// When an upper end is not one of the scene.
+    ///
+    /// ```
+    /// use impact_pair::{Scene, sweep::Grid};
+    /// let scene = Scene::parse(r#"
+    ///     excitation = { amplitude = [1, 0], frequency = [2, 3], phase = 0 }
+    ///     pair = { gap = 4, restitution = 0.5 }
+    ///     start = { time = 0, wall = "left", velocity = -1 }
+    /// "#)?;
+    /// let reference = |axis: &str| Grid::new(vec![axis.parse()?])?.reference(&scene);
+    /// assert_eq!((reference("amplitude.2=0..1:3")?, reference("amplitude.1=0..1:3")?), (Some(1), Some(0)));
+    /// # Ok::<(), impact_pair::Error>(())
+    /// ```
+    pub fn reference(&self, scene: &Scene) -> Result<Option<usize>, Error> {
+        let mut pair = scene.pair().clone();
+        for axis in &self.axes {
+            pair = pair.with(axis.key, axis.high.clone())?;
+        }
+        let excitation = pair.excitation();
+        Ok((excitation.terms().len() > 1).then(|| excitation.reference_term()))
+    }
+
+    /// The scene of a point: with these values in the place of its own, `start.phase` told of the sweep's [reference](Self::reference).
+    ///
+    /// # Errors
+    /// As of [`Scene::with`].
+    pub fn scene(&self, scene: &Scene, values: &[(Key, Exact)]) -> Result<Scene, Error> {
+        let reference = self.reference(scene)?;
+        let (phases, others): (Vec<_>, Vec<_>) = values.iter().cloned().partition(|(key, _)| *key == Key::StartPhase);
+        let varied = scene.with(&others)?;
+        let (Some(term), [(_, phase)]) = (reference, &phases[..]) else { return scene.with(values) };
+        let term = &varied.pair().excitation().terms()[term];
+        let time = phase.checked_sub(term.phase()).and_then(|since| since.checked_div(term.frequency()));
+        let time = time.map_err(|error| refused(&format!("start.phase={phase}"), &error.to_string()).because(error))?;
+        varied.with(&[(Key::StartTime, time)])
     }
 
     /// The values of a point, an axis each.

@@ -2,13 +2,18 @@
 //!
 //! A [`Grid`] has exact points; at each of them [`follow`] certifies one orbit and says what is proved of its future:
 //! a [`Point`]. Points do not know of each other, so they may be computed in any order, by any number of threads.
+//!
+//! All of them are told in one unit: phases, cycles and exponents are of one term of the excitation, [`Grid::reference`], also where
+//! another one is the fastest.
 
 mod columns;
 mod document;
 mod grid;
 mod point;
+mod unit;
 
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows};
 pub use document::{grid, head, record};
 pub use grid::{Axis, Grid, MOST_POINTS};
 pub use point::{Asked, Attraction, MOST_IMPACTS, Point, State, follow};
+pub use unit::Lasting;

@@ -14,6 +14,8 @@ use crate::periodic::{Attractor, PeriodicImpact};
 use crate::scene::Scene;
 use crate::turns::in_radians;
 
+use super::unit::{Lasting, Unit};
+
 /// Impacts that can be asked for at a point.
 pub const MOST_IMPACTS: u64 = 1_000_000_000;
 
@@ -26,6 +28,9 @@ pub struct Asked {
     pub impacts: u64,
     /// Only what is said of them all: they are not told one by one.
     pub summary: bool,
+    /// The number, from 0, of the term whose cycles are the unit, as [`Grid::reference`](super::Grid::reference) says; without it the
+    /// fastest that moves the box.
+    pub reference: Option<usize>,
     /// Digits and arithmetic; the impacts to stop after are the sum of both.
     pub settings: Settings,
 }
@@ -37,7 +42,7 @@ pub struct State {
     pub index: u64,
     /// The switch-plane.
     pub wall: Wall,
-    /// `W t + tau` \[rad\], its lower bound in `[0, 2 pi)`.
+    /// `W t + tau` of the reference \[rad\], its lower bound in `[0, 2 pi)`.
     pub phase: Enclosure,
     /// `y'` before the impact \[length/time\].
     pub velocity: Enclosure,
@@ -51,10 +56,8 @@ pub struct State {
 pub struct Attraction {
     /// The word, from that impact on.
     pub word: Word,
-    /// The cycles it takes.
-    pub cycles: u32,
-    /// The impact.
-    pub first: State,
+    /// The impact; `None` where its phase is another one of the reference in each period, as where that does not move the box.
+    pub first: Option<State>,
     /// From this impact of the orbit on it is in a neighbourhood that the period contracts.
     pub from: u64,
 }
@@ -72,6 +75,8 @@ pub struct Point {
     pub exponent: Exponent,
     /// What the orbit converges to, where that is proved.
     pub attraction: Option<Attraction>,
+    /// What it converges to, or repeats exactly, is periodic after so long.
+    pub lasting: Option<Lasting>,
     /// How it ended.
     pub outcome: Outcome,
     /// The same in words.
@@ -121,7 +126,8 @@ fn follow_in(
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
     let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
-    let mut window = Window::new(&orbit, asked);
+    let unit = Unit::of(scene.pair(), asked.reference)?;
+    let mut window = Window::new(&orbit, asked, &unit);
     let mut last = None;
     let _ = orbit.follow(goes_on, |orbit, event| {
         window.follow(orbit, &event);
@@ -130,14 +136,16 @@ fn follow_in(
     });
     let Some(outcome) = orbit.outcome().cloned() else { return Ok(None) };
     let last = last.and_then(|event| Event::of(&orbit, &event, window.listed));
-    let attraction = match &outcome {
-        Outcome::Attracted(attractor) => Some(attraction(&orbit, attractor)),
-        _ => None,
+    let (attraction, cycles) = match &outcome {
+        Outcome::Attracted(attractor) => (Some(attraction(&orbit, attractor, &unit)), Some(attractor.cycles.into())),
+        Outcome::Periodic(period) => (None, Some(period.cycles)),
+        _ => (None, None),
     };
     Ok(Some(Point {
+        lasting: cycles.map(|cycles| unit.lasting(cycles)),
         impacts: window.listed,
         impacts_per_cycle: window.impacts_per_cycle(&orbit),
-        exponent: window.disturbance.map_or_else(|| Disturbance::of(&orbit).exponent(), |it| it.exponent()),
+        exponent: window.disturbance.as_ref().map_or_else(|| Disturbance::of(&orbit).exponent(), Disturbance::exponent),
         states: window.states,
         attraction,
         conclusion: Conclusion::of(&orbit, scene.start(), last.as_ref()),
@@ -149,7 +157,8 @@ fn follow_in(
 }
 
 /// What is kept of an orbit after its transient.
-struct Window {
+struct Window<'u> {
+    unit: &'u Unit,
     transient: u64,
     listed: u64,
     summary: bool,
@@ -161,11 +170,11 @@ struct Window {
     has_chatter: bool,
 }
 
-impl Window {
-    fn new(orbit: &Orbit, &Asked { transient, summary, .. }: &Asked) -> Self {
-        let disturbance = (transient == 0).then(|| Disturbance::of(orbit));
+impl<'u> Window<'u> {
+    fn new(orbit: &Orbit, &Asked { transient, summary, .. }: &Asked, unit: &'u Unit) -> Self {
+        let disturbance = (transient == 0).then(|| Disturbance::of(orbit).in_turns_of(unit.rate()));
         let ends = orbit.start_impact().filter(|_| transient == 0).map(|start| [start.clone(), start]);
-        Self { transient, listed: 0, summary, states: Vec::new(), disturbance, ends, has_chatter: false }
+        Self { unit, transient, listed: 0, summary, states: Vec::new(), disturbance, ends, has_chatter: false }
     }
 
     fn follow(&mut self, orbit: &Orbit, event: &Progress) {
@@ -179,9 +188,9 @@ impl Window {
             return;
         }
         if impact.index == self.transient {
-            self.disturbance = Some(Disturbance::at(orbit, impact.clone()));
+            self.disturbance = Some(Disturbance::at(orbit, impact.clone()).in_turns_of(self.unit.rate()));
         } else if !self.summary {
-            let (phase, velocity) = (orbit.phase(impact), orbit.velocity(impact));
+            let (phase, velocity) = (self.unit.phase(orbit, impact), orbit.velocity(impact));
             self.states.push(State { index: impact.index, wall: impact.wall, phase, velocity });
         }
         match &mut self.ends {
@@ -195,19 +204,22 @@ impl Window {
         if self.has_chatter {
             return Some(Ball::exact(f64::INFINITY));
         }
-        Ball::exact((last.index - first.index) as f64).checked_div(orbit.turns_between(first, last))
+        let turns = orbit.turns_between(first, last);
+        let cycles = self.unit.rate().map_or(turns, |rate| turns * rate);
+        Ball::exact((last.index - first.index) as f64).checked_div(cycles)
     }
 }
 
 /// The attractor told from the impact that [`Attraction`] names.
-fn attraction(orbit: &Orbit, attractor: &Attractor) -> Attraction {
-    let Attractor { word, cycles, orbit: periodic, from, .. } = attractor;
+fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
+    let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
-    let radians = |impact: &PeriodicImpact| in_radians(&impact.phase, periodic.bits);
+    let told = |impact: &PeriodicImpact| unit.recurring(&impact.phase, periodic.bits);
+    let own = |impact: &PeriodicImpact| in_radians(&impact.phase, periodic.bits);
     let is_right = |shift| rotated(shift).map(|impact| impact.wall == Wall::Right).collect::<Vec<_>>();
     let earlier = |a: &usize, b: &usize| {
-        let phase = |shift: usize| radians(&impacts[shift]).mid_rad().0;
+        let phase = |shift: usize| told(&impacts[shift]).unwrap_or_else(|| own(&impacts[shift])).mid_rad().0;
         is_right(*a).cmp(&is_right(*b)).then_with(|| phase(*a).total_cmp(&phase(*b)))
     };
     let shift = (0..impacts.len()).min_by(earlier).expect("a word has impacts");
@@ -217,8 +229,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor) -> Attraction {
     let velocity = orbit.clock().velocity(&first.velocity);
     Attraction {
         word: Word::new(mappings).expect("a closed word can be turned"),
-        cycles: *cycles,
-        first: State { index: 1 + shift as u64, wall: first.wall, phase: radians(first), velocity },
+        first: told(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
     }
 }
@@ -236,8 +247,13 @@ mod tests {
     }
 
     fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
-        let asked =
-            Asked { transient, impacts, summary: false, settings: Settings { digits: 6, ..Settings::default() } };
+        let asked = Asked {
+            transient,
+            impacts,
+            summary: false,
+            reference: None,
+            settings: Settings { digits: 6, ..Settings::default() },
+        };
         follow(scene, &asked, || true).unwrap().unwrap()
     }
 
@@ -247,7 +263,7 @@ mod tests {
             let (scene, values) = (scene(name), [(Key::StartPhase, "0".parse().unwrap())]);
             let line = |summary| {
                 let settings = Settings { digits: 6, ..Settings::default() };
-                let asked = Asked { transient: 5, impacts: 40, summary, settings };
+                let asked = Asked { transient: 5, impacts: 40, summary, reference: None, settings };
                 crate::sweep::record(0, &values, &follow(&scene, &asked, || true).unwrap().unwrap())
             };
             let (short, mut full) = (line(true), line(false));
@@ -261,12 +277,13 @@ mod tests {
     fn an_attracted_orbit_is_told_from_the_left_wall() {
         let point = point(&scene("figure-12"), 100, 10);
         let attraction = point.attraction.unwrap();
-        assert_eq!((attraction.word.to_string().as_str(), attraction.cycles), ("P1 P2", 1));
-        assert_eq!(attraction.first.wall, Wall::Left);
+        assert_eq!((attraction.word.to_string().as_str(), point.lasting.unwrap().cycles), ("P1 P2", Some(1)));
+        let first = attraction.first.unwrap();
+        assert_eq!(first.wall, Wall::Left);
         assert_eq!(point.states.iter().map(|state| state.index).collect::<Vec<_>>(), (101..=110).collect::<Vec<_>>());
         // What is left of the transient is 0.26^50: the first impact on the left is the attractor's.
         let left = point.states.iter().find(|state| state.wall == Wall::Left).unwrap();
-        assert_abs_diff_eq!(left.velocity, attraction.first.velocity, epsilon = TRANSIENT);
+        assert_abs_diff_eq!(left.velocity, first.velocity, epsilon = TRANSIENT);
         let rate = point.impacts_per_cycle.unwrap();
         assert_abs_diff_eq!(rate.mid(), 2.0, epsilon = TRANSIENT + rate.rad());
         // Of the two eigenvalues 0.25764 is the larger: its logarithm for two impacts.
@@ -280,13 +297,13 @@ mod tests {
         let scene = scene("cascade");
         let from = |phase: &str| {
             let varied = scene.with(&[(Key::StartPhase, phase.parse().unwrap())]).unwrap();
-            point(&varied, 600, 4).attraction
+            let point = point(&varied, 600, 4);
+            // There are others as well.
+            point.attraction.filter(|_| point.lasting.is_some_and(|lasting| lasting.cycles == Some(1)))
         };
-        // There are others as well.
-        let is_short = |attraction: &Attraction| attraction.cycles == 1;
         let phases = ["0", "1", "2", "3", "4", "5", "6"];
-        let found: Vec<_> = phases.iter().filter_map(|phase| from(phase)).filter(is_short).collect();
-        let phase = |attraction: &Attraction| attraction.first.phase.mid_rad().0;
+        let found: Vec<_> = phases.iter().filter_map(|phase| from(phase)).collect();
+        let phase = |attraction: &Attraction| attraction.first.as_ref().unwrap().phase.mid_rad().0;
         assert!(found.len() > 3 && found.iter().all(|one| one.word == found[0].word));
         let (low, high) = found.iter().map(phase).fold((9f64, 0f64), |(a, b), x| (a.min(x), b.max(x)));
         assert!(high - low > 0.1 && found.iter().map(phase).all(|x| x - low < 1e-4 || high - x < 1e-4));
@@ -297,7 +314,7 @@ mod tests {
     fn what_is_chaotic_is_shadowed_and_nothing_else() {
         let follow = |name: &str, impacts: u64| {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
-            follow(&scene(name), &Asked { transient: 500, impacts, summary: false, settings }, || true)
+            follow(&scene(name), &Asked { transient: 500, impacts, summary: false, reference: None, settings }, || true)
                 .unwrap()
                 .unwrap()
         };
@@ -318,7 +335,7 @@ mod tests {
         assert_eq!(chatter.impacts_per_cycle.map(Ball::mid), Some(f64::INFINITY));
         assert_eq!(chatter.states.len(), 60);
         let settings = Settings { arithmetic: Arithmetic::Interval, ..Settings::default() };
-        let asked = Asked { transient: 20, impacts: 500, summary: false, settings };
+        let asked = Asked { transient: 20, impacts: 500, summary: false, reference: None, settings };
         let chaos = follow(&scene("figure-14"), &asked, || true).unwrap().unwrap();
         assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);
         assert_eq!(chaos.states.len() as u64 + 20, chaos.impacts);

@@ -126,7 +126,7 @@ impl Data {
         Real::of(speed, bits).over(&Real::of(self.frequency(), bits)).expect("W > 0")
     }
 
-    /// The equispaced motion for `d` and `|v|`, with its `A_N` (68); none for N even.
+    /// The equispaced motion for `d` and `|v|`, with its `A_N` (68); none for N even, where e < 1 (65).
     pub fn with_amplitude(&self, speed: &Exact, bits: u32) -> Found {
         if !self.is_odd() {
             return Found::none();
@@ -160,13 +160,13 @@ impl Data {
         sides().is_ok_and(|(gap, travel)| gap.compare(&travel) == Some(Ordering::Equal))
     }
 
-    /// The equispaced motions for `A` and `|v|`, each with its `d` (67); none for N even.
+    /// The equispaced motions for `A` and `|v|`, each with its `d` (67); none for N even, where e < 1 (65).
     pub fn with_gaps(&self, speed: &Exact, bits: u32) -> Found {
-        if !self.is_odd() {
-            return Found::none();
-        }
         let length = self.length(speed, bits);
         let amplitude = Real::of(self.pair.excitation().reference().amplitude(), bits);
+        if !self.is_odd() {
+            return if self.is_elastic { self.with_even_gap(&length, &amplitude) } else { Found::none() };
+        }
         let e = Real::of(self.pair.restitution(), bits);
         let zero = Real::int(0, bits);
         let cos = ((Real::int(1, bits) - &e) * &length).half().over(&amplitude).expect("A > 0");
@@ -197,6 +197,20 @@ impl Data {
             }
         }
         found
+    }
+
+    /// The two equispaced motions of N even for e = 1: `d = N pi |v|/W`, whatever `A` is. Lemma W7 (b)
+    fn with_even_gap(&self, length: &Real, amplitude: &Real) -> Found {
+        let cycles = i64::from(self.cycles);
+        let gap = Real::pi(length.bits()) * cycles * length;
+        let motions = gap.over(amplitude).and_then(|ratio| elastic::whole_turns(&self.parameters(ratio), cycles / 2));
+        match motions {
+            Some(motions) => {
+                let motions = motions.into_iter().map(|motion| (motion, amplitude.clone())).collect();
+                Found { motions, doubts: Vec::new() }
+            }
+            None => Found { doubts: vec![Real::pi(length.bits()) * cycles], ..Found::none() },
+        }
     }
 
     /// How `(1 - e)|v|` compares with `2 A W`: `cos th0` with 1, (66).

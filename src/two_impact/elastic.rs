@@ -41,7 +41,7 @@ fn quarter(parameters: &Parameters, sin: i64) -> Option<Vec<Motion>> {
 }
 
 /// `th1 = th0 + 2 j pi`: two motions, or none; `None` if that is not decided.
-fn whole_turns(parameters: &Parameters, turns: i64) -> Option<Vec<Motion>> {
+pub(super) fn whole_turns(parameters: &Parameters, turns: i64) -> Option<Vec<Motion>> {
     let cycles = i64::from(parameters.cycles);
     let turn = Real::pi(parameters.bits()) * 2;
     let speed = (&parameters.ratio * cycles).over(&(&turn * 2 * turns * (cycles - turns)))?;

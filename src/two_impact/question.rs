@@ -65,7 +65,7 @@ pub struct Answer {
     pub orbits: Vec<Orbit>,
     /// Parts of `th1 - th0` \[rad\] in which there may be others.
     pub undecided: Vec<Enclosure>,
-    /// Whether there are proved to be no others with two impacts in N cycles.
+    /// Whether there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
     /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits asked for.
     pub is_complete: bool,
@@ -91,8 +91,8 @@ impl Question {
     /// A question about `pair`.
     ///
     /// # Errors
-    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], or there are
-    /// several harmonics.
+    /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
+    /// several harmonics, or the amplitude is unknown for e = 1 and N even, where it is arbitrary.
     pub fn new(pair: &ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
@@ -106,7 +106,13 @@ impl Question {
         if !matches!(unknown, Unknown::Amplitude(_)) {
             Error::require_positive("excitation.amplitude", harmonic.amplitude())?;
         }
-        Ok(Self { data: Data::new(pair, cycles)?, unknown })
+        let data = Data::new(pair, cycles)?;
+        // W7 (b): |v| = d W/(N pi), whatever A is.
+        if matches!(unknown, Unknown::Amplitude(_)) && data.is_elastic() && cycles % 2 == 0 {
+            let accepted = "must be odd: with e = 1 and N even the speed is d W/(N pi) for every amplitude, so none follows from it";
+            return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), accepted));
+        }
+        Ok(Self { data, unknown })
     }
 
     /// Answers it, with each enclosure of a phase at most `10^-digits` of a turn wide and of a velocity `10^-digits` of

@@ -10,13 +10,24 @@ pub struct Change {
     /// How.
     pub what: String,
     pub document: Value,
+    /// Where, with the positions in lists.
+    place: String,
+}
+
+impl Change {
+    /// Whether it is at, or in, what stands at a key, which may have positions in lists.
+    pub fn is_at(&self, key: &str) -> bool {
+        self.path.starts_with(key) || self.place.starts_with(key)
+    }
 }
 
 /// All changes of a document.
 pub fn all(document: &Value) -> Vec<Change> {
     let mut changes = Vec::new();
     walk(document, &mut Vec::new(), &mut |path, value| {
+        let place = numbered(path);
         for (what, other) in others(path, value) {
+            let place = place.clone();
             let mut copy = document.clone();
             let pointer: String = path.iter().map(|key| format!("/{key}")).collect();
             match other {
@@ -28,13 +39,19 @@ pub fn all(document: &Value) -> Vec<Change> {
             let path = name.trim_start_matches('.').to_owned();
             let told = told(&copy);
             let is_told_otherwise = told != copy;
-            changes.push(Change { path: path.clone(), what: what.clone(), document: copy });
+            changes.push(Change { path: path.clone(), what: what.clone(), document: copy, place: place.clone() });
             if is_told_otherwise {
-                changes.push(Change { path, what: format!("{what}, told anew"), document: told });
+                changes.push(Change { path, what: format!("{what}, told anew"), document: told, place });
             }
         }
     });
     changes
+}
+
+/// A path as it is written: `events[0].time`.
+fn numbered(path: &[String]) -> String {
+    let step = |key: &String| if key.parse::<usize>().is_ok() { format!("[{key}]") } else { format!(".{key}") };
+    path.iter().map(step).collect::<String>().trim_start_matches('.').to_owned()
 }
 
 fn walk(value: &Value, path: &mut Vec<String>, each: &mut impl FnMut(&[String], &Value)) {
@@ -135,6 +152,13 @@ const WORDS: [&[&str]; 9] = [
     &["P1 P2", "P2 P1", "P3", "P1 P2 P1 P2", "P4 P4 P1 P3 P2"],
 ];
 
+/// The words that may stand in the place of one.
+pub fn other_words(text: &str) -> Option<Vec<&'static str>> {
+    let all = [&WORDS[..], &[&["fold", "pitchfork", "period-doubling"]]].concat();
+    let words = all.into_iter().find(|words| words.contains(&text))?;
+    Some(words.iter().copied().filter(|word| *word != text).collect())
+}
+
 fn bounds(items: &[Value]) -> Option<[String; 2]> {
     let [Value::String(lower), Value::String(upper)] = items else { return None };
     let is_number = |text: &str| text.parse::<f64>().is_ok();
@@ -187,7 +211,7 @@ fn decimal(expression: &str) -> String {
 }
 
 /// The document with all that follows from the rest told anew: numbers and mappings of impacts, their count, the message.
-fn told(document: &Value) -> Value {
+pub fn told(document: &Value) -> Value {
     let mut told = document.clone();
     let Some(events) = told.get_mut("events").and_then(Value::as_array_mut) else { return told };
     for (i, event) in events.iter_mut().filter(|event| event["event"] == "impact").enumerate() {

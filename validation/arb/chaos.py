@@ -38,19 +38,22 @@ def side(start, end, state, turns=0):
 
 
 def check_bases(bases):
-    """Refuses bases that are not convex or not apart, whole turns included."""
+    """Refuses bases that are not convex, or not apart from each other and from their own translates, whole turns later."""
     for number, base in enumerate(bases):
         ends = round_of(base)
         if not all(side(ends[i], ends[i - 3], ends[i - 2]) > 0 for i in range(4)):
             raise Disagreement(f"base {number} is not convex")
-        for other in bases[:number]:
+        for other in bases[: number + 1]:
             for turns in range(-3, 4):
+                if other is base and turns == 0:
+                    continue
                 if not any(
                     all(side(one[i], one[i - 3], state, shift) < 0 for state in two)
                     for one, two, shift in ((ends, round_of(other), turns), (round_of(other), ends, -turns))
                     for i in range(4)
                 ):
-                    raise Disagreement(f"base {number} is not apart from another one")
+                    whose = "its own translate" if other is base else "another one"
+                    raise Disagreement(f"base {number} is not apart from {whose}")
 
 
 def crossings(base, tube, turns):

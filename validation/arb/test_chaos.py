@@ -66,6 +66,9 @@ class Words(unittest.TestCase):
         check_bases([square(0.0, 0.2), square(0.3, 0.4)])
         with self.assertRaisesRegex(Disagreement, "not apart"):
             check_bases([square(0.0, 0.2), square(1.1, 1.4)])
+        check_bases([square(0.1, 1.05)])
+        with self.assertRaisesRegex(Disagreement, "not apart from its own translate"):
+            check_bases([square(0.1, 1.3)])
         with self.assertRaisesRegex(Disagreement, "not convex"):
             check_bases([square(0.2, 0.0)])
 

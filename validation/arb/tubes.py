@@ -7,6 +7,7 @@ from collections import namedtuple
 import numpy as np
 from flint import arb
 
+from compare import Disagreement
 from quads import Chord, Flights, corners, cross, minus
 
 TURN = 2 * np.pi
@@ -209,7 +210,11 @@ def is_mapped(law, tube, part, chords):
 
 
 def followed(law, tube, dropped):
-    """(far, tube, parts) for each stretch that is proved to be followed over one impact; dropped cells count as not proved."""
+    """(far, tube, parts) for each stretch that is proved to be followed over one impact; dropped cells count as not proved.
+
+    No two stretches may be followed from parts with inner points in common: distinct words rest on that.
+    """
+    used = (-1, 0.0)
     for parts, chords in proposals(law, tube):
         straight = turns_left(chords)
         proved = [
@@ -224,7 +229,11 @@ def followed(law, tube, dropped):
                 continue
             if begin < end:
                 # The ends of the stretch land before its first chord and behind its last one.
-                low, high = parts[begin].place + WINDOW + 2, parts[end - 1].place - WINDOW - 1
+                first, last = parts[begin], parts[end - 1]
+                if (first.cell, first.begin) < used:
+                    raise Disagreement("two stretches of a tube are followed from one part of it")
+                used = (last.cell, last.end)
+                low, high = first.place + WINDOW + 2, last.place - WINDOW - 1
                 if low < high:
                     yield parts[0].far, chords[low : high + 1], end - begin
             begin = end + 1

@@ -24,8 +24,9 @@ Examples:
 Shards become one by sweep --merge one.jsonl two.jsonl three.jsonl --output diagram.csv
 
 KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or start.velocity. Of \
-several terms amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, from 1; phases and cycles are at each point those of \
-the fastest term that moves the box there. Points are exact and evenly spread, both ends among them; of two axes the second one runs through \
+several terms amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, from 1. Phases and cycles \
+are at all points those of one of them, the head's reference: the fastest of those that move the box where all that varies is \
+greatest. Points are exact and evenly spread, both ends among them; of two axes the second one runs through \
 faster.
 
 Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly from a release \

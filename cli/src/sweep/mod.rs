@@ -101,7 +101,8 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let (digits, max_bits) = (arguments.digits, arguments.max_bits);
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let SweepArguments { transient, impacts, summary, .. } = *arguments;
-    let asked = Asked { transient, impacts, summary, settings };
+    let reference = grid.reference(&scene).with_context(|| scene::name(path))?;
+    let asked = Asked { transient, impacts, summary, reference, settings };
     let head = sweep::head(&scene, &grid, &asked, arguments.shard.map(|shard| [shard.number, shard.of]));
     let threads = match arguments.threads {
         Some(threads) => threads.into(),

@@ -54,7 +54,7 @@ impl Work<'_> {
                 |(key, value): &(impact_pair::scene::Key, impact_pair::exact::Exact)| format!("{key} = {value}");
             format!("point {point} ({})", values.iter().map(value).collect::<Vec<_>>().join(", "))
         };
-        let scene = self.scene.with(&values).with_context(named)?;
+        let scene = self.grid.scene(self.scene, &values).with_context(named)?;
         let found = follow(&scene, self.asked, || !interrupted.load(Ordering::Relaxed)).with_context(named)?;
         Ok(found.map(|found| record::line(&sweep::record(point, &values, &found))))
     }
@@ -62,7 +62,7 @@ impl Work<'_> {
     /// Asks that all corners of the grid are scenes, before anything is computed.
     pub fn check(&self) -> Result<()> {
         self.grid.corners().into_iter().try_for_each(|point| {
-            Orbit::of(&self.scene.with(&self.grid.values(point)?)?, self.asked.settings.clone())?;
+            Orbit::of(&self.grid.scene(self.scene, &self.grid.values(point)?)?, self.asked.settings.clone())?;
             Ok(())
         })
     }

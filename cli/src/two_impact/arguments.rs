@@ -24,7 +24,7 @@ Examples:
   impact-pair two-impact scenes/figure-10.toml --manifold frequency=5..60:400 --plot figure-10.svg
 
 Two of A, d and |v| are given, by --solve-for. velocity: A and d are the scene's, and all motions with two impacts in N \
-cycles are found, equispaced by (66), (67) or (70), (71), and the others, N odd or even, through (62), (63), isolated \
+cycles are found in which the ball never rests on a wall, equispaced by (66), (67) or (70), (71), and the others, N odd or even, through (62), (63), isolated \
 with proof. amplitude: d and the start's v are the scene's, and A_N is that of (68); gap: A and the start's v are, and d is that of (67); \
 these two are equispaced, so for N odd.
 

@@ -16,7 +16,9 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
     lines.push(scene.parameters_in_words());
     match unknown {
-        Unknown::Velocity => lines.push("given A and d: all motions with two impacts in N cycles".into()),
+        Unknown::Velocity => {
+            lines.push("given A and d: all motions with two impacts in N cycles that never rest".into())
+        }
         Unknown::Amplitude(speed) => lines.push(format!("given d and |v| = {speed}: A_N (68), equispaced")),
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
     }
@@ -32,10 +34,10 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
     lines.join("\n") + "\n"
 }
 
-/// How many there are, and whether these are all.
+/// How many there are, and whether these are all but those that rest.
 fn said(answer: &Answer) -> String {
     let count = orbits(answer.orbits.len());
-    if answer.is_exhaustive { format!("{count}, proved to be all") } else { count }
+    if answer.is_exhaustive { format!("{count}, proved to be all without a rest") } else { count }
 }
 
 fn orbit(index: usize, orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Vec<String> {

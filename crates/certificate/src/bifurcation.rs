@@ -105,6 +105,7 @@ impl BifurcationCertificate {
         unjudged.extend((!document.branches.is_empty()).then(|| "branches".to_owned()));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
+        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
         let is_graze = |(_, point): &(usize, &ClaimedPoint)| point.kind == Kind::Graze;
         unjudged.extend(points.iter().enumerate().filter(is_graze).map(|(i, _)| format!("points[{i}]")));
         unjudged.extend((!points.is_empty()).then(|| "points.orbit.unique".to_owned()));

@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::document::{
-    BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA, PERIODIC_SCHEMA,
-    SWEEP_SCHEMA, TRAP_SCHEMA, counted,
+    AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA,
+    PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
 };
 use crate::{
-    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, Effort, Finding, PeriodicCertificate,
-    SweepCertificate, TrapCertificate, Verdict,
+    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, Effort, Finding, Judged,
+    PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
 };
 use impact_pair_model::Error;
 
@@ -19,8 +19,10 @@ use impact_pair_model::Error;
 pub enum Claims {
     /// An orbit JSON: all its events and its outcome are checked.
     Orbit(Box<Certificate>),
-    /// A periodic JSON, or that of two-impact motions, or of all cycles: all its orbits are checked, not that there are no others.
+    /// A periodic JSON, or that of two-impact motions: all its orbits are checked, not that there are no others.
     Periodic(Box<PeriodicCertificate>),
+    /// A JSON of all cycles: all its orbits are checked, and that its counts are theirs, not that there are no others.
+    Cycles(Box<CyclesCertificate>),
     /// A bifurcation JSON: its folds, pitchforks and period doublings are checked, not its grazes, and not that there are no others.
     Bifurcations(Box<BifurcationCertificate>),
     /// A sweep: the impacts of all its points are checked, not what becomes of them.
@@ -42,8 +44,9 @@ impl Claims {
     /// Name the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
-        if let Some(Value::Array(documents)) = &head {
-            return Self::list(documents);
+        if let Some(Value::Array(_)) = &head {
+            // Nothing may come after it.
+            return Self::list(&value(text)?);
         }
         let schema = head.as_ref().and_then(|head| head["schema"].as_str());
         Ok(match schema {
@@ -55,12 +58,16 @@ impl Claims {
                 Self::Unchecked("motions solved for the amplitude or the gap: their scene has another one")
             }
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
-            Some(CYCLES_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse_cycles(text)?)),
+            Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
             Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
             Some(CHAOS_CELLS_SCHEMA) => {
                 Self::Unchecked("stretches of a parameter: horseshoes and attracted orbits in each")
             }
+            Some(AUDIT_SCHEMA) => {
+                Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
+            }
+            Some(TRADE_SCHEMA) => Self::Unchecked("measurements of what accuracy costs"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
             Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
@@ -68,38 +75,44 @@ impl Claims {
         })
     }
 
-    fn list(documents: &[Value]) -> Result<Self, Error> {
+    fn list(documents: &Value) -> Result<Self, Error> {
         let parse = |document: &Value| match document {
             Value::Object(_) => Self::parse(&document.to_string()),
             _ => Err(Error::certificate("a list must be one of documents".to_owned())),
         };
-        Ok(Self::List(documents.iter().map(parse).collect::<Result<_, _>>()?))
+        let documents = documents.as_array().into_iter().flatten();
+        Ok(Self::List(documents.map(parse).collect::<Result<_, _>>()?))
     }
 
     /// Judges one document after another; the first that is not confirmed says why.
-    fn check_list(
+    fn judge_list(
         documents: &[Self],
         effort: &Effort,
         stop: Option<&'static AtomicBool>,
         progress: &mut dyn FnMut(usize),
-    ) -> Result<Verdict, Error> {
+    ) -> Result<Judged, Error> {
         let (mut before, mut most) = (0, (0, 0));
         for document in documents {
-            let verdict = document.check_until(effort, stop, &mut |event| progress(before + event))?;
+            let Judged { verdict, confirmed } = document.judge(effort, stop, &mut |event| progress(before + event))?;
             let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
-            match verdict {
-                Verdict::Confirmed { bits, pieces } => most = (most.0.max(bits), most.1.max(pieces)),
-                Verdict::Refuted(finding) => return Ok(Verdict::Refuted(at(finding))),
-                Verdict::Undecided(finding) => return Ok(Verdict::Undecided(at(finding))),
-                Verdict::Interrupted { events } => return Ok(Verdict::Interrupted { events: before + events }),
-            }
-            // One more for what is said of the whole document.
-            before += document.count() + 1;
+            let verdict = match verdict {
+                Verdict::Confirmed { bits, pieces } => {
+                    most = (most.0.max(bits), most.1.max(pieces));
+                    // One more for what is said of the whole document.
+                    before += document.count() + 1;
+                    continue;
+                }
+                Verdict::Refuted(finding) => Verdict::Refuted(at(finding)),
+                Verdict::Undecided(finding) => Verdict::Undecided(at(finding)),
+                Verdict::Interrupted { events } => Verdict::Interrupted { events: before + events },
+            };
+            return Ok(Judged { verdict, confirmed: before + confirmed });
         }
-        Ok(match most {
+        let verdict = match most {
             (0, _) => Verdict::Undecided(Finding { event: 0, message: "there is nothing to check".to_owned() }),
             (bits, pieces) => Verdict::Confirmed { bits, pieces },
-        })
+        };
+        Ok(Judged { verdict, confirmed: before })
     }
 
     /// Proves every claim again, or says which one is not true or not proved, until `stop` is set, if there is one. `progress` is told
@@ -113,18 +126,55 @@ impl Claims {
         stop: Option<&'static AtomicBool>,
         mut progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
-        match self {
-            Self::List(documents) => Self::check_list(documents, effort, stop, &mut progress),
-            Self::Sweep(certificate) => certificate.check_until(effort, stop, progress),
-            Self::Orbit(certificate) => certificate.check_until(effort, stop, progress),
-            Self::Periodic(certificate) => certificate.check_until(effort, stop, progress),
-            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, progress),
-            Self::Chaos(certificate) => certificate.check_until(effort, stop, progress),
-            Self::Trap(certificate) => certificate.check_until(effort, stop, progress),
-            Self::Unchecked(_) => {
+        Ok(self.judge(effort, stop, &mut progress)?.verdict)
+    }
+
+    /// Judges as [`check_until`](Self::check_until) does, and says how far its claims were confirmed one after another: what
+    /// [`document`](Self::document) tells of each of them.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn judge(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        progress: &mut dyn FnMut(usize),
+    ) -> Result<Judged, Error> {
+        let mut reached = 0;
+        if let Self::List(documents) = self {
+            return Self::judge_list(documents, effort, stop, progress);
+        }
+        if let Self::Sweep(certificate) = self {
+            let verdict = certificate.judge_until(effort, stop, |point, are_confirmed| {
+                progress(point);
+                reached = if are_confirmed { point } else { reached };
+            })?;
+            return Ok(self.judged(verdict, reached));
+        }
+        let watch = |event: usize| {
+            reached = reached.max(event);
+            progress(event);
+        };
+        let verdict = match self {
+            Self::Orbit(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Periodic(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Cycles(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Chaos(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Trap(certificate) => certificate.check_until(effort, stop, watch),
+            Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
-        }
+        }?;
+        Ok(self.judged(verdict, reached))
+    }
+
+    fn judged(&self, verdict: Verdict, reached: usize) -> Judged {
+        let confirmed = match verdict {
+            Verdict::Confirmed { .. } => self.count() + 1,
+            _ => self.certain(reached),
+        };
+        Judged { verdict, confirmed }
     }
 
     /// How many claims come one after another: events, orbits.
@@ -132,6 +182,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.events().len(),
             Self::Periodic(certificate) => certificate.count(),
+            Self::Cycles(certificate) => certificate.orbits().count(),
             Self::Bifurcations(certificate) => certificate.count(),
             Self::Sweep(certificate) => certificate.count(),
             Self::Chaos(certificate) => certificate.count(),
@@ -147,6 +198,7 @@ impl Claims {
         match self {
             Self::Orbit(certificate) => certificate.unjudged().to_vec(),
             Self::Periodic(certificate) => certificate.unjudged().to_vec(),
+            Self::Cycles(certificate) => certificate.orbits().unjudged().to_vec(),
             Self::Bifurcations(certificate) => certificate.unjudged().to_vec(),
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
@@ -184,15 +236,18 @@ impl Claims {
                 });
                 counted(whole.count(), "document")
             }
-            Self::Periodic(_) | Self::Unchecked(_) => counted(count, "orbit"),
+            Self::Periodic(_) | Self::Cycles(_) | Self::Unchecked(_) => counted(count, "orbit"),
         }
     }
 
     /// All claims, in words.
     pub fn all(&self) -> String {
         match self {
-            Self::Orbit(certificate) => format!("{} and the outcome", counted(certificate.events().len(), "event")),
-            Self::Periodic(certificate) => counted(certificate.count(), "orbit"),
+            Self::Orbit(certificate) => {
+                let near = certificate.nearness();
+                format!("{} and the outcome{near}", counted(certificate.events().len(), "event"))
+            }
+            Self::Periodic(_) | Self::Cycles(_) => counted(self.count(), "orbit"),
             Self::Bifurcations(certificate) => counted(certificate.checked(), "bifurcation"),
             Self::Sweep(certificate) => format!("the impacts of {}", counted(certificate.count(), "point")),
             Self::Chaos(certificate) => {
@@ -211,7 +266,7 @@ impl Claims {
     pub fn described(&self, Finding { event, message }: &Finding) -> String {
         match self {
             Self::Orbit(certificate) => certificate.described(*event, message),
-            Self::Periodic(certificate) if *event < certificate.count() => format!("orbits[{event}]: {message}"),
+            Self::Periodic(_) | Self::Cycles(_) if *event < self.count() => format!("orbits[{event}]: {message}"),
             Self::Bifurcations(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
@@ -228,6 +283,7 @@ impl Claims {
                 message.clone()
             }
             Self::Periodic(_)
+            | Self::Cycles(_)
             | Self::Bifurcations(_)
             | Self::Sweep(_)
             | Self::Chaos(_)

@@ -2,12 +2,13 @@
 
 use super::attraction::ClaimedOrbit;
 use crate::document::{
-    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument, value,
+    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument,
+    value,
 };
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};
 
-/// What a periodic JSON claims of periodic orbits, or that of two-impact motions, or of all cycles.
+/// What a periodic JSON claims of periodic orbits, or that of two-impact motions.
 #[derive(Clone, Debug)]
 pub struct PeriodicCertificate {
     pair: ImpactPair,
@@ -15,6 +16,7 @@ pub struct PeriodicCertificate {
     orbits: Vec<OrbitOf>,
     says_all_is_proved: bool,
     has_no_rest: bool,
+    mirrors_are_one: bool,
     unjudged: Vec<String>,
 }
 
@@ -42,9 +44,11 @@ impl PeriodicCertificate {
                 return Err(solved_for.refused("only what is solved for the velocity is checked"));
             }
             let has_rest = !document.undecided.is_empty();
-            let TwoImpactDocument { schema, scene, word, cycles, exhaustive, certified, orbits, .. } = document;
+            let TwoImpactDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, .. } =
+                document;
+            let undecided = None;
             let document =
-                PeriodicDocument { schema, scene, word, cycles, exhaustive, certified, orbits, undecided: None };
+                PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
             ((document, has_rest), whole.unread::<TwoImpactDocument>()?)
         } else {
             let document: PeriodicDocument = whole.read()?;
@@ -73,6 +77,8 @@ impl PeriodicCertificate {
         ]));
         // Where it claims nothing, nothing is left out.
         unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
+        // That all is proved says of a search that there are no others; of two impacts it is always said.
+        unjudged.extend((document.certified && (document.exhaustive || is_two_impact)).then(|| "certified".to_owned()));
         unjudged.extend(has_rest.then(|| "undecided".to_owned()));
         unjudged.push("scene.start".to_owned());
         let (pair, _) = document.scene.model()?;
@@ -84,20 +90,23 @@ impl PeriodicCertificate {
         }
         let cycles = document.cycles.into();
         let orbits = orbits.into_iter().map(|orbit| OrbitOf { word: word.clone(), cycles, orbit }).collect();
-        Self::new(pair, orbits, (document.certified && !is_two_impact, !has_rest), unjudged)
+        let says_all_is_proved = document.certified && !is_two_impact;
+        let document = Self::new(pair, orbits, unjudged)?;
+        Ok(Self { says_all_is_proved, has_no_rest: !has_rest, ..document })
     }
 
-    /// Reads the JSON of all cycles: its orbits, not that there are no others.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub fn parse_cycles(text: &str) -> Result<Self, Error> {
+    /// Reads the orbits of the JSON of all cycles.
+    pub(super) fn parse_cycles(text: &str) -> Result<Self, Error> {
         let value = value(text)?;
         let whole = Place::of_schema(&value, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
         let mut unjudged = whole.unread::<CyclesDocument>()?;
-        unjudged.extend(whole.keys_but(&["schema", "scene", "certified", "orbits"]));
-        unjudged.extend(["orbits.reduced_impacts", "scene.start"].map(str::to_owned));
+        // That there are no others is not judged, nor what follows from it, but that these are so many.
+        unjudged.extend(whole.keys_but(&["schema", "scene", "orbits"]));
+        unjudged.push("scene.start".to_owned());
+        let is_open = |orbit: &PeriodicOrbitDocument| orbit.physical != Some(true) || orbit.symmetric.is_none();
+        let open = document.orbits.iter().enumerate().filter(|(_, cycle)| is_open(&cycle.orbit));
+        unjudged.extend(open.map(|(i, _)| format!("orbits[{i}].reduced_impacts")));
         let (pair, _) = document.scene.model()?;
         let places = whole.get("orbits")?.list()?;
         let orbits = document.orbits.iter().zip(&places).map(|(cycle, place)| {
@@ -105,15 +114,13 @@ impl PeriodicCertificate {
             Ok(OrbitOf { word: cycle.word.parse()?, cycles: cycle.cycles.into(), orbit })
         });
         let orbits = orbits.collect::<Result<_, Error>>()?;
-        Self::new(pair, orbits, (document.certified, document.undecided.is_empty()), unjudged)
+        let says_all_is_proved = document.certified;
+        let has_no_rest = document.undecided.is_empty();
+        let document = Self::new(pair, orbits, unjudged)?;
+        Ok(Self { says_all_is_proved, has_no_rest, mirrors_are_one: true, ..document })
     }
 
-    fn new(
-        pair: ImpactPair,
-        orbits: Vec<OrbitOf>,
-        (says_all_is_proved, has_no_rest): (bool, bool),
-        mut unjudged: Vec<String>,
-    ) -> Result<Self, Error> {
+    fn new(pair: ImpactPair, orbits: Vec<OrbitOf>, mut unjudged: Vec<String>) -> Result<Self, Error> {
         // Of what is no motion it is not judged whether there are others, one of them its mirror image.
         for (i, _) in orbits.iter().enumerate().filter(|(_, orbit)| orbit.orbit.physical != Some(true)) {
             unjudged.extend([format!("orbits[{i}].symmetric"), format!("orbits[{i}].unique")]);
@@ -122,7 +129,8 @@ impl PeriodicCertificate {
         unjudged.dedup();
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
-        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, unjudged })
+        let (says_all_is_proved, has_no_rest, mirrors_are_one) = (false, true, false);
+        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one, unjudged })
     }
 
     /// The impact pair.
@@ -151,6 +159,11 @@ impl PeriodicCertificate {
     /// Whether no part of the state space is left undecided.
     pub(super) fn has_no_rest(&self) -> bool {
         self.has_no_rest
+    }
+
+    /// Whether an orbit and its mirror image are listed as one.
+    pub(super) fn mirrors_are_one(&self) -> bool {
+        self.mirrors_are_one
     }
 
     /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.

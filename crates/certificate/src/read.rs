@@ -93,9 +93,10 @@ impl Certificate {
         }
         unjudged.extend(outcome.unread::<OutcomeDocument>()?);
         let ended: OutcomeDocument = outcome.read()?;
-        // V7 proves that nothing comes before the first bound, not that anything comes before the second.
-        let has_latest = ended.time.as_ref().is_some_and(|[_, latest]| latest.is_some());
-        unjudged.extend(has_latest.then(|| "outcome.time[1]".to_owned()));
+        if ended.kind == "undecided" {
+            // That something cannot be decided claims nothing; that all is listed up to a time does.
+            unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
+        }
         unjudged.sort();
         unjudged.dedup();
         // What every kind says, older documents do not.

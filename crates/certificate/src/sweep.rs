@@ -8,7 +8,8 @@ use crate::document::{
     SweepRecord, Written, values,
 };
 use impact_pair_exact::{Exact, ExactError};
-use impact_pair_model::{Error, ImpactPair, Start, Wall};
+use impact_pair_model::scene::Key;
+use impact_pair_model::{Error, Harmonic, ImpactPair, Start, Wall};
 
 /// What a sweep claims of the impacts of its points.
 #[derive(Clone, Debug)]
@@ -22,10 +23,14 @@ pub struct SweepCertificate {
 pub(super) struct ClaimedOrbit {
     pub pair: ImpactPair,
     pub start: Start,
+    /// The term that phases are told of, where that is not the fastest one that moves the box.
+    pub reference: Option<Harmonic>,
     /// How many impacts are certified.
     pub impacts: u64,
     /// Those that are listed, after a transient.
     pub states: Vec<ClaimedState>,
+    /// Its place on each axis, from 0.
+    pub places: Vec<Option<u64>>,
     /// Whether its values are those of the grid; `None` where that is not decided.
     pub is_of_grid: Option<bool>,
     /// It is of an orbit that starts near.
@@ -44,23 +49,24 @@ pub(super) struct ClaimedState {
 }
 
 /// What no lemma of `check` is about.
-const UNJUDGED: [&str; 16] = [
+const UNJUDGED: [&str; 17] = [
     "arithmetic",
-    "bits",
-    "complete",
+    "claim",
     "digits",
-    "exponent",
-    "impacts_per_cycle",
-    "message",
-    "outcome",
-    "period",
-    "points",
+    "impacts",
+    "points.bits",
+    "points.complete",
+    "points.exponent",
+    "points.impacts_per_cycle",
+    "points.message",
+    "points.outcome",
+    "points.period",
+    "points.reason",
+    "points.wide_from",
     "program",
-    "reason",
     "shard",
     "summary",
     "title",
-    "wide_from",
 ];
 
 impl SweepCertificate {
@@ -75,12 +81,23 @@ impl SweepCertificate {
         if !head.certified {
             return Err(place.get("certified")?.refused("only a certified sweep claims anything: accepted is true"));
         }
+        let axes = Axes::of(&head, &place)?;
         let point = |(i, value)| {
             let place = Place::at(format!("points[{i}]"), value);
-            ClaimedOrbit::of(&head, &place.read()?, &place)
+            ClaimedOrbit::of(&head, &axes, &place.read()?, &place)
         };
-        let points = records.iter().enumerate().map(point).collect::<Result<_, _>>()?;
-        Ok(Self { points, unjudged: UNJUDGED.map(str::to_owned).to_vec() })
+        let points: Vec<ClaimedOrbit> = records.iter().enumerate().map(point).collect::<Result<_, _>>()?;
+        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
+        unjudged.extend(place.unread::<SweepHead>()?);
+        unjudged.extend(axes.own_values());
+        unjudged.extend(axes.unpinned(&points));
+        if points.iter().all(|point| point.states.is_empty()) {
+            unjudged.push("transient".to_owned());
+            unjudged.extend((!axes.keys.contains(&Key::StartPhase)).then(|| "reference".to_owned()));
+        }
+        unjudged.sort();
+        unjudged.dedup();
+        Ok(Self { points, unjudged })
     }
 
     pub(super) fn points(&self) -> &[ClaimedOrbit] {
@@ -98,16 +115,63 @@ impl SweepCertificate {
     }
 }
 
+/// What varies.
+struct Axes {
+    keys: Vec<Key>,
+    /// The number, from 0, of the term whose cycles are the unit; at each point the fastest where none is told.
+    reference: Option<usize>,
+    /// Whether the axes have as many points together as are told.
+    are_all: bool,
+}
+
+impl Axes {
+    fn of(head: &SweepHead, place: &Place<'_>) -> Result<Self, Error> {
+        let key = |(axis, place): (&SweepAxis, &Place<'_>)| {
+            axis.key.parse::<Key>().or_else(|error| Err(place.get("key")?.refused(&error.to_string())))
+        };
+        let keys = head.over.iter().zip(&place.get("over")?.list()?).map(key).collect::<Result<_, _>>()?;
+        let terms = head.scene.excitation.amplitude.len();
+        let reference = match head.reference.map(usize::try_from) {
+            None => None,
+            Some(Ok(number)) if (1..=terms).contains(&number) => Some(number - 1),
+            Some(_) => return Err(place.get("reference")?.refused("it must be the number of a term")),
+        };
+        let all = head.over.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count));
+        Ok(Self { keys, reference, are_all: all == Some(head.points) })
+    }
+
+    /// The scene's own values of what varies: they only name it.
+    fn own_values(&self) -> impl Iterator<Item = String> {
+        let term = |key: &Key| key.term().map_or(0, |term| usize::from(term.get()) - 1); // exact: the only one
+        self.keys.iter().map(move |key| match key {
+            Key::Amplitude(_) => format!("scene.excitation.amplitude[{}]", term(key)),
+            Key::Frequency(_) => format!("scene.excitation.frequency[{}]", term(key)),
+            Key::Phase(_) => format!("scene.excitation.phase[{}]", term(key)),
+            Key::Gap => "scene.gap".to_owned(),
+            Key::Restitution => "scene.restitution".to_owned(),
+            Key::StartTime | Key::StartPhase => "scene.start.time".to_owned(),
+            Key::StartPosition => "scene.start.position".to_owned(),
+            Key::StartVelocity => "scene.start.velocity".to_owned(),
+        })
+    }
+
+    /// Axes of which all points have one value: it does not tell both ends and the count.
+    fn unpinned(&self, points: &[ClaimedOrbit]) -> Vec<String> {
+        let is_pinned = |axis: usize| points.iter().any(|point| point.places.get(axis) != points[0].places.get(axis));
+        (0..self.keys.len()).filter(|axis| !is_pinned(*axis)).map(|axis| format!("over[{axis}]")).collect()
+    }
+}
+
 impl ClaimedOrbit {
-    fn of(head: &SweepHead, record: &SweepRecord, place: &Place<'_>) -> Result<Self, Error> {
+    fn of(head: &SweepHead, axes: &Axes, record: &SweepRecord, place: &Place<'_>) -> Result<Self, Error> {
         if record.values.len() != head.over.len() {
             return Err(place.get("values")?.refused("there must be one of each axis"));
         }
         let (mut scene, mut is_of_grid) = (head.scene.clone(), Some(true));
         // The last axis runs through first.
         let mut rest = record.point;
-        let mut values = Vec::new();
-        for (axis, value) in head.over.iter().zip(&record.values).rev() {
+        let (mut values, mut places) = (Vec::new(), Vec::new());
+        for ((axis, key), value) in head.over.iter().zip(&axes.keys).zip(&record.values).rev() {
             let value =
                 Exact::parse(value).map_err(|error| Error::certificate(format!("values: {error}")).because(error))?;
             let at = (axis.count > 1).then(|| rest % axis.count);
@@ -118,12 +182,14 @@ impl ClaimedOrbit {
                 (so_far, Some(Ordering::Equal)) => so_far,
             };
             rest = rest.checked_div(axis.count).unwrap_or(1);
-            values.push((axis.key.as_str(), value));
+            values.push((*key, value));
+            places.insert(0, at);
         }
         // The phase of the start depends on the other parameters.
-        values.sort_by_key(|(key, _)| *key == "start.phase");
+        values.sort_by_key(|(key, _)| *key == Key::StartPhase);
         for (key, value) in values {
-            varied(&mut scene, key, value).ok_or_else(|| place.refused("its axis is not one of the scene"))?;
+            varied(&mut scene, key, axes.reference, value)
+                .ok_or_else(|| place.refused("its axis is not one of the scene"))?;
         }
         let (pair, start) = scene.model()?;
         let states: Vec<ClaimedState> =
@@ -138,7 +204,9 @@ impl ClaimedOrbit {
             Some(listed) => listed != record.impacts,
             None => !head.summary && record.impacts > head.transient,
         };
-        let contradiction = if !follow || is_cut {
+        let contradiction = if !axes.are_all {
+            Some("the axes have another number of points than told")
+        } else if !follow || is_cut {
             Some("its impacts are not all those after the transient")
         } else if all
             .is_none_or(|all| record.impacts > all || record.outcome == "not-attracted" && record.impacts < all)
@@ -148,7 +216,10 @@ impl ClaimedOrbit {
             None
         };
         let is_shadowed = record.claim == Some(ClaimName::Shadowed);
-        Ok(Self { pair, start, impacts: record.impacts, states, is_of_grid, is_shadowed, contradiction })
+        let reference = axes.reference.filter(|term| *term != pair.excitation().reference_term());
+        let reference = reference.map(|term| pair.excitation().terms()[term].clone());
+        let impacts = record.impacts;
+        Ok(Self { pair, start, reference, impacts, states, places, is_of_grid, is_shadowed, contradiction })
     }
 }
 
@@ -177,27 +248,31 @@ fn on_axis(axis: &SweepAxis, at: u64) -> Result<Exact, ExactError> {
 }
 
 /// Puts a value in the place of the scene's own; `None` where it has none.
-fn varied(scene: &mut SceneDocument, key: &str, value: Exact) -> Option<()> {
+fn varied(scene: &mut SceneDocument, key: Key, reference: Option<usize>, value: Exact) -> Option<()> {
     let excitation = &mut scene.excitation;
-    let is_one = excitation.amplitude.len() == 1;
+    // Without a number it is that of the only term.
+    let number = match key.term() {
+        Some(term) => usize::from(term.get()) - 1,
+        None => 0,
+    };
+    let is_told = key.term().is_some() || excitation.amplitude.len() == 1;
     let place = match key {
-        "amplitude" => excitation.amplitude.first_mut().filter(|_| is_one)?,
-        "frequency" => excitation.frequency.first_mut().filter(|_| is_one)?,
-        "phase" => excitation.phase.first_mut().filter(|_| is_one)?,
-        "gap" => &mut scene.gap,
-        "restitution" => &mut scene.restitution,
-        "start.time" => &mut scene.start.time,
-        "start.velocity" => &mut scene.start.velocity,
-        "start.position" => scene.start.position.as_mut()?,
-        "start.phase" => {
+        Key::Amplitude(_) => excitation.amplitude.get_mut(number).filter(|_| is_told)?,
+        Key::Frequency(_) => excitation.frequency.get_mut(number).filter(|_| is_told)?,
+        Key::Phase(_) => excitation.phase.get_mut(number).filter(|_| is_told)?,
+        Key::Gap => &mut scene.gap,
+        Key::Restitution => &mut scene.restitution,
+        Key::StartTime => &mut scene.start.time,
+        Key::StartVelocity => &mut scene.start.velocity,
+        Key::StartPosition => scene.start.position.as_mut()?,
+        Key::StartPhase => {
             let (pair, _) = scene.clone().model().ok()?;
-            let fastest = pair.excitation().reference();
-            let time =
-                value.checked_sub(fastest.phase()).and_then(|since| since.checked_div(fastest.frequency())).ok()?;
+            let excitation = pair.excitation();
+            let term = reference.map_or(excitation.reference(), |term| &excitation.terms()[term]);
+            let time = value.checked_sub(term.phase()).and_then(|since| since.checked_div(term.frequency())).ok()?;
             scene.start.time = Written(time);
             return Some(());
         }
-        _ => return None,
     };
     *place = Written(value);
     Some(())

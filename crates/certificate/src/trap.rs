@@ -26,6 +26,10 @@ impl TrapCertificate {
         }
         let mut unjudged = whole.unread::<TrapDocument>()?;
         unjudged.push("program".to_owned());
+        if document.entered_at_impact.is_none() {
+            // The region is that of every start.
+            unjudged.extend(["scene.excitation.phase", "scene.start"].map(str::to_owned));
+        }
         unjudged.sort();
         let (pair, start) = document.scene.clone().model()?;
         Ok(Self { pair, start, document, unjudged })

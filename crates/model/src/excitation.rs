@@ -26,6 +26,8 @@ use impact_pair_exact::{Exact, ExactError};
 pub struct Excitation {
     terms: Vec<Harmonic>,
     harmonics: Vec<Harmonic>,
+    /// The number from 0 of the first term of the fastest harmonic.
+    fastest: usize,
 }
 
 impl Excitation {
@@ -35,8 +37,8 @@ impl Excitation {
     /// When there is none, or a sum of amplitudes is beyond what exact expressions hold.
     pub fn new(terms: Vec<Harmonic>) -> Result<Self, Error> {
         let first = terms.first().ok_or_else(|| Error::scene("an excitation has at least one term".to_owned()))?;
-        let mut harmonics: Vec<Harmonic> = Vec::new();
-        for term in &terms {
+        let (mut harmonics, mut numbers): (Vec<Harmonic>, Vec<usize>) = (Vec::new(), Vec::new());
+        for (number, term) in terms.iter().enumerate() {
             let amplitude = term.amplitude();
             if amplitude.sign() == Some(Ordering::Equal) {
                 continue;
@@ -46,15 +48,19 @@ impl Excitation {
                     let sum = other.amplitude().checked_add(amplitude);
                     *other = other.with_amplitude(within("excitation.amplitude", amplitude, sum)?);
                 }
-                None => harmonics.push(term.clone()),
+                None => {
+                    harmonics.push(term.clone());
+                    numbers.push(number);
+                }
             }
         }
         if harmonics.is_empty() {
             harmonics.push(first.clone());
+            numbers.push(0);
         }
         let fastest = fastest(&harmonics);
         harmonics.swap(0, fastest);
-        Ok(Self { terms, harmonics })
+        Ok(Self { terms, harmonics, fastest: numbers[fastest] })
     }
 
     /// The terms as they were given.
@@ -70,6 +76,11 @@ impl Excitation {
     /// The fastest harmonic: a turn is its period, and `2 pi` times the turns is its phase `W t + tau`.
     pub fn reference(&self) -> &Harmonic {
         &self.harmonics[0]
+    }
+
+    /// The number, from 0, of the term that the [reference](Self::reference) is; the first one, where several are in step.
+    pub fn reference_term(&self) -> usize {
+        self.fastest
     }
 
     /// The only harmonic, if there is one only.
@@ -99,7 +110,7 @@ impl Excitation {
 
 impl From<Harmonic> for Excitation {
     fn from(harmonic: Harmonic) -> Self {
-        Self { terms: vec![harmonic.clone()], harmonics: vec![harmonic] }
+        Self { terms: vec![harmonic.clone()], harmonics: vec![harmonic], fastest: 0 }
     }
 }
 
@@ -157,6 +168,10 @@ mod tests {
         let terms = [harmonic("1", "1", "0"), harmonic("1", "sqrt(2)", "0"), harmonic("1", "1", "0.1")];
         let sum = Excitation::new(terms.to_vec()).unwrap();
         assert_eq!((sum.harmonics().len(), sum.reference().frequency().text().as_str()), (3, "sqrt(2)"));
+        assert_eq!(sum.reference_term(), 1);
+        let without =
+            [harmonic("0", "3", "0"), harmonic("1", "1", "0"), harmonic("1", "2", "0"), harmonic("1", "2", "0")];
+        assert_eq!(Excitation::new(without.to_vec()).unwrap().reference_term(), 2);
         let unknown = [harmonic("1", "[1, 2]", "0"), harmonic("1", "[1, 2]", "0")];
         assert!(Excitation::new(unknown.to_vec()).unwrap().only().is_none());
     }

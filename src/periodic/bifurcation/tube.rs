@@ -102,7 +102,9 @@ pub(super) fn is_one_curve<S: Varied>(
     goes_on: &dyn Fn() -> bool,
 ) -> bool {
     let mut end: Option<Vec<Ball>> = None;
-    stations.windows(2).all(|ends| goes_on() && bridge(ring, families, [&ends[0].x, &ends[1].x], &mut end, 0))
+    // Of a single station nothing is proved.
+    stations.len() > 1
+        && stations.windows(2).all(|ends| goes_on() && bridge(ring, families, [&ends[0].x, &ends[1].x], &mut end, 0))
 }
 
 /// Proves the way between two points of the branch and glues it to what ends at `end`; halves it where that fails.

@@ -1,7 +1,7 @@
 //! The chains whose first impact lies in a cell of phases, letter by letter: Lemma T10.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use super::cell::Cell;
 use super::cut::Part;
@@ -95,13 +95,21 @@ impl<S: Chained> Cell<'_, '_, S> {
                 open.extend([later, part]);
                 continue;
             }
-            let cell = (end.middle() / END).floor() as i64; // T10: parts of a cell lie side by side
             if let Some(narrow) = self.narrow(part, &letter.stretch) {
-                longer.entry(cell).or_default().push(narrow.part);
+                for cell in cells(end) {
+                    longer.entry(cell).or_default().push(narrow.part.clone());
+                }
             }
         }
         Some(())
     }
+}
+
+/// The numbers of the cells of the grid that an end lies in, but for their lines. Lemma T10
+fn cells(end: Interval) -> RangeInclusive<i64> {
+    let first = (end.lo / END).floor() as i64; // T10: exact
+    let last = (end.hi / END).ceil() as i64 - 1; // T10: exact
+    first..=last.max(first) // T10: a point on a line
 }
 
 /// Parts that touch, as one: halves of a box hold the same orbits once what they were halved at is no end any more.
@@ -114,4 +122,29 @@ fn united(parts: Vec<Part>, held: &Range<usize>) -> Vec<Part> {
         all.push(part);
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is within a unit in the last place of a line is in the cells on its own side: half way between its ends doubles may be on the line.
+    #[test]
+    fn r32_an_end_beside_a_line_is_in_the_cell_of_its_members() {
+        for line in [END, 1.0, 7.0 * END, 1000.0] {
+            let n = (line / END) as i64;
+            let (below, above) = (line.next_down(), line.next_up());
+            for (lo, hi, expected) in [
+                (below, line, n - 1..=n - 1),
+                (line - END, line, n - 1..=n - 1),
+                (below, below, n - 1..=n - 1),
+                (line, above, n..=n),
+                (line, line, n..=n),
+                (below, line + END, n - 1..=n),
+                (below, above, n - 1..=n),
+            ] {
+                assert_eq!(cells(Interval::new(lo, hi)), expected, "[{lo:e}, {hi:e}]");
+            }
+        }
+    }
 }

@@ -8,7 +8,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::kernel::{self, ACOS_ERROR, SIN_COS_ERROR};
-use crate::number::{Ball, UNIT, up};
+use crate::number::{Ball, up};
 
 /// All real numbers between two finite doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -195,9 +195,10 @@ impl Interval {
         let square = PI * PI;
         let high = (square * self).times(1.0 / 6.0).hi.next_up();
         let cube = Self::point(self.hi) * Self::point(self.hi) * Self::point(self.hi);
-        // Three roundings of terms that are at most `high` where it matters.
-        let low = (square * Self::point(self.lo)).lo / 6.0 - (square * square * cube).hi / 120.0;
-        let series = Self::new((low - 8.0 * UNIT * high).max(0.0), high); // T9: 0 <= g
+        let first = (square * Self::point(self.lo)).lo / 6.0;
+        let second = (square * square * cube).hi / 120.0;
+        let low = (first.next_down() - second.next_up()).next_down();
+        let series = Self::new(low.max(0.0), high); // T9: 0 <= g
         let direct = (Self::point(1.0) - self.sinc()).over(self);
         direct.and_then(|direct| direct.cut(series)).unwrap_or(series) // T9: both hold it
     }
@@ -207,7 +208,7 @@ impl Interval {
 fn falling_sinc(h: f64) -> Interval {
     let x = PI * Interval::point(h);
     let square = x * x;
-    let series = Interval::new(1.0 - (square.hi / 6.0).next_up().next_up(), 1.0);
+    let series = Interval::new((1.0 - (square.hi / 6.0).next_up()).next_down(), 1.0);
     let direct = Interval::point(0.5 * h).sin().over(x);
     direct.and_then(|direct| direct.cut(series)).unwrap_or(series) // T9: both hold it
 }
@@ -259,6 +260,8 @@ impl Mul for Interval {
 mod tests {
     use super::*;
     use crate::number::Wave;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
     use proptest::prelude::*;
 
     /// Ends, some of them equal, and a member between them.
@@ -318,6 +321,54 @@ mod tests {
             let bend = (1.0 - sinc) / a;
             prop_assert!(x.bend().lo <= bend + 1e-11 && bend - 1e-11 <= x.bend().hi, "{x:?} {a} {:?}", x.bend());
         }
+
+        /// In exact fractions, by their series: the last term that is left out decides the side.
+        #[test]
+        fn r32_sinc_and_bend_hold_the_values_at_short_times((x, a) in short()) {
+            let [sinc, bend] = by_series(a);
+            prop_assert!(is_within(&sinc, x.sinc()), "S({a:e}) of {x:?}: {:?}", x.sinc());
+            prop_assert!(is_within(&bend, x.bend()), "g({a:e}) of {x:?}: {:?}", x.bend());
+        }
+    }
+
+    /// Intervals of times below 1e-4, down to 0 and to what is no normal double any more, and a member; times may be negative.
+    fn short() -> impl Strategy<Value = (Interval, f64)> {
+        let time = || {
+            let tiny = (0..64u64).prop_map(f64::from_bits);
+            let power = (-324.0..-4.0f64).prop_map(|n| 10f64.powf(n));
+            prop_oneof![1 => Just(0.0), 1 => Just(1e-300), 1 => tiny, 4 => power, 8 => 1e-9..1e-4f64]
+        };
+        let sign = || prop_oneof![Just(1.0), Just(-1.0)];
+        (time(), time(), any::<bool>(), sign(), sign()).prop_map(|(a, b, is_point, s, t)| {
+            let (a, b) = (s * a, if is_point { s * a } else { t * b });
+            (Interval::new(a.min(b), a.max(b)), a)
+        })
+    }
+
+    /// A lower and an upper bound.
+    type Bounds = [BigRational; 2];
+
+    /// Bounds of `S(h)` and of `g(h)` at a time below 1e-4: with `x = (pi h)^2`, `1 - x/6 <= S <= 1 - x/6 + x^2/120` and
+    /// `pi^2 h/6 - pi^4 h^3/120 <= g <= pi^2 h/6` for `h >= 0`, the latter odd.
+    fn by_series(h: f64) -> [Bounds; 2] {
+        // 30 digits of pi
+        let digits = |text: &str| BigRational::new(text.parse().unwrap(), BigInt::from(10).pow(29));
+        let pi = ["314159265358979323846264338327", "314159265358979323846264338328"].map(digits);
+        let part = |n: i64| BigRational::new(1.into(), n.into());
+        let size = BigRational::from_float(h.abs()).unwrap();
+        let square = pi.map(|pi| &pi * &pi);
+        let [low, high] = square.each_ref().map(|square| square * &size * part(6));
+        let cube = &square[1] * &square[1] * &size * &size * &size * part(120);
+        let one = || BigRational::from_integer(1.into());
+        let sinc = [one() - &high * &size, one() - &low * &size + &cube * &size];
+        let bend = [low - cube, high];
+        [sinc, if h < 0.0 { [-bend[1].clone(), -bend[0].clone()] } else { bend }]
+    }
+
+    /// Whether bounds lie between two doubles.
+    fn is_within([low, high]: &Bounds, x: Interval) -> bool {
+        let exact = |x: f64| BigRational::from_float(x).unwrap();
+        exact(x.lo) <= *low && *high <= exact(x.hi)
     }
 
     #[test]

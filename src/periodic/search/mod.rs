@@ -13,7 +13,7 @@ use std::thread;
 
 use super::census::{Census, Region};
 use super::chained::Chained;
-use super::identity::Identity;
+use super::identity::{Identity, is_one_orbit};
 use super::orbit::PeriodicOrbit;
 use super::{Pair, Precision, Problem};
 use crate::contact::Reason;
@@ -52,7 +52,7 @@ const CELLS: u32 = 16;
 const MOST_PERIODS: u32 = 1 << 10;
 
 impl Problem {
-    /// Proves all the orbits of the word, and that there are no other physical ones. Lemmas T3, T8-T10
+    /// Proves all the orbits of the word, and that there are no other physical ones, but for motions that rest. Lemmas T3, T8-T10, T12
     ///
     /// Starts from what [`Problem::find`] finds. Where the budget ends, what is left is listed as undecided.
     pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Census {
@@ -139,8 +139,7 @@ impl Problem {
             if orbit.physical == Some(false) {
                 continue;
             }
-            let guess: Vec<f64> = orbit.phases().iter().map(|phase| phase.mid()).collect();
-            match self.prove_beside(&guess, precision, orbits.iter()) {
+            match self.prove_again(orbit, precision, &orbits) {
                 Some((orbit, Identity::New)) => orbits.push(orbit),
                 Some((_, Identity::Known)) => {}
                 _ => undecided.push(Region { impacts: orbit.impacts.clone(), reason: Reason::Precision }),
@@ -149,15 +148,32 @@ impl Problem {
         orbits.sort_by(|a, b| a.phases()[0].mid().total_cmp(&b.phases()[0].mid()));
         Census { orbits, exhaustive: undecided.is_empty(), undecided, is_search: true, ..Census::default() }
     }
+
+    /// The orbit of a cell, proved anew to as many digits as it takes to tell whether it is one of those known; `None` where Newton's iteration
+    /// leads from the middles of its phases to what is not proved to be that orbit. Lemma T6
+    fn prove_again(
+        &self,
+        orbit: &PeriodicOrbit,
+        precision: Precision,
+        known: &[PeriodicOrbit],
+    ) -> Option<(PeriodicOrbit, Identity)> {
+        let guess: Vec<f64> = orbit.phases().iter().map(|phase| phase.mid()).collect();
+        let (again, identity) = self.prove_beside(&guess, precision, known.iter())?;
+        let is_in = |one: &PeriodicOrbit, other: &PeriodicOrbit| {
+            is_one_orbit(&self.chain, &one.proved, &other.proved) == Some(true)
+        };
+        (is_in(&again, orbit) || is_in(orbit, &again)).then_some((again, identity))
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::identity::is_one_orbit;
+    use super::super::krawczyk::Proved;
     use super::*;
     use crate::number::Ball;
     use crate::pair::Wall;
     use crate::periodic::Chain;
+    use crate::shaken::Shaken;
     use crate::{Excitation, Harmonic, ImpactPair};
 
     fn is_physical(orbit: &PeriodicOrbit) -> bool {
@@ -317,6 +333,42 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Two motions of figure 12's word: of a cell that found one of them, while the middles of its bounds are nearest to the other one, neither is
+    /// taken for the other.
+    #[test]
+    fn r32_an_orbit_proved_anew_is_asked_whether_it_is_the_one_that_a_cell_found() {
+        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let problem = problem("1/9.42497", "0.5", "LR", 1);
+        let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
+        let all = problem.find(&start, Precision::default()).orbits;
+        let [found, other] = &all[..] else { panic!("two motions, not {}", all.len()) };
+        // The bounds of the one reach as far as to the other and as far again.
+        let wide = |(x, y): (&Ball, &Ball)| Ball::new(y.mid(), 2.0 * (x.mid() - y.mid()).abs() + 1e-9);
+        let at = found.phases().iter().zip(other.phases()).map(wide).collect();
+        let proved = Proved { at, domain: found.domain().to_vec() };
+        let task = Task {
+            problem: &problem,
+            shaken: &**one,
+            terms: Terms::new(&problem.chain, one.pair(), one.rates()),
+            precision: Precision::default(),
+            narrowest: 0.0,
+            known: &[],
+            goes_on: &|| true,
+        };
+        let gathered = |orbit: PeriodicOrbit| {
+            let mut cell = Cell::new(&task, Interval::new(0.0, 1.0));
+            cell.found.push(orbit);
+            problem.gathered(&[cell], &[], Precision::default())
+        };
+        let census = gathered(PeriodicOrbit { proved, ..found.clone() });
+        let is_found = |orbit: &PeriodicOrbit| is_one_orbit(&problem.chain, &orbit.proved, &found.proved) == Some(true);
+        let undecided = census.undecided.iter().filter(|region| region.reason == Reason::Precision).count();
+        assert!(census.orbits.is_empty() && undecided == 1, "{:?}", census.orbits);
+        // The true one is put among the others.
+        let census = gathered(found.clone());
+        assert!(census.orbits.len() == 1 && census.orbits.iter().all(is_found));
     }
 
     /// What a search finds does not depend on who searches which cell when, and a search that is ended says so and keeps what is

@@ -106,11 +106,11 @@ impl Affine {
         sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
     }
 
-    /// The leading bits of its centre that are known; `None` for a number known exactly.
-    pub fn accuracy(&self) -> Option<u32> {
+    /// The leading bits that are known of its sum with numbers around `2^beside`; `None` for a number known exactly.
+    pub fn accuracy(&self, beside: i64) -> Option<u32> {
         let unknown =
             (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).enclosure().mag();
-        let size = self.centre.enclosure().mag().top().unwrap_or(0); // proposes: bits to compute with
+        let size = self.centre.enclosure().mag().top().map_or(beside, |top| top.max(beside)); // proposes: bits to compute with
         unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0)) // proposes
     }
 

@@ -8,11 +8,13 @@ use std::sync::atomic::AtomicBool;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
+use num_traits::Signed;
 
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::curve::{Cell, Curve, PARAMETER};
 use super::data::{Data, Piece};
+use super::distinct::Recurrence;
 use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
 use super::target::{MOST_BITS, Target, narrowest};
@@ -21,8 +23,8 @@ use super::{Effort, Finding, Verdict, one_by_one};
 use crate::attraction::Bounds;
 use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
-use impact_pair_model::Error;
 use impact_pair_model::scene::Key;
+use impact_pair_model::{Error, ImpactPair};
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
 const INSIDE: i64 = 24;
@@ -49,11 +51,29 @@ impl BifurcationCertificate {
             return Ok(Verdict::Refuted(end(message)));
         }
         let points = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
-        Ok(match one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), progress) {
-            Ok(0) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
-            Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+        let each = one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), progress);
+        Ok(match each.map(|bits| (bits, self.are_distinct())) {
+            Ok((0, _)) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
+            Ok((bits, Ok(()))) => Verdict::Confirmed { bits, pieces: 1 },
+            Ok((_, Err(doubt))) => doubt.on(self.count()),
             Err(verdict) => verdict,
         })
+    }
+
+    /// Whether each point is listed once. Lemma V13
+    fn are_distinct(&self) -> Result<(), Doubt> {
+        let open = |i: usize, j: usize| Doubt::Open(format!("points[{i}] and points[{j}] are not proved to be two"));
+        for (j, other) in self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze) {
+            let alike = |(_, one): &(usize, &ClaimedPoint)| one.kind == other.kind && !one.is_elsewhere(other);
+            for (i, one) in self.points()[..j].iter().enumerate().filter(alike) {
+                let (_, data) = one.data(self)?;
+                let recurrence = Recurrence::of(&data).ok_or_else(|| open(i, j))?;
+                if !recurrence.are_apart(&one.orbit, &other.orbit, false) {
+                    return Err(open(i, j));
+                }
+            }
+        }
+        Ok(())
     }
 }
 
@@ -70,13 +90,10 @@ impl ClaimedPoint {
             Key::Frequency(_) => return Err(open("under several harmonics nothing is known over a frequency")),
             _ => {}
         }
-        // The parameter's own value in the scene may leave out its harmonic.
-        let reason = |error: Error| Doubt::Open(error.to_string());
-        let there = certificate.pair().with(over, Exact::from_rational(self.parameter[0].clone())).map_err(reason)?;
-        let data = Data::new(&there, certificate.start()).map_err(reason)?;
+        let (there, data) = self.data(certificate)?;
         let data = Data { budget: budget.clone(), ..data };
         let harmonic = match over {
-            Key::Amplitude(_) => there.harmonic_of(over).map_err(reason)?,
+            Key::Amplitude(_) => there.harmonic_of(over).map_err(|error| Doubt::Open(error.to_string()))?,
             _ => (0, None),
         };
         let target = Target::new(&data, &self.word, self.cycles, &self.orbit)?;
@@ -100,6 +117,24 @@ impl ClaimedPoint {
         found.map(|()| bits).map_err(|doubt| match doubt {
             Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
         })
+    }
+
+    /// A pair beside it, which has the harmonics of all that have a positive value of the parameter, and its data: the value in the scene, and
+    /// an end of the bounds, may leave out a harmonic. Lemma V9
+    fn data(&self, certificate: &BifurcationCertificate) -> Result<(ImpactPair, Data), Doubt> {
+        let reason = |error: Error| Doubt::Open(error.to_string());
+        let middle = (&self.parameter[0] + &self.parameter[1]) / BigInt::from(2);
+        if !middle.is_positive() {
+            return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
+        }
+        let there = certificate.pair().with(certificate.over(), Exact::from_rational(middle)).map_err(reason)?;
+        let data = Data::new(&there, certificate.start()).map_err(reason)?;
+        Ok((there, data))
+    }
+
+    /// Whether the bounds of its parameter and those of another one have nothing in common.
+    fn is_elsewhere(&self, other: &Self) -> bool {
+        self.parameter[1] < other.parameter[0] || other.parameter[1] < self.parameter[0]
     }
 
     /// The bounds that tell how narrowly it is claimed.
@@ -153,7 +188,7 @@ impl ClaimedPoint {
         let value = curve.spanned(cell, PARAMETER);
         compare("parameter", &value.hull(), &self.parameter)?;
         let one = Real::int(1, value.centre.bits());
-        if !value.hull().is_positive() || curve.over == Key::Restitution && one.is_below(&value.hull()) {
+        if !value.hull().is_positive() || curve.over == Key::Restitution && !value.hull().is_below(&one) {
             return Err(Doubt::Open("the parameter is not proved to be one of a pair".into()));
         }
         let image = curve.image(cell, false)?;

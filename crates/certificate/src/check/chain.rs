@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::affine::{Affine, COLUMN_BITS};
 use super::clock::{Beside, beside};
-use super::contact::{Claimed, Doubt, Start};
+use super::contact::{Claimed, Doubt};
 use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::step::{Departure, Landing};
@@ -61,7 +61,7 @@ impl Course<'_> {
             None => {
                 let height = self.data.state(&Piece::default(), parameters.bits()).2;
                 let height = height.expect("a start without a wall is inside the gap");
-                Departure { start: Start { wall: None, is_release: false }, phase, height, velocity }
+                Departure::inside(phase, height, velocity)
             }
         }
     }
@@ -77,9 +77,10 @@ impl Course<'_> {
         states
     }
 
-    /// Proves that node `k` covers the next one, which lies in the bounds of its impact; `lasting` is about how long the flights
-    /// last. What is found is nothing that refutes a claim: other starts may do it.
-    pub fn link(&self, k: usize, [node, next]: [&Node; 2], lasting: &Real) -> Result<(), Doubt> {
+    /// Proves that node `k` covers the next one, which lies in the bounds of its impact, and tells how far from the middle of those
+    /// of its time \[rad\]; `lasting` is about how long the flights last. What is found is nothing that refutes a claim: other starts
+    /// may do it.
+    pub fn link(&self, k: usize, [node, next]: [&Node; 2], lasting: &Real) -> Result<Dyadic, Doubt> {
         let hit = &self.hits[k];
         let claimed = Claimed { from: Real::zero(lasting.bits()), guess: lasting.clone(), to: None, is_first: true };
         let departure = self.departure(k, self.states(k, node));
@@ -89,16 +90,18 @@ impl Course<'_> {
         }
         let [phase, velocity] = self.states(k + 1, next).map(|x| x.hull());
         let [time, velocity] = [self.frame.clock.time(&phase), self.frame.clock.velocity(&velocity)];
-        for (what, found, claimed) in [("time", time, hit.time), ("velocity", velocity, hit.velocity)] {
-            if !matches!(beside(&found, claimed), Beside::Inside) {
+        for (what, found, claimed) in [("time", &time, hit.time), ("velocity", &velocity, hit.velocity)] {
+            if !matches!(beside(found, claimed), Beside::Inside) {
                 return Err(Doubt::Open(format!("the {what} is not proved to be inside for any start")));
             }
         }
-        Ok(())
+        Ok(self.frame.clock.off(&time, hit.time))
     }
 }
 
 /// Whether the image of a node, whose two deviations are those of its sides, covers another one.
+///
+/// A determinant that may be 0 has no lower bound above 0, and passes the second comparison never (Lemma V10).
 fn covers(image: &Landing, next: &Node) -> bool {
     let [u, s] = next.axes.map(|axis| axis.map(|x| Real::point(exact(x), COLUMN_BITS)));
     let off = [&image.phase, &image.velocity].map(|x| x.without(0).hull());
@@ -111,11 +114,12 @@ fn covers(image: &Landing, next: &Node) -> bool {
     // Coordinates along u and s, both times the determinant.
     let along = |x: &[Real; 2]| across(x, &s);
     let beside = |x: &[Real; 2]| across(&u, x);
-    let determinant = most(across(&u, &s));
+    let determinant = across(&u, &s);
+    let [at_least, at_most] = [least(determinant.clone()), most(determinant)];
     let [far, wide] = [column(0), column(1)];
-    let beyond = (a * &determinant) + &most(along(&wide)) + &most(along(&off));
+    let beyond = (a * &at_most) + &most(along(&wide)) + &most(along(&off));
     let apart = most(beside(&far)) + &most(beside(&wide)) + &most(beside(&off));
-    beyond.is_below(&least(along(&far))) && apart.is_below(&(b * &determinant))
+    beyond.is_below(&least(along(&far))) && apart.is_below(&(b * &at_least))
 }
 
 /// What is true of one set need not be of others.
@@ -168,6 +172,19 @@ mod tests {
         assert!(!covered([5.0, 7.0], [wide, far]) && !covered([5.0, 7.0], [[3.0, 0.5], wide]));
         let flat = node([5.0, 7.0], [[1.0, 0.0], [1.0, 0.0]], [1.0, 0.5]);
         assert!(!covers(&image([5.0, 7.0], [far, wide]), &flat));
+    }
+
+    /// Axes that are parallel span no node, however their determinant is rounded: the products of these doubles have more digits than
+    /// are kept, so that it is enclosed around 0.
+    #[test]
+    fn r32_parallel_axes_are_covered_by_nothing() {
+        let [p, q] = [0x7_ffff_ffff_fffb_u64, 0x5_5555_5555_5555].map(|x| x as f64 * 2f64.powi(-51));
+        let flat = node([0.0, 0.0], [[p, q], [3.0 * p, 3.0 * q]], [2f64.powi(-60), 1.0]);
+        let across = |j: usize| real(flat.axes[0][j]) * &real(flat.axes[1][1 - j]);
+        assert!((across(0) - &across(1)).is_zero());
+        // Its image is a segment across the line that the node is, longer than all of it at the scale of its first side.
+        let image = image([0.0, 0.0], [[0.0, 2f64.powi(-100)], [0.0, 0.0]]);
+        assert!(!covers(&image, &flat));
     }
 
     proptest! {

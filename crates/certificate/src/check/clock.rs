@@ -7,7 +7,7 @@ use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::data::Data;
-use impact_pair_exact::{Exact, Real, compare_rational};
+use impact_pair_exact::{Dyadic, Exact, Real, compare_rational};
 
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
@@ -73,6 +73,12 @@ impl Clock {
     /// The phase that passes in a time.
     pub fn radians(&self, lasting: &Real) -> Real {
         lasting.clone() * &self.frequency
+    }
+
+    /// How far a time is at most from the middle of the bounds claimed for it \[rad\].
+    pub fn off(&self, time: &Real, [lower, upper]: &[BigRational; 2]) -> Dyadic {
+        let middle = Real::rational(&((lower + upper) / BigInt::from(2)), self.bits());
+        self.radians(&(time.clone() - &middle)).enclosure().mag()
     }
 
     /// The bits that hold the whole turns of its times as well.

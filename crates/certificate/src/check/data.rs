@@ -58,6 +58,9 @@ pub(crate) struct Piece {
     parts: Vec<(BigInt, u32)>,
 }
 
+/// Bits that quarter turns are counted with.
+const QUARTER_BITS: u32 = 192;
+
 /// The numbers of the data that can be intervals.
 const HALF_GAP: usize = 0;
 const RESTITUTION: usize = 1;
@@ -165,16 +168,18 @@ impl Data {
         passed.into_iter().all(|turns| turns.to_integer().is_odd())
     }
 
-    /// If the acceleration at the start is exactly 0: the sign of `-E'''` there.
-    pub fn jerk_without_acceleration(&self) -> Option<Ordering> {
+    /// If the acceleration at a start on a wall is exactly 0: the sign of `-E'''` there, towards the inside of the gap.
+    pub fn inward_jerk(&self) -> Option<Ordering> {
+        let wall = self.wall?;
         let acceleration = self.sum(|tone| tone.phase.checked_sin(), 2).ok()?;
         let is_zero = acceleration.sign() == Some(Ordering::Equal);
-        is_zero.then(|| self.sum(|tone| tone.phase.checked_cos(), 3).ok()?.sign()).flatten()
+        let jerk = is_zero.then(|| self.sum(|tone| tone.phase.checked_cos(), 3).ok()?.sign()).flatten()?;
+        Some(if wall == Wall::Left { jerk } else { jerk.reverse() })
     }
 
-    /// Whether the flight of a start inside the gap has exactly no drift: `p + E'(0) = 0`.
-    pub fn has_no_drift(&self) -> bool {
-        let drift = || self.velocity.checked_add(&self.sum(|tone| tone.phase.checked_cos(), 1)?);
+    /// Whether a flight with the velocity `after` the start has exactly no drift: `p + E'(0) = 0`.
+    pub fn has_no_drift(&self, after: &Exact) -> bool {
+        let drift = || after.checked_add(&self.sum(|tone| tone.phase.checked_cos(), 1)?);
         drift().is_ok_and(|drift| drift.sign() == Some(Ordering::Equal))
     }
 
@@ -194,12 +199,14 @@ impl Data {
         Ok(sum)
     }
 
-    /// The phase of the start as a number of quarter turns of the reference, if it is exactly one.
+    /// The last quarter turn of the reference up to the start, if it is decided which.
     pub fn quarter(&self) -> Option<BigInt> {
         let quarter = Exact::pi().checked_div(&Exact::from(2)).ok()?;
         let quarters = self.tones[0].phase.checked_div(&quarter).ok()?;
-        let quarters = quarters.as_rational()?;
-        quarters.is_integer().then(|| quarters.to_integer())
+        match quarters.as_rational() {
+            Some(quarters) => Some(quarters.floor().to_integer()), // exact: of a fraction
+            None => quarters.enclose(QUARTER_BITS).floor(),        // exact: shared by all members
+        }
     }
 }
 

@@ -92,8 +92,21 @@ impl<'r> FixedPoint<'r> {
         a.clone() + d
     }
 
+    /// Whether it is its own mirror image, as claimed. Where the flights of a basin are not proved to be motions, their mirror images need not be
+    /// flights of the basin: that they are the same is not judged then, and named so.
+    pub fn is_symmetric_as(&self, claimed: bool, has_mirror: bool) -> Result<(), Doubt> {
+        let is_judged = self.round.is_physical || self.basin.is_none();
+        match self.is_symmetric(has_mirror).filter(|&found| is_judged || !found) {
+            Some(found) if found != claimed => {
+                Err(Doubt::False("whether the orbit is symmetric is claimed wrongly".into()))
+            }
+            None if is_judged => Err(Doubt::Open("it is not decided whether the orbit is symmetric".into())),
+            _ => Ok(()),
+        }
+    }
+
     /// Whether it is its own mirror image half a common period later; `has_mirror`: the shaking then is the opposite one.
-    pub fn is_symmetric(&self, has_mirror: bool) -> Option<bool> {
+    fn is_symmetric(&self, has_mirror: bool) -> Option<bool> {
         if self.is_mirrored {
             return Some(true);
         }

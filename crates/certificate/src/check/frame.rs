@@ -9,7 +9,7 @@ use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
 /// Radians and their lengths, over a piece of the data.
-pub(super) struct Frame {
+pub(crate) struct Frame {
     pub parameters: Parameters,
     pub clock: Clock,
     /// `2 pi`

@@ -1,7 +1,7 @@
 //! Grazes: past a wall that is touched, or nearly touched, with no velocity or nearly none (Lemma V4).
 
 use super::affine::Affine;
-use super::contact::{Claimed, Doubt, Start, clear_throughout};
+use super::contact::{Claimed, Doubt, clear_throughout};
 use super::flight::{Flight, Part};
 use super::step::Departure;
 use super::walk::{Walk, compare};
@@ -28,17 +28,18 @@ impl Walk<'_> {
     /// A graze that does not repeat: the orbit goes on from a little after it, with both continuations in one set.
     pub(super) fn graze(&mut self, claim: &Claim) -> Result<(), Doubt> {
         let claimed = self.ahead(claim)?;
-        let flight = self.departure.flights(&self.parameters);
+        let departure = self.standing.departure();
+        let flight = departure.flights(&self.parameters);
         self.is_near(&flight, claim, &claimed)?;
         let summit = summit(&flight, claim.wall, &claimed.guess);
         let summit = summit.ok_or_else(|| Doubt::Open("no extremum is found there".into()))?;
-        clear_throughout(&flight, self.departure.start, &summit.before, &claimed.from)?;
-        let time = |h: &Real| self.clock.time(&(self.departure.phase.hull() + h));
+        clear_throughout(&flight, departure.start, &summit.before, &claimed.from)?;
+        let time = |h: &Real| self.clock.time(&(departure.phase.hull() + h));
         compare("time", &time(&summit.touch), &claim.time)?;
         let missed = -summit.excess.clone();
         self.is_within_reach(claim, &summit.curvature, &missed)?;
-        self.departure = self.pass(&flight, claim.wall, &summit)?;
-        self.last = self.last.filter(|wall| *wall == claim.wall);
+        let past = self.pass(&flight, claim.wall, &summit)?;
+        self.standing = self.standing.past_graze(past, claim.wall);
         Ok(())
     }
 
@@ -77,12 +78,9 @@ impl Walk<'_> {
         if !(is_away && matches!(flight.place(&height), Part::Clear)) {
             return Err(Doubt::Open("both ways past the graze are not proved to leave the wall".into()));
         }
-        Ok(Departure {
-            start: Start { wall: None, is_release: false },
-            phase: self.departure.phase.clone().shifted(after),
-            height: Affine::fixed(height).recentred(),
-            velocity: Affine::fixed(velocity).recentred(),
-        })
+        let phase = self.standing.departure().phase.clone().shifted(after);
+        let [height, velocity] = [height, velocity].map(|x| Affine::fixed(x).recentred());
+        Ok(Departure::inside(phase, height, velocity))
     }
 }
 

@@ -6,7 +6,8 @@
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
 //! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
-//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Regions and words of horseshoes are proved in
+//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are told apart by their
+//! bounds ([`distinct`], Lemma V13). Regions and words of horseshoes are proved in
 //! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
 
@@ -23,11 +24,14 @@ mod chatter;
 mod clock;
 mod contact;
 mod curve;
+mod cycles;
 mod data;
+mod distinct;
 mod fixed_point;
 mod flight;
 mod frame;
 mod graze;
+mod near;
 mod outcome;
 mod periodic;
 mod pseudo;
@@ -36,11 +40,11 @@ mod rest;
 mod round;
 mod shadow;
 mod shaking;
+mod standing;
 mod step;
 mod still;
 mod sweep;
 mod target;
-mod told;
 mod walk;
 
 use std::sync::atomic::AtomicBool;
@@ -206,9 +210,9 @@ impl Certificate {
         let mut stuck = (0, bits);
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
-            let mut confirmed = |event| {
+            let mut confirmed = |walk: &Walk<'_>| {
                 data.budget.allow(bits, data.tones.len());
-                progress(event);
+                progress(walk.event);
             };
             let Err(doubt) = walk.all(&mut confirmed) else { continue };
             let event = walk.event;
@@ -250,11 +254,12 @@ impl Certificate {
         let mut found = Vec::new();
         for claim in self.events() {
             // Whether the set lies inside the printed bounds does not matter here.
+            let before = walk.impacts;
             let _ = walk.confirm(claim);
             if !matches!(claim.kind, ClaimKind::Impact { .. }) {
                 continue;
             }
-            let Some(landing) = walk.landing.take() else { break };
+            let Some(landing) = walk.standing.landing().filter(|_| walk.impacts > before) else { break };
             let time = walk.clock.time(&landing.phase.hull());
             let velocity = walk.clock.velocity(&landing.velocity.hull());
             found.push((time.enclosure().clone(), velocity.enclosure().clone()));

@@ -64,8 +64,9 @@ impl Walk<'_> {
         if let Some([Some(from), _]) = &ended.time {
             self.lists_all_until(&Real::rational(&from.value(), bits))?;
         }
-        let never = self.still.as_ref().is_some_and(|still| !still.grazes());
-        let period = self.still.as_ref().map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
+        let still = self.standing.still();
+        let never = still.is_some_and(|still| !still.grazes());
+        let period = still.map(|_| Period { cycles: 1, impacts: 0 }).or(self.period);
         let (is_true, message) = match self.certificate.outcome() {
             "periodic" => match period {
                 Some(Period { cycles, impacts }) if period != ended.period => {
@@ -73,7 +74,7 @@ impl Walk<'_> {
                 }
                 found => (found.is_some(), "the period is not proved"),
             },
-            "rests-forever" => match &self.rest {
+            "rests-forever" => match self.standing.rest() {
                 Some(rest) if Some(rest.wall) != ended.wall => {
                     return Err(Doubt::False(format!("the ball rests on the {} wall", rest.wall.name())));
                 }
@@ -105,13 +106,13 @@ impl Walk<'_> {
             (_, true) => Err(missing(what)),
             _ => Err(open()),
         };
-        if let Some(rest) = &self.rest {
+        if let Some(rest) = self.standing.rest() {
             // Up to its accumulation a rest stands for all that happens.
             let [_, since] = self.clock.time(&rest.since).ends();
             let has_not_ended = self.parameters.is_still() || !since.is_below(until);
             return if has_not_ended { Ok(()) } else { judged(&self.release_time(rest)?, "a release") };
         }
-        if let Some(still) = &self.still {
+        if let Some(still) = self.standing.still() {
             return match still.next() {
                 None => Ok(()),
                 Some((_, quarters)) => {
@@ -120,13 +121,14 @@ impl Walk<'_> {
                 }
             };
         }
-        let ahead = self.clock.phase_at(until) - &self.departure.phase.hull();
+        let departure = self.standing.departure();
+        let ahead = self.clock.phase_at(until) - &departure.phase.hull();
         let [least, end] = ahead.ends();
         if !end.is_positive() {
             return Ok(());
         }
-        let flight = self.departure.flights(&self.parameters);
-        match clear_throughout(&flight, self.departure.start, &end, &least) {
+        let flight = departure.flights(&self.parameters);
+        match clear_throughout(&flight, departure.start, &end, &least) {
             Ok(()) => Ok(()),
             // Where the flight would be beyond a wall it has hit one.
             Err(Doubt::Open(doubt))

@@ -10,6 +10,7 @@ use super::basin::{basin, stepped};
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
+use super::distinct::{Recurrence, begins_within};
 use super::frame::Frame;
 use super::round::Round;
 use super::target::{BITS, Target};
@@ -38,12 +39,12 @@ impl PeriodicCertificate {
             target.is_an_orbit(effort.pieces).map(|()| BITS)
         };
         let each = one_by_one(self.orbits().iter().enumerate(), (&budget, effort.work), judge, progress);
-        let whole = |_| self.whole().map_err(|doubt| doubt.on(self.orbits().len()));
+        let whole = |_| self.whole(&data).map_err(|doubt| doubt.on(self.orbits().len()));
         Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }
 
     /// What is said of all orbits together.
-    fn whole(&self) -> Result<(), Doubt> {
+    fn whole(&self, data: &Data) -> Result<(), Doubt> {
         if self.says_all_is_proved()
             && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())
         {
@@ -52,7 +53,34 @@ impl PeriodicCertificate {
         if self.orbits().is_empty() {
             return Err(Doubt::Open("there is no orbit to check".into()));
         }
+        self.are_distinct(data)
+    }
+
+    /// Whether each orbit is listed once. Lemma V13
+    fn are_distinct(&self, data: &Data) -> Result<(), Doubt> {
+        let Some(recurrence) = Recurrence::of(data) else {
+            return Err(Doubt::Open("the harmonics are not proved to have a common period".into()));
+        };
+        for (j, other) in self.orbits().iter().enumerate() {
+            for (i, one) in self.orbits()[..j].iter().enumerate() {
+                if recurrence.are_apart(&one.orbit, &other.orbit, self.mirrors_are_one()) {
+                    continue;
+                }
+                return Err(match one.is_within(other) || other.is_within(one) {
+                    true => Doubt::False(format!("orbits[{i}] and orbits[{j}] are one orbit")),
+                    false => Doubt::Open(format!("orbits[{i}] and orbits[{j}] are not proved to be two")),
+                });
+            }
+        }
         Ok(())
+    }
+}
+
+impl OrbitOf {
+    /// Whether it is claimed within the bounds of another one of the same word, which is alone in these. Lemmas V8, V13
+    fn is_within(&self, other: &Self) -> bool {
+        let is_alone = other.orbit.unique && other.orbit.physical == Some(true) && self.orbit.physical == Some(true);
+        is_alone && (&self.word, self.cycles) == (&other.word, other.cycles) && begins_within(&self.orbit, &other.orbit)
     }
 }
 

@@ -90,25 +90,24 @@ impl Course<'_> {
     }
 }
 
-/// Takes up what flights between points have shown; unless `is_whole`, the points after the one up to which they expand most are left
-/// out.
-pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], is_whole: bool) {
+/// Takes up what flights between points have shown; with some `share`, the points after the first one up to which they expand at least
+/// that share of the most are left out.
+pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], share: Option<f64>) {
     for (k, shot) in shots.iter().enumerate() {
         points[k].jacobian = shot.jacobian;
         points[k + 1].jump = shot.jump;
     }
-    let (mut grown, mut most, mut farthest) = (0.0, 0.0, 0);
+    let mut grown = vec![0.0; points.len()];
     for k in 0..shots.len() {
         let image = applied(points[k].jacobian, points[k].node.axes[0]);
         points[k].growth[0] = image[0].hypot(image[1]);
         points[k + 1].node.axes[0] = normalised(image);
-        grown += points[k].growth[0].ln();
-        if grown > most {
-            (most, farthest) = (grown, k + 1);
-        }
+        grown[k + 1] = grown[k] + points[k].growth[0].ln();
     }
-    if !is_whole {
-        points.truncate(farthest + 1);
+    if let Some(share) = share {
+        let least = grown.iter().copied().fold(0.0, f64::max) + share.ln();
+        let last = grown.iter().position(|&grown| grown >= least);
+        points.truncate(last.map_or(1, |last| last + 1));
     }
     let Some((last, before)) = points.split_last_mut().filter(|(_, before)| !before.is_empty()) else { return };
     let [u1, u2] = last.node.axes[0];
@@ -139,11 +138,16 @@ pub(super) fn is_fine(ratio: f64) -> bool {
 /// A step of Newton's iteration: the jumps go, but for what is of second order. `None` where it has no numbers.
 pub(super) fn improve(points: &mut [Point]) -> Option<()> {
     let mut moves = vec![[0.0; 2]; points.len()];
-    for k in (0..points.len() - 1).rev() {
+    let kept = kept(points);
+    for k in (0..kept).rev() {
         moves[k][0] = (moves[k + 1][0] - points[k + 1].split(points[k + 1].jump)[0]) / points[k].growth[0];
     }
     for k in 0..points.len() - 1 {
-        moves[k + 1][1] = moves[k][1] * points[k].growth[1] + points[k + 1].split(points[k + 1].jump)[1];
+        let jump = points[k + 1].split(points[k + 1].jump);
+        if k >= kept {
+            moves[k + 1][0] = moves[k][0] * points[k].growth[0] + jump[0];
+        }
+        moves[k + 1][1] = moves[k][1] * points[k].growth[1] + jump[1];
     }
     for (point, [xi, eta]) in points.iter_mut().zip(moves) {
         let [u, s] = point.node.axes;
@@ -154,6 +158,21 @@ pub(super) fn improve(points: &mut [Point]) -> Option<()> {
         }
     }
     Some(())
+}
+
+/// The point that stays where it is along its expanding direction: the one whose bounds leave least of the first one's direction. It is
+/// the last one where the motion expands, and one with narrow bounds where it does neither.
+fn kept(points: &[Point]) -> usize {
+    let mut grown = 0.0;
+    let left = points.iter().map(|point| {
+        let [u, _] = point.node.axes;
+        let along = (point.size[0] / u[0].abs()).min(point.size[1] / u[1].abs());
+        let left = along.ln() - grown;
+        grown += point.growth[0].ln();
+        left
+    });
+    let least = left.enumerate().skip(1).min_by(|a, b| a.1.total_cmp(&b.1));
+    least.map_or(points.len() - 1, |(k, _)| k)
 }
 
 /// Sides of nodes that may cover one another: expanding ones from the last one backward, the others forward.

@@ -8,7 +8,7 @@ use super::budget::Budget;
 use super::contact::{Doubt, zero};
 use super::rest::Rest;
 use super::shaking::Shaking;
-use super::step::Departure;
+use super::standing::Standing;
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::Real;
@@ -33,10 +33,8 @@ impl Walk<'_> {
         let root = self.turning(rest).ok_or_else(|| Doubt::Open("no release is proved".into()))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
         // How the release depends on the data hardly matters: what lands depends on it by p - E''(0) h = 0.
-        let [released, still] = [root.clone(), Real::zero(self.bits)].map(|x| Affine::fixed(x).recentred());
-        self.departure = Departure::on_wall(&self.parameters, rest.wall, released, still);
-        self.departure.start.is_release = true;
-        self.last = Some(rest.wall);
+        let released = Affine::fixed(root.clone()).recentred();
+        self.standing = Standing::released(&self.parameters, rest.wall, released);
         if self.period.is_none() {
             let same = self.released.iter().filter(|before| before.wall == rest.wall);
             self.period = same.rev().find_map(|before| self.period_since(before, &root));

@@ -9,6 +9,8 @@ use super::affine::Affine;
 use super::chatter::{accumulation, bounce, is_held};
 use super::clock::{Beside, Clock, beside};
 use super::contact::{Claimed, Doubt};
+use super::data::Data;
+use super::standing::Standing;
 use super::step::Departure;
 use super::walk::{Walk, compare};
 use crate::Claim;
@@ -20,6 +22,7 @@ use impact_pair_model::Wall;
 const MOST_BOUNCES: usize = 1 << 14;
 
 /// The ball lies on a wall from this phase on.
+#[derive(Clone, Debug)]
 pub(crate) struct Rest {
     pub wall: Wall,
     /// Since the origin.
@@ -28,61 +31,53 @@ pub(crate) struct Rest {
     pub begins: bool,
 }
 
-impl Walk<'_> {
+impl<'c> Walk<'c> {
     pub(super) fn come_to_rest(&mut self, claim: &Claim, is_accumulation: bool) -> Result<(), Doubt> {
-        let Some(wall) = self.departure.start.wall.filter(|&wall| wall == claim.wall && self.rest.is_none()) else {
+        let departure = self.standing.departure();
+        let Some(wall) = departure.start.wall.filter(|&wall| wall == claim.wall && self.standing.rest().is_none())
+        else {
             return Err(Doubt::False(format!("the ball is not on the {} wall", claim.wall.name())));
         };
         if is_accumulation {
-            let since = self.chatter(claim)?;
-            self.rest = Some(Rest { wall, since, begins: false });
+            self.standing = self.chatter(claim)?;
             return Ok(());
         }
-        let begins = self.event == 0 && self.starts_where_pressure_vanishes(Ordering::Less);
-        if !is_held(&self.departure, &self.parameters, begins) {
+        let begins = self.standing.start().and_then(Data::inward_jerk) == Some(Ordering::Less);
+        if !is_held(departure, &self.parameters, begins) {
             return Err(Doubt::Open("the ball is not proved to stay on its wall".into()));
         }
-        let since = self.departure.phase.hull();
+        let since = departure.phase.hull();
         compare("time", &self.clock.time(&since), &claim.time)?;
-        self.rest = Some(Rest { wall, since, begins });
+        self.standing = Standing::resting(departure.clone(), Rest { wall, since, begins });
         Ok(())
     }
 
-    /// The phases of the rest after infinitely many impacts, which lie inside the claimed bounds.
-    fn chatter(&mut self, claim: &Claim) -> Result<Real, Doubt> {
+    /// The rest after infinitely many impacts, since phases which lie inside the claimed bounds.
+    fn chatter(&self, claim: &Claim) -> Result<Standing<'c>, Doubt> {
+        let (wall, parameters) = (claim.wall, &self.parameters);
+        let mut departure = self.standing.departure().clone();
         for _ in 0..MOST_BOUNCES {
-            let lasting = accumulation(&self.departure, &self.parameters)
+            let lasting = accumulation(&departure, parameters)
                 .ok_or_else(|| Doubt::Open("the chatter is not proved to end in rest".into()))?;
-            let since = self.departure.phase.hull() + &lasting;
-            match beside(&self.clock.time(&since), &claim.time) {
-                Beside::Inside => return Ok(since),
-                Beside::Outside => return compare("time", &self.clock.time(&since), &claim.time).map(|()| since),
-                Beside::Across => {
-                    // No claim says where.
-                    let guess = bounce(&self.departure, &self.parameters)?;
-                    let landing = self
-                        .land(claim.wall, &Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true })?;
-                    self.departure = Departure::rebound(&self.parameters, &landing);
-                }
+            let since = departure.phase.hull() + &lasting;
+            let time = self.clock.time(&since);
+            if let Beside::Across = beside(&time, &claim.time) {
+                // No claim says where.
+                let guess = bounce(&departure, parameters)?;
+                let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
+                let landing = departure.land(parameters, wall, &claimed)?;
+                departure = Departure::rebound(parameters, &landing);
+                continue;
             }
+            compare("time", &time, &claim.time)?;
+            return Ok(Standing::resting(departure, Rest { wall, since, begins: false }));
         }
         Err(Doubt::Open("the rest is not enclosed as claimed".into()))
     }
 
-    /// Whether the ball starts on a wall, with no velocity, exactly where its acceleration is 0 and turns inward (`jerk` is
-    /// greater) or outward (less).
-    pub(super) fn starts_where_pressure_vanishes(&self, jerk: Ordering) -> bool {
-        let told = match self.data.wall {
-            Some(Wall::Left) => jerk,
-            Some(Wall::Right) => jerk.reverse(),
-            None => return false,
-        };
-        self.departure.velocity.hull().is_zero() && self.data.jerk_without_acceleration() == Some(told)
-    }
-
     /// The ball leaves where the acceleration turns inward.
     pub(super) fn release(&mut self, claim: &Claim) -> Result<(), Doubt> {
-        let Some(rest) = self.rest.take().filter(|rest| rest.wall == claim.wall) else {
+        let Some(rest) = self.standing.rest().filter(|rest| rest.wall == claim.wall).cloned() else {
             return Err(Doubt::False(format!("the ball does not lie on the {} wall", claim.wall.name())));
         };
         if self.parameters.is_still() {
@@ -102,10 +97,7 @@ impl Walk<'_> {
         let zero = || Real::zero(self.bits);
         compare("time", &self.clock.time(&zero()), &claim.time)?;
         self.parameters.count_from(Real::int(odd, self.bits) * &Real::pi(self.bits));
-        let still = || Affine::fixed(zero());
-        self.departure = Departure::on_wall(&self.parameters, wall, still(), still());
-        self.departure.start.is_release = true;
-        self.last = Some(wall);
+        self.standing = Standing::released(&self.parameters, wall, Affine::fixed(zero()));
         self.halves = &halves - odd;
         let first = &mut self.releases[usize::from(wall == Wall::Right)];
         match first {

@@ -18,19 +18,24 @@ use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::frame::Frame;
 use super::pseudo::{Point, Shot, improve, is_fine, plan, take, worst};
-use super::step::{Departure, Landing};
+use super::standing::Standing;
+use super::step::Landing;
 use super::target::narrowest;
 use super::walk::Walk;
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::Certificate;
 use crate::document::NearDocument;
-use impact_pair_exact::Real;
+use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 8;
 /// Bits below the narrowest bounds.
 const SPARE_BITS: i64 = 112;
+
+/// Where a chain up to the next other event is not proved, it may end before: where the motion has first expanded by one of these shares
+/// of the most, one tried after another. Where it hardly expands that is the start, and the scene's own motion is followed.
+const ENDS: [f64; 2] = [1.0, 1.0 / 16.0];
 
 /// A claim by its position among the events, and what is to be said of it.
 pub(super) type Doubted = (usize, Doubt);
@@ -63,17 +68,17 @@ impl Certificate {
                 .start
                 .as_ref()
                 .ok_or_else(|| (end, Doubt::False("a shadowed orbit tells its start".into())))?;
-            let walk = Walk::new(self, data, &Piece::default(), FIRST_BITS);
-            let is_of_times = data.wall.is_some() && walk.departure.velocity.hull().is_zero();
+            let start = Standing::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
+            let is_of_times = data.wall.is_some() && start.departure().velocity.hull().is_zero();
             let hits = self.events().iter().map_while(Hit::of).collect();
             let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, stop };
-            shadow.fits(walk)?;
+            shadow.fits(start.last())?;
             if !data.is_point() {
                 return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
             }
-            shadow.starts_as_told().map_err(|doubt| (end, doubt))?;
-            let bits = shadow.answer(data, progress)?;
-            shadow.is_as_near_as_told().map_err(|doubt| (end, doubt))?;
+            shadow.starts_around_the_scenes().map_err(|doubt| (end, doubt))?;
+            let (bits, offs) = shadow.answer(data, progress)?;
+            shadow.is_within_epsilon(offs).map_err(|doubt| (end, doubt))?;
             data.budget.add(effort.work);
             self.attracts(data, effort.pieces).map_err(|doubt| (end, doubt))?;
             Ok(bits)
@@ -136,37 +141,44 @@ impl Shadow<'_> {
         in_blocks(flights, BLOCK, of_block, progress)
     }
 
-    /// The bits that confirm all events and the outcome.
-    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<u32, Doubted> {
-        // Where the motion ceases to expand, the chain may end before the next other event.
+    /// The bits that confirm all events and the outcome, and how far each impact of the orbit that is found is at most from the middle
+    /// of the bounds of its time \[rad\].
+    fn answer(&self, data: &Data, progress: &mut impl FnMut(usize)) -> Result<(u32, Vec<Dyadic>), Doubted> {
         let mut bits = self.bits();
-        let chained = self.chained(true, bits, progress).or_else(|_| self.chained(false, bits, progress));
-        let last = match chained {
-            Ok(last) => last,
+        let chained = ENDS.into_iter().fold(self.chained(None, bits, progress), |chained, share| {
+            chained.or_else(|_| self.chained(Some(share), bits, progress))
+        });
+        let (last, chained) = match chained {
+            Ok(chained) => chained,
             // exact: where nothing is refuted, what is in doubt
             Err(doubted) => return Err(self.refuted().unwrap_or(doubted)),
         };
         let mut before = None;
         loop {
-            let Err((event, doubt)) = self.goes_on(data, last.as_ref(), bits, progress) else { return Ok(bits) };
+            let doubted = match self.goes_on(data, last.as_ref(), bits, progress) {
+                Ok(offs) => return Ok((bits, [chained, offs].concat())),
+                Err(doubted) => doubted,
+            };
+            let event = doubted.0;
             // More of them help after a release, which does not depend on the start.
             let is_stuck = before.is_some_and(|before| event <= before);
             if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
-                return Err((event, doubt));
+                let are_open = last.is_some();
+                return Err(if are_open { doubted } else { self.refuted().unwrap_or(doubted) }); // exact: what is in doubt
             }
             before = Some(event);
             bits = self.certificate.more_bits(bits, event).min(self.effort.bits); // proposes
         }
     }
 
-    /// The last impact of a chain of nodes, and its node; `None` where there is none. Unless `is_whole` it ends where the motion has
-    /// expanded most, which may be at the start.
+    /// The last impact of a chain of nodes, and its node, `None` where there is none; and how far the nodes are off ([`Course::link`]).
+    /// With some `share` it ends where the motion has first expanded that share of the most, which may be at the start.
     fn chained(
         &self,
-        is_whole: bool,
+        share: Option<f64>,
         bits: u32,
         progress: &mut impl FnMut(usize),
-    ) -> Result<Option<(usize, Node)>, Doubted> {
+    ) -> Result<(Option<(usize, Node)>, Vec<Dyadic>), Doubted> {
         let nothing = |_: usize| {};
         let mut points = self.under(bits, |course| course.middles());
         let mut shots: Vec<Shot> = Vec::new();
@@ -176,9 +188,9 @@ impl Shadow<'_> {
                 course.shot(k, [&points[k], &points[k + 1]], shots.get(k).map(|shot| &shot.lasting))
             };
             shots = self.of_each(0..points.len() - 1, bits, shot, nothing)?;
-            take(&mut points, &shots, is_whole);
+            take(&mut points, &shots, share);
             if points.len() == 1 {
-                return Ok(None);
+                return Ok((None, Vec::new()));
             }
             let (at, ratio) = worst(&points);
             if is_fine(ratio) {
@@ -194,8 +206,8 @@ impl Shadow<'_> {
         self.starts_near(&points[0], bits).map_err(|doubt| (0, doubt))?;
         let link =
             |course: &Course<'_>, k: usize| course.link(k, [&points[k].node, &points[k + 1].node], &shots[k].lasting);
-        self.of_each(0..points.len() - 1, bits, link, progress)?;
-        Ok(points.pop().map(|last| (points.len(), last.node)))
+        let offs = self.of_each(0..points.len() - 1, bits, link, progress)?;
+        Ok((points.pop().map(|last| (points.len(), last.node)), offs))
     }
 
     /// The first node lies in the bounds of the start.
@@ -214,33 +226,35 @@ impl Shadow<'_> {
         })
     }
 
-    /// The events after the last node, and the outcome.
+    /// The events after the last node, and the outcome; how far their impacts are off.
     fn goes_on(
         &self,
         data: &Data,
         last: Option<&(usize, Node)>,
         bits: u32,
         progress: &mut impl FnMut(usize),
-    ) -> Result<(), Doubted> {
-        let mut walk = Walk::new(self.certificate, data, &Piece::default(), bits);
-        // Where there is no chain the start is the scene's.
-        if let Some((impacts, node)) = last {
-            let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
-            self.stand_at(&mut walk, *impacts, Landing { wall: self.hits[impacts - 1].wall, phase, velocity });
-        }
-        let mut confirmed = |event| {
-            data.budget.allow(bits, data.tones.len());
-            progress(event);
+    ) -> Result<Vec<Dyadic>, Doubted> {
+        let mut walk = match last {
+            Some((impacts, node)) => {
+                let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
+                let landing = Landing { wall: self.hits[impacts - 1].wall, phase, velocity };
+                let frame = Frame::new(data, &Piece::default(), bits);
+                let standing = Standing::after(&frame.parameters, landing);
+                Walk::at((self.certificate, data), frame, standing, *impacts)
+            }
+            // Where there is no chain the start is the scene's.
+            None => Walk::new(self.certificate, data, &Piece::default(), bits),
         };
-        walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))
-    }
-
-    /// A walk that has come to an impact, with these states before it.
-    fn stand_at(&self, walk: &mut Walk<'_>, impacts: usize, landing: Landing) {
-        walk.departure = Departure::rebound(&walk.parameters, &landing);
-        walk.last = Some(landing.wall);
-        (walk.impacts, walk.event) = (impacts as u64, impacts); // exact: a length
-        walk.landing = Some(landing);
+        let mut offs = Vec::new();
+        let mut confirmed = |walk: &Walk<'_>| {
+            data.budget.allow(bits, data.tones.len());
+            progress(walk.event);
+            let claimed = &self.certificate.events()[walk.event - 1].time;
+            let landing = walk.standing.landing();
+            offs.extend(landing.map(|landing| walk.clock.off(&walk.clock.time(&landing.phase.hull()), claimed)));
+        };
+        walk.all(&mut confirmed).map_err(|doubt| (walk.event, open(&doubt)))?;
+        Ok(offs)
     }
 
     /// A claim that is proved to be false: flights from no state within the bounds before lead into its own.
@@ -251,15 +265,16 @@ impl Shadow<'_> {
             FIRST_BITS,
             |course, k| {
                 let Course { data, frame, .. } = course;
-                let mut walk = Walk::new(self.certificate, data, &Piece::default(), FIRST_BITS);
-                match k.checked_sub(1).map(|hit| &self.hits[hit]) {
-                    Some(hit) => self.stand_at(&mut walk, k, frame.states(hit.wall, hit.time, hit.velocity)),
+                let standing = match k.checked_sub(1).map(|hit| &self.hits[hit]) {
+                    Some(hit) => Standing::after(&frame.parameters, frame.states(hit.wall, hit.time, hit.velocity)),
                     None => {
                         // The wall does not matter inside the gap.
                         let Landing { phase, velocity, .. } = frame.states(Wall::Left, &time, &velocity);
-                        walk.departure = course.departure(0, [phase, velocity]);
+                        Standing::of_starts(course.departure(0, [phase, velocity]))
                     }
-                }
+                };
+                let frame = Frame::new(data, &Piece::default(), FIRST_BITS);
+                let mut walk = Walk::at((self.certificate, data), frame, standing, k);
                 match walk.confirm(&self.certificate.events()[k]) {
                     Err(doubt @ Doubt::False(_)) => Err(doubt),
                     _ => Ok(()),

@@ -116,6 +116,11 @@ impl Departure {
         Self::on_wall(parameters, *wall, phase.clone(), after)
     }
 
+    /// From inside the gap.
+    pub fn inside(phase: Affine, height: Affine, velocity: Affine) -> Self {
+        Self { start: Start { wall: None, is_release: false }, phase, height, velocity }
+    }
+
     /// From `wall` with velocity `velocity` after the impact.
     pub fn on_wall(parameters: &Parameters, wall: Wall, phase: Affine, velocity: Affine) -> Self {
         let half_gap = &parameters.half_gap;
@@ -126,7 +131,7 @@ impl Departure {
 
     /// The flights of those members of the set that `member` says.
     fn flight(&self, parameters: &Parameters, member: fn(&Affine) -> Real) -> Flight {
-        let bits = self.bits(parameters.bits());
+        let bits = self.bits(parameters);
         let of = |x: &Affine| member(x).rounded(bits);
         Flight {
             shaking: parameters.shaking(&of(&self.phase), member),
@@ -138,8 +143,11 @@ impl Departure {
     }
 
     /// The bits that are worth computing: none far below what is not known of the set anyway.
-    fn bits(&self, most: u32) -> u32 {
-        let known = [&self.phase, &self.velocity].into_iter().filter_map(Affine::accuracy).max();
+    fn bits(&self, parameters: &Parameters) -> u32 {
+        // A phase is added to one of a flight, a velocity to that of the box: near 0 few leading bits of either say much.
+        let amplitude = parameters.terms[0].amplitude.centre.enclosure().mag().top().unwrap_or(0); // proposes
+        let known = self.phase.accuracy(0).max(self.velocity.accuracy(amplitude)); // proposes
+        let most = parameters.bits();
         known.map_or(most, |known| known.saturating_add(SPARE_BITS).min(most)) // X1: any number of bits encloses
     }
 

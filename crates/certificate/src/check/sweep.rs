@@ -5,7 +5,8 @@ use std::sync::atomic::AtomicBool;
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
-use super::step::Departure;
+use super::standing::Last;
+use super::step::Landing;
 use super::walk::{Walk, compare};
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::Certificate;
@@ -25,6 +26,16 @@ impl SweepCertificate {
         stop: Option<&'static AtomicBool>,
         mut progress: impl FnMut(usize),
     ) -> Result<Verdict, Error> {
+        self.judge_until(effort, stop, |point, _| progress(point))
+    }
+
+    /// The same; `progress` is told whether all points so far are confirmed as well.
+    pub(crate) fn judge_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        mut progress: impl FnMut(usize, bool),
+    ) -> Result<Verdict, Error> {
         let (mut most, mut open, mut confirmed) = (0, None, 0);
         for (event, point) in self.points().iter().enumerate() {
             let budget = Budget::new(effort.work, effort.parts, stop);
@@ -39,7 +50,7 @@ impl SweepCertificate {
                     confirmed += 1;
                 }
             }
-            progress(event + 1);
+            progress(event + 1, open.is_none());
         }
         Ok(match open {
             Some(Finding { event, message }) => {
@@ -90,7 +101,7 @@ impl ClaimedOrbit {
 
     fn follow(&self, walk: &mut Walk<'_>) -> Result<(), Doubt> {
         let mut states = self.states.iter().peekable();
-        if walk.still.is_some() && self.impacts > 0 {
+        if walk.standing.still().is_some() && self.impacts > 0 {
             return Err(Doubt::Open("the ball has no drift".into()));
         }
         let mut may_rest = false;
@@ -99,26 +110,38 @@ impl ClaimedOrbit {
             let open = || Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"));
             let landing = walk.next_landing().ok_or_else(open)?;
             // The bounces of a chatter that ends in a rest have no number: then all others are told wrongly here.
-            may_rest |= walk.last == Some(landing.wall);
-            walk.last = Some(landing.wall);
-            walk.departure = Departure::rebound(&walk.parameters, &landing);
+            may_rest |= walk.standing.last() == Last::Wall(landing.wall);
             if let Some(state) = states.next_if(|state| state.index == next) {
-                state.compare(walk, &landing).map_err(|doubt| match doubt {
+                let phase = self.told(walk, &landing)?;
+                state.compare(walk, &landing, phase).map_err(|doubt| match doubt {
                     Doubt::False(message) if may_rest => {
                         Doubt::Open(format!("{message}, or a rest comes before, whose bounces are not counted"))
                     }
                     doubt => doubt,
                 })?;
             }
-            walk.impacts = next;
+            walk.go_on(landing);
             walk.data.budget.allow(walk.bits, walk.data.tones.len());
         }
         Ok(())
     }
 }
 
+impl ClaimedOrbit {
+    /// The phase of an impact, of the term that phases are told of: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
+    fn told(&self, walk: &Walk<'_>, landing: &Landing) -> Result<Real, Doubt> {
+        let found = walk.absolute(&landing.phase.hull());
+        let Some(reference) = &self.reference else { return Ok(found) };
+        let (own, bits) = (self.pair.excitation().reference(), found.bits());
+        let since = found - &Real::of(own.phase(), bits);
+        let rate = Real::of(reference.frequency(), bits).over(&Real::of(own.frequency(), bits));
+        let rate = rate.ok_or_else(|| Doubt::Open("the frequencies are too far apart".into()))?;
+        Ok(since * &rate + &Real::of(reference.phase(), bits))
+    }
+}
+
 impl ClaimedState {
-    fn compare(&self, walk: &Walk<'_>, landing: &super::step::Landing) -> Result<(), Doubt> {
+    fn compare(&self, walk: &Walk<'_>, landing: &Landing, found: Real) -> Result<(), Doubt> {
         let Self { index, wall, phase, velocity } = self;
         if *wall != landing.wall {
             return Err(Doubt::False(format!("impact {index} is on the other wall")));
@@ -132,7 +155,6 @@ impl ClaimedState {
         if lower.is_negative() || turn.is_below(&lower) {
             return Err(Doubt::False(format!("the phase of impact {index} is not in [0, 2 pi)")));
         }
-        let found = walk.absolute(&landing.phase.hull());
         let ahead = (found.clone() - &lower.hull(&upper).middle()).over(&turn);
         let half = Real::int(1, bits).half();
         // V6: any whole number of periods

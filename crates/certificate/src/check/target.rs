@@ -138,15 +138,8 @@ impl<'c> Target<'c> {
     /// All that is found of the orbit lies inside the claimed bounds.
     pub fn compare(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let ClaimedOrbit { symmetric, impacts, numbers, physical, .. } = self.claim;
-        // Where flights are not proved to be motions, their mirror images are not either.
-        if let Some(claimed) = symmetric.filter(|_| *physical == Some(true)) {
-            match orbit.is_symmetric(self.data.has_mirror()) {
-                None => return Err(Doubt::Open("it is not decided whether the orbit is symmetric".into())),
-                Some(found) if found != claimed => {
-                    return Err(Doubt::False("whether the orbit is symmetric is claimed wrongly".into()));
-                }
-                Some(_) => {}
-            }
+        if let Some(claimed) = symmetric {
+            orbit.is_symmetric_as(*claimed, self.data.has_mirror())?;
         }
         if self.is_whole && !orbit.is_whole() {
             return Err(Doubt::Open("the orbit is not proved to be no shorter one".into()));

@@ -1,18 +1,16 @@
 //! The events of a certificate, one after another, over a piece of its data.
 
-use std::cmp::Ordering;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::affine::Affine;
 use super::clock::{Beside, Clock, beside};
-use super::contact::{Claimed, Doubt, Start, first_hit};
+use super::contact::{Claimed, Doubt, first_hit};
 use super::data::{Data, Piece};
+use super::frame::Frame;
 use super::release::Release;
-use super::rest::Rest;
+use super::standing::Standing;
 use super::step::{Departure, Landing, Parameters};
-use super::still::Still;
 use crate::{Certificate, Claim, ClaimKind};
 use impact_pair_exact::{Real, decimal_digits};
 use impact_pair_model::Mapping;
@@ -27,13 +25,8 @@ pub(crate) struct Walk<'c> {
     pub clock: Clock,
     /// The whole half turns dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
-    pub departure: Departure,
-    /// The last impact.
-    pub landing: Option<Landing>,
-    pub(super) rest: Option<Rest>,
-    pub(super) still: Option<Still>,
-    /// The wall that the last flight between walls left; `None` where a graze since may have been a touch of the other.
-    pub last: Option<Wall>,
+    /// Where it stands, and what is known there.
+    pub standing: Standing<'c>,
     /// The first release from each wall under one harmonic: half turns, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
     /// All releases under several harmonics.
@@ -46,50 +39,46 @@ pub(crate) struct Walk<'c> {
 }
 
 impl<'c> Walk<'c> {
+    /// From the scene's own start.
     pub fn new(certificate: &'c Certificate, data: &'c Data, piece: &Piece, bits: u32) -> Self {
-        let parameters = data.parameters(piece, bits);
-        let (phase, velocity, height) = data.state(piece, bits);
-        let clock = Clock::at_start(data, &phase, bits);
-        let phase = phase.less_centre();
-        let departure = match (data.wall, height) {
-            (Some(wall), _) => Departure::rebound(&parameters, &Landing { wall, phase, velocity }),
-            (None, height) => {
-                let height = height.unwrap_or_else(|| Affine::fixed(Real::zero(bits)));
-                Departure { start: Start { wall: None, is_release: false }, phase, height, velocity }
-            }
-        };
-        let mut walk = Self {
+        let frame = Frame::new(data, piece, bits);
+        let standing = Standing::at_start(data, &frame.parameters, piece);
+        Self::at((certificate, data), frame, standing, 0)
+    }
+
+    /// From states after so many impacts, the first events that are claimed.
+    pub fn at(
+        (certificate, data): (&'c Certificate, &'c Data),
+        frame: Frame,
+        standing: Standing<'c>,
+        impacts: usize,
+    ) -> Self {
+        let Frame { parameters, clock, turn } = frame;
+        Self {
             certificate,
             data,
             parameters,
             clock,
             halves: BigInt::from(2) * &data.turns,
-            departure,
-            landing: None,
-            rest: None,
-            still: None,
-            last: data.wall,
+            standing,
             releases: [None, None],
             released: Vec::new(),
             period: None,
-            impacts: 0,
-            bits,
-            event: 0,
-        };
-        walk.departure.start.is_release = walk.starts_where_pressure_vanishes(Ordering::Greater);
-        walk.still = Still::of(data, walk.departure.velocity.hull().is_zero());
-        walk
+            impacts: impacts as u64, // exact: a length
+            bits: turn.bits(),
+            event: impacts,
+        }
     }
 
     /// Confirms all claims from the one in hand on, or stops at the first that is not.
-    pub fn all(&mut self, progress: &mut impl FnMut(usize)) -> Result<(), Doubt> {
+    pub fn all(&mut self, progress: &mut impl FnMut(&Self)) -> Result<(), Doubt> {
         for claim in &self.certificate.events()[self.event..] {
             if self.data.budget.is_stopped() {
                 return Err(Doubt::Open("it is stopped".into()));
             }
             self.confirm(claim)?;
             self.event += 1;
-            progress(self.event);
+            progress(self);
         }
         self.outcome()
     }
@@ -104,7 +93,7 @@ impl<'c> Walk<'c> {
 
     /// The datum whose halving narrows the sets most, if the data make most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
-        let Departure { phase, velocity, .. } = &self.departure;
+        let Departure { phase, velocity, .. } = self.standing.departure();
         [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
     }
 
@@ -118,8 +107,10 @@ impl<'c> Walk<'c> {
             ClaimKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
             ClaimKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
             ClaimKind::Release => self.release(claim),
-            ClaimKind::Graze if self.still.is_some() => self.graze_again(claim),
-            ClaimKind::Graze => self.graze(claim),
+            ClaimKind::Graze => match self.standing.still().cloned() {
+                Some(still) => self.graze_again(still, claim),
+                None => self.graze(claim),
+            },
         }
     }
 
@@ -130,52 +121,31 @@ impl<'c> Walk<'c> {
         mapping: Option<Mapping>,
         velocity: &[BigRational; 2],
     ) -> Result<(), Doubt> {
-        self.fits(claim, index, mapping, velocity)?;
+        if self.standing.rest().is_some() {
+            return Err(Doubt::False("the ball lies on its wall until it is released".into()));
+        }
+        is_next(self.impacts, index)?;
+        self.standing.last().leads(mapping, claim.wall)?;
+        are_bounds(velocity)?;
         let landing = self.land(claim.wall, &self.ahead(claim)?)?;
         let time = self.clock.time(&landing.phase.hull());
         let found = self.clock.velocity(&landing.velocity.hull());
-        self.departure = Departure::rebound(&self.parameters, &landing);
-        self.landing = Some(landing);
-        (self.impacts, self.last) = (self.impacts + 1, Some(claim.wall));
+        self.go_on(landing);
         compare("time", &time, &claim.time)?;
         compare("velocity", &found, velocity)
     }
 
-    /// Whether an impact may be the next event, by its number, its mapping and the order of its bounds.
-    pub(super) fn fits(
-        &self,
-        claim: &Claim,
-        index: u64,
-        mapping: Option<Mapping>,
-        velocity: &[BigRational; 2],
-    ) -> Result<(), Doubt> {
-        if self.rest.is_some() {
-            return Err(Doubt::False("the ball lies on its wall until it is released".into()));
-        }
-        if index != self.impacts + 1 {
-            return Err(Doubt::False(format!("the impact is number {}, not {index}", self.impacts + 1)));
-        }
-        if mapping != self.last.map(|from| Mapping::between(from, claim.wall)) {
-            let is_after_graze =
-                matches!(self.certificate.events()[..self.event].last(), Some(Claim { kind: ClaimKind::Graze, .. }));
-            return Err(match mapping {
-                // It is the one or the other.
-                Some(mapping) if self.last.is_none() && is_after_graze && mapping.walls().1 == claim.wall => {
-                    Doubt::Open("the graze before is not told from a touch, so no mapping is proved".into())
-                }
-                _ => Doubt::False("the mapping does not lead from the wall before to this one".into()),
-            });
-        }
-        if velocity[0] > velocity[1] {
-            return Err(Doubt::False("the lower bound of the velocity is above the upper one".into()));
-        }
-        Ok(())
+    /// Goes on from an impact.
+    pub fn go_on(&mut self, landing: Landing) {
+        self.standing = Standing::after(&self.parameters, landing);
+        self.impacts += 1;
     }
 
     /// Where after the departure the claim says to look: in the middle of what of its bounds comes later.
     pub(super) fn ahead(&self, claim: &Claim) -> Result<Claimed, Doubt> {
-        let [from, to] = claim.time.each_ref().map(|time| self.clock.phase(time) - &self.departure.phase.hull());
-        if !to.is_positive() && !to.is_across() || self.rest.is_some() {
+        let departed = self.standing.departure().phase.hull();
+        let [from, to] = claim.time.each_ref().map(|time| self.clock.phase(time) - &departed);
+        if !to.is_positive() && !to.is_across() || self.standing.rest().is_some() {
             return Err(Doubt::False("the time is not after the event before".into()));
         }
         let zero = Real::zero(self.bits);
@@ -190,16 +160,31 @@ impl<'c> Walk<'c> {
 
     /// The next impact, which no claim tells of: of the middle's own flight the first part with a contact tells where to look.
     pub fn next_landing(&self) -> Option<Landing> {
-        let flight = self.departure.flights(&self.parameters);
-        let guess = first_hit(&flight, self.departure.start)?;
+        let departure = self.standing.departure();
+        let flight = departure.flights(&self.parameters);
+        let guess = first_hit(&flight, departure.start)?;
         let y = flight.height(&guess);
         let wall = if y.is_positive() { Wall::Right } else { Wall::Left };
         let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
         self.land(wall, &claimed).ok()
     }
 
-    pub(super) fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
-        self.departure.land(&self.parameters, wall, claimed)
+    fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
+        self.standing.departure().land(&self.parameters, wall, claimed)
+    }
+}
+
+/// An impact has the number after these.
+pub(super) fn is_next(impacts: u64, index: u64) -> Result<(), Doubt> {
+    let next = impacts + 1;
+    if index == next { Ok(()) } else { Err(Doubt::False(format!("the impact is number {next}, not {index}"))) }
+}
+
+/// The bounds of a velocity are in order.
+pub(super) fn are_bounds([lower, upper]: &[BigRational; 2]) -> Result<(), Doubt> {
+    match lower > upper {
+        true => Err(Doubt::False("the lower bound of the velocity is above the upper one".into())),
+        false => Ok(()),
     }
 }
 

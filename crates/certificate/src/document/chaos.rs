@@ -70,7 +70,9 @@ pub struct ChaosDocument {
     pub boxes: u64,
     /// Lower bounds of the topological entropy; 0 where none is proved.
     pub entropy: EntropyDocument,
-    /// The shortest two of the words that may follow one another in any order.
+    /// The two blocks with the fewest impacts that follow one another in any order in the map mirrored to one wall. A block is a
+    /// sequence of walls and a number of half cycles; it is written as it starts on the left wall, and mirrored where it starts on the
+    /// right one. The time between the impacts at its ends is these half cycles and what the phases of the two h-sets differ by.
     pub horseshoe: Option<String>,
     /// What is proved of the orbit of the scene's own start.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -78,7 +80,7 @@ pub struct ChaosDocument {
     /// Whether it was stopped before the depth that was asked for.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
-    /// The bases, disjoint.
+    /// The bases, disjoint from each other and from their own translates by whole forcing periods.
     pub bases: Vec<BaseDocument>,
     /// The words.
     pub words: Vec<WordDocument>,
@@ -229,7 +231,7 @@ pub struct WordDocument {
     pub to: u32,
     /// How many impacts it has.
     pub impacts: u32,
-    /// How many half cycles it takes.
+    /// Half cycles from its start to its end, less what the phases of the two bases differ by.
     pub half_cycles: i64,
     /// Its flights in order of time: `F` to the far wall, `N` back to the near one.
     pub flights: String,

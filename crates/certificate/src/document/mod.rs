@@ -6,6 +6,7 @@
 mod audit;
 mod bifurcation;
 mod chaos;
+mod check;
 mod cycles;
 mod layout;
 mod number;
@@ -20,6 +21,7 @@ mod trade;
 pub use audit::*;
 pub use bifurcation::*;
 pub use chaos::*;
+pub use check::*;
 pub use cycles::*;
 pub use layout::{one_a_line, write_orbit};
 pub use number::{Bounds, Decimal, Written, bounds};

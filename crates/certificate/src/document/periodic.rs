@@ -8,6 +8,8 @@ use super::scene::SceneDocument;
 
 /// The schema of the periodic JSON.
 pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
+/// What no search for orbits with finitely many impacts looks for: motions in which the ball rests on a wall between two of them.
+pub const RESTING: &str = "motions that rest";
 /// The schema of the manifolds.
 pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 
@@ -23,8 +25,11 @@ pub struct PeriodicDocument {
     pub word: String,
     /// The cycles of the word.
     pub cycles: u32,
-    /// Whether there are no others.
+    /// Whether there are no others, but for what it `excludes`.
     pub exhaustive: bool,
+    /// Of what others nothing is claimed, where it is exhaustive: `motions that rest`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub excludes: Option<String>,
     /// Whether all that was asked is proved.
     pub certified: bool,
     /// The orbits.
@@ -122,8 +127,11 @@ pub struct TwoImpactDocument {
     pub cycles: u32,
     /// `velocity`, `amplitude` or `gap`.
     pub solved_for: String,
-    /// Whether there are no others.
+    /// Whether there are no others, but for what it `excludes`.
     pub exhaustive: bool,
+    /// Of what others nothing is claimed, where it is exhaustive: `motions that rest`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub excludes: Option<String>,
     /// Always: what is not proved is `undecided`.
     pub certified: bool,
     /// The spacings at which there may be others.

@@ -42,6 +42,11 @@ pub struct SweepHead {
     pub claim: Option<ClaimName>,
     /// What computes it.
     pub arithmetic: ArithmeticDocument,
+    /// Under several terms the number, from 1, of the reference: at all points phases are `W t + tau` of this term, and cycles are its
+    /// periods, also where another one is faster or this one does not move the box. It is the fastest of those that move the box where
+    /// all that varies is greatest. Older documents do not say: there it is at each point the fastest that moves the box.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reference: Option<u64>,
     /// The points have no impacts.
     pub summary: bool,
     /// The number of the shard, and of how many.
@@ -90,7 +95,7 @@ pub struct SweepRecord {
     pub impacts: u64,
     /// The first one wider than asked for.
     pub wide_from: Option<u64>,
-    /// Impacts a cycle after the transient.
+    /// Impacts a cycle of the reference after the transient.
     pub impacts_per_cycle: Option<ExtendedBounds>,
     /// How a small disturbance grows.
     pub exponent: SweepExponent,
@@ -108,7 +113,7 @@ pub struct SweepRecord {
 pub struct SweepExponent {
     /// Per impact.
     pub per_impact: Option<ExtendedBounds>,
-    /// Per cycle.
+    /// Per cycle of the reference.
     pub per_cycle: Option<ExtendedBounds>,
     /// Why there are none.
     pub reason: Option<String>,
@@ -123,11 +128,14 @@ pub struct SweepPeriod {
     pub word: Option<String>,
     /// Its impacts.
     pub impacts: u64,
-    /// Its cycles.
-    pub cycles: u64,
+    /// Its cycles; null where they are no whole number, as where the reference does not move the box.
+    pub cycles: Option<u64>,
+    /// Then how long it takes \[time\].
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub duration: Option<ExtendedBounds>,
     /// From this impact on the orbit is in a neighbourhood that the period contracts.
     pub from: Option<u64>,
-    /// The impact that the word starts with.
+    /// The impact that the word starts with; null where its phase is another one in each period.
     pub first: Option<SweepImpact>,
 }
 
@@ -140,7 +148,7 @@ pub struct SweepImpact {
     pub index: u64,
     /// The switch-plane.
     pub wall: Wall,
-    /// `W t + tau` \[rad\]
+    /// `W t + tau` of the reference \[rad\]
     pub phase: ExtendedBounds,
     /// `y'` before the impact \[length/time\].
     pub velocity: ExtendedBounds,

@@ -102,12 +102,12 @@ pub(super) fn flights(
     let mut flights = Vec::new();
     for claim in claims {
         let ClaimKind::Impact { velocity: printed, .. } = &claim.kind else { break };
-        let departure = walk.departure.clone();
+        let departure = walk.standing.departure().clone();
         if let Err(doubt) = walk.confirm(claim) {
             return (origin, flights, Some(doubt));
         }
         progress(flights.len() + 1);
-        let landing = walk.landing.as_ref().expect("an impact was confirmed");
+        let landing = walk.standing.landing().expect("an impact was confirmed");
         let from = departure.start.wall;
         let phases = [&departure.phase, &landing.phase].map(|x| middle(&walk.absolute(&x.centre)));
         let velocity = middle(&unit(&landing.velocity.centre));

@@ -3,7 +3,6 @@
 use crate::check::{Data, Piece, Walk};
 use crate::{Certificate, Claim, ClaimKind};
 use impact_pair_exact::{Exact, Real, decimal_bounds};
-use impact_pair_model::Mapping;
 use num_rational::BigRational;
 
 /// Bits that it is first sought with, and how often these are doubled.
@@ -31,7 +30,7 @@ impl Certificate {
         };
         let time = printed(&walk.clock.time(&landing.phase.hull()))?;
         let is_later = Exact::from_rational(time[0].clone()).compare(until)?.is_gt();
-        let mapping = walk.last.map(|from| Mapping::between(from, landing.wall));
+        let mapping = walk.standing.last().mapping(landing.wall);
         let velocity = printed(&walk.clock.velocity(&landing.velocity.hull()))?;
         let index = self.events().len() as u64 + 1;
         is_later.then_some(Claim { wall: landing.wall, time, kind: ClaimKind::Impact { index, mapping, velocity } })

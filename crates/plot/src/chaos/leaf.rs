@@ -64,7 +64,7 @@ impl Leaf {
 /// The two words of the horseshoe by the bases that they lead from and to: of each base both, or it is left out.
 pub fn words(found: &Chaos) -> [Vec<&Word>; 2] {
     let Some(names) = found.horseshoe() else { return [const { Vec::new() }; 2] };
-    let named = |name: &Word| found.words().iter().filter(|word| word.walls == name.walls).collect::<Vec<_>>();
+    let named = |name: &Word| found.words().iter().filter(|word| word.is_same_block(name)).collect::<Vec<_>>();
     let [first, second] = names.map(named);
     let both = |word: &&&Word| [&first, &second].iter().all(|words| words.iter().any(|other| other.from == word.from));
     [first.iter().filter(both).copied().collect(), second.iter().filter(both).copied().collect()]

@@ -54,7 +54,11 @@ impl Kind {
                 other => other.replace('-', " "),
             };
         };
-        let plural = if period.cycles == 1 { "" } else { "s" };
+        let lasting = match period.cycles {
+            Some(1) => "1 cycle".to_owned(),
+            Some(cycles) => format!("{cycles} cycles"),
+            None => "no whole cycles".to_owned(),
+        };
         let letter = |wall| if wall == Wall::Left { 'L' } else { 'R' };
         let mut walls: String = word.mappings().iter().take(LETTERS).map(|mapping| letter(mapping.walls().0)).collect();
         if word.mappings().len() > LETTERS {
@@ -62,7 +66,7 @@ impl Kind {
         }
         let place = period.first.as_ref().filter(|_| is_one_pair).and_then(|first| middle(&first.phase).ok());
         let place = place.map_or_else(String::new, |phase| format!(", L at {phase:.2} rad"));
-        format!("{walls} in {} cycle{plural}{place}", period.cycles)
+        format!("{walls} in {lasting}{place}")
     }
 }
 

@@ -51,9 +51,16 @@ impl Base {
         let (Some(one), Some(two)) = (self.exact(), other.exact()) else { return false };
         // Beyond these shifts their phases are apart.
         (-SHIFTS..=SHIFTS).all(|turns| {
-            let later = two.clone().map(|[u, w]| [u + BigRational::from_integer(turns.into()), w]);
+            let later = later(&two, turns);
             is_parted(&one, &later) || is_parted(&later, &one)
         })
+    }
+
+    /// Whether it has no state in common with itself whole turns later: none one turn later, and so, as it is convex, none (D9).
+    pub fn is_apart_from_its_translates(&self) -> bool {
+        let Some(one) = self.exact() else { return false };
+        let later = later(&one, 1);
+        is_parted(&one, &later) || is_parted(&later, &one)
     }
 
     /// The turns after which a tube may cross it.
@@ -92,6 +99,11 @@ impl Base {
         }
         found
     }
+}
+
+/// The corners so many turns later.
+fn later(corners: &[Exact; 4], turns: i64) -> [Exact; 4] {
+    corners.clone().map(|[u, w]| [u + BigRational::from_integer(turns.into()), w])
 }
 
 /// Positive where the third one is to the left of the way from the first to the second.

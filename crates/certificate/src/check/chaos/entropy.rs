@@ -9,6 +9,8 @@ use impact_pair_exact::{Dyadic, Real};
 const BITS: u32 = 256;
 /// Greater entropies are not judged.
 const MOST: i64 = 64;
+/// Words that weigh more are not judged: their flights last longer than any that is followed.
+const HEAVIEST: i64 = 1 << 16;
 /// Entropies that are told are multiples of one in so many parts.
 const PARTS: i64 = 10_000;
 /// Steps towards an eigenvector.
@@ -37,7 +39,7 @@ pub(super) fn is_reached(words: &[(usize, usize, i64)], bases: usize, h: &BigRat
     if !h.is_positive() {
         return true; // exact: no entropy is negative
     }
-    if *h > most || words.iter().any(|&(.., weight)| weight < 1) {
+    if *h > most || words.iter().any(|&(.., weight)| !(1..=HEAVIEST).contains(&weight)) {
         return false; // exact: nothing is proved
     }
     let e = exponential(&Real::rational(h, BITS));

@@ -37,6 +37,8 @@ pub(super) struct Image {
 /// Flights are looked at in steps of this, no more than so many.
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
+/// \[turns\]
+pub(super) const MOST_TURNS: f64 = 64.0;
 
 impl Guess {
     pub fn new(law: &Law) -> Self {

@@ -5,10 +5,11 @@ use std::sync::atomic::AtomicBool;
 use impact_pair_model::Error;
 
 use super::Law;
+use super::allowance::{Allowance, End};
 use super::bases::Base;
 use super::entropy::at_least;
 use super::propose::Making;
-use super::words::{Ahead, Counts, Search, Stopped, Word};
+use super::words::{Ahead, Counts, Search, Word};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
@@ -32,13 +33,6 @@ const AHEAD: [usize; 3] = [2, 3, 6];
 /// Bits of the arithmetic.
 const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 
-/// What is proved of the words where it is not all of them.
-struct Shortfall {
-    /// Why the others are not.
-    why: &'static str,
-    found: Counts,
-}
-
 impl ChaosCertificate {
     /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
     /// proved, until `stop` is set, if there is one. `progress` is told the words confirmed so far.
@@ -61,35 +55,45 @@ impl ChaosCertificate {
             Ok(said) => said,
             Err(doubt) => return Ok(doubt.on(self.count())),
         };
-        Ok(match self.lost(&law, &bases, &words, (effort.work, stop), &mut progress) {
+        let allowed = effort.work.saturating_mul(LOOKS); // proposes: when to give up
+        let each = (allowed / MANY).saturating_mul(words.len() as u64); // proposes: when to give up
+        let work = Allowance::new(allowed.saturating_add(each), stop); // proposes: when to give up
+        Ok(match self.lost(&law, &bases, &words, &work, &mut progress) {
             Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
-            Ok(Some(shortfall)) => shortfall.verdict(&words, bases.len()),
-            Err(Stopped) => Verdict::Interrupted { events: confirmed },
+            Ok(Some(found)) => {
+                let why = if work.is_spent() { "the work allowed is spent" } else { "it is not proved again" };
+                shortfall((found, why), &words, bases.len())
+            }
+            Err(_) => Verdict::Interrupted { events: confirmed },
         })
     }
 
-    /// `None` if all words are found, or what is along the tubes along which most of them are.
+    /// `None` if all words are found, or what is along the tubes along which most of them are. Where the work is spent on the way, what
+    /// was found with less of it stays.
     fn lost(
         &self,
         law: &Law,
         bases: &[Base],
         words: &[Word],
-        (work, stop): (u64, Option<&'static AtomicBool>),
+        work: &Allowance,
         progress: &mut impl FnMut(usize),
-    ) -> Result<Option<Shortfall>, Stopped> {
+    ) -> Result<Option<Counts>, End> {
         let mut listed = Counts::new();
         words.iter().for_each(|word| *listed.entry(word.clone()).or_default() += 1);
-        let mut best: Option<Shortfall> = None;
+        let mut best: Option<Counts> = None;
         let mut tried = |makings: &[Making], ahead: &Ahead, most: usize| {
-            let mut search = Search::new(law, bases, &listed, (makings, ahead), stop);
-            let (lost, why) = follow_all(&mut search, words, (work, most), progress)?;
-            if !why.is_empty() {
-                let found = search.found;
-                if best.as_ref().is_none_or(|best| found.values().sum::<usize>() > best.found.values().sum()) {
-                    best = Some(Shortfall { why, found });
-                }
+            let mut search = Search::new(law, bases, &listed, (makings, ahead), work);
+            let lost = match follow_all(&mut search, words, most, progress) {
+                Ok(lost) if lost.is_empty() => return Ok((lost, true)),
+                Ok(lost) => lost,
+                Err(End::Spent) => Vec::new(),
+                Err(End::Stopped) => return Err(End::Stopped),
+            };
+            let found = search.found;
+            if best.as_ref().is_none_or(|best| found.values().sum::<usize>() > best.values().sum()) {
+                best = Some(found);
             }
-            Ok((lost, why.is_empty()))
+            Ok((lost, false))
         };
         let beginning_with =
             |first: usize| -> Vec<Making> { MAKINGS[first..].iter().chain(&MAKINGS[..first]).copied().collect() };
@@ -126,19 +130,16 @@ impl ChaosCertificate {
     }
 }
 
-/// Follows the words to the end, or until more than `most` are lost: those that are, and what is to be said if not all are found.
+/// Follows the words to the end, or until more than `most` are lost: those that are.
 fn follow_all<'w>(
     search: &mut Search<'_>,
     words: &'w [Word],
-    (work, most): (u64, usize),
+    most: usize,
     progress: &mut impl FnMut(usize),
-) -> Result<(Vec<&'w Word>, &'static str), Stopped> {
+) -> Result<Vec<&'w Word>, End> {
     let deepest = words.iter().map(|word| word.flights.len()).max().unwrap_or(0); // exact: none where there are no words
     let mut lost: Vec<&Word> = Vec::new();
     for depth in 1..=deepest {
-        if search.parts > PARTS * work {
-            return Ok((lost, "the work allowed is spent"));
-        }
         search.deepen()?;
         lost.extend(words.iter().filter(|word| word.flights.len() == depth && search.is_missing(word)));
         if lost.len() > most {
@@ -148,35 +149,35 @@ fn follow_all<'w>(
             progress(words.iter().filter(|word| word.flights.len() <= depth).count());
         }
     }
-    let why = if lost.is_empty() { "" } else { "it is not proved again" };
-    Ok((lost, why))
+    Ok(lost)
 }
 
-impl Shortfall {
-    /// On the first word that is not found, with the entropy of those that are: a part of a list proves what follows from that part.
-    fn verdict(mut self, words: &[Word], bases: usize) -> Verdict {
-        let is_found = |word: &Word| match self.found.get_mut(word) {
-            Some(count) if *count > 0 => {
-                *count -= 1;
-                true
-            }
-            _ => false,
-        };
-        let is_found: Vec<bool> = words.iter().map(is_found).collect();
-        let first = is_found.iter().position(|is_found| !is_found).expect("a word is missing");
-        let kept: Vec<_> =
-            words.iter().zip(&is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
-        let left = match at_least(&kept, bases) {
-            Some(entropy) => format!(
-                "; the {} of {} words that are have an entropy of at least {entropy} an impact",
-                kept.len(),
-                words.len()
-            ),
-            None => String::new(),
-        };
-        Doubt::Open(format!("{}{left}", self.why)).on(first)
-    }
+/// What is said on the first word that is not found, with the entropy of those that are: a part of a list proves what follows from that
+/// part.
+fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> Verdict {
+    let is_found = |word: &Word| match found.get_mut(word) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            true
+        }
+        _ => false,
+    };
+    let is_found: Vec<bool> = words.iter().map(is_found).collect();
+    let first = is_found.iter().position(|is_found| !is_found).expect("a word is missing");
+    let kept: Vec<_> =
+        words.iter().zip(&is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
+    let left = match at_least(&kept, bases) {
+        Some(entropy) => format!(
+            "; the {} of {} words that are have an entropy of at least {entropy} an impact",
+            kept.len(),
+            words.len()
+        ),
+        None => String::new(),
+    };
+    Doubt::Open(format!("{why}{left}")).on(first)
 }
 
-/// So many parts of tubes are as much work as one place of a flight in many bits.
-const PARTS: u64 = 1 << 8;
+/// Looks at flights of less than a turn, in doubles, that are as much work as one place of a flight in many bits.
+const LOOKS: u64 = 1 << 7;
+/// So many words allow as much work again as there is for any number of them.
+const MANY: u64 = 1 << 6;

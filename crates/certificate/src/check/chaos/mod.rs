@@ -5,8 +5,10 @@
 //! ([`region`], [`trap`]). Of words it has the bases: tubes are made anew ([`propose`]), followed along the listed words only, and each
 //! cell is proved ([`words`]).
 
+mod allowance;
 mod bases;
 mod beam;
+mod blocks;
 mod entropy;
 mod guess;
 mod judge;

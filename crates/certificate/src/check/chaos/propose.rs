@@ -4,8 +4,9 @@
 
 use std::f64::consts::TAU;
 
+use super::allowance::{Allowance, End};
 use super::beam::State;
-use super::guess::{Guess, Image, applied};
+use super::guess::{Guess, Image, MOST_TURNS, applied};
 use super::tube::{Chord, Part, Tube};
 
 /// How tubes are made.
@@ -76,6 +77,11 @@ fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
 }
 
 impl Sample {
+    /// How long its flight is looked at \[turns\].
+    fn turns(&self) -> f64 {
+        self.image.map_or(MOST_TURNS, |image| image.time)
+    }
+
     fn image(&self) -> &Image {
         self.image.as_ref().expect("it is kept only with an image")
     }
@@ -89,26 +95,30 @@ impl Sample {
 
 impl Making {
     /// The tubes that hold the images of a tube, about.
-    pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
+    pub fn images(&self, guess: &Guess, tube: &Tube, work: &Allowance) -> Result<Vec<Proposal>, End> {
         let mut segments: Vec<Vec<Pair>> = vec![Vec::new()];
         let last = tube.cells() - 1;
         for cell in 0..=last {
             let ends = [0.0, 1.0].map(|at| sample(guess, tube, cell, at));
-            self.refine(guess, tube, ends, [cell == 0, cell == last], &mut segments);
+            self.refine((guess, work), tube, ends, [cell == 0, cell == last], &mut segments)?;
         }
-        let enough = segments.iter().filter(|segment| segment.len() >= FEWEST);
-        enough.filter_map(|segment| self.proposal(guess, segment)).collect()
+        let mut proposals = Vec::new();
+        for segment in segments.iter().filter(|segment| segment.len() >= FEWEST) {
+            proposals.extend(self.proposal((guess, work), segment)?);
+        }
+        Ok(proposals)
     }
 
     fn refine(
         &self,
-        guess: &Guess,
+        (guess, work): (&Guess, &Allowance),
         tube: &Tube,
         [from, to]: Pair,
         [first, last]: [bool; 2],
         segments: &mut Vec<Vec<Pair>>,
-    ) {
+    ) -> Result<(), End> {
         let between = sample(guess, tube, from.cell, 0.5 * (from.at + to.at));
+        work.spend(1, between.turns())?;
         let is_fine = self.is_fine([&from, &between, &to], first || last);
         if is_fine == Some(true) || length(vector(from.middle, to.middle)) < self.shortest {
             match is_fine {
@@ -117,10 +127,10 @@ impl Making {
                 }
                 _ => segments.push(Vec::new()),
             }
-            return;
+            return Ok(());
         }
-        self.refine(guess, tube, [from, between], [first, false], segments);
-        self.refine(guess, tube, [between, to], [false, last], segments);
+        self.refine((guess, work), tube, [from, between], [first, false], segments)?;
+        self.refine((guess, work), tube, [between, to], [false, last], segments)
     }
 
     /// What a chord may be off: a part of what it is longer.
@@ -142,7 +152,7 @@ impl Making {
         Some(long <= longest && bulge <= self.room(thick))
     }
 
-    fn proposal(&self, guess: &Guess, segment: &[Pair]) -> Option<Proposal> {
+    fn proposal(&self, (guess, work): (&Guess, &Allowance), segment: &[Pair]) -> Result<Option<Proposal>, End> {
         let samples: Vec<&Sample> = segment.iter().map(|pair| &pair[0]).chain(segment.last().map(|p| &p[1])).collect();
         let mut lengths = vec![0.0];
         for pair in samples.windows(2) {
@@ -162,12 +172,15 @@ impl Making {
                 kept.push(k);
             }
         }
+        for &k in &kept {
+            work.spend(self.ahead, samples[k].turns())?;
+        }
         let at = |n: usize| samples[kept[n]].image().state;
         let chord = |n: usize| {
             let tangent = vector(at(n.saturating_sub(1)), at((n + 1).min(kept.len() - 1)));
             self.chord(guess, samples[kept[n]], tangent)
         };
-        let chords: Vec<Chord> = (0..kept.len()).map(chord).collect::<Option<_>>()?;
+        let Some(chords) = (0..kept.len()).map(chord).collect::<Option<Vec<Chord>>>() else { return Ok(None) };
         let mut place = 0;
         let part = |(k, [from, to]): (usize, &Pair)| {
             while kept[place + 1] <= k {
@@ -176,7 +189,7 @@ impl Making {
             Part { cell: from.cell, from: from.at, to: to.at, place }
         };
         let parts = segment.iter().enumerate().map(part).collect();
-        Some(Proposal { parts, is_far: samples[0].image().is_far, next: Tube::new(chords) })
+        Ok(Some(Proposal { parts, is_far: samples[0].image().is_far, next: Tube::new(chords) }))
     }
 
     fn is_straight(&self, samples: &[&Sample]) -> bool {

@@ -2,18 +2,22 @@
 //! horseshoe (Lemmas D8, D10, V12).
 
 use impact_pair_exact::Real;
-use impact_pair_model::{Mapping, Wall};
+use impact_pair_model::Word as Itinerary;
 use num_rational::BigRational;
 
 use super::BITS;
 use super::bases::Base;
+use super::blocks::says_the_shortest;
 use super::entropy::is_reached;
 use super::span::Span;
 use super::tube::side_of;
 use super::words::Word;
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
-use crate::document::{BaseDocument, WordDocument};
+use crate::document::{BaseDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
+
+/// The entropy of words between more bases is not judged.
+const MOST_BASES: usize = 64;
 
 impl ChaosCertificate {
     /// The bases and the words, if what is said of them follows from them.
@@ -22,11 +26,17 @@ impl ChaosCertificate {
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
         let corners = self.bases().iter().filter_map(|base| base.corners.as_ref());
         let bases: Vec<Base> = corners.map(Base::of).collect();
+        if bases.len() > MOST_BASES {
+            return Err(Doubt::Open(format!("more than {MOST_BASES} bases are not judged")));
+        }
         if !bases.iter().all(Base::is_sound) {
             return wrong("a base is no convex quadrilateral of states with its tops to the left");
         }
         if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
             return wrong("the bases are not proved to be disjoint");
+        }
+        if !bases.iter().all(Base::is_apart_from_its_translates) {
+            return wrong("a base is not proved to be disjoint from its own translate by a forcing period");
         }
         if !self.bases().iter().zip(&bases).all(|(told, base)| is_about(told, base)) {
             return wrong("a base is told to have its middle elsewhere");
@@ -53,6 +63,7 @@ impl ChaosCertificate {
             }
         }
         says_the_shortest(document.horseshoe.as_deref(), &words, bases.len())?;
+        says_one_orbit(document.scene_orbit.as_ref())?;
         Ok((bases, words))
     }
 }
@@ -75,19 +86,27 @@ impl Word {
     pub(super) fn by_impacts(&self) -> (usize, usize, i64) {
         (self.from, self.to, self.flights.len() as i64) // exact: a length
     }
+}
 
-    /// In mappings from the left wall, the first one right-most.
-    fn in_mappings(&self) -> String {
-        let mut from = Wall::Left;
-        let mut names = Vec::new();
-        for &is_far in &self.flights {
-            let to = if is_far { from.other() } else { from };
-            names.push(Mapping::between(from, to).to_string());
-            from = to;
+/// What is said of the scene's own orbit is proved by no lemma here (`unjudged` names it), but it must not contradict itself: the word of
+/// a periodic orbit closes and has its number of impacts, a period has cycles, and a region that is entered has boxes.
+fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
+    let Some(SceneOrbitDocument { attracted, region }) = orbit else { return Ok(()) };
+    let wrong = |message: &str| Err(Doubt::False(format!("scene_orbit: {message}")));
+    if let Some(PeriodDocument { word, impacts, cycles }) = attracted {
+        let Ok(mappings) = word.parse::<Itinerary>() else { return wrong("its word is none") };
+        if !mappings.is_closed() {
+            return wrong("its word does not end on the wall that it starts from");
         }
-        names.reverse();
-        names.join(" ")
+        // exact: of 32 bits
+        if mappings.mappings().len() != *impacts as usize || *cycles == 0 {
+            return wrong("its word has another number of impacts, or it takes no cycle");
+        }
     }
+    if region.as_ref().is_some_and(|region| region.boxes == 0) {
+        return wrong("the region has no box");
+    }
+    Ok(())
 }
 
 /// Whether a base's middle is told to be in it.
@@ -98,52 +117,4 @@ fn is_about(told: &BaseDocument, base: &Base) -> bool {
     let round = [left.bottom, right.bottom, right.top, left.top];
     let corners = [ends.map(Span::lo), ends.map(Span::hi)];
     (0..4).all(|i| corners.iter().all(|&state| side_of(round[i], round[(i + 1) % 4], state, 0.0).is_positive()))
-}
-
-/// Whether from bases of which some are left a word of each of two blocks leads to one of these.
-fn is_free(words: &[Word], bases: usize, blocks: [&[bool]; 2]) -> bool {
-    let mut alive = vec![true; bases];
-    loop {
-        let leads = |base: usize, block: &[bool]| {
-            words.iter().any(|word| word.from == base && alive[word.to] && word.flights == block)
-        };
-        let next: Vec<bool> =
-            (0..bases).map(|base| alive[base] && blocks.iter().all(|block| leads(base, block))).collect();
-        if next == alive {
-            return alive.contains(&true);
-        }
-        alive = next;
-    }
-}
-
-/// Whether the two blocks told are free, and none of fewer impacts are: the longer one counts first.
-fn says_the_shortest(told: Option<&str>, words: &[Word], bases: usize) -> Result<(), Doubt> {
-    let mut names: Vec<&Word> = Vec::new();
-    for word in words {
-        if names.iter().all(|other| other.flights != word.flights) {
-            names.push(word);
-        }
-    }
-    names.sort_by_key(|word| word.flights.len());
-    // By the longer one, the second.
-    let mut shortest: Option<(usize, usize)> = None;
-    let mut is_told_one = told.is_none();
-    for (k, b) in names.iter().enumerate() {
-        for a in &names[..k] {
-            let size = (b.flights.len(), a.flights.len());
-            if shortest.is_some_and(|shortest| size > shortest) || !is_free(words, bases, [&a.flights, &b.flights]) {
-                continue;
-            }
-            if shortest.is_none_or(|shortest| size < shortest) {
-                (shortest, is_told_one) = (Some(size), false);
-            }
-            let [a, b] = [a, b].map(|word| word.in_mappings());
-            is_told_one |= told == Some(&format!("each block is {a} or {b}, in any order"));
-        }
-    }
-    if is_told_one || told.is_none() && shortest.is_none() {
-        Ok(())
-    } else {
-        Err(Doubt::False("the horseshoe is not one of two shortest blocks in any order".into()))
-    }
 }

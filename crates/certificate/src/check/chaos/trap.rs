@@ -17,7 +17,7 @@ use crate::check::blocks::{BLOCK, in_blocks};
 use crate::check::budget::Budget;
 use crate::check::contact::Doubt;
 use crate::check::data::{Data, Piece};
-use crate::check::step::{Departure, Landing};
+use crate::check::step::Landing;
 use crate::check::walk::Walk;
 use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::document::{Decimal, TrapDocument};
@@ -83,8 +83,10 @@ impl TrapCertificate {
             (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, stop)?.map(|more| bits.max(more)), // exact: what is shown
             (answer, _) => answer,
         };
+        let is_stopped = || stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         Ok(match answer {
             Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
+            Err(Doubt::Open(_)) if is_stopped() => Verdict::Interrupted { events: confirmed },
             Err(doubt) => doubt.on(self.count()),
         })
     }
@@ -101,6 +103,9 @@ impl TrapCertificate {
         };
         if !region.iter().all(is_run) {
             return wrong("a run of boxes is beyond the grid");
+        }
+        if self.count() > MOST_BOXES {
+            return Err(Doubt::Open(format!("more than {MOST_BOXES} boxes are not judged")));
         }
         // exact: a length
         if self.count() as u64 != *boxes {
@@ -158,7 +163,8 @@ impl TrapCertificate {
         Ok([unit(period)?, unit(amplitude.checked_mul(frequency))?])
     }
 
-    /// Whether an impact of the scene's orbit, or its start as number 0, is in the region; the bits that it took.
+    /// Whether an impact of the scene's orbit, or its start as number 0, is in the region, or an earlier one is: then all later ones are,
+    /// as it is closed; the bits that it took. All of it takes no more work than a claim that is left undecided.
     fn enters(
         &self,
         region: &Region,
@@ -180,14 +186,13 @@ impl TrapCertificate {
         let mut bits = FIRST_BITS;
         loop {
             let mut walk = Walk::new(&certificate, &data, &Piece::default(), bits);
-            let landing = (walk.still.is_none()).then(|| follow(&mut walk, impact)).flatten();
-            let state = landing.and_then(|landing| {
+            let is_in = |walk: &Walk<'_>, landing: &Landing| {
                 let turn = Real::pi(bits) * 2;
                 let phase = walk.absolute(&landing.phase.hull()).over(&turn)?;
                 let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), bits))?;
-                Some(mirrored(landing.wall, phase, velocity))
-            });
-            if state.is_some_and(|state| holds(region, &state)) {
+                Some(holds(region, &mirrored(landing.wall, phase, velocity)))
+            };
+            if walk.standing.still().is_none() && comes_in(&mut walk, impact, is_in) {
                 return Ok(Ok(bits));
             }
             if bits >= effort.bits || bits >= ENOUGH_BITS || budget.is_spent() {
@@ -201,17 +206,19 @@ impl TrapCertificate {
 /// More bits than these are not worth their time for an impact that is not far from the start.
 const ENOUGH_BITS: u32 = 4096;
 
-/// The impact of this number, followed from where a walk stands.
-fn follow(walk: &mut Walk<'_>, impact: u64) -> Option<Landing> {
-    let mut last = None;
+/// More boxes than the program looks for are not judged.
+const MOST_BOXES: usize = 1 << 22;
+
+/// Whether one of the impacts from where a walk stands up to the one of this number is proved to be in a set, as long as there is work left.
+fn comes_in(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
     while walk.impacts < impact {
-        let landing = walk.next_landing()?;
-        walk.departure = Departure::rebound(&walk.parameters, &landing);
-        (walk.last, last) = (Some(landing.wall), Some(landing));
-        walk.impacts += 1;
-        walk.data.budget.allow(walk.bits, walk.data.tones.len());
+        let Some(landing) = walk.next_landing() else { return false };
+        if is_in(walk, &landing) == Some(true) {
+            return true;
+        }
+        walk.go_on(landing);
     }
-    last
+    false
 }
 
 /// A phase \[turns\] and a speed over `A W`, mirrored to the left wall.

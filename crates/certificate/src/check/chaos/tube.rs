@@ -1,8 +1,11 @@
 //! Tubes, and what is proved of how a part of one is mapped along another (Lemmas D6, D7, V12).
 
+use std::ops::RangeInclusive;
+
 use super::Law;
+use super::allowance::{Allowance, End};
 use super::beam::{Beam, Landing, Quad, Spot, State};
-use super::guess::Guess;
+use super::guess::{Guess, MOST_TURNS};
 use super::span::Span;
 
 /// The segment across a tube, from its right end to its left one, seen along it.
@@ -31,8 +34,27 @@ pub(super) struct Part {
 
 /// Images lie in the cells up to so many before and after their place.
 pub(super) const WINDOW: usize = 2;
+/// A set of flights that is enclosed counts as so many that are looked at.
+const SET: usize = 4;
 /// A part is halved so often.
 const HALVINGS: u32 = 12;
+
+/// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
+/// updated: no two of all that are taken have inner points in common, whatever is proposed (D7, D9).
+pub(super) fn taken(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
+    let mut stretches = Vec::new();
+    let mut first = 0;
+    while first < parts.len() {
+        let follows = |k: usize| proved[k] && (k == first || parts[k].follows(&parts[k - 1]));
+        let end = (first..parts.len()).find(|&k| !follows(k)).unwrap_or(parts.len()); // exact: all of them
+        if end > first && used.is_none_or(|used| parts[first].lies_behind(&used)) {
+            stretches.push(first..=end - 1);
+            *used = Some(parts[end - 1]);
+        }
+        first = end.max(first + 1); // exact: the next part
+    }
+    stretches
+}
 
 fn spot(state: State) -> Spot {
     state.map(Span::point)
@@ -56,6 +78,16 @@ impl Part {
         let is_next = self.cell == other.cell + 1 && other.to == 1.0 && self.from == 0.0; // D7: the common chord
         let is_same = self.cell == other.cell && self.from == other.to; // D7: the common cut
         (is_next || is_same) && (self.place == other.place || self.place == other.place + 1)
+    }
+
+    /// Whether it has no inner point in common with another part or with what lies before that (D9).
+    fn lies_behind(&self, other: &Self) -> bool {
+        self.cell > other.cell || self.cell == other.cell && self.from >= other.to
+    }
+
+    /// Whether it leads forward within its cell (D7).
+    fn is_forward(&self) -> bool {
+        0.0 <= self.from && self.from < self.to && self.to <= 1.0 // D7: from one edge of the cell to the other
     }
 }
 
@@ -113,29 +145,36 @@ impl Tube {
     }
 
     /// Whether all states of a part of this tube are proved to fly to one wall, and to land around its place in the next one.
-    pub fn is_mapped(&self, law: &Law, guess: &Guess, part: &Part, is_far: bool, next: &Self) -> bool {
+    pub fn is_mapped(
+        &self,
+        (law, guess, work): (&Law, &Guess, &Allowance),
+        part: &Part,
+        is_far: bool,
+        next: &Self,
+    ) -> Result<bool, End> {
         let place = part.place;
-        if place < WINDOW || place + WINDOW >= next.cells() {
-            return false;
+        if !part.is_forward() || place < WINDOW || place + WINDOW >= next.cells() {
+            return Ok(false);
         }
         let last = (place + WINDOW + 1).min(next.cells() - 1); // D7: the tube's end
         if !next.embedded[place - WINDOW..=last].iter().all(|&is| is) {
-            return false;
+            return Ok(false);
         }
         let mut open = vec![(self.cell(part.cell).part(part.from, part.to), 0)];
         while let Some((quad, depth)) = open.pop() {
-            let landed = guess
-                .map(quad.middle())
+            let image = guess.map(quad.middle());
+            work.spend(SET, image.map_or(MOST_TURNS, |image| image.time))?;
+            let landed = image
                 .filter(|image| image.is_far == is_far)
                 .and_then(|image| Beam::new(law, &quad).land(is_far, image.time));
             if landed.is_some_and(|landing| next.holds(&landing, place)) {
                 continue;
             }
             if depth == HALVINGS {
-                return false;
+                return Ok(false);
             }
             open.extend(quad.halves(depth % 3 != 2).map(|half| (half, depth + 1)));
         }
-        true
+        Ok(true)
     }
 }

@@ -1,13 +1,13 @@
 //! Words: returns of bases to bases, followed along those that are listed (Lemmas D7, D8, V12).
 
 use std::collections::{HashMap, HashSet};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Law;
+use super::allowance::{Allowance, End};
 use super::bases::Base;
 use super::guess::Guess;
 use super::propose::{Making, Proposal};
-use super::tube::{Chord, Tube, WINDOW};
+use super::tube::{Chord, Tube, WINDOW, taken};
 use crate::check::blocks::in_blocks;
 
 /// A way from one base across another.
@@ -40,10 +40,9 @@ struct Stretch {
     crossings: Vec<Crossing>,
 }
 
-/// The stretches of the tubes along which a run is mapped, and how many parts were proved, or tried.
+/// The stretches of the tubes along which a run is mapped.
 struct Followed {
     stretches: Vec<Stretch>,
-    parts: u64,
 }
 
 impl Followed {
@@ -76,19 +75,14 @@ pub(super) struct Search<'s> {
     /// How tubes are made: as the first one says, where that loses words as others do.
     makings: &'s [Making],
     guess: Guess,
-    stop: Option<&'static AtomicBool>,
+    work: &'s Allowance,
     listed: &'s Counts,
     /// The beginnings of all listed words, by their base.
     beginnings: HashSet<Beginning>,
     ahead: &'s Ahead,
     runs: Vec<Run>,
     pub found: Counts,
-    /// Parts that were proved, or tried.
-    pub parts: u64,
 }
-
-/// It is stopped by its user.
-pub(super) struct Stopped;
 
 impl<'s> Search<'s> {
     pub fn new(
@@ -96,7 +90,7 @@ impl<'s> Search<'s> {
         bases: &'s [Base],
         listed: &'s Counts,
         (makings, ahead): (&'s [Making], &'s Ahead),
-        stop: Option<&'static AtomicBool>,
+        work: &'s Allowance,
     ) -> Self {
         let run = |(from, base): (usize, &Base)| Run {
             from,
@@ -108,18 +102,17 @@ impl<'s> Search<'s> {
             bases,
             makings,
             guess: Guess::new(law),
-            stop,
+            work,
             listed,
             ahead,
             beginnings: listed.keys().flat_map(Word::beginnings).collect(),
             runs: bases.iter().enumerate().map(run).collect(),
             found: Counts::new(),
-            parts: 0,
         }
     }
 
-    /// Follows all that is left over one impact more.
-    pub fn deepen(&mut self) -> Result<(), Stopped> {
+    /// Follows all that is left over one impact more; where the work is spent nothing of that impact is kept.
+    pub fn deepen(&mut self) -> Result<(), End> {
         let first = |range: std::ops::Range<usize>| {
             range.map(|number| self.follow(&self.runs[number], &self.first(&self.runs[number]))).collect()
         };
@@ -135,7 +128,6 @@ impl<'s> Search<'s> {
                 *followed = better;
             }
         }
-        self.parts += done.iter().map(|followed| followed.parts).sum::<u64>();
         let mut next: Vec<Stretch> = done.into_iter().flat_map(|followed| followed.stretches).collect();
         self.found.extend(take(&mut next, self.listed));
         self.runs = next.into_iter().flat_map(Stretch::rest).collect();
@@ -164,47 +156,34 @@ impl<'s> Search<'s> {
     }
 
     /// One run, one impact further, along the first tubes that are made.
-    fn follow(&self, run: &Run, making: &Making) -> Result<Followed, Stopped> {
-        let (mut stretches, mut count) = (Vec::new(), 0);
-        for Proposal { parts, is_far, next } in making.images(&self.guess, &run.tube) {
+    fn follow(&self, run: &Run, making: &Making) -> Result<Followed, End> {
+        let (mut stretches, mut used) = (Vec::new(), None);
+        for Proposal { parts, is_far, next } in making.images(&self.guess, &run.tube, self.work)? {
             let flights = [&run.flights[..], &[is_far]].concat();
             if !self.beginnings.contains(&(run.from, flights.clone())) {
                 continue;
             }
             let mut proved = Vec::with_capacity(parts.len());
             for part in &parts {
-                if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-                    return Err(Stopped);
-                }
-                proved.push(run.tube.is_mapped(self.law, &self.guess, part, is_far, &next));
+                proved.push(run.tube.is_mapped((self.law, &self.guess, self.work), part, is_far, &next)?);
             }
-            count += parts.len() as u64; // exact: a length
-            let mut first = 0;
-            while first < parts.len() {
-                let follows = |k: usize| proved[k] && (k == first || parts[k].follows(&parts[k - 1]));
-                let end = (first..parts.len()).find(|&k| !follows(k)).unwrap_or(parts.len()); // exact: all of them
-                if end > first {
-                    // D7: the ends of the stretch land before the one and behind the other, none if it is shorter
-                    let [low, high] =
-                        [parts[first].place + WINDOW + 2, parts[end - 1].place.saturating_sub(WINDOW + 1)]; // D7: none
-                    if low < high {
-                        let run = Run { from: run.from, flights: flights.clone(), tube: next.stretch(low, high) };
-                        stretches.push(Stretch { crossings: self.crossings(&run), run });
-                    }
+            for stretch in taken(&parts, &proved, &mut used) {
+                // D7: the ends of the stretch land before the one and behind the other, none if it is shorter
+                let [low, high] = [
+                    parts[*stretch.start()].place + WINDOW + 2,
+                    parts[*stretch.end()].place.saturating_sub(WINDOW + 1),
+                ]; // D7: none
+                if low < high {
+                    let run = Run { from: run.from, flights: flights.clone(), tube: next.stretch(low, high) };
+                    stretches.push(Stretch { crossings: self.crossings(&run), run });
                 }
-                first = end.max(first + 1); // exact: the next part
             }
         }
-        Ok(Followed { stretches, parts: count })
+        Ok(Followed { stretches })
     }
 
     /// The same along other tubes, if these cross bases as more of the missing words, and as no fewer listed ones.
-    fn follow_again(
-        &self,
-        run: &Run,
-        before: &Followed,
-        missing: &HashSet<&Word>,
-    ) -> Result<Option<Followed>, Stopped> {
+    fn follow_again(&self, run: &Run, before: &Followed, missing: &HashSet<&Word>) -> Result<Option<Followed>, End> {
         if !missing.iter().any(|word| word.from == run.from && word.flights.starts_with(&run.flights)) {
             return Ok(None);
         }

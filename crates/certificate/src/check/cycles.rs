@@ -1,0 +1,115 @@
+//! Whether a JSON of all cycles is right: its orbits, each no shorter one run through several times, no two of them one and the same
+//! (Lemma D23). That there are no others is not judged.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::AtomicBool;
+
+use num_rational::BigRational;
+
+use super::contact::Doubt;
+use super::{Effort, Finding, Verdict};
+use crate::attraction::{Bounds, Passage};
+use crate::cycles::CyclesCertificate;
+use impact_pair_exact::Enclosure;
+use impact_pair_model::{Error, Wall};
+
+/// Bits of pi, by which phases of different turns are told apart.
+const BITS: u32 = 256;
+
+impl CyclesCertificate {
+    /// Proves every orbit again, that they are different ones, and that the counts are theirs, or says what is not as claimed or not
+    /// proved, until `stop` is set, if there is one. `progress` is told the orbits confirmed so far.
+    ///
+    /// # Errors
+    /// When the scene's values are beyond what exact expressions hold.
+    pub fn check_until(
+        &self,
+        effort: &Effort,
+        stop: Option<&'static AtomicBool>,
+        progress: impl FnMut(usize),
+    ) -> Result<Verdict, Error> {
+        let whole = self.orbits().count();
+        if let Some(message) = self.contradiction() {
+            return Ok(Verdict::Refuted(Finding { event: whole, message: message.to_owned() }));
+        }
+        let verdict = self.orbits().check_until(effort, stop, progress)?;
+        Ok(match (verdict, self.are_different()) {
+            (verdict @ Verdict::Confirmed { .. }, Ok(())) => verdict,
+            (Verdict::Confirmed { .. }, Err(doubt)) => doubt.on(whole),
+            (verdict, _) => verdict,
+        })
+    }
+
+    /// No orbit runs through a shorter one several times, and no two are one and the same, or mirror images: the bounds of some impact
+    /// tell them apart, wherever the one is taken to begin.
+    fn are_different(&self) -> Result<(), Doubt> {
+        let turn = Turn::new();
+        let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
+        for (i, claim) in self.orbits().orbits().iter().enumerate() {
+            let impacts = &claim.orbit.impacts[..];
+            if (1..impacts.len()).any(|shift| turn.may_be_one(impacts, impacts, shift, false)) {
+                return Err(Doubt::Open(format!("orbits[{i}] is not proved to be no shorter one")));
+            }
+            let likes = known.entry(flights(impacts)).or_default();
+            let is_one = |(_, other): &&(usize, &[Passage])| {
+                let all = (0..impacts.len()).flat_map(|shift| [(shift, false), (shift, true)]);
+                all.into_iter().any(|(shift, is_mirrored)| turn.may_be_one(impacts, other, shift, is_mirrored))
+            };
+            if let Some((j, _)) = likes.iter().find(is_one) {
+                return Err(Doubt::Open(format!("orbits[{j}] and orbits[{i}] are not proved to be two")));
+            }
+            likes.push((i, impacts));
+        }
+        Ok(())
+    }
+}
+
+/// Which flights of an orbit lead to the other wall, from where they come last in order: the same from all its impacts and in the mirror.
+fn flights(impacts: &[Passage]) -> Vec<bool> {
+    let count = impacts.len();
+    let from = |shift: usize| -> Vec<bool> {
+        (shift..shift + count).map(|i| impacts[i % count].wall != impacts[(i + 1) % count].wall).collect()
+    };
+    (0..count).map(from).max().unwrap_or_default() // exact: none of none
+}
+
+/// Bounds of `pi`.
+struct Turn {
+    half: Bounds,
+}
+
+impl Turn {
+    fn new() -> Self {
+        let pi = Enclosure::pi(BITS);
+        Self { half: [pi.inf().to_rational(), pi.sup().to_rational()] }
+    }
+
+    /// Whether, as far as the bounds tell, `b` may be `a` from another impact on, or its mirror image.
+    fn may_be_one(&self, a: &[Passage], b: &[Passage], shift: usize, is_mirrored: bool) -> bool {
+        let on = |wall: Wall| if is_mirrored { wall.other() } else { wall };
+        a.len() == b.len()
+            && (0..a.len()).all(|i| {
+                let (one, other) = (&a[i], &b[(i + shift) % b.len()]);
+                let [low, high] = &other.velocity;
+                let velocity = if is_mirrored { [-high, -low] } else { other.velocity.clone() };
+                one.wall == on(other.wall)
+                    && overlap(&one.velocity, &velocity)
+                    && self.phases_overlap(&one.phase, &other.phase, is_mirrored)
+            })
+    }
+
+    /// Whether two phases, the second one half a turn later if it is mirrored, may be the same but for whole turns; both begin in
+    /// `[0, 2 pi]`.
+    fn phases_overlap(&self, one: &Bounds, other: &Bounds, is_mirrored: bool) -> bool {
+        (-2..=2).any(|turns| {
+            let halves = 2 * turns + i32::from(is_mirrored);
+            let [low, high] = self.half.each_ref().map(|half| half * BigRational::from_integer(halves.into()));
+            let [low, high] = if halves < 0 { [high, low] } else { [low, high] };
+            overlap(one, &[&other[0] + low, &other[1] + high])
+        })
+    }
+}
+
+fn overlap(one: &Bounds, other: &Bounds) -> bool {
+    one[0] <= other[1] && other[0] <= one[1]
+}

@@ -1,0 +1,103 @@
+//! Whether orbits that are listed one by one are different motions: Lemma V13.
+//!
+//! Their bounds decide it, which were confirmed before: two periodic motions are one only where all impacts of both agree, from some impact
+//! of the one on.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+
+use super::data::Data;
+use crate::attraction::{Bounds, ClaimedOrbit, Passage};
+use impact_pair_exact::{Exact, Real};
+use impact_pair_model::Wall;
+
+/// The bits of a turn: bounds that it alone keeps apart are not narrower.
+const BITS: u32 = 1 << 10;
+/// Common periods between two claimed phases, at most.
+const MOST_PERIODS: i64 = 4;
+
+/// The shaking, as far as states come again under it.
+pub(super) struct Recurrence {
+    /// The turns of the reference in a common period.
+    turns: BigInt,
+    /// Whether half a common period later the shaking is the opposite.
+    has_mirror: bool,
+    /// 2 pi
+    turn: Real,
+}
+
+/// How the impacts of two motions are compared.
+#[derive(Clone, Copy)]
+struct View {
+    /// Impacts later.
+    shift: usize,
+    is_mirrored: bool,
+}
+
+impl Recurrence {
+    /// That of the data; `None` where no common period is proved.
+    pub fn of(data: &Data) -> Option<Self> {
+        let turn = Real::of(&(Exact::pi() * Exact::from(2)), BITS);
+        Some(Self { turns: data.common_turns()?, has_mirror: data.has_mirror(), turn })
+    }
+
+    /// Whether no motion within the bounds of one orbit is one within those of the other, nor its mirror image, if that counts as the same.
+    pub fn are_apart(&self, one: &ClaimedOrbit, other: &ClaimedOrbit, mirrors_are_one: bool) -> bool {
+        let mirrored = if mirrors_are_one && self.has_mirror { &[false, true][..] } else { &[false] };
+        let shifts = 0..other.impacts.len();
+        let mut views = shifts.flat_map(|shift| mirrored.iter().map(move |&is_mirrored| View { shift, is_mirrored }));
+        views.all(|view| self.are_apart_in(view, &one.impacts, &other.impacts))
+    }
+
+    /// Whether some impact is another one, as seen.
+    fn are_apart_in(&self, view: View, one: &[Passage], other: &[Passage]) -> bool {
+        let all = one.len().lcm(&other.len());
+        let other = other.iter().cycle().skip(view.shift);
+        one.iter().cycle().zip(other).take(all).any(|(one, other)| self.is_another(view.is_mirrored, one, other))
+    }
+
+    /// Whether no state within the bounds of the one impact is one within those of the other.
+    fn is_another(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
+        let [low, high] = other.velocity.each_ref();
+        let (wall, velocity) = match is_mirrored {
+            false => (other.wall, [low.clone(), high.clone()]),
+            true => (other.wall.other(), [-high.clone(), -low.clone()]),
+        };
+        one.wall != wall || are_disjoint(&one.velocity, &velocity) || self.are_phases_apart(is_mirrored, one, other)
+    }
+
+    /// Whether no two phases, which have lower bounds in `[0, 2 pi)` and turns in `[0, q)`, differ by whole common periods of `q` turns.
+    fn are_phases_apart(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
+        let least = &one.phase[0] - &other.phase[1];
+        let greatest = &one.phase[1] - &other.phase[0];
+        let turn = |impact: &Passage| BigInt::from(impact.turn.unwrap_or(0)); // exact: without a turn, the common period is one
+        let half = BigRational::new(self.turns.clone(), 2.into());
+        let later = BigRational::from(turn(one) - turn(other));
+        let later = if is_mirrored { later - half } else { later };
+        let is_missed = |period: i64| {
+            let turns = BigRational::from(&self.turns * period) - &later;
+            let at = self.turn.clone() * &Real::rational(&turns, BITS);
+            let [least, greatest] = [&least, &greatest].map(|x| Real::rational(x, BITS));
+            at.is_below(&least) || greatest.is_below(&at)
+        };
+        // Lemma V13: with widths below a turn no other multiple lies between.
+        let is_narrow = |phase: &Bounds| Real::rational(&(&phase[1] - &phase[0]), BITS).is_below(&self.turn);
+        is_narrow(&one.phase) && is_narrow(&other.phase) && (-MOST_PERIODS..=MOST_PERIODS).all(is_missed)
+    }
+}
+
+/// Whether the first impact of one orbit is claimed within the bounds of that of the other, turn and wall alike.
+pub(super) fn begins_within(one: &ClaimedOrbit, other: &ClaimedOrbit) -> bool {
+    let (Some(one), Some(other)) = (one.impacts.first(), other.impacts.first()) else { return false };
+    let place = |impact: &Passage| -> (Wall, Option<u64>) { (impact.wall, impact.turn) };
+    place(one) == place(other) && is_within(&one.phase, &other.phase) && is_within(&one.velocity, &other.velocity)
+}
+
+fn are_disjoint(one: &Bounds, other: &Bounds) -> bool {
+    one[1] < other[0] || other[1] < one[0]
+}
+
+fn is_within(one: &Bounds, other: &Bounds) -> bool {
+    other[0] <= one[0] && one[1] <= other[1]
+}

@@ -1,0 +1,159 @@
+//! The states that a walk stands at, with all that is known of them.
+
+use std::cmp::Ordering;
+
+use super::affine::Affine;
+use super::contact::Doubt;
+use super::data::{Data, Piece};
+use super::rest::Rest;
+use super::step::{Departure, Landing, Parameters};
+use super::still::Still;
+use impact_pair_exact::Real;
+use impact_pair_model::{Mapping, Wall};
+
+/// States after an event, or of a start, and what is known of them.
+///
+/// A walk that goes on replaces it as a whole: what was known of the states before, or of the scene's own start, does not outlive
+/// them. So each of the constructors tells all that is known.
+#[derive(Debug)]
+pub(crate) struct Standing<'d> {
+    departure: Departure,
+    landing: Option<Landing>,
+    last: Last,
+    going: Going,
+    /// The exact data of the scene's own start, if it is that one.
+    start: Option<&'d Data>,
+}
+
+/// How the motion goes on.
+#[derive(Debug)]
+enum Going {
+    /// The ball flies.
+    Flight,
+    /// It lies on a wall.
+    Rest(Rest),
+    /// It has no drift, and comes near a wall in the same way in every turn.
+    Still(Still),
+}
+
+/// From where the next mapping leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Last {
+    /// From this wall.
+    Wall(Wall),
+    /// From a start inside the gap: there is no mapping.
+    Inside,
+    /// From either wall: a graze may have been a touch.
+    Either,
+}
+
+impl<'d> Standing<'d> {
+    /// The scene's own start.
+    pub fn at_start(data: &'d Data, parameters: &Parameters, piece: &Piece) -> Self {
+        let (phase, velocity, height) = data.state(piece, parameters.bits());
+        let phase = phase.less_centre();
+        let mut departure = match (data.wall, height) {
+            (Some(wall), _) => Departure::rebound(parameters, &Landing { wall, phase, velocity }),
+            (None, Some(height)) => Departure::inside(phase, height, velocity),
+            (None, None) => unreachable!("a start without a wall is inside the gap"),
+        };
+        let is_at_rest = departure.velocity.hull().is_zero();
+        departure.start.is_release = is_at_rest && data.inward_jerk() == Some(Ordering::Greater);
+        let going = Still::of(data, is_at_rest).map_or(Going::Flight, Going::Still);
+        Self { going, start: Some(data), ..Self::flying(departure, data.wall.map_or(Last::Inside, Last::Wall)) }
+    }
+
+    /// Starts that need not be the scene's.
+    pub fn of_starts(departure: Departure) -> Self {
+        let last = departure.start.wall.map_or(Last::Inside, Last::Wall);
+        Self::flying(departure, last)
+    }
+
+    /// After an impact.
+    pub fn after(parameters: &Parameters, landing: Landing) -> Self {
+        let departure = Departure::rebound(parameters, &landing);
+        let last = Last::Wall(landing.wall);
+        Self { landing: Some(landing), ..Self::flying(departure, last) }
+    }
+
+    /// After a release from a wall.
+    pub fn released(parameters: &Parameters, wall: Wall, phase: Affine) -> Self {
+        let still = Affine::fixed(Real::zero(parameters.bits()));
+        let mut departure = Departure::on_wall(parameters, wall, phase, still);
+        departure.start.is_release = true;
+        Self::flying(departure, Last::Wall(wall))
+    }
+
+    /// Lying on a wall that the ball has come to as `departure` says.
+    pub fn resting(departure: Departure, rest: Rest) -> Self {
+        let last = Last::Wall(rest.wall);
+        Self { going: Going::Rest(rest), ..Self::flying(departure, last) }
+    }
+
+    /// Past a graze of `wall`, which may have been a touch.
+    pub fn past_graze(&self, departure: Departure, wall: Wall) -> Self {
+        let last = if self.last == Last::Wall(wall) { self.last } else { Last::Either };
+        Self::flying(departure, last)
+    }
+
+    fn flying(departure: Departure, last: Last) -> Self {
+        Self { departure, landing: None, last, going: Going::Flight, start: None }
+    }
+
+    /// The flights from there.
+    pub fn departure(&self) -> &Departure {
+        &self.departure
+    }
+
+    /// The states before the impact, if it is after one.
+    pub fn landing(&self) -> Option<&Landing> {
+        self.landing.as_ref()
+    }
+
+    /// From where the next mapping leads.
+    pub fn last(&self) -> Last {
+        self.last
+    }
+
+    /// The rest, if the ball lies on a wall.
+    pub fn rest(&self) -> Option<&Rest> {
+        if let Going::Rest(rest) = &self.going { Some(rest) } else { None }
+    }
+
+    /// The motion without drift, if it is one.
+    pub fn still(&self) -> Option<&Still> {
+        if let Going::Still(still) = &self.going { Some(still) } else { None }
+    }
+
+    /// Past a touch of a motion without drift, which is the same one from there on.
+    pub fn touch(&mut self, still: Still) {
+        self.going = Going::Still(still);
+    }
+
+    /// The exact data, if it is the scene's own start.
+    pub fn start(&self) -> Option<&'d Data> {
+        self.start
+    }
+}
+
+impl Last {
+    /// The mapping of a flight that ends on a wall.
+    pub fn mapping(self, to: Wall) -> Option<Mapping> {
+        match self {
+            Self::Wall(from) => Some(Mapping::between(from, to)),
+            Self::Inside | Self::Either => None,
+        }
+    }
+
+    /// Whether a claimed mapping is that of a flight that ends on a wall.
+    pub fn leads(self, mapping: Option<Mapping>, to: Wall) -> Result<(), Doubt> {
+        match mapping {
+            _ if mapping == self.mapping(to) => Ok(()),
+            // It is the one or the other.
+            Some(mapping) if self == Self::Either && mapping.walls().1 == to => {
+                Err(Doubt::Open("the graze before is not told from a touch, so no mapping is proved".into()))
+            }
+            _ => Err(Doubt::False("the mapping does not lead from the wall before to this one".into())),
+        }
+    }
+}

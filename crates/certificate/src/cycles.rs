@@ -1,0 +1,85 @@
+//! The JSON of all cycles, read back: its orbits, and what it says of their number.
+
+use std::collections::BTreeMap;
+
+use super::attraction::Stability;
+use crate::PeriodicCertificate;
+use crate::document::{CYCLES_SCHEMA, CyclesDocument, Place, value};
+use crate::periodic::OrbitOf;
+use impact_pair_model::Error;
+
+/// What a JSON of all cycles claims.
+#[derive(Clone, Debug)]
+pub struct CyclesCertificate {
+    orbits: PeriodicCertificate,
+    contradiction: Option<String>,
+}
+
+impl CyclesCertificate {
+    /// Reads the JSON of all cycles: its orbits, and that its counts fit them; not that there are no others.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let orbits = PeriodicCertificate::parse_cycles(text)?;
+        let value = value(text)?;
+        let document: CyclesDocument = Place::of_schema(&value, CYCLES_SCHEMA)?.read()?;
+        let contradiction = contradiction(&document, orbits.orbits());
+        Ok(Self { orbits, contradiction })
+    }
+
+    /// Its orbits, as those of a periodic JSON.
+    pub fn orbits(&self) -> &PeriodicCertificate {
+        &self.orbits
+    }
+
+    /// Why it contradicts itself.
+    pub(super) fn contradiction(&self) -> Option<&str> {
+        self.contradiction.as_deref()
+    }
+}
+
+/// What a document says that its own fields exclude.
+///
+/// Lemma D23: of `n` impacts the fixed points are those of the cycles whose least number of impacts divides `n`, so many of each. So
+/// where a count stands all these cycles are listed, those of fewer impacts as well.
+fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String> {
+    let CyclesDocument { certified, exhaustive, impacts: [least, most], fixed_points, no_attractor, .. } = document;
+    if least > most {
+        return Some("impacts: the least number is above the greatest".to_owned());
+    }
+    if *certified && !exhaustive {
+        return Some("certified: it says itself that there may be others".to_owned());
+    }
+    if *exhaustive && (*least..=*most).any(|impacts| !fixed_points.contains_key(&impacts)) {
+        return Some("exhaustive: the fixed points of some number of impacts are not counted".to_owned());
+    }
+    let attracts = |orbit: &OrbitOf| orbit.orbit.stability != Stability::Unstable;
+    if *no_attractor && (!exhaustive || orbits.iter().any(attracts)) {
+        return Some("no_attractor: a cycle is not unstable, or there may be others".to_owned());
+    }
+    for (i, (cycle, orbit)) in document.orbits.iter().zip(orbits).enumerate() {
+        let (told, impacts) = (u64::from(cycle.reduced_impacts), orbit.orbit.impacts.len() as u64); // exact: a length
+        // Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
+        let is_least = match orbit.orbit.symmetric {
+            Some(true) => 2 * told == impacts,
+            Some(false) => told == impacts,
+            None => told == impacts || 2 * told == impacts,
+        };
+        if told == 0 || !is_least {
+            return Some(format!("orbits[{i}].reduced_impacts: its impacts and its symmetry say otherwise"));
+        }
+    }
+    let mut by_impacts: BTreeMap<u32, u64> = BTreeMap::new();
+    for (cycle, orbit) in document.orbits.iter().zip(orbits) {
+        if orbit.orbit.physical == Some(true) {
+            *by_impacts.entry(cycle.reduced_impacts).or_default() += u64::from(cycle.reduced_impacts);
+        }
+    }
+    let listed = |impacts: u32| {
+        by_impacts.iter().filter(|(least, _)| impacts.is_multiple_of(**least)).map(|(_, n)| n).sum::<u64>()
+    };
+    let wrong = fixed_points.iter().find(|(impacts, told)| **impacts == 0 || listed(**impacts) != **told)?;
+    let (impacts, told) = wrong;
+    Some(format!("fixed_points: {told} of {impacts} impacts, but those of the listed orbits are {}", listed(*impacts)))
+}

@@ -1,0 +1,215 @@
+//! What a check finds, claim by claim: the verdict on each value of a document.
+
+use serde_json::{Deserializer, Value};
+
+use crate::check::Data;
+use crate::document::{CHECK_SCHEMA, CheckDocument, ClaimName, JudgedClaim, VerdictName};
+use crate::leaves::Leaves;
+use crate::{Certificate, Claims, Finding, Verdict};
+
+/// What a check finds of a document, and how far it confirmed its claims one after another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Judged {
+    /// On all of it.
+    pub verdict: Verdict,
+    /// The claims before this one are proved again, each for all data, counted as [`Finding::event`] counts them.
+    pub(super) confirmed: usize,
+}
+
+impl Judged {
+    /// The verdict on all claims together.
+    pub fn name(&self) -> VerdictName {
+        match self.verdict {
+            Verdict::Confirmed { .. } => VerdictName::Confirmed,
+            Verdict::Refuted(_) => VerdictName::Refuted,
+            Verdict::Undecided(_) | Verdict::Interrupted { .. } => VerdictName::Undecided,
+        }
+    }
+
+    fn finding(&self) -> Option<&Finding> {
+        match &self.verdict {
+            Verdict::Refuted(finding) | Verdict::Undecided(finding) => Some(finding),
+            Verdict::Confirmed { .. } | Verdict::Interrupted { .. } => None,
+        }
+    }
+}
+
+/// A document alone, or one of a list.
+struct Part<'c> {
+    claims: &'c Claims,
+    /// What its paths begin with: its position in a list.
+    prefix: String,
+    /// Its values: JSON Lines are several.
+    values: Vec<&'c Value>,
+    /// The number of its first claim.
+    first: usize,
+}
+
+impl Claims {
+    /// How many of the claims that were told to be confirmed, one after another, are so for all data, whatever becomes of the others.
+    pub(super) fn certain(&self, reached: usize) -> usize {
+        match self {
+            Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,
+            Self::Periodic(_) | Self::Cycles(_) | Self::Bifurcations(_) | Self::Sweep(_) => reached,
+            _ => 0,
+        }
+    }
+
+    /// The list whose items are claims one after another.
+    fn items(&self) -> Option<&'static str> {
+        match self {
+            Self::Orbit(_) => Some("events"),
+            Self::Periodic(_) | Self::Cycles(_) => Some("orbits"),
+            Self::Bifurcations(_) | Self::Sweep(_) => Some("points"),
+            Self::Chaos(_) => Some("words"),
+            Self::Trap(_) => Some("region"),
+            Self::List(_) | Self::Unchecked(_) => None,
+        }
+    }
+
+    /// Each claim of the text that this was read from, with its verdict.
+    ///
+    /// # Panics
+    /// When it was read from another text.
+    pub fn document(&self, text: &str, judged: &Judged) -> CheckDocument {
+        let values: Vec<Value> = Deserializer::from_str(text).into_iter().map_while(Result::ok).collect();
+        let (mut claims, mut not_checked) = (Vec::new(), Vec::new());
+        for part in self.parts(&values) {
+            part.judge(judged, &mut claims, &mut not_checked);
+        }
+        if let Verdict::Interrupted { .. } = judged.verdict {
+            let open = claims.iter_mut().find(|claim: &&mut JudgedClaim| claim.verdict == VerdictName::Undecided);
+            if let Some(open) = open {
+                open.reason = Some("interrupted".to_owned());
+            }
+        }
+        CheckDocument {
+            schema: CHECK_SCHEMA.to_owned(),
+            verdict: judged.name(),
+            message: self.said(&judged.verdict),
+            claims,
+            not_checked,
+        }
+    }
+
+    /// The verdict in words.
+    pub fn said(&self, verdict: &Verdict) -> String {
+        match verdict {
+            Verdict::Confirmed { bits, pieces } => {
+                let pieces = if *pieces == 1 { String::new() } else { format!(", the data cut into {pieces} sets") };
+                format!("confirmed: {}, in {bits} bits{pieces}", self.all())
+            }
+            Verdict::Refuted(finding) => format!("refuted: {}", self.described(finding)),
+            Verdict::Undecided(finding) => format!("undecided: {}", self.described(finding)),
+            Verdict::Interrupted { events } => format!("interrupted: {} confirmed", self.first(*events)),
+        }
+    }
+
+    fn parts<'c>(&'c self, values: &'c [Value]) -> Vec<Part<'c>> {
+        let Self::List(documents) = self else {
+            return vec![Part { claims: self, prefix: String::new(), values: values.iter().collect(), first: 0 }];
+        };
+        let items = values[0].as_array().expect("a list of documents");
+        let mut first = 0;
+        let part = |(i, (claims, value)): (usize, (&'c Self, &'c Value))| {
+            let part = Part { claims, prefix: format!("[{i}]."), values: vec![value], first };
+            first += claims.count() + 1;
+            part
+        };
+        documents.iter().zip(items).enumerate().map(part).collect()
+    }
+}
+
+impl Certificate {
+    /// Whether each event that is confirmed is so for all data: of data that are intervals the pieces come one after another, and of a
+    /// shadowed orbit the links say something only all together.
+    fn confirms_one_by_one(&self) -> bool {
+        self.claim() == ClaimName::ExactStart && Data::new(self.pair(), self.start()).is_ok_and(|data| data.is_point())
+    }
+}
+
+impl Part<'_> {
+    /// The verdicts on its values, and the paths of those that are not judged.
+    fn judge(&self, judged: &Judged, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) {
+        let (names, items) = (self.claims.unjudged(), self.claims.items());
+        let mut leaves = Leaves::new(&names, items);
+        match (self.claims, &self.values[..]) {
+            (Claims::Unchecked(_), values) => {
+                let keys = values.iter().filter_map(|value| value.as_object()).flat_map(|value| value.keys());
+                leaves.others.extend(keys.cloned());
+            }
+            (Claims::Orbit(_), [head, events @ .., end]) => {
+                leaves.add("", "", head);
+                add_each(&mut leaves, "events", events);
+                leaves.add("", "", end);
+            }
+            (_, [head, lines @ ..]) => {
+                leaves.add("", "", head);
+                add_each(&mut leaves, "points", lines);
+            }
+            (_, []) => unreachable!("a document is read from a value"),
+        }
+        let Leaves { judged: mut paths, mut others, .. } = leaves;
+        let decisive = self.decisive(judged);
+        if let Some((path, _)) = &decisive {
+            others.retain(|other| other != path);
+            if !paths.contains(path) {
+                let place = paths.iter().position(|other| is_in(other, path)).unwrap_or(paths.len()); // exact: the end
+                paths.insert(place, path.clone());
+            }
+        }
+        others.sort();
+        others.dedup();
+        claims.extend(paths.into_iter().map(|path| self.verdict(path, judged, decisive.as_ref(), items)));
+        not_checked.extend(others.into_iter().map(|path| format!("{}{path}", self.prefix)));
+    }
+
+    /// The claim that decides, and why, where it is one of this document.
+    fn decisive(&self, judged: &Judged) -> Option<(String, String)> {
+        let Finding { event, message } = judged.finding()?;
+        let at = event.checked_sub(self.first).filter(|at| *at <= self.claims.count())?;
+        let path = match (self.claims, self.claims.items()) {
+            (Claims::Unchecked(_) | Claims::List(_), _) | (_, None) => return None,
+            (Claims::Trap(_), _) if at < self.claims.count() => "region".to_owned(),
+            (_, Some(items)) if at < self.claims.count() => format!("{items}[{at}]"),
+            (Claims::Orbit(_), _) => "outcome".to_owned(),
+            (Claims::Cycles(cycles), _) if cycles.contradiction().is_some() => "fixed_points".to_owned(),
+            _ => "certified".to_owned(),
+        };
+        Some((path, message.clone()))
+    }
+
+    fn verdict(
+        &self,
+        path: String,
+        judged: &Judged,
+        decisive: Option<&(String, String)>,
+        items: Option<&str>,
+    ) -> JudgedClaim {
+        let reason = decisive.filter(|(decisive, _)| *decisive == path).map(|(_, message)| message.clone());
+        // What is said of the whole comes after its items.
+        let item = items.and_then(|items| position(&path, items)).unwrap_or(self.claims.count()); // exact: a position
+        let is_confirmed = matches!(judged.verdict, Verdict::Confirmed { .. }) || self.first + item < judged.confirmed;
+        let verdict = match (&reason, is_confirmed) {
+            (Some(_), _) => judged.name(),
+            (None, true) => VerdictName::Confirmed,
+            (None, false) => VerdictName::Undecided,
+        };
+        JudgedClaim { path: format!("{}{path}", self.prefix), verdict, reason }
+    }
+}
+
+/// Sorts the lines of a document that are the items of a list.
+fn add_each(leaves: &mut Leaves<'_>, list: &str, lines: &[&Value]) {
+    lines.iter().enumerate().for_each(|(i, line)| leaves.add(&format!("{list}[{i}]"), list, line));
+}
+
+/// Whether a path leads into what stands at another one.
+fn is_in(path: &str, outer: &str) -> bool {
+    path.strip_prefix(outer).is_some_and(|rest| rest.starts_with(['.', '[']))
+}
+
+/// The position of the item of a list that a path leads to, or into.
+fn position(path: &str, items: &str) -> Option<usize> {
+    path.strip_prefix(items)?.strip_prefix('[')?.split_once(']')?.0.parse().ok()
+}

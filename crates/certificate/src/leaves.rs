@@ -1,0 +1,125 @@
+//! The values of a document one by one, and which of them a check does not compare with anything.
+
+use std::collections::HashSet;
+
+use serde_json::Value;
+
+/// Sorts the values of a document into those that a check judges and those that it does not.
+pub(super) struct Leaves<'n> {
+    /// Paths that are not judged, with the positions in lists, or without them for all items.
+    unjudged: HashSet<&'n str>,
+    /// The list whose items are claims one after another.
+    items: Option<&'n str>,
+    /// Paths that are judged: each a plain value, or a list of plain values.
+    pub judged: Vec<String>,
+    /// Paths that are not, each with all that it holds.
+    pub others: Vec<String>,
+}
+
+/// Values that claim nothing at their key, as the weakest of what may stand there.
+const WEAKEST: [(&str, &str); 5] = [
+    ("certified", "false"),
+    ("exhaustive", "false"),
+    ("no_attractor", "false"),
+    ("no_rest", "false"),
+    ("stability", "\"undecided\""),
+];
+
+/// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
+const CLAIM_NONE: [&str; 2] = ["events.mapping", "horseshoe"];
+
+impl<'n> Leaves<'n> {
+    pub fn new(unjudged: &'n [String], items: Option<&'n str>) -> Self {
+        let unjudged = unjudged.iter().map(String::as_str).collect();
+        Self { unjudged, items, judged: Vec::new(), others: Vec::new() }
+    }
+
+    /// Sorts what stands at a path; `unnumbered` is the same without the positions in lists.
+    pub fn add(&mut self, path: &str, unnumbered: &str, value: &Value) {
+        let is_unjudged = self.unjudged.contains(path) || self.unjudged.contains(unnumbered);
+        if is_unjudged || self.says_nothing(unnumbered, value) {
+            return self.others.push(path.to_owned());
+        }
+        match value {
+            Value::Object(entries) if !entries.is_empty() => {
+                let full =
+                    |path: &str, key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+                for (key, value) in entries {
+                    self.add(&full(path, key), &full(unnumbered, key), value);
+                }
+            }
+            Value::Array(items) if !self.is_one_claim(path, unnumbered, items) => {
+                for (i, item) in items.iter().enumerate() {
+                    self.add(&format!("{path}[{i}]"), unnumbered, item);
+                }
+            }
+            _ => self.judged.push(path.to_owned()),
+        }
+    }
+
+    /// Whether a list is of plain values that are judged together, such as bounds.
+    fn is_one_claim(&self, path: &str, unnumbered: &str, items: &[Value]) -> bool {
+        items.iter().enumerate().all(|(i, item)| {
+            !item.is_object()
+                && !item.is_array()
+                && !self.says_nothing(unnumbered, item)
+                && !self.unjudged.contains(format!("{path}[{i}]").as_str())
+        })
+    }
+
+    /// Whether a value claims nothing where it stands.
+    fn says_nothing(&self, unnumbered: &str, value: &Value) -> bool {
+        let key = unnumbered.rsplit('.').next().unwrap_or(unnumbered); // exact: the whole path
+        match value {
+            Value::Null => !CLAIM_NONE.contains(&unnumbered),
+            Value::Array(items) => items.is_empty() && self.items != Some(unnumbered),
+            Value::Object(entries) => entries.is_empty(),
+            plain => WEAKEST.iter().any(|(at, weakest)| *at == key && plain.to_string() == *weakest),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn each_value_is_judged_by_its_own_path_or_its_lists_or_not_at_all() {
+        let document = json!({
+            "program": "x", "certified": true, "exhaustive": false, "undecided": [],
+            "scene": {"excitation": {"amplitude": ["1", "2"]}, "start": {"time": "0", "velocity": "1"}},
+            "events": [{"time": ["0", "1"], "mapping": null, "note": null}, {"time": ["1", "2"], "mapping": "P1"}],
+            "outcome": {"time": ["3", "4"], "orbit": {"trace": null, "stability": "undecided", "impacts": [{"wall": "left"}]}},
+        });
+        let names = ["program", "scene.start", "scene.excitation.amplitude[1]", "outcome.time[1]"].map(str::to_owned);
+        let mut leaves = Leaves::new(&names, Some("events"));
+        leaves.add("", "", &document);
+        let (mut judged, mut others) = (leaves.judged, leaves.others);
+        judged.sort();
+        others.sort();
+        let expected = [
+            "certified",
+            "events[0].mapping",
+            "events[0].time",
+            "events[1].mapping",
+            "events[1].time",
+            "outcome.orbit.impacts[0].wall",
+            "outcome.time[0]",
+            "scene.excitation.amplitude[0]",
+        ];
+        assert_eq!(judged, expected);
+        let expected = [
+            "events[0].note",
+            "exhaustive",
+            "outcome.orbit.stability",
+            "outcome.orbit.trace",
+            "outcome.time[1]",
+            "program",
+            "scene.excitation.amplitude[1]",
+            "scene.start",
+            "undecided",
+        ];
+        assert_eq!(others, expected);
+    }
+}

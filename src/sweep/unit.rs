@@ -1,0 +1,120 @@
+//! The unit of a sweep: the cycles of one term of the excitation, at all its points.
+//!
+//! An orbit is told in turns of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, that
+//! is not the same term at all points. With `W`, `tau` of the point's own fastest harmonic and `W'`, `tau'` of the sweep's reference,
+//! `u = (W t + tau)/(2 pi)` becomes `u' = (W' t + tau')/(2 pi) = r (u - tau/(2 pi)) + tau'/(2 pi)`, `r = W'/W`: times in turns are `r`
+//! times, velocities in gaps a turn `1/r` times what they are.
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::Error;
+use crate::exact::{Enclosure, Exact};
+use crate::number::Ball;
+use crate::orbit::{Impact, Orbit};
+use crate::pair::{ImpactPair, ball, within};
+use crate::turns::in_radians;
+
+/// Bits of a time that is shown.
+const BITS: u32 = 160;
+const KEY: &str = "excitation.frequency";
+
+/// How long a period lasts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lasting {
+    /// In cycles of the reference, where they are a whole number.
+    pub cycles: Option<u64>,
+    /// Else \[time\].
+    pub time: Option<Enclosure>,
+}
+
+/// The unit at a point.
+#[derive(Clone, Debug)]
+pub(super) struct Unit {
+    /// `2 pi/W` of the point's own fastest harmonic.
+    period: Exact,
+    /// `None` where the own fastest harmonic is the reference.
+    other: Option<Other>,
+}
+
+/// Another harmonic as the reference.
+#[derive(Clone, Debug)]
+struct Other {
+    /// `r`
+    rate: Exact,
+    /// The same, where it is proved to be a fraction.
+    fraction: Option<BigRational>,
+    ball: Ball,
+    /// `tau/(2 pi)` and `tau'/(2 pi)`
+    delays: [Exact; 2],
+    /// The own turns after which all that moves the box recurs; `None` where it never does.
+    common: Option<u32>,
+}
+
+impl Unit {
+    /// That of a pair whose reference is the term of this number, from 0; its own fastest harmonic without one.
+    pub fn of(pair: &ImpactPair, reference: Option<usize>) -> Result<Self, Error> {
+        let excitation = pair.excitation();
+        let own = excitation.reference();
+        let turn = Exact::pi() * Exact::from(2);
+        let period = within(KEY, own.frequency(), turn.checked_div(own.frequency()))?;
+        let term = reference.filter(|term| *term != excitation.reference_term());
+        let Some(term) = term.and_then(|term| excitation.terms().get(term)) else {
+            return Ok(Self { period, other: None });
+        };
+        let fraction = term.frequency().fraction_of(own.frequency());
+        let rate = match &fraction {
+            Some(fraction) => Exact::from_rational(fraction.clone()),
+            None => within(KEY, term.frequency(), term.frequency().checked_div(own.frequency()))?,
+        };
+        let delay = |of: &Exact| within("excitation.phase", of, of.checked_div(&turn));
+        let delays = [delay(own.phase())?, delay(term.phase())?];
+        let fractions = excitation.harmonics().iter().map(|other| other.frequency().fraction_of(own.frequency()));
+        let common = fractions
+            .map(|fraction| Some(fraction?.denom().clone()))
+            .try_fold(1.into(), |common, turns| Some(num_integer::Integer::lcm(&common, &turns?)));
+        let common = common.and_then(|common: num_bigint::BigInt| common.to_u32());
+        Ok(Self { period, other: Some(Other { ball: ball(KEY, &rate)?, rate, fraction, delays, common }) })
+    }
+
+    /// `r`, where it is not 1.
+    pub fn rate(&self) -> Option<Ball> {
+        self.other.as_ref().map(|other| other.ball)
+    }
+
+    /// The phase `W' t + tau'` of an impact \[rad\], its lower bound in `[0, 2 pi)`.
+    pub fn phase(&self, orbit: &Orbit, impact: &Impact) -> Enclosure {
+        match &self.other {
+            None => orbit.phase(impact),
+            Some(other) => in_radians(&other.turns(&orbit.turns_of(impact), orbit.shown_bits()), orbit.shown_bits()),
+        }
+    }
+
+    /// The same of an impact that recurs after whole common periods of all that moves the box, from its phase less such; `None` where
+    /// it is another one each time.
+    pub fn recurring(&self, turns: &Enclosure, bits: u32) -> Option<Enclosure> {
+        let Some(other) = &self.other else { return Some(in_radians(turns, bits)) };
+        let passed = other.fraction.as_ref()? * BigRational::from_integer(other.common?.into());
+        passed.is_integer().then(|| in_radians(&other.turns(turns, bits), bits))
+    }
+
+    /// How long so many own cycles are.
+    pub fn lasting(&self, cycles: u64) -> Lasting {
+        let Some(other) = &self.other else { return Lasting { cycles: Some(cycles), time: None } };
+        let passed = other.fraction.as_ref().map(|fraction| fraction * BigRational::from_integer(cycles.into()));
+        let whole = passed.filter(BigRational::is_integer).and_then(|passed| passed.to_integer().to_u64());
+        let time = || self.period.enclose(BITS).mul(&Exact::from(num_bigint::BigInt::from(cycles)).enclose(BITS), BITS);
+        Lasting { cycles: whole, time: whole.is_none().then(time) }
+    }
+}
+
+impl Other {
+    /// `u'` of `u`.
+    fn turns(&self, turns: &Enclosure, shown: u32) -> Enclosure {
+        // Bits beyond those of the whole turns.
+        let whole = turns.mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
+        let bits = shown.saturating_add(BITS).saturating_add(whole); // X1
+        let [own, reference] = self.delays.each_ref().map(|delay| delay.enclose(bits));
+        turns.sub(&own, bits).mul(&self.rate.enclose(bits), bits).add(&reference, bits)
+    }
+}

@@ -1,0 +1,267 @@
+//! What `check` lists as claims: each value is there or named beside, and none is there that is not compared.
+
+use std::collections::BTreeSet;
+use std::sync::atomic::AtomicBool;
+
+use impact_pair::certificate::document::{CheckDocument, VerdictName};
+use impact_pair::certificate::{Claims, Effort};
+use serde_json::{Value, json};
+
+use crate::{changes, documents, others, schemas};
+
+static STOPPED: AtomicBool = AtomicBool::new(true);
+
+pub fn text(lines: &[Value]) -> String {
+    lines.iter().map(Value::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// What `check` finds; `None` where the document is refused as it is read.
+fn checked(lines: &[Value], stop: Option<&'static AtomicBool>) -> Option<CheckDocument> {
+    let text = text(lines);
+    let claims = Claims::parse(&text).ok()?;
+    // Where nothing is to be decided it is soon given up.
+    let work = if lines[0]["claim"].is_string() { 1 << 12 } else { Effort::default().work };
+    let effort = Effort { bits: 1 << 12, pieces: 16, work, ..Effort::default() };
+    let judged = claims.judge(&effort, stop, &mut |_| {}).ok()?;
+    Some(claims.document(&text, &judged))
+}
+
+/// The lines of a document as a check names what stands in them, with JSON pointers.
+fn roots(lines: &[Value]) -> Vec<(String, String)> {
+    let last = lines.len() - 1;
+    let is_orbit = lines[0]["schema"] == "impact-pair/orbit/1";
+    let root = |line: usize| match line {
+        0 => String::new(),
+        line if is_orbit && line == last => String::new(),
+        line if is_orbit => format!("events[{}]", line - 1),
+        line => format!("points[{}]", line - 1),
+    };
+    (0..=last).map(|line| (root(line), format!("/{line}"))).collect()
+}
+
+/// Each plain value of a document: its path as a check names it, and its pointer.
+fn leaves(lines: &[Value]) -> Vec<(String, String)> {
+    fn walk(path: String, pointer: String, value: &Value, found: &mut Vec<(String, String)>) {
+        match value {
+            Value::Object(entries) if !entries.is_empty() => {
+                for (key, value) in entries {
+                    let dot = if path.is_empty() { "" } else { "." };
+                    walk(format!("{path}{dot}{key}"), format!("{pointer}/{key}"), value, found);
+                }
+            }
+            Value::Array(items) if !items.is_empty() => {
+                for (i, item) in items.iter().enumerate() {
+                    walk(format!("{path}[{i}]"), format!("{pointer}/{i}"), item, found);
+                }
+            }
+            _ => found.push((path, pointer)),
+        }
+    }
+    let mut found = Vec::new();
+    for ((path, pointer), line) in roots(lines).into_iter().zip(lines) {
+        walk(path, pointer, line, &mut found);
+    }
+    found
+}
+
+fn parent(path: &str) -> &str {
+    path.rfind(['.', '[']).map_or("", |at| &path[..at])
+}
+
+/// Fails where a value is neither a claim, by its own path or its parent's, nor named, or is both.
+fn assert_all_are_told(name: &str, lines: &[Value], found: &CheckDocument) {
+    let claims: BTreeSet<&str> = found.claims.iter().map(|claim| claim.path.as_str()).collect();
+    let named: BTreeSet<&str> = found.not_checked.iter().map(String::as_str).collect();
+    for (path, _) in leaves(lines) {
+        let is_claim = claims.contains(path.as_str()) || claims.contains(parent(&path));
+        let around =
+            std::iter::successors(Some(path.as_str()), |path| Some(parent(path)).filter(|path| !path.is_empty()));
+        let is_named = around.into_iter().any(|path| named.contains(path));
+        assert!(is_claim != is_named, "{name}: {path} is a claim: {is_claim}, not checked: {is_named}");
+    }
+}
+
+/// A document of every verb that `check` reads.
+fn all() -> Vec<(String, Vec<Value>)> {
+    let orbits = documents::all().into_iter().map(|(name, document)| (name, vec![document]));
+    orbits.chain(others::all().into_iter().map(|(name, lines)| (name.to_owned(), lines))).collect()
+}
+
+/// The schemas, and which document has the values that are of none of their properties.
+const SCHEMAS: [(&str, &str, usize); 16] = [
+    ("orbit", "attracted", 0),
+    ("orbit-lines-head", "lines", 0),
+    ("orbit-lines-event", "lines", 1),
+    ("orbit-lines-end", "lines", 2),
+    ("periodic", "one stable, one not", 0),
+    ("two-impact", "two impacts", 0),
+    ("bifurcations", "bifurcations", 0),
+    ("trap", "trap", 0),
+    ("chaos", "chaos", 0),
+    ("cycles", "cycles", 0),
+    ("sweep-head", "sweep", 0),
+    ("sweep-point", "sweep", 1),
+    ("manifold", "", 0),
+    ("chaos-cells", "", 0),
+    ("audit", "", 0),
+    ("trade", "", 0),
+];
+
+#[test]
+fn r32_every_value_of_every_schema_is_judged_or_named() {
+    let mut all = all();
+    let orbit = all.iter().find(|(name, _)| name == "count").unwrap().1[0].clone();
+    let mut head = orbit.clone();
+    let events = head.as_object_mut().unwrap().remove("events").unwrap();
+    let outcome = head.as_object_mut().unwrap().remove("outcome").unwrap();
+    let end = json!({ "outcome": outcome, "arithmetic": head["arithmetic"] });
+    all.push(("lines".into(), [&[head][..], events.as_array().unwrap(), &[end]].concat()));
+    // The one left is what a check itself writes.
+    let others = schemas::names().into_iter().filter(|name| SCHEMAS.iter().all(|(known, ..)| known != name));
+    assert_eq!(others.collect::<Vec<_>>(), ["check"]);
+    let (mut told, mut refused) = (0, Vec::new());
+    for (name, base, line) in SCHEMAS {
+        let schema = schemas::read(name);
+        let mut lines = match all.iter().find(|(document, _)| document == base) {
+            Some((_, lines)) => lines.clone(),
+            None => vec![schemas::sample(&schema, &schema)],
+        };
+        if base.is_empty() {
+            lines[0]["schema"] = json!(format!("impact-pair/{name}/1"));
+        }
+        // The last of the lines ends an orbit.
+        let line = if name == "orbit-lines-end" { lines.len() - 1 } else { line };
+        assert_all_are_told(name, &lines, &checked(&lines, Some(&STOPPED)).expect(name));
+        for property in schemas::properties(&schema) {
+            let mut copy = lines.clone();
+            schemas::ensure(&mut copy[line], &property, &schema);
+            match checked(&copy, Some(&STOPPED)) {
+                Some(found) => {
+                    assert_all_are_told(&format!("{name} with {property:?}"), &copy, &found);
+                    told += 1;
+                }
+                None => refused.push(format!("{name} {property:?}")),
+            }
+        }
+    }
+    println!("{told} properties told, {} refused where they are:\n{}", refused.len(), refused.join("\n"));
+    assert!(told > 8 * refused.len() && told > 300, "{told} {refused:?}");
+}
+
+/// Other values in the place of one: false, or, where it bounds from one side or is about, one of them false.
+fn others_of(key: &str, value: &Value) -> Vec<Value> {
+    let decimal = |text: &str| {
+        let x = text.parse::<f64>().ok()?;
+        let others = [x + 0.1 * x.abs() + 0.01, x - 0.1 * x.abs() - 0.01, 10.0 * x + 1.0, x / 10.0];
+        Some(others.map(|x| json!(format!("{x:.17}"))).to_vec())
+    };
+    match value {
+        Value::Null => vec![json!("P1")],
+        Value::Bool(is_so) => vec![json!(!is_so)],
+        Value::Number(number) => match number.as_i64() {
+            Some(number) => [number + 1, (number - 1).max(0), 0, 9999].map(|x| json!(x)).to_vec(),
+            None => vec![json!(number.as_f64().unwrap() + 0.01)],
+        },
+        Value::String(text) => match (key, changes::other_words(text), decimal(text)) {
+            (_, Some(others), _) => others.into_iter().map(|other| json!(other)).collect(),
+            ("flights", ..) => vec![json!(text.replace('F', "x").replace('N', "F").replace('x', "N"))],
+            ("word", ..) => vec![json!("P3")],
+            (_, None, Some(others)) => others,
+            _ if impact_pair::exact::Exact::parse(text).is_ok() => {
+                vec![json!(format!("({text})*3 + 1")), json!(format!("({text})/3 - 1"))]
+            }
+            _ => vec![json!("gap"), json!("none")],
+        },
+        Value::Array(items) if items.is_empty() => vec![json!(["none"])],
+        Value::Array(items) => match bounds(value) {
+            Some([low, high]) => [1.0, -1.0]
+                .map(|side| {
+                    let by = side * (3.0 * (high - low) + 0.01 * (1.0 + low.abs()));
+                    json!([format!("{:.17}", low + by), format!("{:.17}", high + by)])
+                })
+                .to_vec(),
+            None => {
+                let each: Vec<Vec<Value>> = items.iter().map(|item| others_of(key, item)).collect();
+                let count = each.iter().map(Vec::len).min().unwrap_or(0);
+                (0..count).map(|k| each.iter().map(|others| others[k].clone()).collect()).collect()
+            }
+        },
+        Value::Object(_) => unreachable!("no leaf"),
+    }
+}
+
+/// A lower and an upper bound.
+fn bounds(value: &Value) -> Option<[f64; 2]> {
+    let [low, high] = &value.as_array()?[..] else { return None };
+    Some([low.as_str()?.parse().ok()?, high.as_str()?.parse().ok()?])
+}
+
+/// Whether a claim holds whatever stands there.
+fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
+    let excitation = &head["scene"]["excitation"];
+    let is_one = excitation["phase"].as_array().is_some_and(|all| all.len() == 1);
+    let has_phases = head["orbits"].is_array() || head["points"].is_array() || name == "sweep";
+    match path {
+        // Lemma R1: under one harmonic what is told by phases holds for every `tau`, and nothing moves a box that is not shaken.
+        "scene.excitation.phase" if is_one && (has_phases || excitation["amplitude"] == json!(["0"])) => true,
+        "scene.excitation.frequency" if excitation["amplitude"] == json!(["0"]) => true,
+        // Without a drift the ball swings alike in every frequency; a region that attracts is entered from other starts as well.
+        "scene.excitation.frequency" => name == "never",
+        "scene.excitation.phase" | "scene.start.time" => name == "trap",
+        _ => false,
+    }
+}
+
+#[test]
+fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
+    let (mut refused, mut missed) = (0, Vec::new());
+    // What is undecided from its start on claims nothing but that it is so. A word that is not there is sought for seconds.
+    let is_tried = |name: &str| name != "too long" && (name != "chaos" || crate::tried() == usize::MAX);
+    for (name, lines) in all().into_iter().filter(|(name, _)| is_tried(name)) {
+        let found = checked(&lines, None).expect(&name);
+        assert_eq!(found.verdict, VerdictName::Confirmed, "{name}: {}", found.message);
+        assert!(found.claims.iter().all(|claim| claim.verdict == VerdictName::Confirmed && claim.reason.is_none()));
+        assert_all_are_told(&name, &lines, &found);
+        let whole = json!(lines);
+        let mut seen = BTreeSet::new();
+        for claim in &found.claims {
+            let unnumbered = changes::unnumbered(&claim.path);
+            if !seen.insert(unnumbered.clone()) || holds_for_all(&name, &unnumbered, &lines[0]) {
+                continue;
+            }
+            let pointer = leaves(&lines).into_iter().find_map(|(path, pointer)| {
+                let list = pointer.rfind('/').map_or("", |at| &pointer[..at]);
+                (path == claim.path)
+                    .then(|| pointer.clone())
+                    .or_else(|| (parent(&path) == claim.path).then(|| list.to_owned()))
+            });
+            let pointer = pointer.unwrap_or_else(|| panic!("{name}: {}", claim.path));
+            let key = unnumbered.rsplit('.').next().unwrap().to_owned();
+            let value = whole.pointer(&pointer).unwrap().clone();
+            let is_confirmed = |other: &Value| {
+                let mut copy = whole.clone();
+                *copy.pointer_mut(&pointer).unwrap() = other.clone();
+                let mut lines = copy.as_array().unwrap().clone();
+                // What counts or says in words what is changed is told anew, unless it is what is changed.
+                if lines.len() == 1 && !["impacts", "index", "message"].contains(&key.as_str()) {
+                    lines[0] = changes::told(&lines[0]);
+                }
+                // A value that says nothing is not listed any more.
+                checked(&lines, None).is_some_and(|found| {
+                    found.verdict == VerdictName::Confirmed && !found.not_checked.contains(&claim.path)
+                })
+            };
+            let others = others_of(&key, &value);
+            let is_missed = match bounds(&value) {
+                Some(_) => others.iter().any(is_confirmed),
+                None => others.iter().all(is_confirmed),
+            };
+            if is_missed {
+                missed.push(format!("{name}: {}: {value}, {others:?}", claim.path));
+            }
+            refused += 1;
+        }
+    }
+    assert!(missed.is_empty(), "{} of {refused}:\n{}", missed.len(), missed.join("\n"));
+    println!("{refused} claims are compared");
+}

@@ -1,0 +1,91 @@
+//! Documents of the other verbs, as text: JSON Lines are several values.
+
+use std::fs;
+
+use impact_pair::Scene;
+use impact_pair::certificate::document::BaseDocument;
+use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
+use impact_pair::document;
+use impact_pair::orbit::Settings;
+use impact_pair::periodic::Precision;
+use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::sweep::{self, Asked, Grid};
+use serde_json::{Value, json};
+
+fn file(name: &str) -> String {
+    fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn figure(name: &str) -> Scene {
+    Scene::parse(&file(&format!("scenes/{name}.toml"))).unwrap()
+}
+
+fn bifurcations() -> Value {
+    let scene = Scene::parse(
+        r#"
+        excitation = { amplitude = 0.36, frequency = "pi", phase = 0.25 }
+        pair = { gap = 1, restitution = 0.8 }
+        start = { time = 0, wall = "left", velocity = -1 }"#,
+    )
+    .unwrap();
+    let precision = Precision { digits: 9, ..Precision::default() };
+    let wanted = Wanted { over: "amplitude=0.3..0.4".parse().unwrap(), doublings: 1, precision };
+    let asked = (&"RL".parse().unwrap(), 1);
+    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, || true).unwrap();
+    json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
+}
+
+fn chaos() -> Value {
+    let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
+    let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
+    let (scene, question) = (figure("figure-14"), Question { depth: 6, bases: document::bases(&bases) });
+    let found = Chaos::of(scene.pair(), scene.start(), &question, &|_, _| true).unwrap();
+    json!(document::chaos(&scene, None, &question, &found))
+}
+
+fn trap() -> Value {
+    let scene = figure("figure-14");
+    json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap())
+}
+
+/// All cycles of figure 14 with one to so many impacts.
+pub fn cycles(most: u32) -> Value {
+    let (scene, asked) = (figure("figure-14"), 1..=most);
+    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &|_| true).unwrap();
+    json!(document::cycles(&scene, &asked, found.as_ref().map_err(|why| *why)).unwrap())
+}
+
+fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
+    let scene = Scene::parse(scene).unwrap();
+    let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
+    let reference = grid.reference(&scene).unwrap();
+    let settings = Settings { digits: 6, ..Settings::default() };
+    let asked = Asked { transient: 3, impacts: 4, summary: false, reference, settings };
+    let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
+    for number in 0..grid.points() {
+        let values = grid.values(number).unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+        lines.push(json!(sweep::record(number, &values, &point)));
+    }
+    lines
+}
+
+/// By the verb, a document that is confirmed.
+pub fn all() -> Vec<(&'static str, Vec<Value>)> {
+    let one = r#"
+        excitation = { amplitude = 8, frequency = "pi", phase = 0.1 }
+        pair = { gap = 9.42497, restitution = 0.5 }
+        start = { time = 0, wall = "left", velocity = -12.56636 }"#;
+    let two = r#"
+        excitation = { amplitude = [8, 1], frequency = ["pi", "3/2*pi"], phase = [0.1, 1] }
+        pair = { gap = 9.42497, restitution = 0.5 }
+        start = { time = 0, wall = "left", velocity = -12.56636 }"#;
+    vec![
+        ("bifurcations", vec![bifurcations()]),
+        ("chaos", vec![chaos()]),
+        ("trap", vec![trap()]),
+        ("cycles", vec![cycles(3)]),
+        ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),
+        ("sweep over a term", sweep(two, &["amplitude.2=0..1:2"])),
+    ]
+}
