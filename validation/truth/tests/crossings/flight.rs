@@ -16,7 +16,7 @@ const TOUCH: u32 = 480;
 /// A speed that is taken for none, before a height that is: `2^-this` of the box's.
 const SLOW: u32 = 220;
 /// A pressure that is taken for none: `2^-this` of what it may change in a unit of time.
-const ENDED: u32 = BITS - 40;
+const ENDED: u32 = BITS / 2;
 /// Steps in MPFR, and in doubles, after which a flight is given up.
 const STEPS: [u32; 2] = [3_000, 60_000];
 
@@ -115,6 +115,11 @@ impl Shaken {
                 Truth::Graze { .. } => {}
             }
         }
+        self.stepped(state)
+    }
+
+    /// The same by steps alone.
+    pub fn stepped(&self, state: &State) -> Next {
         Course::new(self, state).next()
     }
 
@@ -126,7 +131,8 @@ impl Shaken {
             let pressure = self.sum(&now, 2, true) * wall.sign();
             let slope = self.sum(&now, 3, false) * wall.sign();
             if pressure < float(&rate >> ENDED) && slope < 0 {
-                return Some(now);
+                // A last step, of Newton's.
+                return Some(now - pressure / slope);
             }
             let least = float(float(1) / (1 + float(now.abs_ref()))) >> (BITS - 8);
             now += safe(&pressure, &slope, &most).max(&least);

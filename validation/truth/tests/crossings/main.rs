@@ -6,6 +6,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod controls;
 mod flight;
 mod judge;
 mod members;
@@ -211,21 +212,19 @@ fn no_answer_of_a_crossing_is_false() {
         let number = only.parse().expect("CROSSINGS_ONLY is a number");
         return answer(seed, number, crossing(&array, number), true, &tally);
     }
-    {
-        let work = || loop {
-            let number = next.fetch_add(1, Ordering::Relaxed);
-            if number >= cases {
-                return;
-            }
-            answer(seed, number, crossing(&array, number), false, &tally);
-        };
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        std::thread::scope(|scope| {
-            for _ in 0..threads {
-                scope.spawn(work);
-            }
-        });
-    }
+    let work = || loop {
+        let number = next.fetch_add(1, Ordering::Relaxed);
+        if number >= cases {
+            return;
+        }
+        answer(seed, number, crossing(&array, number), false, &tally);
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(work);
+        }
+    });
     let tally = tally.into_inner().unwrap();
     tally.print();
     tally.judged(cases, array.len(), seed);
