@@ -188,7 +188,8 @@ impl Case {
         let digits = self.random.pick(&[6, 9, 15]);
         let settings = Settings { impacts: None, digits, splice: 0, ..self.settings(arithmetic) };
         let impacts = 1 + self.random.below(5);
-        let asked = sweep::Asked { transient: self.random.below(3), impacts, summary: false, settings };
+        let (transient, reference) = (self.random.below(3), grid.reference(&self.scene)?);
+        let asked = sweep::Asked { transient, impacts, summary: false, reference, settings };
         let (mut records, mut points) = (Vec::new(), Vec::new());
         for point in 0..grid.points() {
             let values = grid.values(point)?;
