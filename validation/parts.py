@@ -49,6 +49,7 @@ NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
+CROSSED = "CROSSINGS_CASES=${CROSSINGS_CASES:-100000} CROSSINGS_SEED=fresh"
 
 # A README that is read: at most 150 lines of at most 120 characters.
 MANUAL = "! awk 'NR > 150 || length > 120' README.md | grep . && docs/reference/make --check && docs/manual"
@@ -62,7 +63,8 @@ PARTS = [
     cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
     cargo("tests", TEST,
           f"{MANY} {TEST} --features png,pdf,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
-          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled"
+          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture"
+          f" && {CROSSED} {TEST} --test crossings -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled"
           f" && FORGER_CASES=all {TEST} --test forger", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"

@@ -438,3 +438,19 @@ fn r32_fast_impacts_just_before_a_rest_are_right() {
         assert_eq!(disagreements(&document), [], "{document}");
     }
 }
+
+/// Impact 1 and one of the chatter after it (mpmath, for e = 5e-13), nearer to one another than the tolerance.
+#[test]
+fn r32_of_two_rows_within_the_tolerance_the_velocity_tells_which_is_the_impact() {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = "excitation = { amplitude = [1, \"1/1000\"], frequency = [\"2*pi\", \"pi*(1+sqrt(5))\"], phase = 0 }\n\
+                pair = { gap = 1, restitution = \"[0, 1e-12]\" }\n\
+                start = { time = 0, position = \"1/2-1/10^8\", velocity = \"[-1/10^15, 1/10^15]\" }";
+    std::fs::write(file.path(), text).unwrap();
+    let list = "time,wall,velocity\n\
+                6.221933829007872356224058989805515835342e-4,right,4.821649576656871269925416466102019545134e-5\n\
+                6.221933829010983327127703481944606869217e-4,right,2.410824788328837437548414355604186389487e-17\n";
+    let answer = answer(list, &[file.path().to_str().unwrap(), "-", "--format", "json", "--quiet"]);
+    let document: Value = serde_json::from_slice(&answer.stdout).unwrap();
+    assert_eq!(disagreements(&document), [], "{document}");
+}

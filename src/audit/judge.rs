@@ -142,12 +142,16 @@ impl<'a> Judge<'a> {
 
     /// Whether the velocity of a row is proved not to be that of a contact, and may be that of an impact in the chatter after it.
     fn is_of_chatter_after(&self, row: usize, site: usize) -> bool {
-        let Site { velocity, rest, .. } = &self.truth.sites[site];
-        let velocities = self.velocity(row).zip(velocity.as_ref());
-        let is_outside = velocities.is_some_and(|(listed, truth)| {
+        let rest = self.truth.sites[site].rest.as_ref();
+        self.is_outside_in_velocity(row, site) && rest.is_some_and(|rest| self.is_in_chatter(row, site, rest))
+    }
+
+    /// Whether the velocity of a row, if it has one, is proved not to be that of a contact, if it has one.
+    fn is_outside_in_velocity(&self, row: usize, site: usize) -> bool {
+        let velocities = self.velocity(row).zip(self.truth.sites[site].velocity.as_ref());
+        velocities.is_some_and(|(listed, truth)| {
             self.tolerance.is_outside_in_velocity(&self.tolerance.distance(&listed, truth))
-        });
-        is_outside && rest.as_ref().is_some_and(|rest| self.is_in_chatter(row, site, rest))
+        })
     }
 
     /// Whether a contact that is not certified may come within the enclosure of this one.
@@ -182,7 +186,13 @@ impl<'a> Judge<'a> {
         is_open && self.rows[row].time.low > end()
     }
 
+    /// Whether a row is nearer to a contact than another one: by its velocity, where that of one of them only may be the contact's, else by
+    /// its time.
     fn is_nearer(&self, one: usize, other: usize, site: usize) -> bool {
+        let [is_one_outside, is_other_outside] = [one, other].map(|row| self.is_outside_in_velocity(row, site));
+        if is_one_outside != is_other_outside {
+            return is_other_outside;
+        }
         let distance = |row: usize| {
             let time = &self.rows[row].time;
             let middle = self.middles[site].to_rational();
@@ -237,7 +247,7 @@ impl<'a> Judge<'a> {
         let is_in_doubt = self.is_in_doubt(row);
         let rests = nearest.into_iter().flat_map(|site| [Some(site), site.checked_sub(1)]).flatten();
         let mut rests = rests.filter_map(|site| Some((site, self.truth.sites[site].rest.as_ref()?)));
-        let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest));
+        let rest = rests.find(|&(site, rest)| self.is_within(time, site, rest) || self.is_of_chatter_after(row, site));
         let (verdict, site) = match rest {
             Some((site, rest)) if self.is_in_chatter(row, site, rest) => (Verdict::InChatter, Some(site)),
             Some((site, _)) => (Verdict::False(Reason::Rest), Some(site)),

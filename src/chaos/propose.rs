@@ -39,6 +39,14 @@ struct Sample {
 
 /// Fewer parts than that are not worth a tube.
 const FEWEST: usize = 12;
+/// Parts of one image that are looked at: where the map contracts to a line (e = 0), none is short enough to be straight.
+const MOST: usize = 1 << 18;
+
+/// The parts of an image, cut where the map jumps, and how many were looked at.
+struct Parts {
+    segments: Vec<Vec<(Sample, Sample)>>,
+    seen: usize,
+}
 
 fn radians([u, w]: State) -> State {
     [TAU * u, w]
@@ -47,12 +55,16 @@ fn radians([u, w]: State) -> State {
 impl Making {
     /// The tubes that hold the images of a tube, about.
     pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
-        let mut segments: Vec<Vec<(Sample, Sample)>> = vec![Vec::new()];
+        let mut parts = Parts { segments: vec![Vec::new()], seen: 0 };
         for cell in 0..tube.cells() {
             let (from, to) = (sample(guess, tube, cell, -1.0), sample(guess, tube, cell, 1.0));
-            self.refine(guess, tube, from, to, (cell == 0, cell + 1 == tube.cells()), &mut segments);
+            self.refine(guess, tube, from, to, (cell == 0, cell + 1 == tube.cells()), &mut parts);
         }
-        segments
+        if parts.seen > MOST {
+            return Vec::new();
+        }
+        parts
+            .segments
             .iter()
             .filter(|segment| segment.len() >= FEWEST)
             .filter_map(|segment| self.proposal(guess, segment))
@@ -66,22 +78,26 @@ impl Making {
         from: Sample,
         to: Sample,
         (first, last): (bool, bool),
-        segments: &mut Vec<Vec<(Sample, Sample)>>,
+        parts: &mut Parts,
     ) {
+        parts.seen += 1;
+        if parts.seen > MOST {
+            return;
+        }
         let chords = &tube.chords()[from.cell..=from.cell + 1];
         let width = 0.5 * (to.at - from.at) * length(minus(middle(&chords[1]), middle(&chords[0])));
         let between = sample(guess, tube, from.cell, 0.5 * (from.at + to.at));
         let is_fine = self.is_fine(&from, &between, &to, first || last);
         if is_fine == Some(true) || width < self.shortest {
             match is_fine {
-                None => segments.push(Vec::new()),
-                Some(_) if self.jumps(&from, &to) => segments.push(Vec::new()),
-                Some(_) => segments.last_mut().expect("one at least").push((from, to)),
+                None => parts.segments.push(Vec::new()),
+                Some(_) if self.jumps(&from, &to) => parts.segments.push(Vec::new()),
+                Some(_) => parts.segments.last_mut().expect("one at least").push((from, to)),
             }
             return;
         }
-        self.refine(guess, tube, from, between, (first, false), segments);
-        self.refine(guess, tube, between, to, (false, last), segments);
+        self.refine(guess, tube, from, between, (first, false), parts);
+        self.refine(guess, tube, between, to, (false, last), parts);
     }
 
     fn jumps(&self, from: &Sample, to: &Sample) -> bool {

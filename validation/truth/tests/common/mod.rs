@@ -9,6 +9,11 @@ use rug::Float;
 pub struct Random(u64);
 
 impl Random {
+    /// Of this seed, whatever the environment says.
+    pub fn new(seed: u64) -> Random {
+        Random(seed)
+    }
+
     /// Seeded by `IMPACT_PAIR_SEED`, or `fallback`; the seed is printed, so a failure shows it.
     pub fn seeded(fallback: u64) -> Random {
         let seed = std::env::var("IMPACT_PAIR_SEED").map_or(fallback, |text| text.parse().unwrap());

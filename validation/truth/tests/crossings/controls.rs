@@ -1,0 +1,55 @@
+//! Whether the judges judge: the two simulators agree, and what is claimed of a neighbour is wrong.
+
+use impact_pair::document;
+use impact_pair::orbit::Settings;
+
+use super::common::Random;
+use super::flight::{Next, float};
+use super::members::Member;
+use super::motion::{self, Halt};
+use super::scenes::{Case, case};
+use super::traits::{Excitation, array};
+
+/// Scenes of points from the covering array.
+fn cases(count: usize) -> impl Iterator<Item = Case> {
+    let rows = array(7).into_iter().filter(|row| row.excitation != Excitation::MayVanish);
+    let cases = rows.enumerate().filter_map(|(number, row)| case(row, Random::new(number as u64)));
+    cases.filter(|case| case.scene.pair().is_point() && case.scene.start().is_point()).take(count)
+}
+
+#[test]
+fn steps_that_no_contact_can_come_within_lead_to_the_contact_of_the_pieces() {
+    let mut agreed = 0;
+    for case in cases(300) {
+        let member = Member::new(&case.scene, || 0.0);
+        let (shaken, start) = (&member.shaken, &member.start);
+        if shaken.tones.len() != 1 {
+            continue;
+        }
+        let (Next::Contact(one), Next::Contact(other)) = (shaken.next(start), shaken.stepped(start)) else { continue };
+        let off = float(&one.time - &other.time).abs();
+        assert!(one.wall == other.wall && off < 1e-60f64, "{one:?}, but {other:?} in steps: {}", case.text);
+        agreed += 1;
+    }
+    println!("{agreed} contacts agree");
+    assert!(agreed > 50);
+}
+
+#[test]
+fn the_motion_of_a_neighbour_is_found_wrong() {
+    let (mut asked, mut found) = (0, 0);
+    for case in cases(60) {
+        let settings = Settings { impacts: Some(3), max_bits: 1024, ..Settings::default() };
+        let Ok(orbit) = document::orbit(case.scene.pair(), case.scene.start(), settings) else { continue };
+        let document = serde_json::to_value(orbit).expect("plain data");
+        let mut member = Member::new(&case.scene, || 0.0);
+        if document["events"][0]["event"] != "impact" || motion::judge(&document, &member).is_err() {
+            continue;
+        }
+        asked += 1;
+        member.shaken.gap *= float(1.0 + 1e-7);
+        found += usize::from(matches!(motion::judge(&document, &member), Err(Halt::Wrong(_))));
+    }
+    println!("{found} of {asked} motions of neighbours are found wrong");
+    assert!(asked > 10 && 10 * found > 9 * asked);
+}

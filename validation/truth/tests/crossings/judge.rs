@@ -1,0 +1,278 @@
+//! One answer, by `check` and by the truth.
+
+use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair::exact::Exact;
+use impact_pair::orbit::Start;
+use impact_pair::{Scene, scene};
+use rug::Float;
+use serde_json::Value;
+
+use super::common::Random;
+use super::flight::float;
+use super::members::{Bounds, Member};
+use super::motion::{self, Halt, Judged, Motion, wrong};
+use super::questions::Answer;
+use super::scenes::Case;
+use super::traits::Question;
+use super::{orbits, shadow, sweeps};
+
+/// What a judge finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Finding {
+    /// Right, by this judge.
+    Right,
+    /// This judge does not decide.
+    Open,
+    /// Nothing is claimed, or nothing that this judge knows.
+    Nothing,
+    /// A claim is false.
+    Wrong,
+}
+
+/// What is found of an answer.
+pub struct Judgement {
+    /// Of `check`, and of the truth.
+    pub findings: [Finding; 2],
+    /// What it says: an outcome, orbits, a refusal.
+    pub outcome: String,
+    /// What is wrong, or why it is open, by each judge.
+    pub words: [String; 2],
+}
+
+/// What a crossing needs; long flights and wide data are for other tests.
+const EFFORT: Effort = Effort { bits: 384, parts: 1 << 6, pieces: 2, work: 1 << 9 };
+
+fn check(document: &str) -> (Finding, String) {
+    let Ok(claims) = Claims::parse(document) else { return (Finding::Nothing, "not read".into()) };
+    if matches!(claims, Claims::Chaos(_) | Claims::Trap(_)) && document.len() > 200_000 {
+        return (Finding::Open, "too large".into());
+    }
+    match claims.check_until(&EFFORT, None, |_| {}) {
+        Ok(Verdict::Confirmed { .. }) => (Finding::Right, String::new()),
+        Ok(Verdict::Refuted(finding)) => (Finding::Wrong, claims.described(&finding)),
+        Ok(Verdict::Undecided(finding)) => (Finding::Open, claims.described(&finding)),
+        Ok(Verdict::Interrupted { .. }) => unreachable!("nobody stops it"),
+        Err(error) => (Finding::Open, error.to_string()),
+    }
+}
+
+/// The judge's word on all members; a wrong one ends it, an open one is remembered.
+fn all(members: &[Member], mut one: impl FnMut(&Member) -> Judged<()>) -> Judged<()> {
+    let mut open = None;
+    for member in members {
+        match one(member) {
+            Err(Halt::Open(why)) => open = Some(why),
+            other => other?,
+        }
+    }
+    open.map_or(Ok(()), |why| Err(Halt::Open(why)))
+}
+
+/// Starts whose motions may lead to an orbit of the word.
+fn starts(scene: &Scene, random: &mut Random) -> Vec<Start> {
+    let member = Member::new(scene, || 0.0);
+    let speed = orbits::speed(&member.tones);
+    let mut all = vec![scene.start().clone()];
+    for _ in 0..2 {
+        let [time, velocity] = [random.uniform(0.0, 1.0), -speed * random.uniform(0.0, 3.0)]
+            .map(|x| Exact::from_f64(x).expect("a number"));
+        all.extend(Start::on_wall(time, impact_pair::pair::Wall::Left, velocity));
+    }
+    all
+}
+
+/// The scene at the middle of the bounds of a parameter.
+fn at(scene: &Scene, key: &str, parameter: &Value) -> Option<Scene> {
+    let middle = Bounds::read(parameter)?.middle().to_string_radix(10, Some(40));
+    scene.with(&[(key.parse::<scene::Key>().ok()?, middle.parse().ok()?)]).ok()
+}
+
+/// A multiplier of a bifurcation is 1, or -1 at a doubling, to what bounds of `10^-9` leave of it.
+fn bifurcation(point: &Value, scene: &Scene, key: &str) -> Judged<()> {
+    let kind = point["kind"].as_str().unwrap_or_default();
+    if kind == "graze" || point["orbit"]["physical"] != true {
+        return Err(Halt::Open("no orbit that the truth follows"));
+    }
+    let Some(scene) = at(scene, key, &point["parameter"]) else { return Err(Halt::Open("no scene at the point")) };
+    let member = Member::new(&scene, || 0.0);
+    orbits::judge(&point["orbit"], &member)?;
+    let [trace, determinant] = orbits::trace_and_determinant(&point["orbit"], &member)?;
+    let sign = if kind == "period-doubling" { -1.0 } else { 1.0 };
+    let value = 1.0 - sign * trace + determinant;
+    if value.abs() > 1e-2 * (1.0 + trace.abs()) {
+        return wrong(format!("{kind} at {}, but trace {trace} and determinant {determinant}", point["parameter"]));
+    }
+    Ok(())
+}
+
+/// From the impact on at which it is told to be in the region, speeds and flights are within the bounds.
+fn trap(document: &Value, member: &Member) -> Judged<()> {
+    let Some(entered) = document["entered_at_impact"].as_u64() else { return Err(Halt::Open("not entered")) };
+    let (Some(speed), Some(flight)) = (Bounds::read(&document["speed_before"]), Bounds::read(&document["flight_time"]))
+    else {
+        return wrong("a region without bounds".into());
+    };
+    let mut motion = Motion::new(&member.shaken, member.start.clone());
+    let mut last: Option<Float> = None;
+    for index in 1..=entered + 20 {
+        let mut releases = Vec::new();
+        let Some(contact) = motion.contact(&mut releases)? else { return wrong("a region, but it ends".into()) };
+        if index >= entered && !speed.holds(&float(contact.velocity_before.abs_ref())) {
+            return wrong(format!("speeds in {}, but {}", document["speed_before"], motion::shown(&contact)));
+        }
+        if let Some(last) = last.filter(|_| index > entered) {
+            let time = float(&contact.time - &last);
+            if !releases.is_empty() || !flight.holds(&time) {
+                return wrong(format!("flights in {}, but {time:.20}", document["flight_time"]));
+            }
+        }
+        last = Some(contact.time);
+    }
+    Ok(())
+}
+
+/// True impacts are neither missed nor false nor outside.
+fn audit(document: &Value) -> Judged<()> {
+    let counts = &document["counts"];
+    let bad = ["outside", "missed", "false"].map(|key| counts[key].as_u64().unwrap_or(0));
+    if bad != [0; 3] {
+        return wrong(format!("true impacts, but the audit says {counts}: {}", document["first_disagreement"]));
+    }
+    if document["agreed"] == true { Ok(()) } else { Err(Halt::Open("the audit does not decide")) }
+}
+
+/// Nothing of a float run is certified, and the document says so.
+fn floats(document: &Value) -> Judged<()> {
+    let is_said = document["certified"] == false;
+    if is_said { Ok(()) } else { wrong("certified in floats".into()) }
+}
+
+fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
+    let members = Member::all(&case.scene, &mut case.random);
+    let is_point = members.len() == 1;
+    match answer {
+        Answer::Refused(_) | Answer::Nothing(_) | Answer::Chaos(_) => Err(Halt::Open("nothing")),
+        Answer::Orbit(document) if document["certified"] == false => floats(document),
+        Answer::Orbit(_) if matches!(case.crossing.question, Question::Impacts("float") | Question::Until("float")) => {
+            wrong("certified in floats".into())
+        }
+        Answer::Orbit(document) if document["claim"] == "shadowed" => {
+            all(&members, |member| shadow::judge(document, member))
+        }
+        Answer::Orbit(document) => all(&members, |member| motion::judge(document, member)),
+        Answer::Sweep { records, points, asked, .. } => sweeps::judge(records, points, asked, &mut case.random),
+        Answer::Periodic(document) => {
+            let mut open = None;
+            for orbit in document["orbits"].as_array().map_or(&[][..], Vec::as_slice) {
+                match if is_point { orbits::judge(orbit, &members[0]) } else { Err(Halt::Open("a box of data")) } {
+                    Err(Halt::Open(why)) => open = Some(why),
+                    other => other?,
+                }
+            }
+            if document["exhaustive"] == true {
+                let starts = starts(&case.scene, &mut case.random);
+                orbits::judge_all(document, &case.scene, &starts)?;
+            }
+            open.map_or(Ok(()), |why| Err(Halt::Open(why)))
+        }
+        Answer::Bifurcations(document) => {
+            let key = document["over"]["key"].as_str().unwrap_or_default().to_owned();
+            let mut open = (!is_point).then_some("a box of data");
+            for point in document["points"].as_array().map_or(&[][..], Vec::as_slice).iter().filter(|_| is_point) {
+                match bifurcation(point, &case.scene, &key) {
+                    Err(Halt::Open(why)) => open = Some(why),
+                    other => other?,
+                }
+            }
+            open.map_or(Ok(()), |why| Err(Halt::Open(why)))
+        }
+        Answer::Trap(document) => all(&members, |member| trap(document, member)),
+        Answer::Cycles(document) => {
+            let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
+            if !is_point {
+                return Err(Halt::Open("a box of data"));
+            }
+            listed.iter().try_for_each(|orbit| orbits::judge(orbit, &members[0]))
+        }
+        Answer::Audit(document) => audit(document),
+    }
+}
+
+impl Answer {
+    /// What `check` reads; `None` where there is nothing for it.
+    fn text(&self) -> Option<String> {
+        match self {
+            Self::Refused(_) | Self::Nothing(_) | Self::Audit(_) => None,
+            Self::Orbit(document) if document["certified"] == false => None,
+            Self::Orbit(document)
+            | Self::Periodic(document)
+            | Self::Bifurcations(document)
+            | Self::Trap(document)
+            | Self::Chaos(document)
+            | Self::Cycles(document) => Some(document.to_string()),
+            Self::Sweep { head, records, .. } => {
+                let lines = [head].into_iter().chain(records).map(|line| line.to_string() + "\n");
+                Some(lines.collect())
+            }
+        }
+    }
+
+    /// What it says, in a few words.
+    fn outcome(&self) -> String {
+        let orbits = |document: &Value, key: &str| document[key].as_array().map_or(0, Vec::len);
+        let none_or = |count: usize, what: &str| if count == 0 { format!("no {what}") } else { format!("{what}s") };
+        match self {
+            Self::Refused(_) => "refused".into(),
+            Self::Nothing(why) => (*why).into(),
+            Self::Orbit(document) => {
+                let (outcome, claim) = (&document["outcome"], &document["claim"]);
+                let kind = outcome["kind"].as_str().unwrap_or("none");
+                let reason = outcome["reason"].as_str().map_or(String::new(), |reason| format!(" ({reason})"));
+                let prefix = if document["certified"] == false { "float: " } else { "" };
+                let near = if claim == "shadowed" { "shadowed: " } else { "" };
+                format!("{prefix}{near}{kind}{reason}")
+            }
+            Self::Sweep { records, .. } => {
+                let mut kinds: Vec<_> = records.iter().filter_map(|record| record["outcome"].as_str()).collect();
+                kinds.sort_unstable();
+                kinds.dedup();
+                if kinds.len() == 1 { format!("points: {}", kinds[0]) } else { "points of several outcomes".into() }
+            }
+            Self::Periodic(document) => {
+                let all = if document["exhaustive"] == true { ", and no others" } else { "" };
+                none_or(orbits(document, "orbits"), "orbit") + all
+            }
+            Self::Bifurcations(document) => none_or(orbits(document, "points"), "bifurcation"),
+            Self::Trap(_) => "a region".into(),
+            Self::Chaos(document) if document["certified"] == true => "a horseshoe".into(),
+            Self::Chaos(_) => "no horseshoe".into(),
+            Self::Cycles(document) if document["exhaustive"] == true => "all cycles".into(),
+            Self::Cycles(_) => "not all cycles".into(),
+            Self::Audit(document) if document["agreed"] == true => "agreed".into(),
+            Self::Audit(_) => "not agreed".into(),
+        }
+    }
+
+    /// The document in short, for a failure.
+    pub fn shown(&self) -> String {
+        match self {
+            Self::Refused(why) => why.clone(),
+            Self::Audit(document) => document.to_string(),
+            _ => self.text().unwrap_or_default(),
+        }
+    }
+}
+
+/// Both judges' findings on an answer.
+pub fn judge(case: &mut Case, answer: &Answer) -> Judgement {
+    let (check, said) = answer.text().map_or((Finding::Nothing, String::new()), |text| check(&text));
+    let (truth, found) = match answer {
+        Answer::Refused(_) | Answer::Nothing(_) | Answer::Chaos(_) => (Finding::Nothing, String::new()),
+        _ => match truth(case, answer) {
+            Ok(()) => (Finding::Right, String::new()),
+            Err(Halt::Open(why)) => (Finding::Open, why.to_owned()),
+            Err(Halt::Wrong(words)) => (Finding::Wrong, words),
+        },
+    };
+    Judgement { findings: [check, truth], outcome: answer.outcome(), words: [said, found] }
+}

@@ -1,0 +1,231 @@
+//! Where two features meet: traits of a scene times all that can be asked, each answer judged by `check` and by a truth that shares no code.
+//!
+//! All pairs of traits, and all triples of start, excitation and question, by a covering array ([`traits`]). `CROSSINGS_CASES` answers (3,000)
+//! from `CROSSINGS_SEED`, a number or `fresh` (printed, so that it can be given again); `CROSSINGS_ONLY` asks one of that number and prints
+//! it; `--nocapture` shows the tables of counts.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod controls;
+mod flight;
+mod judge;
+mod members;
+mod motion;
+mod orbits;
+mod questions;
+mod scenes;
+mod shadow;
+mod sweeps;
+mod traits;
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use common::Random;
+use judge::{Finding, Judgement, judge};
+use traits::{Coverage, Crossing, Question, array, crossing};
+
+/// Outcomes that must occur.
+const OUTCOMES: [&str; 17] = [
+    "impacts-reached",
+    "time-reached",
+    "rests-forever",
+    "never-impacts",
+    "periodic",
+    "attracted",
+    "undecided (graze)",
+    "undecided (width)",
+    "undecided (budget)",
+    "shadowed: impacts-reached",
+    "shadowed: time-reached",
+    "orbits, and no others",
+    "no orbit, and no others",
+    "bifurcations",
+    "a horseshoe",
+    "agreed",
+    "refused",
+];
+
+/// The default seed.
+const SEED: u64 = 1995;
+/// More than an answer takes: one that does is shown.
+const SLOW: Duration = Duration::from_secs(1);
+
+/// A number from the environment, or the default; other words are refused.
+fn asked(name: &str, default: u64) -> u64 {
+    match std::env::var(name) {
+        Ok(text) if text == "fresh" => {
+            SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_nanos() as u64
+        }
+        Ok(text) => text.parse().unwrap_or_else(|_| panic!("{name} must be a number, got {text:?}")),
+        Err(_) => default,
+    }
+}
+
+/// Findings of `check` and of the truth, and how long they took.
+#[derive(Default)]
+struct Counts {
+    findings: [[u64; 4]; 2],
+    time: Duration,
+}
+
+/// All that is counted.
+#[derive(Default)]
+struct Tally {
+    questions: BTreeMap<Question, Counts>,
+    /// By the value of each trait.
+    traits: BTreeMap<(usize, &'static str), Counts>,
+    outcomes: BTreeMap<String, u64>,
+    coverage: Coverage,
+    no_scenes: u64,
+    wrong: Vec<String>,
+    open: BTreeMap<String, u64>,
+}
+
+impl Counts {
+    fn add(&mut self, judgement: &Judgement, time: Duration) {
+        for (counts, finding) in self.findings.iter_mut().zip(&judgement.findings) {
+            counts[*finding as usize] += 1;
+        }
+        self.time += time;
+    }
+
+    fn row(&self, name: &str) -> String {
+        let asked: u64 = self.findings[0].iter().sum();
+        let counts: Vec<_> = self.findings.iter().flatten().map(u64::to_string).collect();
+        let each = self.time.as_secs_f64() * 1e3 / asked as f64;
+        format!("| {name} | {asked} | {} | {each:.1} |", counts.join(" | "))
+    }
+}
+
+impl Tally {
+    fn add(&mut self, crossing: &Crossing, judgement: &Judgement, time: Duration) {
+        self.coverage.add(crossing);
+        *self.outcomes.entry(judgement.outcome.clone()).or_default() += 1;
+        self.questions.entry(crossing.question).or_default().add(judgement, time);
+        for place in crossing.words().into_iter().enumerate() {
+            self.traits.entry(place).or_default().add(judgement, time);
+        }
+    }
+
+    fn print(&self) {
+        let head =
+            "asked | check: confirmed | undecided | nothing | refuted | truth: right | open | nothing | wrong | ms |";
+        println!("\n| question | {head}\n|---|{}", "---|".repeat(10));
+        for (question, counts) in &self.questions {
+            println!("{}", counts.row(&question.words()));
+        }
+        println!("\n| trait | {head}\n|---|{}", "---|".repeat(10));
+        for ((_, name), counts) in &self.traits {
+            println!("{}", counts.row(name));
+        }
+        println!("\n| outcome | answers |\n|---|---|");
+        for (outcome, count) in &self.outcomes {
+            println!("| {outcome} | {count} |");
+        }
+        let [pairs, all_pairs, triples, all_triples] = self.coverage.counts();
+        println!(
+            "\n{pairs} of {all_pairs} pairs and {triples} of {all_triples} triples are asked; {} are no scenes",
+            self.no_scenes
+        );
+        for (why, count) in &self.open {
+            println!("open: {count} {why}");
+        }
+    }
+
+    /// Nothing is false; a judge that is never asked, or never decides, would pass anything.
+    fn judged(&self, cases: u64, all: usize, seed: u64) {
+        let first = &self.wrong[..self.wrong.len().min(8)];
+        assert!(self.wrong.is_empty(), "{} answers are false (seed {seed}):\n{}", self.wrong.len(), first.join("\n"));
+        if cases < 2 * all as u64 {
+            return;
+        }
+        let [pairs, all_pairs, triples, all_triples] = self.coverage.counts();
+        assert_eq!((pairs, triples, self.no_scenes), (all_pairs, all_triples, 0), "not all are asked");
+        for outcome in OUTCOMES {
+            assert!(self.outcomes.contains_key(outcome), "no answer is \"{outcome}\"");
+        }
+        let right = |judge: usize| self.questions.values().map(|counts| counts.findings[judge][0]).sum::<u64>();
+        assert!(4 * right(0) > cases && 2 * right(1) > cases, "too few are decided");
+    }
+}
+
+/// One answer and what is found of it.
+fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mutex<Tally>) {
+    let clock = Instant::now();
+    let random = Random::new(seed ^ number << 24);
+    let Some(mut case) = scenes::case(crossing, random) else {
+        tally.lock().unwrap().no_scenes += 1;
+        return;
+    };
+    let text = case.text.clone();
+    if is_shown {
+        println!("{crossing:?}\n{text}");
+    }
+    let made = catch_unwind(AssertUnwindSafe(|| {
+        let answer = case.ask();
+        if is_shown {
+            println!("{}\nasked in {:.1?}", answer.shown(), clock.elapsed());
+        }
+        let judgement = judge(&mut case, &answer);
+        if is_shown {
+            println!("judged after {:.1?}", clock.elapsed());
+        }
+        (answer, judgement)
+    }));
+    let elapsed = clock.elapsed();
+    let mut tally = tally.lock().unwrap();
+    let named = format!("answer {number}, {}, {crossing:?}", crossing.question.words());
+    let Ok((answer, judgement)) = made else {
+        tally.wrong.push(format!("{named}: a panic\n{text}"));
+        return;
+    };
+    tally.add(&crossing, &judgement, elapsed);
+    for ((judge, finding), words) in ["check", "the truth"].into_iter().zip(judgement.findings).zip(&judgement.words) {
+        if is_shown {
+            println!("{judge}: {finding:?} {words}");
+        }
+        if finding == Finding::Wrong {
+            let shown: String = answer.shown().chars().take(1500).collect();
+            let wrong = format!("{named}, by {judge}: {words}\n{text}{shown}\n");
+            // A long run shows it at once.
+            println!("false: {wrong}");
+            tally.wrong.push(wrong);
+        } else if finding == Finding::Open && judge == "the truth" {
+            *tally.open.entry(words.clone()).or_default() += 1;
+        }
+    }
+    if elapsed > SLOW {
+        println!("slow, {elapsed:.1?}: {named}\n{text}");
+    }
+}
+
+#[test]
+fn no_answer_of_a_crossing_is_false() {
+    let (cases, seed) = (asked("CROSSINGS_CASES", 3_000), asked("CROSSINGS_SEED", SEED));
+    println!("{cases} answers from seed {seed}");
+    let (array, tally, next) = (array(seed), Mutex::new(Tally::default()), AtomicU64::new(0));
+    if let Ok(only) = std::env::var("CROSSINGS_ONLY") {
+        let number = only.parse().expect("CROSSINGS_ONLY is a number");
+        return answer(seed, number, crossing(&array, number), true, &tally);
+    }
+    let work = || loop {
+        let number = next.fetch_add(1, Ordering::Relaxed);
+        if number >= cases {
+            return;
+        }
+        answer(seed, number, crossing(&array, number), false, &tally);
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(work);
+        }
+    });
+    let tally = tally.into_inner().unwrap();
+    tally.print();
+    tally.judged(cases, array.len(), seed);
+}

@@ -1,0 +1,195 @@
+//! Periodic orbits: each followed by the true motion from its own state, and those of a list that says there are no others compared
+//! with what motions lead to.
+
+use impact_pair::document;
+use impact_pair::mapping::Word;
+use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::{ImpactPair, Scene, orbit};
+use impact_pair_truth::{Contact, Wall};
+use rug::Float;
+use rug::float::Constant;
+use serde_json::Value;
+
+use super::flight::{State, Tone, float};
+use super::members::{Bounds, Member, named};
+use super::motion::{Halt, Judged, Motion, wrong};
+
+/// What impacts of a period may be off, in radians and in speeds of the box: bounds of `10^-9`, and the growth over a period.
+const OFF: f64 = 1e-3;
+
+/// An impact of an orbit that is told.
+#[derive(Clone, Debug)]
+pub struct Told {
+    pub wall: Wall,
+    pub phase: Float,
+    pub velocity: Float,
+    turn: u64,
+}
+
+fn told(impact: &Value) -> Option<Told> {
+    Some(Told {
+        wall: named(&impact["wall"])?,
+        phase: Bounds::read(&impact["phase"])?.middle(),
+        velocity: Bounds::read(&impact["velocity"])?.middle(),
+        turn: impact["turn"].as_u64().unwrap_or(0),
+    })
+}
+
+/// All impacts of an orbit.
+pub fn impacts(orbit: &Value) -> Option<Vec<Told>> {
+    orbit["impacts"].as_array()?.iter().map(told).collect()
+}
+
+/// The harmonic whose phase is told: the fastest.
+pub fn reference(tones: &[Tone]) -> &Tone {
+    tones.iter().reduce(|a, b| if b.frequency > a.frequency { b } else { a }).expect("a harmonic")
+}
+
+/// The difference of two phases, at most half a turn.
+pub fn apart(a: &Float, b: &Float) -> f64 {
+    let turn = float(Constant::Pi) * 2;
+    let difference = float(a - b);
+    let turns = float(&difference / &turn).round();
+    float(difference - turns * turn).to_f64().abs()
+}
+
+/// The speed of the box.
+pub fn speed(tones: &[Tone]) -> f64 {
+    tones.iter().map(|tone| float(&tone.amplitude * &tone.frequency).to_f64()).sum::<f64>().max(1e-300)
+}
+
+/// The state just after an impact, its velocity before it varied, and its phase.
+fn after(member: &Member, impact: &Told, varied: [f64; 2]) -> State {
+    let tone = reference(&member.tones);
+    let turns = float(Constant::Pi) * 2 * impact.turn;
+    let time = float(&impact.phase + &turns) + float(varied[0]) - &tone.phase;
+    let contact = Contact {
+        time: time / &tone.frequency,
+        wall: impact.wall,
+        velocity_before: float(&impact.velocity + float(varied[1])),
+    };
+    State::after(&member.shaken, &contact)
+}
+
+/// The impacts of a period that come after the first one, and the first one again.
+fn period(member: &Member, told: &[Told], varied: [f64; 2]) -> Judged<Vec<Contact>> {
+    let mut motion = Motion::new(&member.shaken, after(member, &told[0], varied));
+    let mut found = Vec::new();
+    while found.len() < told.len() {
+        let Some(contact) = motion.contact(&mut Vec::new())? else { break };
+        found.push(contact);
+    }
+    Ok(found)
+}
+
+/// How far the true impacts are from those told; infinite where they are others.
+fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
+    let tone = reference(&member.tones);
+    let one = |(contact, told): (&Contact, &Told)| {
+        let phase = float(&contact.time * &tone.frequency) + &tone.phase;
+        let off = float(&contact.velocity_before - &told.velocity).to_f64().abs() / speed(&member.tones);
+        if contact.wall == told.wall { apart(&phase, &told.phase).max(off) } else { f64::INFINITY }
+    };
+    if found.len() < told.len() {
+        return f64::INFINITY;
+    }
+    found.iter().zip(told.iter().cycle().skip(1)).map(one).fold(0.0, f64::max)
+}
+
+/// One orbit of a list: whether the true motion is as is told where it is physical, and another where it is not.
+pub fn judge(orbit: &Value, member: &Member) -> Judged<()> {
+    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+        return wrong("an orbit without impacts".into());
+    };
+    let Some(is_physical) = orbit["physical"].as_bool() else { return Err(Halt::Open("undecided whether physical")) };
+    let off = away(member, &told, &period(member, &told, [0.0; 2])?);
+    if is_physical && off > OFF {
+        return wrong(format!("a physical orbit, but the true impacts are {off:e} away: {}", orbit["impacts"]));
+    }
+    if !is_physical && off < OFF * OFF {
+        return wrong(format!("an orbit that is not physical, but it is one: {}", orbit["impacts"]));
+    }
+    Ok(())
+}
+
+/// Trace and determinant of the period, by differences of true motions.
+pub fn trace_and_determinant(orbit: &Value, member: &Member) -> Judged<[f64; 2]> {
+    let Some(told) = impacts(orbit).filter(|told| !told.is_empty()) else {
+        return wrong("an orbit without impacts".into());
+    };
+    let step = 2f64.powi(-120);
+    let tone = reference(&member.tones);
+    let mut columns = Vec::new();
+    let end = |varied: [f64; 2]| -> Judged<[Float; 2]> {
+        let found = period(member, &told, varied)?;
+        let Some(last) = found.get(told.len() - 1) else { return Err(Halt::Open("the period does not close")) };
+        Ok([float(&last.time * &tone.frequency), last.velocity_before.clone()])
+    };
+    let here = end([0.0; 2])?;
+    for varied in [[step, 0.0], [0.0, step]] {
+        let there = end(varied)?;
+        let slope = |i: usize| (float(&there[i] - &here[i]) / float(step)).to_f64();
+        columns.push([slope(0), slope(1)]);
+    }
+    let [[a, b], [c, d]] = [columns[0], columns[1]];
+    Ok([a + d, a * d - b * c])
+}
+
+/// The walls from which a word starts, in order of time.
+fn walls(word: &Word) -> Vec<bool> {
+    let is_left = |mapping: &str| matches!(mapping, "P2" | "P4");
+    let names: Vec<String> = word.mappings().iter().map(|mapping| format!("{mapping:?}")).collect();
+    names.iter().map(|name| is_left(name)).collect()
+}
+
+fn is_rotated(a: &[bool], b: &[bool]) -> bool {
+    a.len() == b.len() && (0..a.len()).any(|shift| a.iter().cycle().skip(shift).zip(b).all(|(a, b)| a == b))
+}
+
+/// A list that says there are no others: every periodic motion of the word and of so many cycles that a run proves must be on it,
+/// those with rests as well, unless the document says that it leaves them out.
+pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Judged<()> {
+    let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else {
+        return wrong("no word".into());
+    };
+    let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
+    let own = walls(&word);
+    for start in starts {
+        let Some(found) = run(scene.pair(), start) else { continue };
+        let outcome = &found["outcome"];
+        let events = found["events"].as_array().map_or(&[][..], Vec::as_slice);
+        match outcome["kind"].as_str() {
+            Some("attracted") if outcome["cycles"] == document["cycles"] => {
+                let Some(orbit) = impacts(&outcome["orbit"]) else { continue };
+                let sides: Vec<bool> = orbit.iter().map(|impact| impact.wall == Wall::Left).collect();
+                let is_there = |told: &Vec<Told>| {
+                    let near = |a: &Told, b: &Told| a.wall == b.wall && apart(&a.phase, &b.phase) < 1e-4;
+                    (0..told.len()).any(|shift| told.iter().cycle().skip(shift).zip(&orbit).all(|(a, b)| near(a, b)))
+                };
+                if is_rotated(&sides, &own) && !listed.iter().filter_map(impacts).any(|told| is_there(&told)) {
+                    return wrong(format!("there is another: {}", outcome["orbit"]["impacts"]));
+                }
+            }
+            Some("periodic") if outcome["period"]["cycles"] == document["cycles"] => {
+                let count = outcome["period"]["impacts"].as_u64().unwrap_or(0) as usize;
+                let hits = events.iter().filter(|event| event["event"] == "impact");
+                let sides: Vec<bool> = hits.map(|event| event["wall"] == "left").collect();
+                let is_skipped = events.iter().any(|event| event["skipped"] == "infinite");
+                let last = &sides[sides.len().saturating_sub(count)..];
+                let excludes_rests = document["excludes"].as_str().is_some_and(|words| words.contains("rest"));
+                if count > 0 && !is_skipped && !excludes_rests && is_rotated(last, &own) {
+                    return wrong(format!("there is another, with rests, from {:?}", start));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Where a motion leads.
+fn run(pair: &ImpactPair, start: &orbit::Start) -> Option<Value> {
+    let settings =
+        Settings { arithmetic: Arithmetic::Interval, impacts: Some(40), attractor: true, ..Settings::default() };
+    serde_json::to_value(document::orbit(pair, start, settings).ok()?).ok()
+}

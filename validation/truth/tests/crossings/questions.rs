@@ -1,0 +1,312 @@
+//! What is asked of a scene, and the documents that come out: as the command line asks and writes, with less to do.
+
+use std::cell::Cell;
+use std::ops::RangeInclusive;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use impact_pair::audit::{self, Audit, Columns};
+use impact_pair::chaos::{self, Base, Chaos, Cycles, Trap};
+use impact_pair::document::{self, Units};
+use impact_pair::mapping::Word;
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::pair::Wall;
+use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::{Budget, Precision, Problem};
+use impact_pair::sweep::{self, Grid};
+use impact_pair::{Error, Scene, two_impact};
+use serde_json::{Value, json};
+
+use super::flight::float;
+use super::members::Member;
+use super::motion::Motion;
+use super::scenes::Case;
+use super::traits::{Question, Restitution};
+
+/// The most bits of `auto`: what straddling starts need.
+const MAX_BITS: u32 = 1024;
+/// Digits of lists that are audited.
+const LISTED: usize = 40;
+/// Time between impacts that are listed at least, in turns.
+const APART: f64 = 1e-8;
+/// Boxes of regions, and questions whether to go on, that are enough here.
+const BOXES: usize = 3_000;
+
+/// Bases of figure 14.
+const BASES: [[[f64; 2]; 3]; 3] = [
+    [[0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]],
+    [[0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]],
+    [[0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]],
+];
+/// How often a search for all orbits is asked whether to go on.
+const SEARCHED: usize = 4_000;
+/// How often a search for bases is asked whether to go on.
+const CHAOS: usize = 3;
+
+/// What comes out of a question.
+pub enum Answer {
+    /// The question is refused, in words.
+    Refused(String),
+    /// An orbit JSON.
+    Orbit(Value),
+    /// The head of a sweep and its records, and the scenes of its points.
+    Sweep {
+        head: Value,
+        records: Vec<Value>,
+        points: Vec<Scene>,
+        asked: Box<sweep::Asked>,
+    },
+    /// A periodic JSON; whether it was asked for all.
+    Periodic(Value),
+    Bifurcations(Value),
+    Trap(Value),
+    Chaos(Value),
+    Cycles(Value),
+    /// The audit of a list of true impacts.
+    Audit(Value),
+    /// Nothing is found, in words.
+    Nothing(&'static str),
+}
+
+/// Ends what takes too long.
+struct Patience(AtomicUsize);
+
+impl Patience {
+    fn new() -> Self {
+        Self(AtomicUsize::new(0))
+    }
+
+    fn goes_on(&self, most: usize) -> bool {
+        self.0.fetch_add(1, Ordering::Relaxed) < most
+    }
+}
+
+impl Case {
+    /// Asks the question of the crossing.
+    pub fn ask(&mut self) -> Answer {
+        match self.asked() {
+            Ok(answer) => answer,
+            Err(error) => Answer::Refused(error.to_string()),
+        }
+    }
+
+    fn asked(&mut self) -> Result<Answer, Error> {
+        match self.crossing.question {
+            Question::Impacts(arithmetic) => self.run(arithmetic, false),
+            Question::Until(arithmetic) => self.run(arithmetic, true),
+            Question::Sweep(key) => self.sweep(key),
+            Question::Bifurcations(key) => self.bifurcations(key),
+            Question::Periodic => self.periodic(false),
+            Question::All => self.periodic(true),
+            Question::TwoImpact => self.two_impact(),
+            Question::Trap => self.trap(),
+            Question::Chaos => self.chaos(),
+            Question::Cycles => self.cycles(),
+            Question::Audit => self.audit(),
+        }
+    }
+
+    /// The settings of an arithmetic.
+    fn settings(&mut self, name: &str) -> Settings {
+        let arithmetic = match name {
+            "shadow" | "splice" => Arithmetic::Shadow,
+            other => other.parse().expect("an arithmetic"),
+        };
+        let is_near = arithmetic == Arithmetic::Shadow;
+        let impacts = if is_near { 4 + self.random.below(9) } else { 1 + self.random.below(8) };
+        let splice = if name == "splice" { 2 + self.random.below(7) } else { 0 };
+        let digits = self.random.pick(&[3, 6, 9, 20]);
+        let digits = if is_near { digits.min(8) } else { digits };
+        let impacts = Some(impacts);
+        Settings { arithmetic, impacts, splice, digits, max_bits: MAX_BITS, attractor: true, ..Settings::default() }
+    }
+
+    /// A time to stop at: some turns later, or within an ulp or so of an impact.
+    fn end(&mut self) -> Option<String> {
+        let time = self.scene.start().time();
+        let member = Member::new(&self.scene, || 0.0);
+        if self.random.below(2) == 0 {
+            let later = 1 + self.random.below(40);
+            let turn = member.turns().first()?.to_f64();
+            return Some(format!("{time}+{}", float(turn * later as f64 / 8.0).to_string_radix(10, Some(12))));
+        }
+        let mut motion = Motion::new(&member.shaken, member.start.clone());
+        let count = 1 + self.random.below(5);
+        let mut contact = None;
+        for _ in 0..count {
+            contact = motion.contact(&mut Vec::new()).ok()??.into();
+        }
+        let digits = self.random.pick(&[16, 17, 17, 18, 30]);
+        Some(contact?.time.to_string_radix(10, Some(digits)))
+    }
+
+    fn run(&mut self, arithmetic: &str, is_until: bool) -> Result<Answer, Error> {
+        let mut settings = self.settings(arithmetic);
+        if is_until {
+            settings.until = self.end().and_then(|end| end.parse().ok());
+            settings.digits = self.random.pick(&[settings.digits, settings.digits, 40]);
+        }
+        // `inari` takes one harmonic only.
+        Orbit::of(&self.scene, Settings { impacts: Some(0), ..settings.clone() })?;
+        Ok(Answer::Orbit(json!(document::orbit(self.scene.pair(), self.scene.start(), settings)?)))
+    }
+
+    /// A key with the number of a term, if there is one to be named, and its value in the scene.
+    fn key(&mut self, key: &str) -> (String, f64) {
+        let terms = self.scene.pair().excitation().terms();
+        let number = if self.random.below(4) == 0 { 1 } else { terms.len() };
+        let term = &terms[if key.ends_with(".K") { number - 1 } else { 0 }];
+        let middle = |x: &impact_pair::exact::Exact| x.enclose(64).mid_rad().0;
+        let own = match key.trim_end_matches(".K") {
+            "amplitude" => middle(term.amplitude()),
+            "frequency" => middle(term.frequency()),
+            "gap" => middle(self.scene.pair().gap()),
+            "restitution" => middle(self.scene.pair().restitution()),
+            "start.time" => middle(self.scene.start().time()),
+            "start.velocity" => middle(self.scene.start().velocity()),
+            _ => 0.0,
+        };
+        (key.replace('K', &number.to_string()), own)
+    }
+
+    /// Three points around the scene's own value, or from 0 on.
+    fn sweep(&mut self, key: &str) -> Result<Answer, Error> {
+        let (name, own) = self.key(key);
+        let (low, high) = match key.trim_end_matches(".K") {
+            "amplitude" => (if self.random.below(3) > 0 { 0.0 } else { own }, own * 1.25 + 0.125),
+            "frequency" => (own * 0.5, own * 1.5),
+            "gap" => (own, own * 1.5),
+            "restitution" => (0.0, 1.0),
+            "start.velocity" => match self.scene.start().place() {
+                impact_pair::orbit::Place::Wall(Wall::Left) => (own * 1.5 - 0.5, 0.0),
+                impact_pair::orbit::Place::Wall(_) => (0.0, own * 1.5 + 0.5),
+                impact_pair::orbit::Place::Inside(_) => (own - 0.5, own + 0.5),
+            },
+            "start.position" => (-0.125, 0.125),
+            "start.time" => (own, own + 1.0),
+            _ => (0.0, 3.0),
+        };
+        let grid = Grid::new(vec![format!("{name}={low}..{high}:3").parse()?])?;
+        let arithmetic = self.random.pick(&["auto", "interval", "auto", "128", "shadow"]);
+        let digits = self.random.pick(&[6, 9, 15]);
+        let settings = Settings { impacts: None, digits, splice: 0, ..self.settings(arithmetic) };
+        let impacts = 1 + self.random.below(5);
+        let (transient, reference) = (self.random.below(3), grid.reference(&self.scene)?);
+        let asked = sweep::Asked { transient, impacts, summary: false, reference, settings };
+        let (mut records, mut points) = (Vec::new(), Vec::new());
+        for point in 0..grid.points() {
+            let values = grid.values(point)?;
+            let scene = self.scene.with(&values)?;
+            let found = sweep::follow(&scene, &asked, || true)?.expect("nobody stops it");
+            records.push(json!(sweep::record(point, &values, &found)));
+            points.push(scene);
+        }
+        let head = json!(sweep::head(&self.scene, &grid, &asked, None));
+        Ok(Answer::Sweep { head, records, points, asked: Box::new(asked) })
+    }
+
+    /// A word and its cycles: whole common periods.
+    fn word(&mut self) -> (Word, u32) {
+        let word = self.random.pick(&["LR", "LR", "RL", "LLR", "LRR", "L"]);
+        let terms = self.scene.pair().excitation().terms().len();
+        let cycles = if terms == 1 { self.random.pick(&[1, 1, 2, 3]) } else { self.random.pick(&[1, 2, 3, 6]) };
+        (word.parse().expect("a word"), cycles)
+    }
+
+    fn periodic(&mut self, is_all: bool) -> Result<Answer, Error> {
+        let (word, cycles) = self.word();
+        let problem = Problem::new(self.scene.pair(), &word, cycles)?;
+        let units = Units::new(problem.pair())?;
+        let precision = Precision { digits: 9, max_bits: 256 };
+        let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
+        let census = match is_all {
+            true => problem.find_all_while(self.scene.start(), precision, budget, &|_| patience.goes_on(SEARCHED)),
+            false => problem.find(self.scene.start(), precision),
+        };
+        Ok(Answer::Periodic(json!(units.document(&problem, self.scene.start(), &census))))
+    }
+
+    fn two_impact(&mut self) -> Result<Answer, Error> {
+        let cycles = self.random.pick(&[1, 1, 2, 3]);
+        let question = two_impact::Question::new(self.scene.pair(), cycles, two_impact::Unknown::Velocity)?;
+        let wall = self.random.pick(&[Wall::Left, Wall::Right]);
+        Ok(Answer::Periodic(json!(document::two_impact(self.scene.start(), &question.answer(9), wall))))
+    }
+
+    fn bifurcations(&mut self, key: &str) -> Result<Answer, Error> {
+        let (name, own) = self.key(key);
+        let (low, high) = match key.trim_end_matches(".K") {
+            "restitution" => (0.05, 0.95),
+            _ => (if self.random.below(2) == 0 { 0.0 } else { own * 0.5 }, own * 1.75 + 0.125),
+        };
+        let over: Over = format!("{name}={low}..{high}").parse()?;
+        let precision = Precision { digits: 9, max_bits: 512 };
+        let wanted = Wanted { over, doublings: 0, precision };
+        let (word, cycles) = self.word();
+        let asked = Cell::new(0);
+        let goes_on = || {
+            asked.set(asked.get() + 1);
+            asked.get() < 60
+        };
+        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, goes_on)?;
+        let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
+        Ok(Answer::Bifurcations(json!(found)))
+    }
+
+    fn trap(&mut self) -> Result<Answer, Error> {
+        let found = Trap::of(&self.scene, 0, &|boxes| boxes < BOXES)?;
+        let Ok(region) = found else { return Ok(Answer::Nothing("no region")) };
+        Ok(Answer::Trap(json!(document::trap(&self.scene, &region)?)))
+    }
+
+    fn chaos(&mut self) -> Result<Answer, Error> {
+        // To find some takes a second.
+        let amplitude = self.scene.pair().excitation().terms()[0].amplitude().text();
+        let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
+        let is_given = amplitude == "8" && is_half && self.random.below(4) > 0;
+        let bases =
+            if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
+        let question = chaos::Question { depth: 2, bases };
+        let patience = Patience::new();
+        let goes_on = |_: usize, boxes: u64| patience.goes_on(CHAOS) && boxes < 4 * BOXES as u64;
+        let found = Chaos::of_scene(&self.scene, &question, &goes_on)?;
+        Ok(Answer::Chaos(json!(document::chaos(&self.scene, None, &question, &found))))
+    }
+
+    fn cycles(&mut self) -> Result<Answer, Error> {
+        let asked: RangeInclusive<u32> = 1..=2;
+        let patience = Patience::new();
+        let goes_on = |stage: chaos::Stage| match stage {
+            chaos::Stage::Region(boxes) => boxes < BOXES,
+            chaos::Stage::Impacts { .. } => patience.goes_on(2_000),
+        };
+        let precision = Precision { digits: 9, max_bits: 512 };
+        let found = Cycles::of(&self.scene, 0, &asked, precision, &goes_on)?;
+        Ok(Answer::Cycles(json!(document::cycles(&self.scene, &asked, found.as_ref().map_err(|why| *why))?)))
+    }
+
+    /// The audit of true impacts, in forty digits.
+    fn audit(&mut self) -> Result<Answer, Error> {
+        let member = Member::new(&self.scene, || 0.5);
+        let mut motion = Motion::new(&member.shaken, member.start.clone());
+        let mut list = "time,wall,velocity\n".to_owned();
+        let (mut releases, mut last) = (Vec::new(), None);
+        let shortest = member.turns().into_iter().reduce(|a, b| a.min(&b)).expect("a harmonic");
+        for _ in 0..1 + self.random.below(6) {
+            let Ok(Some(contact)) = motion.contact(&mut releases) else { break };
+            // Of two impacts nearer to one another than the tolerance the audit may take one for the other.
+            let since = float(&contact.time - last.as_ref().unwrap_or(&member.start.time));
+            if last.is_some() && since < float(&shortest * APART) {
+                break;
+            }
+            last = Some(contact.time.clone());
+            let wall = if contact.wall == impact_pair_truth::Wall::Left { "left" } else { "right" };
+            let [time, velocity] =
+                [&contact.time, &contact.velocity_before].map(|x| x.to_string_radix(10, Some(LISTED)));
+            list += &format!("{time},{wall},{velocity}\n");
+        }
+        let rows = audit::read(&list, &Columns::default(), self.scene.pair())?;
+        let asked = audit::Asked { max_bits: 256, ..audit::Asked::default() };
+        let found = Audit::of(&self.scene, rows, &asked, &|| true)?;
+        Ok(Answer::Audit(json!(found.document())))
+    }
+}

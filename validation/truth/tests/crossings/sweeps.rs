@@ -1,0 +1,105 @@
+//! A sweep: each point against the run of its own scene, which the true motion judges.
+
+use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::{Scene, document, sweep};
+use rug::float::Constant;
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+use super::common::Random;
+use super::flight::{Tone, float};
+use super::members::{Bounds, Member};
+use super::motion::{self, Halt, Judged, wrong};
+
+/// The harmonics in whose phase all states so far may be told.
+type Units = BTreeSet<usize>;
+
+/// Which harmonics a phase may be that of, at a time within bounds.
+fn units(tones: &[Tone], time: &Bounds, phase: &Bounds) -> Units {
+    let turn = float(Constant::Pi) * 2;
+    let fits = |tone: &Tone| {
+        let ahead = float(&tone.frequency * &time.middle()) + &tone.phase - phase.middle();
+        let turns = float(&ahead / &turn).round();
+        let wide = float(&time.1 - &time.0) * &tone.frequency + float(&phase.1 - &phase.0);
+        let off = float(ahead - turns * &turn).abs();
+        off <= wide
+    };
+    (0..tones.len()).filter(|&number| fits(&tones[number])).collect()
+}
+
+/// Whether two bounds of one thing meet.
+fn meet(a: &Value, b: &Value) -> bool {
+    let (Some(a), Some(b)) = (Bounds::read(a), Bounds::read(b)) else { return false };
+    a.0 <= b.1 && b.0 <= a.1
+}
+
+/// The states of a record and the events of a run, impact by impact; the harmonics in whose phase they may be told.
+fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
+    let mut fits: Units = (0..tones.len()).collect();
+    for state in record["states"].as_array().map_or(&[][..], Vec::as_slice) {
+        let same = |event: &&Value| event["event"] == "impact" && event["index"] == state["index"];
+        let event = run["events"].as_array().and_then(|events| events.iter().find(same));
+        let Some(event) =
+            event.filter(|event| event["wall"] == state["wall"] && meet(&event["velocity"], &state["velocity"]))
+        else {
+            return wrong(format!("{state}, but its own run says {event:?}"));
+        };
+        let (Some(time), Some(phase)) = (Bounds::read(&event["time"]), Bounds::read(&state["phase"])) else {
+            return wrong(format!("{state}: no bounds"));
+        };
+        let here = units(tones, &time, &phase);
+        if here.is_empty() {
+            return wrong(format!("the phase of {state}, but its own run says {event}"));
+        }
+        fits = &fits & &here;
+    }
+    if fits.is_empty() { wrong("phases of one point are told in different units".into()) } else { Ok(fits) }
+}
+
+/// The run of a point's own scene; `None` where another orbit may have been listed: one near the start.
+fn own(record: &Value, scene: &Scene, asked: &sweep::Asked) -> Judged<Option<Value>> {
+    // What is not shadowed is certified from the exact start, to the digits.
+    let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
+    let arithmetic = if is_shadow { Arithmetic::Auto } else { asked.settings.arithmetic };
+    let impacts = Some(asked.transient + asked.impacts);
+    let settings = Settings { impacts, arithmetic, attractor: true, ..asked.settings.clone() };
+    let Ok(found) = document::orbit(scene.pair(), scene.start(), settings) else {
+        return wrong("the point is computed, its own scene is refused".into());
+    };
+    let found = serde_json::to_value(found).expect("plain data");
+    if record["claim"] == "shadowed" {
+        return Ok(None);
+    }
+    let kind = match found["outcome"]["kind"].as_str() {
+        Some("impacts-reached" | "time-reached") => "not-attracted",
+        Some(kind) => kind,
+        None => "none",
+    };
+    let is_same = record["outcome"] == kind && record["impacts"] == found["outcome"]["impacts"];
+    if !is_shadow && !is_same {
+        let (outcome, impacts) = (&record["outcome"], &record["impacts"]);
+        return wrong(format!("{outcome} after {impacts} impacts, but its own run says {}", found["outcome"]));
+    }
+    Ok(Some(found))
+}
+
+/// All points of a sweep; their phases must be those of one harmonic.
+pub fn judge(records: &[Value], points: &[Scene], asked: &sweep::Asked, random: &mut Random) -> Judged<()> {
+    let (mut common, mut open): (Option<Units>, _) = (None, None);
+    for (record, scene) in records.iter().zip(points) {
+        let Some(run) = own(record, scene, asked)? else { continue };
+        for member in Member::all(scene, random) {
+            match motion::judge(&run, &member) {
+                Err(Halt::Open(why)) => open = Some(why),
+                other => other?,
+            }
+            let fits = compared(record, &run, &member.tones)?;
+            let met = common.map_or(fits.clone(), |common| &common & &fits);
+            if met.is_empty() {
+                return wrong(format!("point {} tells phases in another unit than the points before", record["point"]));
+            }
+            common = Some(met);
+        }
+    }
+    open.map_or(Ok(()), |why| Err(Halt::Open(why)))
+}
