@@ -427,21 +427,23 @@ fn r32_an_orbit_in_wider_bounds_is_not_another_one() {
 #[test]
 fn r32_a_cycle_listed_with_its_mirror_image_is_not_two() {
     let document = four_orbits();
+    let symmetric = |i: &usize| document["orbits"][*i]["symmetric"] == true;
     let cycles = |chosen: &[usize]| {
         let cycle = |&i: &usize| {
             let mut cycle = document["orbits"][i].clone();
-            cycle["reduced_impacts"] = json!(2);
+            cycle["reduced_impacts"] = json!(if symmetric(&i) { 1 } else { 2 });
             cycle["word"] = document["word"].clone();
             cycle["cycles"] = document["cycles"].clone();
             cycle
         };
+        // Lemma D23.
+        let ones = chosen.iter().filter(|i| symmetric(i)).count();
         json!({
             "schema": "impact-pair/cycles/1", "program": "none", "certified": true, "exhaustive": true, "scene": document["scene"],
-            "boxes": 1, "impacts": [1, 2], "fixed_points": {}, "no_attractor": false,
+            "boxes": 1, "impacts": [1, 2], "fixed_points": {"1": ones, "2": 2 * chosen.len() - ones}, "no_attractor": false,
             "orbits": chosen.iter().map(cycle).collect::<Vec<_>>(),
         })
     };
-    let symmetric = |i: &usize| document["orbits"][*i]["symmetric"] == true;
     let count = document["orbits"].as_array().unwrap().len();
     let (own, others): (Vec<usize>, Vec<usize>) = (0..count).partition(symmetric);
     assert_eq!((own.len(), others.len()), (2, 2));

@@ -43,6 +43,16 @@ impl Original {
         self.forged(what, with(&self.document, changes))
     }
 
+    /// The name that `check` has for a path: the first line of a sweep is its head, the others are its points.
+    pub fn name_of(&self, path: &str) -> String {
+        let line = path.strip_prefix('[').filter(|_| self.kind == "sweep").and_then(|path| path.split_once(']'));
+        match line.map(|(line, rest)| (line.parse::<usize>().expect("a position"), rest)) {
+            Some((0, rest)) => rest.trim_start_matches('.').to_owned(),
+            Some((line, rest)) => format!("points[{}]{rest}", line - 1),
+            None => path.to_owned(),
+        }
+    }
+
     /// The outcome's word; none where it is no orbit.
     pub fn outcome(&self) -> &str {
         self.document["outcome"]["kind"].as_str().unwrap_or("")

@@ -99,6 +99,7 @@ fn judged(original: &Original, forged: &Forged) -> Judgement {
         Some((Verdict::Undecided(_) | Verdict::Interrupted { .. }, _)) => Judgement::Undecided,
         Some((Verdict::Confirmed { .. }, unjudged)) => {
             let false_claims = forged.false_claims.clone().unwrap_or_else(|| changed(&forged.of, &forged.document));
+            let false_claims: Vec<_> = false_claims.iter().map(|path| original.name_of(path)).collect();
             if are_named(&false_claims, &unjudged) {
                 Judgement::NotJudged
             } else if !forged.is_certain && known::is_true(original.kind, &forged.document) {

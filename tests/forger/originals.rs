@@ -186,6 +186,13 @@ fn left_open(all: &[Original]) -> Vec<Original> {
         for k in 0..count {
             document = with(&document, &[(&format!("/{list}/{k}{within}/physical"), Value::Null)]);
         }
+        // What may be no motion is not counted.
+        if original.is(&["cycles"]) {
+            document = with(
+                &document,
+                &[("/exhaustive", json!(false)), ("/no_attractor", json!(false)), ("/fixed_points", json!({}))],
+            );
+        }
         Original::new(original.kind, &format!("{}, open whether physical", original.name), document)
     };
     let names =

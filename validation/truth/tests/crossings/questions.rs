@@ -245,7 +245,7 @@ impl Case {
         let asked = Cell::new(0);
         let goes_on = || {
             asked.set(asked.get() + 1);
-            asked.get() < 60
+            asked.get() < 400
         };
         let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, goes_on)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
