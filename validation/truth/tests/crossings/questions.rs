@@ -39,8 +39,8 @@ const BASES: [[[f64; 2]; 3]; 3] = [
 ];
 /// How often a search for all orbits is asked whether to go on.
 const SEARCHED: usize = 4_000;
-/// How often a search for bases is asked whether to go on.
-const CHAOS: usize = 3;
+/// How often a search for bases is asked whether to go on, and one for words between given ones.
+const CHAOS: [usize; 2] = [3, 1_000];
 
 /// What comes out of a question.
 pub enum Answer {
@@ -262,12 +262,12 @@ impl Case {
         // To find some takes a second.
         let amplitude = self.scene.pair().excitation().terms()[0].amplitude().text();
         let is_half = matches!(self.crossing.restitution, Restitution::Half | Restitution::AroundHalf);
-        let is_given = amplitude == "8" && is_half && self.random.below(4) > 0;
+        let is_given = amplitude == "8" && is_half;
         let bases =
             if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
-        let question = chaos::Question { depth: 2, bases };
+        let question = chaos::Question { depth: 3, bases };
         let patience = Patience::new();
-        let goes_on = |_: usize, boxes: u64| patience.goes_on(CHAOS) && boxes < 4 * BOXES as u64;
+        let goes_on = |_: usize, boxes: u64| patience.goes_on(CHAOS[usize::from(is_given)]) && boxes < 4 * BOXES as u64;
         let found = Chaos::of_scene(&self.scene, &question, &goes_on)?;
         Ok(Answer::Chaos(json!(document::chaos(&self.scene, None, &question, &found))))
     }

@@ -272,8 +272,11 @@ fn restitution(random: &mut Random, kind: Restitution) -> &'static str {
 }
 
 fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
-    let is_chaotic = matches!(crossing.question, Question::Impacts("shadow" | "splice") | Question::Chaos);
-    let size = if is_chaotic && random.below(2) == 0 { SIZES[0] } else { random.pick(&SIZES) };
+    let size = match crossing.question {
+        Question::Chaos => SIZES[0],
+        Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
+        _ => random.pick(&SIZES),
+    };
     let terms = excitation(random, crossing.excitation, size);
     let (gap, restitution) = (size[2].to_owned(), restitution(random, crossing.restitution).to_owned());
     let [time, position, velocity] = [const { String::new() }; 3];
