@@ -34,8 +34,8 @@ const NEWTON_STEPS: usize = 1_000;
 ///
 /// **Equation** (14), (A.2), (A.4), (A.6). **Enclosure**: for every flight with members of these intervals the first
 /// contact is on that wall and in the intervals returned, it exists, and no wall is touched before (Lemma I3).
-/// **Undecided when** a wall may be touched with no velocity ([`Reason::Graze`]; also where the intervals are too wide for
-/// one answer, or the ball may not leave), or after 10,000 pieces ([`Reason::Budget`]).
+/// **Undecided when** a wall may be touched with no velocity ([`Reason::Graze`](super::Reason::Graze); also where the intervals are too wide for
+/// one answer, or the ball may not leave), or after 10,000 pieces ([`Reason::Budget`](super::Reason::Budget)).
 /// **Cost**: about forty times that of [`super::first_contact`], and more for longer flights.
 ///
 /// ```

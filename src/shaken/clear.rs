@@ -79,7 +79,7 @@ impl Seen {
         for (least, distance) in self.distances.iter_mut().zip(distances) {
             *least = least.min(distance); // C7: the least
         }
-        self.length = self.length + length * (1.0 - CERTAIN); // C7: less than it is
+        self.length += length * (1.0 - CERTAIN); // C7: less than it is
     }
 }
 

@@ -108,7 +108,7 @@ impl Question {
         }
         let data = Data::new(pair, cycles)?;
         // W7 (b): |v| = d W/(N pi), whatever A is.
-        if matches!(unknown, Unknown::Amplitude(_)) && data.is_elastic() && cycles % 2 == 0 {
+        if matches!(unknown, Unknown::Amplitude(_)) && data.is_elastic() && cycles.is_multiple_of(2) {
             let accepted = "must be odd: with e = 1 and N even the speed is d W/(N pi) for every amplitude, so none follows from it";
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), accepted));
         }

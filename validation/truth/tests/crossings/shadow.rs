@@ -138,8 +138,7 @@ pub fn judge(document: &Value, member: &Member) -> Judged<()> {
     let impact = |event: &Value| {
         Some((named(&event["wall"])?, Bounds::read(&event["time"])?, Bounds::read(&event["velocity"])?))
     };
-    let impacts: Option<Vec<_>> =
-        events.iter().filter(|event| event["event"] == "impact").map(|event| impact(event)).collect();
+    let impacts: Option<Vec<_>> = events.iter().filter(|event| event["event"] == "impact").map(impact).collect();
     let Some(impacts) = impacts else { return wrong("an impact without bounds".into()) };
     // What comes after an impact that is no node is that of all starts in its bounds.
     let nodes = events.iter().take_while(|event| event["event"] == "impact").count();
