@@ -101,7 +101,7 @@ pub mod turns;
 pub mod two_impact;
 
 #[doc(inline)]
-pub use impact_pair_certificate as certificate;
+pub use impact_pair_document as json;
 #[doc(inline)]
 pub use impact_pair_exact as exact;
 #[doc(inline)]

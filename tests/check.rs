@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde_json::{Value, json};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Certificate, Effort, Verdict};
+use impact_pair_certificate::{Certificate, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Settings};

@@ -2,7 +2,7 @@
 //! are not. Lemma V6
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Certificate, Verdict};
+use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair::document;
 use impact_pair::orbit::{Arithmetic, Settings};
 use proptest::prelude::*;

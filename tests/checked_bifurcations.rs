@@ -2,7 +2,7 @@
 #![cfg(feature = "multiprecision")]
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::{Exact, decimal_bounds};
 use impact_pair::periodic::Precision;

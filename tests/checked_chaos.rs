@@ -6,8 +6,8 @@ use std::fs;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair::Scene;
-use impact_pair::certificate::document::BaseDocument;
-use impact_pair::certificate::{Claims, Effort, Finding, Verdict};
+use impact_pair::json::BaseDocument;
+use impact_pair_certificate::{Claims, Effort, Finding, Verdict};
 use impact_pair::chaos::{Chaos, Question, Trap};
 use impact_pair::document;
 use impact_pair::exact::Exact;

@@ -2,7 +2,7 @@
 #![cfg(feature = "multiprecision")]
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair::chaos::Cycles;
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;

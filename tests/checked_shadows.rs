@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair::Scene;
-use impact_pair::certificate::{Certificate, Claims, Effort, Verdict};
+use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Settings};

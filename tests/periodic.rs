@@ -2,7 +2,6 @@
 
 #![cfg(feature = "multiprecision")]
 
-mod tolerances;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use impact_pair::exact::{Enclosure, Exact};
@@ -13,7 +12,7 @@ use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
-use tolerances::{DETERMINANT, TRACE, VIETA};
+use crate::tolerances::{DETERMINANT, TRACE, VIETA};
 
 fn value(text: &str) -> Exact {
     text.parse().unwrap()

@@ -2,7 +2,6 @@
 
 #![cfg(feature = "multiprecision")]
 
-mod tolerances;
 
 use approx::abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
@@ -12,7 +11,7 @@ use impact_pair::periodic::{Budget, PeriodicOrbit, Precision, Problem, Stability
 use impact_pair::{Excitation, Harmonic, ImpactPair};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
-use tolerances::{PHASE, TRACE};
+use crate::tolerances::{PHASE, TRACE};
 
 fn value(text: &str) -> Exact {
     text.parse().unwrap()

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use impact_pair::certificate::Certificate;
+use impact_pair_certificate::Certificate;
 use impact_pair::exact::{Exact, ExactError, ParseError};
 use impact_pair::orbit::{Impact, Orbit, Place, Settings};
 use impact_pair::pair::Wall;

@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair::certificate::{Certificate, Verdict};
+use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair::covering::Shadow;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Dense, Impact, Orbit, Place, Settings, Start};

@@ -7,7 +7,7 @@ use clap::builder::RangedI64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use impact_pair::Scene;
-use impact_pair::certificate::Effort;
+use impact_pair_certificate::Effort;
 use impact_pair::exact::Exact;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, MAX_BITS, Settings};

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::certificate::document::{BaseDocument, one_a_line};
+use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::chaos::{Asked, Base, Cells, Chaos, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, Question};
 use impact_pair::document;
 use impact_pair::exact::Exact;

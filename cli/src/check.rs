@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use anyhow::{Context, Result};
-use impact_pair::certificate::document::one_a_line;
-use impact_pair::certificate::{Claims, Verdict};
+use impact_pair::json::one_a_line;
+use impact_pair_certificate::{Claims, Verdict};
 
 use crate::Answer;
 use crate::arguments::{CheckArguments, CheckFormat};

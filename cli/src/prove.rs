@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use anyhow::{Context, Result, bail};
-use impact_pair::certificate::{Certificate, ClaimKind};
+use impact_pair_certificate::{Certificate, ClaimKind};
 
 use crate::Answer;
 use crate::arguments::ProveArguments;

@@ -1,16 +1,14 @@
 //! Lists of figure 14 and of a chatter, right and spoiled: what `audit` finds, in which words and with which exit code.
 
-mod common;
-#[path = "../../tests/tolerances/mod.rs"]
-mod tolerances;
 
+use crate::common;
 use std::process::{Command, Output, Stdio};
 
 use approx::abs_diff_eq;
-use common::program;
+use crate::common::program;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
-use tolerances::AUDITED;
+use crate::tolerances::AUDITED;
 
 /// The first impacts of figure 14 in doubles.
 const LIST: &str = "\

@@ -1,8 +1,7 @@
 //! Every bad input of the contract: exit 2, one message on stderr, nothing on stdout.
 
-mod common;
 
-use common::{answer_to, scene};
+use crate::common::{answer_to, scene};
 
 /// Figure 12 with the line of `key` replaced, or an addition where `key` is a table's header.
 fn figure_12_with(key: &str, by: &str) -> String {

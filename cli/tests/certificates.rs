@@ -1,12 +1,11 @@
 //! `check` and `prove`: what they say of right certificates, wrong ones and what is none.
 
-mod common;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use common::{program, run};
+use crate::common::{program, run};
 use insta_cmd::assert_cmd_snapshot;
 
 /// The orbit JSON of a scene, with `edit` applied to its text, in a file that only this test uses.

@@ -2,13 +2,12 @@
 
 #![cfg(feature = "multiprecision")]
 
-mod common;
 
 use std::f64::consts::LN_2;
 use std::fs;
 use std::time::Instant;
 
-use common::{folder, program};
+use crate::common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 

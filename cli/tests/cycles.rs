@@ -2,11 +2,10 @@
 
 #![cfg(feature = "multiprecision")]
 
-mod common;
 
 use std::fs;
 
-use common::{folder, program};
+use crate::common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 

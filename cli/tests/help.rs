@@ -1,11 +1,10 @@
 //! Help, version and manual: every example in the help runs, and every verb has some.
 
-mod common;
 
 use std::fs;
 use std::path::PathBuf;
 
-use common::program;
+use crate::common::program;
 
 const VERBS: [&str; 15] = [
     "run",

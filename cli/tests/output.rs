@@ -1,12 +1,12 @@
 //! Files appear whole or not at all, pipes may close, Ctrl-C keeps what is certified.
 
-mod common;
 
+use crate::common;
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::process::Stdio;
 
-use common::{files, folder, run};
+use crate::common::{files, folder, run};
 
 #[test]
 fn a_file_holds_what_stdout_would() {

@@ -2,9 +2,9 @@
 
 #![cfg(feature = "multiprecision")]
 
-mod common;
 
-use common::program;
+use crate::common;
+use crate::common::program;
 use insta_cmd::assert_cmd_snapshot;
 
 const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];

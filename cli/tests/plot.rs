@@ -1,11 +1,11 @@
 //! `plot` on the command line: stdout, stderr and exit code together, and the file.
 
-mod common;
 
+use crate::common;
 use std::fs;
 use std::process::Command;
 
-use common::{folder, program};
+use crate::common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
 
 fn plot(arguments: &[&str]) -> Command {

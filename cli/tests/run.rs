@@ -3,9 +3,9 @@
 //! Digits that depend on how well the arithmetic rounds are left out: containment is tested where it is proved.
 //! `INSTA_UPDATE=always cargo test -p impact-pair-cli` rewrites them; look at the difference before committing it.
 
-mod common;
 
-use common::{program, run};
+use crate::common;
+use crate::common::{program, run};
 use insta_cmd::assert_cmd_snapshot;
 
 const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];

@@ -1,12 +1,12 @@
 //! Sweeps: the same bytes whatever the threads, interruptions and shards; all outcomes; what is refused.
 
-mod common;
 
+use crate::common;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use common::{files, folder, program};
+use crate::common::{files, folder, program};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 

@@ -1,12 +1,12 @@
 //! Sweeps as two tables: the lines and cells of the mixed one, which they are compared with; what is refused.
 
-mod common;
 
+use crate::common;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use common::{files, folder, program};
+use crate::common::{files, folder, program};
 
 /// One key, through order and chaos.
 const DIAGRAM: [&str; 7] =

@@ -1,11 +1,11 @@
 //! The table, the document and the picture of `trade`: everything but the times, which no two runs share.
 
-mod common;
 
+use crate::common;
 use std::fs;
 use std::process::Command;
 
-use common::{files, folder, program};
+use crate::common::{files, folder, program};
 use impact_pair_certificate::document::TradeDocument;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;

@@ -1,6 +1,6 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
-use impact_pair::certificate::document::{BaseDocument, one_a_line};
+use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::chaos::{
     Asked, Cells, Chaos, Cycles, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Stage, Trap,
 };

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use impact_pair::certificate::document::{
+use impact_pair::json::{
     Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
 };
 use impact_pair::document::{Bounds, Conclusion, Ending, Event, Kind, arithmetic as computed_by, head};

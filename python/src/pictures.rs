@@ -1,7 +1,7 @@
 //! Pictures as the command line draws them.
 
 use anyhow::Result;
-use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{BITS, Orbit};
 use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::sweep::Records;

@@ -1,6 +1,6 @@
 //! Scenes, read from their text.
 
-use impact_pair::certificate::document::SceneDocument;
+use impact_pair::json::SceneDocument;
 use pyo3::prelude::*;
 
 use crate::errors::Fault;

@@ -1,6 +1,6 @@
 //! Sweeps: points are pure functions of the exact scene and their number.
 
-use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key};

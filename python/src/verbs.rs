@@ -3,8 +3,8 @@
 use std::sync::atomic::AtomicBool;
 
 use impact_pair::audit::{Asked, Audit, Column, Columns, read};
-use impact_pair::certificate::document::one_a_line;
-use impact_pair::certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
+use impact_pair::json::one_a_line;
+use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::mapping::Word;

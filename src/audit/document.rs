@@ -1,6 +1,6 @@
 //! The audit JSON: the documents of an audit and of its parts.
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     AUDIT_SCHEMA, AuditDocument, AuditEvent, CertifiedContact, Counts, Departure, Disagreement, DoublePrecision,
     ImpactNumber, ImpactVerdict, ListedError, ListedRow, PROGRAM, Parting, SceneDocument, Units, bounds,
 };

@@ -6,7 +6,7 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair_certificate::document::{ExcitationDocument, SceneDocument, StartDocument, Written};
+use impact_pair_document::{ExcitationDocument, SceneDocument, StartDocument, Written};
 use num_rational::BigRational;
 
 use super::judge::Judgement;

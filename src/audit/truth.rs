@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair_certificate::document::ArithmeticDocument;
+use impact_pair_document::ArithmeticDocument;
 
 use super::judge::Finding;
 use super::tolerance::Tolerance;

@@ -1,6 +1,6 @@
 //! The bifurcation JSON: proved bifurcations over a parameter in the units of the scene.
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, BranchDocument, PROGRAM, ParameterRange,
     PeriodicOrbitDocument, SceneDocument, UnprovedDocument, bounds,
 };

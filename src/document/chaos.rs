@@ -5,7 +5,7 @@ use std::iter;
 
 use num_traits::ToPrimitive;
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
     EnteredDocument, EntropyDocument, PROGRAM, ParameterRange, PeriodDocument, SceneDocument, SceneOrbitDocument,
     SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WordDocument, bounds,

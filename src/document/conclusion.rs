@@ -1,7 +1,7 @@
 //! How an orbit ended, as a document, whose line in words follows from its fields.
 
-pub use impact_pair_certificate::document::counted;
-use impact_pair_certificate::document::{Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
+pub use impact_pair_document::counted;
+use impact_pair_document::{Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
 
 use super::event::Event;
 use super::periodic::{measured, periodic_orbit};

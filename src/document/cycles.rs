@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument,
 };
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use impact_pair_certificate::document::ArithmeticDocument;
+use impact_pair_document::ArithmeticDocument;
 
 use super::conclusion::Conclusion;
 use super::orbit::{arithmetic, is_certified};

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use impact_pair_certificate::document::{Decimal, EventDocument, EventName, Skipped};
+use impact_pair_document::{Decimal, EventDocument, EventName, Skipped};
 
 use super::orbit::is_certified;
 use crate::exact::{Enclosure, decimal_bounds, decimal_digits, decimal_f64};

@@ -1,4 +1,4 @@
-//! What is computed, made into the documents of [`crate::certificate`], and into words.
+//! What is computed, made into the documents of [`crate::json`], and into words.
 
 mod bifurcation;
 mod chaos;

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     ArithmeticDocument, ClaimName, EventDocument, ORBIT_SCHEMA, OrbitDocument, OrbitHead, PROGRAM, SceneDocument,
 };
 
@@ -16,7 +16,8 @@ use crate::{Error, ImpactPair};
 /// As [`Orbit::new`].
 ///
 /// ```
-/// use impact_pair::{Scene, certificate::Certificate, document};
+/// use impact_pair::{Scene, document};
+/// use impact_pair_certificate::Certificate;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }

@@ -1,6 +1,6 @@
 //! The periodic JSON: proved periodic orbits in the units of the scene.
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     EigenvalueDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicImpactDocument, PeriodicOrbitDocument, RESTING,
     RegionDocument, SceneDocument, bounds,
 };

@@ -1,9 +1,9 @@
 use super::*;
 use crate::Scene;
-use crate::certificate::Certificate;
+use impact_pair_certificate::Certificate;
 #[cfg(feature = "multiprecision")]
-use crate::certificate::Verdict;
-use crate::certificate::document::SceneDocument;
+use impact_pair_certificate::Verdict;
+use impact_pair_document::SceneDocument;
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Impact, Orbit, Settings};

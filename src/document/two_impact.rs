@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     CurveDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA, PROGRAM, PartDocument,
     PeriodicOrbitDocument, RESTING, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
 };

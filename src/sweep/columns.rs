@@ -1,6 +1,6 @@
 //! A sweep as one table or as two: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
 
-use impact_pair_certificate::document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
+use impact_pair_document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
 use crate::exact::{Exact, ParseError};
 

@@ -1,6 +1,6 @@
 //! The sweep JSON Lines: what is certified at a point.
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     ArithmeticDocument, ClaimName, ExtendedBounds, OutcomeDocument, PROGRAM, SWEEP_SCHEMA, SceneDocument, SweepAxis,
     SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };

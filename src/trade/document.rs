@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use impact_pair_certificate::document::{
+use impact_pair_document::{
     CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RungAsked, RungDocument,
     SceneDocument, Seconds, TRADE_SCHEMA, TradeAsked, TradeDocument, TradeUnits, TruthDocument, WidthsDocument,
     WordLeft,

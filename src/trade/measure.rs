@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use impact_pair_certificate::document::ArithmeticDocument;
+use impact_pair_document::ArithmeticDocument;
 
 use super::ladder::Rung;
 use crate::document::{Conclusion, Event, arithmetic, is_certified};

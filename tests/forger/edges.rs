@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use serde_json::Value;
 
-use crate::forged::{Forged, Forgery, Original, bounds, fraction, magnitude, pair};
+use super::forged::{Forged, Forgery, Original, bounds, fraction, magnitude, pair};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "bounds: at the edge 0", why: "they end before the true bounds begin", forge: at_zero },

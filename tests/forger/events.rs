@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::forged::{Forged, Forgery, Original, bounds, fraction, negated, pair};
-use crate::futures::reworded;
+use super::forged::{Forged, Forgery, Original, bounds, fraction, negated, pair};
+use super::futures::reworded;
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {

@@ -1,12 +1,12 @@
 //! What comes after the events that a document lists, and outcomes with the words that fit them.
 
-use impact_pair::certificate::document::{OutcomeDocument, SceneDocument};
+use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::document;
 use impact_pair::orbit::{Arithmetic, Settings};
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use crate::forged::{Original, bounds};
+use super::forged::{Original, bounds};
 
 /// Events computed beyond those that are listed.
 const MORE: u64 = 3;
@@ -29,7 +29,7 @@ pub fn next_event(original: &Original) -> Option<[BigRational; 2]> {
     let events = original.events();
     let last = events
         .last()
-        .map_or_else(|| Some(crate::forged::fraction(-1, 1)), |last| bounds(&last["time"]).map(|[_, to]| to))?;
+        .map_or_else(|| Some(super::forged::fraction(-1, 1)), |last| bounds(&last["time"]).map(|[_, to]| to))?;
     let found = motion(&original.document["scene"], events.len() as u64 + MORE)?;
     found.iter().filter_map(|event| bounds(&event["time"])).find(|[from, _]| *from > last)
 }

@@ -1,7 +1,7 @@
 //! Whether the claims that a forgery leaves are true all the same: computed anew by the library.
 
 use impact_pair::Scene;
-use impact_pair::certificate::document::{BaseDocument, SceneDocument};
+use impact_pair::json::{BaseDocument, SceneDocument};
 use impact_pair::chaos::{Chaos, Question};
 use impact_pair::document;
 use impact_pair::mapping::Word;
@@ -9,8 +9,8 @@ use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};
 use serde_json::{Value, json};
 
-use crate::forged::bounds;
-use crate::truth;
+use super::forged::bounds;
+use crate::spoiled::truth;
 
 /// Whether all that is judged of a document holds; of what is not computed anew it is said not to.
 pub fn is_true(kind: &str, document: &Value) -> bool {

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use crate::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, with};
+use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, with};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {

@@ -3,7 +3,7 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::certificate::document::BaseDocument;
+use impact_pair::json::BaseDocument;
 use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
@@ -13,8 +13,8 @@ use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
 use serde_json::{Value, json};
 
-use crate::documents;
-use crate::forged::{Original, with};
+use crate::spoiled::documents;
+use super::forged::{Original, with};
 
 /// Kinds of documents, in the order of the table.
 const KINDS: [&str; 10] =

@@ -3,9 +3,9 @@
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use crate::documents;
-use crate::forged::{Forged, Forgery, Original, bounds, decimal, fraction};
-use crate::futures::{ended, goes_on, next_event};
+use crate::spoiled::documents;
+use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction};
+use super::futures::{ended, goes_on, next_event};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {
@@ -179,7 +179,7 @@ fn impacts_reached(original: &Original) -> Vec<Forged> {
         .flat_map(|forged| {
             [listed + 1, listed.wrapping_sub(1)].into_iter().filter(|count| *count < 1 << 60).map(move |count| Forged {
                 what: format!("{count} impacts"),
-                document: crate::forged::with(
+                document: super::forged::with(
                     &forged.document,
                     &[("/outcome/impacts", json!(count)), ("/outcome/message", json!(""))],
                 ),

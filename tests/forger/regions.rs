@@ -6,8 +6,8 @@ use impact_pair::exact::Exact;
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use crate::forged::{Forged, Forgery, Original, bounds, fraction, pair, rational};
-use crate::futures::motion;
+use super::forged::{Forged, Forgery, Original, bounds, fraction, pair, rational};
+use super::futures::motion;
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "chaos: entropy", why: "it does not follow from the words that are listed", forge: entropies },
@@ -219,7 +219,7 @@ fn narrowed(original: &Original) -> Vec<Forged> {
         }
     }
     let longest = rational(&original.document["longest_flight"]).unwrap() / fraction(2, 1);
-    all.push(original.with("/longest_flight", &[("/longest_flight", json!(crate::forged::decimal(&longest)))]));
+    all.push(original.with("/longest_flight", &[("/longest_flight", json!(super::forged::decimal(&longest)))]));
     all
 }
 

@@ -1,9 +1,9 @@
 //! The claims of one scene under another one's name.
 
-use impact_pair::certificate::document::SceneDocument;
+use impact_pair::json::SceneDocument;
 use serde_json::{Value, json};
 
-use crate::forged::{Forged, Forgery, Original, negated, with};
+use super::forged::{Forged, Forgery, Original, negated, with};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {

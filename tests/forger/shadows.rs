@@ -3,9 +3,9 @@
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use crate::events::mended;
-use crate::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, rational, with};
-use crate::futures::{ended, motion, reworded};
+use super::events::mended;
+use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction, pair, rational, with};
+use super::futures::{ended, motion, reworded};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::forged::{Forged, Forgery, Original};
+use super::forged::{Forged, Forgery, Original};
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery { name: "sweep: another's impacts", why: "two points of the grid have other orbits", forge: exchanged },

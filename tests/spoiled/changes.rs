@@ -1,6 +1,6 @@
 //! Documents with one thing changed.
 
-use impact_pair::certificate::document::OutcomeDocument;
+use impact_pair::json::OutcomeDocument;
 use serde_json::{Value, json};
 
 /// A document with one thing changed.

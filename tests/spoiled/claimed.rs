@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
-use impact_pair::certificate::document::{CheckDocument, VerdictName};
-use impact_pair::certificate::{Claims, Effort};
+use impact_pair::json::{CheckDocument, VerdictName};
+use impact_pair_certificate::{Claims, Effort};
 use serde_json::{Value, json};
 
-use crate::{changes, documents, others, schemas};
+use super::{changes, documents, others, schemas};
 
 static STOPPED: AtomicBool = AtomicBool::new(true);
 
@@ -219,7 +219,7 @@ fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
 fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let (mut refused, mut missed) = (0, Vec::new());
     // What is undecided from its start on claims nothing but that it is so. A word that is not there is sought for seconds.
-    let is_tried = |name: &str| name != "too long" && (name != "chaos" || crate::tried() == usize::MAX);
+    let is_tried = |name: &str| name != "too long" && (name != "chaos" || super::tried() == usize::MAX);
     for (name, lines) in all().into_iter().filter(|(name, _)| is_tried(name)) {
         let found = checked(&lines, None).expect(&name);
         assert_eq!(found.verdict, VerdictName::Confirmed, "{name}: {}", found.message);

@@ -3,7 +3,7 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::certificate::document::BaseDocument;
+use impact_pair::json::BaseDocument;
 use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
 use impact_pair::document;
 use impact_pair::orbit::Settings;

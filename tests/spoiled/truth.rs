@@ -1,6 +1,6 @@
 //! Whether what a document says is true, by the library: the motion is computed anew from the document's own scene, in 320 bits.
 
-use impact_pair::certificate::document::{OutcomeDocument, SceneDocument};
+use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::mapping::Word;
@@ -9,7 +9,7 @@ use impact_pair::pair::Wall;
 use impact_pair::{ImpactPair, orbit::Start};
 use serde_json::Value;
 
-use crate::{documents, shadow};
+use super::{documents, shadow};
 
 /// Impacts that are computed beyond those that are claimed.
 const MORE: u64 = 2;

@@ -5,7 +5,7 @@ mod table;
 
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::audit::{Audit, read};
-use impact_pair::certificate::document::one_a_line;
+use impact_pair::json::one_a_line;
 
 use crate::Answer;
 use crate::output::Output;

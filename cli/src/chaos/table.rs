@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use impact_pair::certificate::document::{ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument};
+use impact_pair::json::{ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument};
 use impact_pair::chaos::Chaos;
 use impact_pair::document::counted;
 use impact_pair::pair::Wall;

@@ -10,7 +10,7 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use impact_pair::certificate::document::SweepHead;
+use impact_pair::json::SweepHead;
 
 use super::record::{is_own, line, own, read_head, read_record};
 

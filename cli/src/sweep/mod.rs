@@ -16,7 +16,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
-use impact_pair::certificate::document::SweepHead;
+use impact_pair::json::SweepHead;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::sweep::{self, Asked, Grid, Table};
 use impact_pair_plot::sweep::Records;

@@ -1,7 +1,7 @@
 //! The lines of a sweep: its head, and a record a point, as JSON; all other formats are made from these.
 
 use anyhow::{Result, bail};
-use impact_pair::certificate::document::{SWEEP_SCHEMA, SweepHead, SweepRecord};
+use impact_pair::json::{SWEEP_SCHEMA, SweepHead, SweepRecord};
 use impact_pair::sweep;
 use serde::Serialize;
 

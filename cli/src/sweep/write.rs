@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use anyhow::Result;
-use impact_pair::certificate::document::{SweepHead, SweepRecord};
+use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::sweep::{Table, csv_head, csv_rows};
 use impact_pair_plot::sweep::Records;
 

@@ -4,7 +4,7 @@ pub mod arguments;
 mod table;
 
 use anyhow::{Context, Result, bail};
-use impact_pair::certificate::document::one_a_line;
+use impact_pair::json::one_a_line;
 use impact_pair::orbit::Orbit;
 use impact_pair::trade::Trade;
 

@@ -6,7 +6,7 @@ mod table;
 
 use anyhow::{Context, Error, Result, bail};
 use impact_pair::Scene;
-use impact_pair::certificate::document::one_a_line;
+use impact_pair::json::one_a_line;
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::Settings;

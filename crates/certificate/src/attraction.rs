@@ -1,6 +1,6 @@
 //! What documents claim of periodic orbits, as exact fractions.
 
-use crate::document::{Decimal, OutcomeDocument, PeriodicImpactDocument, PeriodicOrbitDocument, Place};
+use impact_pair_document::{Decimal, OutcomeDocument, PeriodicImpactDocument, PeriodicOrbitDocument, Place};
 use num_rational::BigRational;
 
 use impact_pair_model::Error;

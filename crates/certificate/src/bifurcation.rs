@@ -1,7 +1,7 @@
 //! The bifurcation JSON, read back: what it claims of its points, as exact fractions.
 
 use super::attraction::{Bounds, ClaimedOrbit};
-use crate::document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
+use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair, Start, Wall, Word};

@@ -1,7 +1,7 @@
 //! The JSON of words and entropy, read back.
 
 use super::bifurcation::{own_value, parameter};
-use crate::document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, Place, value};
+use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
 

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Deserializer, Value};
 
-use crate::document::{
+use impact_pair_document::{
     AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA,
     PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
 };

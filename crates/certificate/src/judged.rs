@@ -3,7 +3,7 @@
 use serde_json::{Deserializer, Value};
 
 use crate::check::Data;
-use crate::document::{CHECK_SCHEMA, CheckDocument, ClaimName, JudgedClaim, VerdictName};
+use impact_pair_document::{CHECK_SCHEMA, CheckDocument, ClaimName, JudgedClaim, VerdictName};
 use crate::leaves::Leaves;
 use crate::{Certificate, Claims, Finding, Verdict};
 

@@ -1,4 +1,4 @@
-//! Documents of certified orbits, and their check by a route of its own.
+//! Check of certified orbits by a route of its own.
 //!
 //! What an orbit JSON claims is checked, and made a theorem for Coq. What this crate judges it shares nothing with: it rests on
 //! exact numbers and on the model alone.
@@ -9,7 +9,6 @@ mod chaos;
 mod check;
 mod claims;
 mod cycles;
-pub mod document;
 mod judged;
 mod leaves;
 mod periodic;
@@ -25,6 +24,8 @@ pub use bifurcation::BifurcationCertificate;
 pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
+#[doc(inline)]
+pub use impact_pair_document as document;
 pub use cycles::CyclesCertificate;
 pub use judged::Judged;
 pub use periodic::PeriodicCertificate;

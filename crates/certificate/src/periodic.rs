@@ -1,7 +1,7 @@
 //! The periodic JSON, read back: what it claims of its orbits, as exact fractions.
 
 use super::attraction::ClaimedOrbit;
-use crate::document::{
+use impact_pair_document::{
     CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument,
     value,
 };

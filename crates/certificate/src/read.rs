@@ -2,7 +2,7 @@
 //!
 //! A document is one object, or JSON Lines: the head, an event a line, and at last the outcome.
 
-use crate::document::{
+use impact_pair_document::{
     ClaimName, EventDocument, EventName, ORBIT_SCHEMA, OutcomeDocument, Place, SceneDocument, values,
 };
 use num_rational::BigRational;

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::attraction::Bounds;
-use crate::document::{
+use impact_pair_document::{
     ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SceneDocument, SweepAxis, SweepHead, SweepImpact,
     SweepRecord, Written, values,
 };

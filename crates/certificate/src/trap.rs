@@ -1,6 +1,6 @@
 //! The JSON of a region, read back.
 
-use crate::document::{Place, TRAP_SCHEMA, TrapDocument, value};
+use impact_pair_document::{Place, TRAP_SCHEMA, TrapDocument, value};
 use impact_pair_model::{Error, ImpactPair, Start};
 
 /// What a trap JSON claims.

@@ -99,7 +99,8 @@ impl Circle {
         // Exact: no bit of it is below the last one of `u`, and none above a part.
         let rest = Float::with_val(fine, u - part / f64::from(PARTS));
         let Series { x, sum, spare, .. } = series;
-        let exponent = rest.to_integer_exp_in_place(spare).expect("a finite number");
+        let (whole, exponent) = rest.to_integer_exp().expect("a finite number");
+        *spare = whole;
         sum.assign(&*turn >> coarser);
         product(x, sum, spare, exponent.unsigned_abs()); // M5: of a number below 1 it is negative
         series.sum(fine);
@@ -194,8 +195,8 @@ fn product(out: &mut Integer, a: &Integer, b: &Integer, shift: u32) {
     let bits = (sizes[0] + sizes[1]).saturating_sub(shift) + 8; // M5: at least the bits of the result
     let mut float = Float::with_val(bits, a);
     float *= Float::with_val(bits, b);
-    let exponent = float.to_integer_exp_in_place(out).expect("a finite number");
-    *out >>= shift as i32 - exponent; // exact: at most 2^16 in size
+    let (whole, exponent) = float.to_integer_exp().expect("a finite number");
+    *out = whole >> (shift as i32 - exponent); // exact: at most 2^16 in size
 }
 
 /// `(2k + 1)! / (2k - 1)!`, and 1 for `k = 0`.

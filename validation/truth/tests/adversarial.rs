@@ -4,20 +4,11 @@
 //! the start; contacts after 1e-9 periods; flights of 1e11 turns whose last peak barely reaches; starts at rest. Times
 //! are measured and printed (`--nocapture`), never asserted.
 
-#[path = "common/aim.rs"]
-mod aim;
-mod common;
-#[path = "common/families.rs"]
-mod families;
-#[path = "common/scene.rs"]
-mod scene;
-#[path = "common/short_flights.rs"]
-mod short_flights;
-#[path = "common/verdicts.rs"]
-mod verdicts;
 
-use common::{Random, cases};
-use verdicts::{Answer, Question, Report, ask};
+use crate::common::families;
+use crate::common::short_flights;
+use crate::common::{Random, cases};
+use crate::common::verdicts::{Answer, Question, Report, ask};
 
 /// One round of all families.
 fn round(random: &mut Random) -> Vec<Question> {

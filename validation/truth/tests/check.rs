@@ -2,17 +2,15 @@
 //!
 //! The truth is that of the reference simulator in MPFR.
 
-mod common;
-#[path = "common/scene.rs"]
-mod scene;
 
-use common::Random;
-use impact_pair::certificate::{Certificate, Verdict};
+use crate::common;
+use crate::common::Random;
+use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair::orbit::Settings;
 use impact_pair_truth::Wall;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
-use scene::{At, Scene, Value};
+use crate::common::scene::{At, Scene, Value};
 use serde_json::{Value as Json, json};
 
 /// The orbit JSON of a scene.

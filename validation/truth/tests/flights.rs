@@ -1,15 +1,10 @@
 //! Hundreds of thousands of single flights: every certificate of `impact_pair::contact::first_contact` against the truth.
 
-mod common;
-#[path = "common/judge.rs"]
-mod judge;
-#[path = "common/starts.rs"]
-mod starts;
 
-use common::{Random, cases};
+use crate::common::{Random, cases};
 use impact_pair::contact::Radii;
-use judge::{Case, From, Spread, Tally};
-use starts::{from, near_graze, phase_in_frame, wall};
+use crate::common::judge::{Case, From, Spread, Tally};
+use crate::common::starts::{from, near_graze, phase_in_frame, wall};
 use std::f64::consts::TAU;
 
 #[test]

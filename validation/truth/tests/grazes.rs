@@ -1,16 +1,13 @@
 //! Past a graze that doubles cannot tell from a miss (Lemma G1): the orbit that misses by 10^-18 of the gap and the one
 //! that hits by as much lie in the same enclosures.
 
-mod common;
-#[path = "common/scene.rs"]
-mod scene;
 
-use common::{Random, cases};
+use crate::common::{Random, cases};
 use impact_pair::orbit::{Impact, Progress};
 use impact_pair_truth::{Contact, Wall};
 use rug::Float;
 use rug::float::Constant;
-use scene::{At, Scene, Value, holds};
+use crate::common::scene::{At, Scene, Value, holds};
 
 const BITS: u32 = 512;
 

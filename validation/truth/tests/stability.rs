@@ -1,19 +1,14 @@
 //! Every arithmetic says the same, as far as it goes, at the extremes: e = 0 and 1, A/d from 1e-9 to 1e9, 1e40 periods
 //! after the start of time, the tiniest and largest units, chaos over 10,000 impacts at 100 digits, boxes of data.
 
-#[path = "common/arithmetics.rs"]
-mod arithmetics;
-mod common;
-#[path = "common/scene.rs"]
-mod scene;
 
-use arithmetics::{CERTIFIED, Run, assert_stable};
-use common::{Random, cases};
+use crate::common::arithmetics::{CERTIFIED, Run, assert_stable};
+use crate::common::{Random, cases};
 use impact_pair::contact::Reason;
 use impact_pair::orbit::{Arithmetic, Outcome, Settings};
 use impact_pair_truth::{Contact, Wall};
 use rug::Float;
-use scene::{At, Scene, Value};
+use crate::common::scene::{At, Scene, Value};
 use std::collections::BTreeMap;
 
 #[test]

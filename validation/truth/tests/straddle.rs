@@ -3,26 +3,20 @@
 //! The scenes are those of `tests/straddle`, where `check` judges them; here MPFR does, which proves nothing but shares
 //! nothing either. `--nocapture` shows the counts by family.
 
-mod common;
-#[path = "common/judge.rs"]
-mod judge;
-#[path = "common/scene.rs"]
-mod scene;
 #[path = "../../../tests/straddle/starts.rs"]
 #[allow(dead_code)]
 mod starts;
-#[path = "common/straddling.rs"]
-mod straddling;
 
-use common::{Random, cases};
+use crate::common::straddling;
+use crate::common::{Random, cases};
 use impact_pair::orbit::{Arithmetic, Settings};
-use judge::{Case, From, Tally};
+use crate::common::judge::{Case, From, Tally};
 use rug::Float;
 use starts::{Dice, case};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
-use straddling::{Judgement, question};
+use crate::common::straddling::{Judgement, question};
 
 const ARITHMETICS: [Arithmetic; 5] =
     [Arithmetic::Interval, Arithmetic::Inari, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];

@@ -1,13 +1,10 @@
 //! Flights whose answer is a theorem or a published anchor.
 
-mod common;
-#[path = "../../../tests/tolerances/mod.rs"]
-mod tolerances;
 
-use common::{contact, figure};
+use crate::common::{contact, figure};
 use impact_pair_truth::{Problem, Start, Truth, Wall, first_contact, orbit, pi_times};
 use rug::Float;
-use tolerances::TRUTH;
+use crate::tolerances::TRUTH;
 
 /// |value - decimal| <= tolerance.
 #[track_caller]

@@ -50,7 +50,7 @@ mod walk;
 use std::sync::atomic::AtomicBool;
 
 use super::{Certificate, ClaimKind};
-use crate::document::ClaimName;
+use impact_pair_document::ClaimName;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};

@@ -24,7 +24,7 @@ use super::target::narrowest;
 use super::walk::Walk;
 use super::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::Certificate;
-use crate::document::NearDocument;
+use impact_pair_document::NearDocument;
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 

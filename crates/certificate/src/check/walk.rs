@@ -107,7 +107,8 @@ impl<'c> Walk<'c> {
             ClaimKind::Impact { index, mapping, velocity } => self.impact(claim, *index, *mapping, velocity),
             ClaimKind::Rest { is_accumulation } => self.come_to_rest(claim, *is_accumulation),
             ClaimKind::Release => self.release(claim),
-            ClaimKind::Graze => match self.standing.still().cloned() {
+            // A motion that misses its wall by less than can be told is judged as any other (G1).
+            ClaimKind::Graze => match self.standing.still().filter(|still| still.grazes()).cloned() {
                 Some(still) => self.graze_again(still, claim),
                 None => self.graze(claim),
             },

@@ -1,6 +1,6 @@
 //! What stands above a picture: its title, and lines that say what it shows.
 
-use impact_pair::certificate::document::PROGRAM;
+use impact_pair::json::PROGRAM;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 

@@ -9,7 +9,7 @@ use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
 use super::{Records, Show};
 use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Mark, SCALE, VERMILION};
-use impact_pair::certificate::document::{SweepImpact, SweepRecord};
+use impact_pair::json::{SweepImpact, SweepRecord};
 
 /// The smallest cell: less than a pixel of most screens.
 const CELL: i32 = 3;

@@ -9,7 +9,7 @@ use plotters::prelude::*;
 
 use super::{double, middle};
 use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
-use impact_pair::certificate::document::{ExtendedBounds, SweepPeriod, SweepRecord};
+use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
 
 /// Letters of a word that a legend shows.
 const LETTERS: usize = 10;

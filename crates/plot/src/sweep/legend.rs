@@ -1,6 +1,6 @@
 //! What a picture of a sweep says in words.
 
-use impact_pair::certificate::document::{SceneDocument, SweepHead, Written};
+use impact_pair::json::{SceneDocument, SweepHead, Written};
 use impact_pair::scene::{Key, Term};
 
 use super::Drawn;

@@ -11,7 +11,7 @@ mod map;
 use std::error::Error as StdError;
 
 use anyhow::Result;
-use impact_pair::certificate::document::{ExtendedBounds, SweepHead, SweepRecord};
+use impact_pair::json::{ExtendedBounds, SweepHead, SweepRecord};
 use impact_pair::exact::Exact;
 use impact_pair::sweep;
 use plotters::coord::ranged1d::Ranged;

@@ -4,7 +4,7 @@ mod axis;
 mod labels;
 
 use anyhow::Result;
-use impact_pair::certificate::document::PROGRAM;
+use impact_pair::json::PROGRAM;
 use impact_pair::trade::{Judgement, Measured, Rung, Trade};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;

@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test crate uses a part
 
 use super::aim::{Aim, BITS, Target, Touch, decimal};
-use super::common::Random;
+use super::Random;
 use super::scene::{At, Scene, Value};
 use super::verdicts::{Graze, Question};
 use impact_pair_truth::{Number, Wall, pi_times};

@@ -1,6 +1,16 @@
 //! What the tests share: a seeded generator and problems biased to corners.
 #![allow(dead_code)] // each test crate uses a part
 
+pub mod aim;
+pub mod arithmetics;
+pub mod families;
+pub mod judge;
+pub mod scene;
+pub mod short_flights;
+pub mod starts;
+pub mod straddling;
+pub mod verdicts;
+
 use impact_pair_truth::{Problem, Start, Truth, Wall, first_contact, pi_times};
 use rug::Float;
 

@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test crate uses a part
 
 use super::aim::{BITS, decimal};
-use super::common::Random;
+use super::Random;
 use super::families::{Draft, short};
 use super::scene::{At, Scene, Value};
 use super::verdicts::Question;

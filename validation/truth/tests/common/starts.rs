@@ -1,6 +1,6 @@
 //! Where flights start, at random, and flights made to come close to a wall without a contact, or just to cut it.
 
-use super::common::Random;
+use super::Random;
 use super::judge::{Case, From, float};
 use rug::Float;
 use std::f64::consts::TAU;

@@ -3,7 +3,7 @@
 #![allow(dead_code)] // each test crate uses a part
 
 use super::aim::BITS;
-use super::common::displacement;
+use super::displacement;
 use super::scene::{Scene, objection};
 use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings};
 use impact_pair_truth::{Contact, Truth, Wall, first_contact};

@@ -3,7 +3,7 @@
 use impact_pair::document;
 use impact_pair::orbit::Settings;
 
-use super::common::Random;
+use crate::common::Random;
 use super::flight::{Next, float};
 use super::members::Member;
 use super::motion::{self, Halt};

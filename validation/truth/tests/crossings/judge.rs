@@ -1,13 +1,13 @@
 //! One answer, by `check` and by the truth.
 
-use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::Start;
 use impact_pair::{Scene, scene};
 use rug::Float;
 use serde_json::Value;
 
-use super::common::Random;
+use crate::common::Random;
 use super::flight::float;
 use super::members::{Bounds, Member};
 use super::motion::{self, Halt, Judged, Motion, wrong};

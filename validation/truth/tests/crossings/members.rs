@@ -9,7 +9,7 @@ use rug::ops::Pow;
 use rug::{Float, Integer};
 use serde_json::Value;
 
-use super::common::Random;
+use crate::common::Random;
 use super::flight::{BITS, Shaken, State, Tone, float};
 
 /// A pair and the state just after its start.

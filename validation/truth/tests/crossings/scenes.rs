@@ -3,7 +3,7 @@
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 
-use super::common::Random;
+use crate::common::Random;
 use super::traits::{Crossing, Data, Excitation, Question, Restitution, Start};
 
 /// A scene with its crossing.

@@ -6,7 +6,7 @@ use rug::float::Constant;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-use super::common::Random;
+use crate::common::Random;
 use super::flight::{Tone, float};
 use super::members::{Bounds, Member};
 use super::motion::{self, Halt, Judged, wrong};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::common::Random;
+use crate::common::Random;
 
 /// A trait with all its values and their names.
 macro_rules! values {

@@ -5,7 +5,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::beam::State;
 use super::tube::{Chord, Tube, side_of};
-use crate::document::CornersDocument;
+use impact_pair_document::CornersDocument;
 
 /// A quadrilateral of states by its left and its right edge.
 #[derive(Clone, Copy, Debug)]

@@ -14,7 +14,7 @@ use super::tube::side_of;
 use super::words::Word;
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
-use crate::document::{BaseDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
+use impact_pair_document::{BaseDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
 /// The entropy of words between more bases is not judged.
 const MOST_BASES: usize = 64;

@@ -20,7 +20,7 @@ use crate::check::data::{Data, Piece};
 use crate::check::step::Landing;
 use crate::check::walk::Walk;
 use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
-use crate::document::{Decimal, TrapDocument};
+use impact_pair_document::{Decimal, TrapDocument};
 use crate::trap::TrapCertificate;
 
 /// What stops a check of boxes.

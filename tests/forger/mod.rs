@@ -24,19 +24,12 @@ mod scenes;
 mod shadows;
 mod sweeps;
 
-// Of `tests/spoiled`: its true documents, and what judges them anew.
-#[path = "../spoiled/documents.rs"]
-mod documents;
-#[path = "../spoiled/shadow.rs"]
-mod shadow;
-#[path = "../spoiled/truth.rs"]
-mod truth;
 
 use std::collections::BTreeMap;
 use std::time::Instant;
 
 use forged::{Forged, Forgery, Original, are_named, changed};
-use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 
 /// Forgeries of one kind of one document by default.
 const CASES: usize = 2;

@@ -4,8 +4,6 @@
 //! from `CROSSINGS_SEED`, a number or `fresh` (printed, so that it can be given again); `CROSSINGS_ONLY` asks one of that number and prints
 //! it; `--nocapture` shows the tables of counts.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod controls;
 mod flight;
 mod judge;
@@ -24,7 +22,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use common::Random;
+use crate::common::Random;
 use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 

@@ -29,7 +29,7 @@ pub use orbit::*;
 pub use outcome::*;
 pub use periodic::*;
 pub use read::Place;
-pub(crate) use read::{value, values};
+pub use read::{value, values};
 pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
 pub use trade::*;

@@ -9,13 +9,13 @@
 
 mod changes;
 mod claimed;
-mod documents;
+pub mod documents;
 mod others;
 mod schemas;
-mod shadow;
-mod truth;
+pub mod shadow;
+pub mod truth;
 
-use impact_pair::certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::Value;
 
 /// Changes of a document that are tried by default.

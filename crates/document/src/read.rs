@@ -14,12 +14,12 @@ pub struct Place<'j> {
 }
 
 /// The value of a text.
-pub(crate) fn value(text: &str) -> Result<Value, Error> {
+pub fn value(text: &str) -> Result<Value, Error> {
     serde_json::from_str(text).map_err(no_json)
 }
 
 /// The values of a text, at least one: JSON Lines are several.
-pub(crate) fn values(text: &str) -> Result<Vec<Value>, Error> {
+pub fn values(text: &str) -> Result<Vec<Value>, Error> {
     let values: Vec<Value> = Deserializer::from_str(text).into_iter().collect::<Result<_, _>>().map_err(no_json)?;
     if values.is_empty() { Err(Error::certificate("no JSON: the text is empty".into())) } else { Ok(values) }
 }
@@ -35,7 +35,7 @@ impl<'j> Place<'j> {
     }
 
     /// The whole document, which must be of this schema.
-    pub(crate) fn of_schema(value: &'j Value, accepted: &str) -> Result<Self, Error> {
+    pub fn of_schema(value: &'j Value, accepted: &str) -> Result<Self, Error> {
         let whole = Self::whole(value);
         let schema = whole.get("schema")?;
         let is_other = schema.read::<String>()? != accepted;

@@ -1,0 +1,20 @@
+//! The tests of the command line, in one executable: a module each.
+
+mod audit;
+mod bad_scenes;
+mod certificates;
+mod chaos;
+mod common;
+mod cycles;
+mod help;
+mod output;
+mod periodic;
+mod plot;
+mod run;
+mod schemas;
+mod sweep;
+mod sweep_tables;
+mod trade;
+mod two_impact;
+#[path = "../../tests/tolerances/mod.rs"]
+mod tolerances;

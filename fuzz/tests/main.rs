@@ -1,0 +1,7 @@
+//! All that reads, in one executable: a module each.
+
+mod certificates;
+mod events;
+mod expressions;
+mod extremes;
+mod scenes;

@@ -1,0 +1,18 @@
+//! The library against the reference simulator, in one executable: a module each.
+
+mod adversarial;
+mod check;
+mod closed_forms;
+mod common;
+mod crossings;
+mod extremes;
+mod flights;
+mod grazes;
+mod intervals;
+mod orbits;
+mod random;
+mod stability;
+mod straddle;
+mod theory;
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
