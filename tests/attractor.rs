@@ -1,6 +1,6 @@
 //! Motions proved to converge to a periodic orbit, through the public interface. Lemmas Q1-Q3
 
-
+use crate::tolerances::{EIGENVALUE, EIGENVALUE_7};
 use approx::{AbsDiffEq, abs_diff_eq};
 use impact_pair::Scene;
 use impact_pair::exact::Enclosure;
@@ -8,7 +8,6 @@ use impact_pair::number::Ball;
 use impact_pair::orbit::{Arithmetic, Impact, Orbit, Outcome, Settings};
 use impact_pair::pair::{Inward, Wall};
 use impact_pair::periodic::{Attractor, Problem, Stability};
-use crate::tolerances::{EIGENVALUE, EIGENVALUE_7};
 
 fn figure(number: u32) -> Scene {
     let path = format!("{}/scenes/figure-{number}.toml", env!("CARGO_MANIFEST_DIR"));

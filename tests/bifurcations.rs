@@ -1,14 +1,13 @@
 //! Bifurcations through the public API: against the closed forms, and against the stability of the orbits beside them.
 #![cfg(feature = "multiprecision")]
 
-
+use crate::tolerances::{CLOSED_FORM, QUOTIENT};
 use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Point, Wanted, survey};
 use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::scene::{Key, Term};
 use impact_pair::{Error, Harmonic, ImpactPair, Scene};
-use crate::tolerances::{CLOSED_FORM, QUOTIENT};
 
 const SCENE: &str = r#"
     excitation = { amplitude = 0.36, frequency = "pi", phase = 0 }

@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde_json::{Value, json};
 
 use impact_pair::Scene;
-use impact_pair_certificate::{Certificate, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair_certificate::{Certificate, Effort, Verdict};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
 fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {
@@ -387,6 +387,28 @@ fn r32_exact_grazes_without_drift_are_confirmed_from_any_phase() {
         on_wall["scene"]["excitation"]["amplitude"][0] = json!(amplitude);
         assert_eq!(confirmed(&on_wall), is_true, "{amplitude}: {:?}", verdict(&on_wall));
     }
+}
+
+/// `y = -1/2 + 2^-103 + (1 - sin(2 pi t))/10` comes within `2^-103` of the left wall in every turn: no touch, but a graze as far as the
+/// bounds of a time tell (Lemma G1).
+#[test]
+fn r32_a_miss_that_is_not_told_from_a_touch_is_a_graze() {
+    let of = |graze: [&str; 2]| {
+        json!({
+            "schema": "impact-pair/orbit/1", "certified": true,
+            "events": [{"event": "graze", "wall": "left", "time": graze}],
+            "outcome": {"kind": "undecided", "reason": "graze", "impacts": 0, "time": ["0.9", null]},
+            "scene": {
+                "excitation": {"amplitude": ["1/10"], "frequency": ["2*pi"], "phase": ["0"]}, "gap": "1", "restitution": "1/2",
+                "start": {"time": "0", "position": "-1/2 + 1/2^103 + 1/10", "velocity": "-pi/5"},
+            },
+        })
+    };
+    let verdict = verdict(&of(["0.2499999999", "0.2500000001"]));
+    assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
+    // The wall is missed by more than these bounds allow, or elsewhere.
+    assert!(matches!(self::verdict(&of(["0.25", "0.25"])), Verdict::Refuted(_)));
+    assert!(!matches!(self::verdict(&of(["0.26", "0.27"])), Verdict::Confirmed { .. }));
 }
 
 #[test]

@@ -2,9 +2,9 @@
 //! are not. Lemma V6
 
 use impact_pair::Scene;
-use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair::document;
 use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair_certificate::{Certificate, Verdict};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 

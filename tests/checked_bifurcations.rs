@@ -2,11 +2,11 @@
 #![cfg(feature = "multiprecision")]
 
 use impact_pair::Scene;
-use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::{Exact, decimal_bounds};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Value, json};
 
 fn bifurcations(over: &str, doublings: u32, digits: u32) -> Value {

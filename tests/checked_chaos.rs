@@ -6,13 +6,13 @@ use std::fs;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair::Scene;
-use impact_pair::json::BaseDocument;
-use impact_pair_certificate::{Claims, Effort, Finding, Verdict};
 use impact_pair::chaos::{Chaos, Question, Trap};
 use impact_pair::document;
 use impact_pair::exact::Exact;
+use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::bifurcation::Over;
+use impact_pair_certificate::{Claims, Effort, Finding, Verdict};
 use serde_json::{Value, json};
 
 fn file(name: &str) -> String {

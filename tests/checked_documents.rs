@@ -2,7 +2,6 @@
 #![cfg(feature = "multiprecision")]
 
 use impact_pair::Scene;
-use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair::chaos::Cycles;
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
@@ -11,6 +10,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
 use impact_pair::two_impact::{Question, Unknown};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Value, json};
 
 /// The lines of a sweep: impacts 4 to 8 of each point.

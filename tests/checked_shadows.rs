@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair::Scene;
-use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 use num_rational::BigRational;
 use serde_json::{Value, json};
 

@@ -2,7 +2,7 @@
 
 #![cfg(feature = "multiprecision")]
 
-
+use crate::tolerances::{DETERMINANT, TRACE, VIETA};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::number::{Ball, LEAST_BITS, MpBall, Number};
@@ -12,7 +12,6 @@ use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
-use crate::tolerances::{DETERMINANT, TRACE, VIETA};
 
 fn value(text: &str) -> Exact {
     text.parse().unwrap()

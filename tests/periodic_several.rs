@@ -2,7 +2,7 @@
 
 #![cfg(feature = "multiprecision")]
 
-
+use crate::tolerances::{PHASE, TRACE};
 use approx::abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
@@ -11,7 +11,6 @@ use impact_pair::periodic::{Budget, PeriodicOrbit, Precision, Problem, Stability
 use impact_pair::{Excitation, Harmonic, ImpactPair};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
-use crate::tolerances::{PHASE, TRACE};
 
 fn value(text: &str) -> Exact {
     text.parse().unwrap()

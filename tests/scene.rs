@@ -2,11 +2,11 @@
 
 use std::error::Error;
 
-use impact_pair_certificate::Certificate;
 use impact_pair::exact::{Exact, ExactError, ParseError};
 use impact_pair::orbit::{Impact, Orbit, Place, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::scene::Scene;
+use impact_pair_certificate::Certificate;
 
 const FIGURE_14: &str = r#"title = "Figure 14"
 [excitation]

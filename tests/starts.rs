@@ -4,12 +4,12 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair::covering::Shadow;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Dense, Impact, Orbit, Place, Settings, Start};
 use impact_pair::pair::Wall;
 use impact_pair::{Scene, document};
+use impact_pair_certificate::{Certificate, Verdict};
 use num_rational::BigRational;
 use serde_json::json;
 

@@ -7,7 +7,6 @@ use clap::builder::RangedI64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use impact_pair::Scene;
-use impact_pair_certificate::Effort;
 use impact_pair::exact::Exact;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, MAX_BITS, Settings};
@@ -15,6 +14,7 @@ use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Over, Wanted};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{DIGITS, Run};
+use impact_pair_certificate::Effort;
 
 use crate::audit::arguments as audit;
 use crate::chaos;

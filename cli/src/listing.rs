@@ -3,8 +3,8 @@
 use std::io::{self, BufWriter, Write};
 
 use impact_pair::Scene;
-use impact_pair::json::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
 use impact_pair::document::{Ending, Event, Kind, arithmetic, head};
+use impact_pair::json::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use serde::Serialize;

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::json::TrapDocument;
 use impact_pair::chaos::Trap;
 use impact_pair::document;
+use impact_pair::json::TrapDocument;
 use impact_pair_plot::picture::Theme;
 
 use crate::Answer;

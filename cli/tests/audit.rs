@@ -1,14 +1,13 @@
 //! Lists of figure 14 and of a chatter, right and spoiled: what `audit` finds, in which words and with which exit code.
 
-
 use crate::common;
 use std::process::{Command, Output, Stdio};
 
-use approx::abs_diff_eq;
 use crate::common::program;
+use crate::tolerances::AUDITED;
+use approx::abs_diff_eq;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
-use crate::tolerances::AUDITED;
 
 /// The first impacts of figure 14 in doubles.
 const LIST: &str = "\
@@ -451,4 +450,20 @@ fn r32_of_two_rows_within_the_tolerance_the_velocity_tells_which_is_the_impact()
     let answer = answer(list, &[file.path().to_str().unwrap(), "-", "--format", "json", "--quiet"]);
     let document: Value = serde_json::from_slice(&answer.stdout).unwrap();
     assert_eq!(disagreements(&document), [], "{document}");
+}
+
+/// `y = -3 + pi/6 + sqrt(3)/4 - t/4 - sin(t)/2` touches the left wall at 2 pi/3 with no velocity, and is next on it at the fast impact
+/// listed (mpmath), after which the ball rests: to the tolerance that impact is one with the end of its chatter, but no part of it.
+#[test]
+fn r32_the_impact_after_a_graze_is_no_tail_of_a_chatter() {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = "excitation = { amplitude = \"1/2\", frequency = 1, phase = 0 }\n\
+                pair = { gap = 6, restitution = 1e-30 }\n\
+                start = { time = 0, position = \"-3+pi/6+sqrt(3)/4\", velocity = \"-3/4\" }";
+    std::fs::write(file.path(), text).unwrap();
+    let list = "time,wall,velocity\n5.38759824288776744574270234604,left,-0.562530337867448180022265313677\n";
+    for tolerance in ["1e-12", "1e-9", "1e-3"] {
+        let document = judged(list, &[file.path().to_str().unwrap(), "-", "--tolerance", tolerance], 0);
+        assert_eq!(document["counts"]["inside"], 1, "{document}");
+    }
 }

@@ -1,6 +1,5 @@
 //! Every bad input of the contract: exit 2, one message on stderr, nothing on stdout.
 
-
 use crate::common::{answer_to, scene};
 
 /// Figure 12 with the line of `key` replaced, or an addition where `key` is a table's header.

@@ -1,6 +1,5 @@
 //! `check` and `prove`: what they say of right certificates, wrong ones and what is none.
 
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -2,7 +2,6 @@
 
 #![cfg(feature = "multiprecision")]
 
-
 use std::f64::consts::LN_2;
 use std::fs;
 use std::time::Instant;

@@ -2,7 +2,6 @@
 
 #![cfg(feature = "multiprecision")]
 
-
 use std::fs;
 
 use crate::common::{folder, program};

@@ -1,6 +1,5 @@
 //! Help, version and manual: every example in the help runs, and every verb has some.
 
-
 use std::fs;
 use std::path::PathBuf;
 

@@ -14,7 +14,7 @@ mod run;
 mod schemas;
 mod sweep;
 mod sweep_tables;
-mod trade;
-mod two_impact;
 #[path = "../../tests/tolerances/mod.rs"]
 mod tolerances;
+mod trade;
+mod two_impact;

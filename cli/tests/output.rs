@@ -1,6 +1,5 @@
 //! Files appear whole or not at all, pipes may close, Ctrl-C keeps what is certified.
 
-
 use crate::common;
 use std::fs;
 use std::io::{BufRead, BufReader, Read};

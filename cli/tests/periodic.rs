@@ -2,7 +2,6 @@
 
 #![cfg(feature = "multiprecision")]
 
-
 use crate::common;
 use crate::common::program;
 use insta_cmd::assert_cmd_snapshot;

@@ -1,6 +1,5 @@
 //! `plot` on the command line: stdout, stderr and exit code together, and the file.
 
-
 use crate::common;
 use std::fs;
 use std::process::Command;

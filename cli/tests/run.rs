@@ -3,7 +3,6 @@
 //! Digits that depend on how well the arithmetic rounds are left out: containment is tested where it is proved.
 //! `INSTA_UPDATE=always cargo test -p impact-pair-cli` rewrites them; look at the difference before committing it.
 
-
 use crate::common;
 use crate::common::{program, run};
 use insta_cmd::assert_cmd_snapshot;

@@ -1,6 +1,5 @@
 //! Sweeps: the same bytes whatever the threads, interruptions and shards; all outcomes; what is refused.
 
-
 use crate::common;
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,5 @@
 //! Sweeps as two tables: the lines and cells of the mixed one, which they are compared with; what is refused.
 
-
 use crate::common;
 use std::fs;
 use std::path::Path;

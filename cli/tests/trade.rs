@@ -1,6 +1,5 @@
 //! The table, the document and the picture of `trade`: everything but the times, which no two runs share.
 
-
 use crate::common;
 use std::fs;
 use std::process::Command;

@@ -1,6 +1,5 @@
 //! `two-impact` on the command line: stdout, stderr and exit code together.
 
-
 use crate::common;
 use std::fs;
 use std::process::Command;

@@ -1,8 +1,8 @@
 //! Orbit documents: read or refused with the path of what is wrong; what is read is checked, and checking ends.
 
 use impact_pair::Scene;
-use impact_pair_certificate::{Certificate, Effort};
 use impact_pair::document;
+use impact_pair_certificate::{Certificate, Effort};
 use impact_pair_fuzz::{config, edited, share};
 use proptest::prelude::*;
 

@@ -1,11 +1,11 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
-use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::chaos::{
     Asked, Cells, Chaos, Cycles, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Stage, Trap,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
+use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::Over;
 use pyo3::prelude::*;

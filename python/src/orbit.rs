@@ -3,10 +3,8 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use impact_pair::json::{
-    Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
-};
 use impact_pair::document::{Bounds, Conclusion, Ending, Event, Kind, arithmetic as computed_by, head};
+use impact_pair::json::{Decimal, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit};
 use impact_pair::orbit::{self, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::sweep::doubles;

@@ -1,7 +1,7 @@
 //! Sweeps: points are pure functions of the exact scene and their number.
 
-use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::exact::Exact;
+use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key};
 use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, Table, columns, csv_head, csv_rows, doubles, follow};

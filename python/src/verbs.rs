@@ -3,10 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use impact_pair::audit::{Asked, Audit, Column, Columns, read};
-use impact_pair::json::one_a_line;
-use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
+use impact_pair::json::one_a_line;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
 use impact_pair::pair::Wall;
@@ -16,6 +15,7 @@ use impact_pair::periodic::{Budget, Precision, Problem, Searched};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::trade::Trade;
 use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Question as TwoImpactQuestion, Range, Unknown, speed};
+use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};

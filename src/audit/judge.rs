@@ -284,7 +284,8 @@ impl<'a> Judge<'a> {
     fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
         let first = &self.truth.sites[site];
         let (time, end) = (&self.times[row], self.tolerance.around_time(&rest.from));
-        let is_fast = self.velocity(row).is_some_and(|listed| is_faster(&listed, first, self.tolerance));
+        let velocities = self.velocity(row).zip(first.velocity.as_ref());
+        let is_fast = velocities.is_some_and(|(listed, before)| is_faster(&listed, before, self.tolerance));
         rest.is_accumulation && self.rows[row].wall == first.wall && time.inf() <= end.sup() && !is_fast
     }
 }

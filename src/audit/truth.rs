@@ -195,25 +195,24 @@ fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
 }
 
 /// Leaves out the last impacts of a chatter: those not proved to be earlier than its end, or faster than the contact before them, by
-/// more than the tolerance.
+/// more than the tolerance. After a graze, which leaves no chatter behind, those of some speed are kept.
 ///
 /// To the tolerance they are one with the infinitely many that are not listed.
 fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance) {
+    let zero = Enclosure::point(Dyadic::zero());
     while let [.., before, last] = sites.as_slice()
         && last.kind == SiteKind::Impact
         && before.wall == last.wall
         && before.rest.is_none()
         && !tolerance.is_outside_in_time(&tolerance.distance(end, &last.time))
-        && !last.velocity.as_ref().is_some_and(|velocity| is_faster(velocity, before, tolerance))
+        && !last.velocity.as_ref().is_some_and(|v| is_faster(v, before.velocity.as_ref().unwrap_or(&zero), tolerance))
     {
         sites.pop();
     }
 }
 
-/// Whether a velocity is proved not to lie between that of a contact, if it has one, and 0, by more than the tolerance.
-pub(super) fn is_faster(velocity: &Enclosure, than: &Site, tolerance: &Tolerance) -> bool {
-    than.velocity.as_ref().is_some_and(|first| {
-        let slower = first.hull(&Enclosure::point(Dyadic::zero()));
-        tolerance.is_outside_in_velocity(&tolerance.distance(velocity, &slower))
-    })
+/// Whether a velocity is proved not to lie between that of a contact and 0, by more than the tolerance.
+pub(super) fn is_faster(velocity: &Enclosure, than: &Enclosure, tolerance: &Tolerance) -> bool {
+    let slower = than.hull(&Enclosure::point(Dyadic::zero()));
+    tolerance.is_outside_in_velocity(&tolerance.distance(velocity, &slower))
 }

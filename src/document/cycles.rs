@@ -2,9 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use impact_pair_document::{
-    CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument,
-};
+use impact_pair_document::{CYCLES_SCHEMA, CycleDocument, CyclesDocument, OpenCycleDocument, PROGRAM, SceneDocument};
 
 use super::Units;
 use crate::chaos::{Cycle, Cycles, Untrapped};

@@ -1,12 +1,12 @@
 use super::*;
 use crate::Scene;
+use crate::exact::{Enclosure, Exact};
+use crate::number::Ball;
+use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
 use impact_pair_certificate::Certificate;
 #[cfg(feature = "multiprecision")]
 use impact_pair_certificate::Verdict;
 use impact_pair_document::SceneDocument;
-use crate::exact::{Enclosure, Exact};
-use crate::number::Ball;
-use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use serde_json::{Value, json};

@@ -1,7 +1,7 @@
 //! What comes after the events that a document lists, and outcomes with the words that fit them.
 
-use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::document;
+use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::orbit::{Arithmetic, Settings};
 use num_rational::BigRational;
 use serde_json::{Value, json};

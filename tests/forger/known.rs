@@ -1,9 +1,9 @@
 //! Whether the claims that a forgery leaves are true all the same: computed anew by the library.
 
 use impact_pair::Scene;
-use impact_pair::json::{BaseDocument, SceneDocument};
 use impact_pair::chaos::{Chaos, Question};
 use impact_pair::document;
+use impact_pair::json::{BaseDocument, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};

@@ -24,7 +24,6 @@ mod scenes;
 mod shadows;
 mod sweeps;
 
-
 use std::collections::BTreeMap;
 use std::time::Instant;
 

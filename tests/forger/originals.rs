@@ -3,18 +3,18 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::json::BaseDocument;
 use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
+use impact_pair::json::BaseDocument;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
 use serde_json::{Value, json};
 
-use crate::spoiled::documents;
 use super::forged::{Original, with};
+use crate::spoiled::documents;
 
 /// Kinds of documents, in the order of the table.
 const KINDS: [&str; 10] =

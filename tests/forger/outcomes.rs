@@ -3,9 +3,9 @@
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
-use crate::spoiled::documents;
 use super::forged::{Forged, Forgery, Original, bounds, decimal, fraction};
 use super::futures::{ended, goes_on, next_event};
+use crate::spoiled::documents;
 
 pub const FORGERIES: &[Forgery] = &[
     Forgery {

@@ -3,9 +3,9 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::json::BaseDocument;
 use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
 use impact_pair::document;
+use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};

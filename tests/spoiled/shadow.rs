@@ -1,9 +1,9 @@
 //! Whether one start near the scene's has the impacts of a shadowed orbit: such a start is sought, by the time of the last impact in
 //! 320 bits, and its motion compared.
 
-use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact, decimal_bounds};
+use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::orbit::{Arithmetic, Settings};
 use num_rational::BigRational;
 use serde_json::{Value, json};

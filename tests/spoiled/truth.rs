@@ -1,8 +1,8 @@
 //! Whether what a document says is true, by the library: the motion is computed anew from the document's own scene, in 320 bits.
 
-use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::document;
 use impact_pair::exact::Exact;
+use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::pair::Wall;

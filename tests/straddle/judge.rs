@@ -1,10 +1,10 @@
 //! One start: `run` in some arithmetic, its document read back and checked.
 
 use impact_pair::Scene;
-use impact_pair::json::{EventDocument, write_orbit};
-use impact_pair_certificate::{Certificate, Effort, Verdict};
 use impact_pair::document::{Conclusion, Event, arithmetic, head};
+use impact_pair::json::{EventDocument, write_orbit};
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
+use impact_pair_certificate::{Certificate, Effort, Verdict};
 
 use super::starts::Case;
 

@@ -2,9 +2,9 @@
 
 use std::fmt::{self, Write};
 
-use impact_pair::json::{ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument};
 use impact_pair::chaos::Chaos;
 use impact_pair::document::counted;
+use impact_pair::json::{ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument};
 use impact_pair::pair::Wall;
 
 /// One horseshoe, for one pair or all of a range.

@@ -6,9 +6,9 @@ mod table;
 
 use anyhow::{Context, Error, Result, bail};
 use impact_pair::Scene;
-use impact_pair::json::one_a_line;
 use impact_pair::document;
 use impact_pair::exact::Exact;
+use impact_pair::json::one_a_line;
 use impact_pair::orbit::Settings;
 use impact_pair::two_impact::{Answer, Axis, Question, Range, Unknown, speed};
 

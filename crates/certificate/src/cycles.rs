@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::attraction::Stability;
 use crate::PeriodicCertificate;
-use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument, Place, value};
 use crate::periodic::OrbitOf;
+use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument, Place, value};
 use impact_pair_model::Error;
 
 /// What a JSON of all cycles claims.

@@ -3,9 +3,9 @@
 use serde_json::{Deserializer, Value};
 
 use crate::check::Data;
-use impact_pair_document::{CHECK_SCHEMA, CheckDocument, ClaimName, JudgedClaim, VerdictName};
 use crate::leaves::Leaves;
 use crate::{Certificate, Claims, Finding, Verdict};
+use impact_pair_document::{CHECK_SCHEMA, CheckDocument, ClaimName, JudgedClaim, VerdictName};
 
 /// What a check finds of a document, and how far it confirmed its claims one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -24,9 +24,9 @@ pub use bifurcation::BifurcationCertificate;
 pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
+pub use cycles::CyclesCertificate;
 #[doc(inline)]
 pub use impact_pair_document as document;
-pub use cycles::CyclesCertificate;
 pub use judged::Judged;
 pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;

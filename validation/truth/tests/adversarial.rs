@@ -4,11 +4,10 @@
 //! the start; contacts after 1e-9 periods; flights of 1e11 turns whose last peak barely reaches; starts at rest. Times
 //! are measured and printed (`--nocapture`), never asserted.
 
-
 use crate::common::families;
 use crate::common::short_flights;
-use crate::common::{Random, cases};
 use crate::common::verdicts::{Answer, Question, Report, ask};
+use crate::common::{Random, cases};
 
 /// One round of all families.
 fn round(random: &mut Random) -> Vec<Question> {

@@ -2,15 +2,14 @@
 //!
 //! The truth is that of the reference simulator in MPFR.
 
-
 use crate::common;
 use crate::common::Random;
-use impact_pair_certificate::{Certificate, Verdict};
+use crate::common::scene::{At, Scene, Value};
 use impact_pair::orbit::Settings;
+use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair_truth::Wall;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
-use crate::common::scene::{At, Scene, Value};
 use serde_json::{Value as Json, json};
 
 /// The orbit JSON of a scene.

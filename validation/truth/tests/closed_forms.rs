@@ -4,13 +4,12 @@
 //! d = 2 A sin tau + kappa N pi A cos tau (67), kappa = (1+e)/(1-e); impacts at t_i = i N pi/W on walls in turn, with
 //! velocities -+v. e = 1: cos tau = 0 and d = +-2 A - N pi v/W (71); N even: |v| = d W/(N pi).
 
-
 use crate::common::scene;
+use crate::common::scene::{At, Scene, Value, objection};
 use crate::common::{Random, cases};
 use impact_pair::orbit::Impact;
 use impact_pair_truth::{Contact, Wall, pi_times};
 use rug::Float;
-use crate::common::scene::{At, Scene, Value, objection};
 use std::f64::consts::PI;
 
 const BITS: u32 = 512;

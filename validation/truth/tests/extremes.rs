@@ -1,10 +1,9 @@
 //! The far ends: lengths of 1e-300 and 1e300, a trillion periods, no shaking to speak of, nothing but shaking.
 
-
+use crate::common::scene::{At, Scene, Value, judge};
 use crate::common::{Random, cases};
 use impact_pair::orbit::{Impact, Outcome};
 use impact_pair_truth::Wall;
-use crate::common::scene::{At, Scene, Value, judge};
 
 /// `mantissa` times 10 to the `exponent`, far beyond the range of doubles if need be, as text.
 fn scaled(mantissa: f64, exponent: f64) -> Value {

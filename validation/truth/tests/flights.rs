@@ -1,10 +1,9 @@
 //! Hundreds of thousands of single flights: every certificate of `impact_pair::contact::first_contact` against the truth.
 
-
-use crate::common::{Random, cases};
-use impact_pair::contact::Radii;
 use crate::common::judge::{Case, From, Spread, Tally};
 use crate::common::starts::{from, near_graze, phase_in_frame, wall};
+use crate::common::{Random, cases};
+use impact_pair::contact::Radii;
 use std::f64::consts::TAU;
 
 #[test]

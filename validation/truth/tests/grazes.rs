@@ -1,13 +1,12 @@
 //! Past a graze that doubles cannot tell from a miss (Lemma G1): the orbit that misses by 10^-18 of the gap and the one
 //! that hits by as much lie in the same enclosures.
 
-
+use crate::common::scene::{At, Scene, Value, holds};
 use crate::common::{Random, cases};
 use impact_pair::orbit::{Impact, Progress};
 use impact_pair_truth::{Contact, Wall};
 use rug::Float;
 use rug::float::Constant;
-use crate::common::scene::{At, Scene, Value, holds};
 
 const BITS: u32 = 512;
 

@@ -1,10 +1,9 @@
 //! Thousands of orbits in physical units: every certified impact against the truth, none missed.
 
-
+use crate::common::scene::{At, Scene, Value, judge, truth_ends};
 use crate::common::{Random, cases};
 use impact_pair::orbit::Outcome;
 use impact_pair_truth::Wall;
-use crate::common::scene::{At, Scene, Value, judge, truth_ends};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 

@@ -1,10 +1,9 @@
 //! Random flights against the scan, against eq. (11) itself, and against twice the precision.
 
-
 use crate::common::{Random, cases, contact, displacement, figure, random_case};
+use crate::tolerances::{TRUTH_AT_RANDOM, TRUTH_LATE, TRUTH_ON_THE_WALL};
 use impact_pair_truth::{Number, Problem, Start, Truth, Wall, displacement_f64, first_contact, orbit, scan};
 use rug::Float;
-use crate::tolerances::{TRUTH_AT_RANDOM, TRUTH_LATE, TRUTH_ON_THE_WALL};
 
 /// Nothing before the contact, the wall at it, and beyond the wall soon after it.
 fn assert_scan_agrees(problem: &Problem, start: &Start, points: usize) {

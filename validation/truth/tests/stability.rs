@@ -1,14 +1,13 @@
 //! Every arithmetic says the same, as far as it goes, at the extremes: e = 0 and 1, A/d from 1e-9 to 1e9, 1e40 periods
 //! after the start of time, the tiniest and largest units, chaos over 10,000 impacts at 100 digits, boxes of data.
 
-
 use crate::common::arithmetics::{CERTIFIED, Run, assert_stable};
+use crate::common::scene::{At, Scene, Value};
 use crate::common::{Random, cases};
 use impact_pair::contact::Reason;
 use impact_pair::orbit::{Arithmetic, Outcome, Settings};
 use impact_pair_truth::{Contact, Wall};
 use rug::Float;
-use crate::common::scene::{At, Scene, Value};
 use std::collections::BTreeMap;
 
 #[test]

@@ -7,16 +7,16 @@
 #[allow(dead_code)]
 mod starts;
 
+use crate::common::judge::{Case, From, Tally};
 use crate::common::straddling;
+use crate::common::straddling::{Judgement, question};
 use crate::common::{Random, cases};
 use impact_pair::orbit::{Arithmetic, Settings};
-use crate::common::judge::{Case, From, Tally};
 use rug::Float;
 use starts::{Dice, case};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
-use crate::common::straddling::{Judgement, question};
 
 const ARITHMETICS: [Arithmetic; 5] =
     [Arithmetic::Interval, Arithmetic::Inari, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];

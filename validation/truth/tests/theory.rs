@@ -1,10 +1,9 @@
 //! Flights whose answer is a theorem or a published anchor.
 
-
 use crate::common::{contact, figure};
+use crate::tolerances::TRUTH;
 use impact_pair_truth::{Problem, Start, Truth, Wall, first_contact, orbit, pi_times};
 use rug::Float;
-use crate::tolerances::TRUTH;
 
 /// |value - decimal| <= tolerance.
 #[track_caller]

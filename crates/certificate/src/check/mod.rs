@@ -50,11 +50,11 @@ mod walk;
 use std::sync::atomic::AtomicBool;
 
 use super::{Certificate, ClaimKind};
-use impact_pair_document::ClaimName;
 use budget::Budget;
 pub(super) use contact::Doubt;
 pub(super) use data::{Data, Piece};
 pub(super) use flight::Flight;
+use impact_pair_document::ClaimName;
 use impact_pair_exact::Enclosure;
 use impact_pair_model::Error;
 pub(super) use walk::Walk;

@@ -11,8 +11,8 @@ use super::contact::Doubt;
 use super::shadow::{Doubted, Shadow};
 use super::standing::Last;
 use super::walk::{are_bounds, is_next};
-use impact_pair_document::ClaimName;
 use crate::{Certificate, ClaimKind};
+use impact_pair_document::ClaimName;
 use impact_pair_exact::{Dyadic, Exact, Real, decimal_bounds_f64};
 use impact_pair_model::{Harmonic, Place};
 

@@ -5,8 +5,8 @@ use super::contact::{Doubt, clear_throughout};
 use super::flight::Part;
 use super::rest::Rest;
 use super::walk::Walk;
-use impact_pair_document::ClaimName;
 use crate::{Certificate, ClaimKind};
+use impact_pair_document::ClaimName;
 use impact_pair_exact::Real;
 use impact_pair_model::Period;
 

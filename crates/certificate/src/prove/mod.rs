@@ -12,8 +12,8 @@ mod text;
 
 use super::check::{Data, Doubt, Finding};
 use super::{Certificate, ClaimKind};
-use impact_pair_document::ClaimName;
 use flights::{Flight, Origin, flights};
+use impact_pair_document::ClaimName;
 use impact_pair_model::Error;
 use legs::{Box, Leg, excess, leg, start};
 

@@ -11,8 +11,8 @@ mod map;
 use std::error::Error as StdError;
 
 use anyhow::Result;
-use impact_pair::json::{ExtendedBounds, SweepHead, SweepRecord};
 use impact_pair::exact::Exact;
+use impact_pair::json::{ExtendedBounds, SweepHead, SweepRecord};
 use impact_pair::sweep;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;

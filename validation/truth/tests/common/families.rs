@@ -1,8 +1,8 @@
 //! Families of first flights that are hard for one reason each.
 #![allow(dead_code)] // each test crate uses a part
 
-use super::aim::{Aim, BITS, Target, Touch, decimal};
 use super::Random;
+use super::aim::{Aim, BITS, Target, Touch, decimal};
 use super::scene::{At, Scene, Value};
 use super::verdicts::{Graze, Question};
 use impact_pair_truth::{Number, Wall, pi_times};

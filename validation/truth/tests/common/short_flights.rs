@@ -1,8 +1,8 @@
 //! Flights next to a wall: the contact comes after a tiny part of a period, or the ball leaves with no velocity.
 #![allow(dead_code)] // each test crate uses a part
 
-use super::aim::{BITS, decimal};
 use super::Random;
+use super::aim::{BITS, decimal};
 use super::families::{Draft, short};
 use super::scene::{At, Scene, Value};
 use super::verdicts::Question;

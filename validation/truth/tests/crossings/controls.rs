@@ -3,12 +3,12 @@
 use impact_pair::document;
 use impact_pair::orbit::Settings;
 
-use crate::common::Random;
 use super::flight::{Next, float};
 use super::members::Member;
 use super::motion::{self, Halt};
 use super::scenes::{Case, case};
 use super::traits::{Excitation, array};
+use crate::common::Random;
 
 /// Scenes of points from the covering array.
 fn cases(count: usize) -> impl Iterator<Item = Case> {

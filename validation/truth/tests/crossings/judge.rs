@@ -1,13 +1,12 @@
 //! One answer, by `check` and by the truth.
 
-use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::Start;
 use impact_pair::{Scene, scene};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 use rug::Float;
 use serde_json::Value;
 
-use crate::common::Random;
 use super::flight::float;
 use super::members::{Bounds, Member};
 use super::motion::{self, Halt, Judged, Motion, wrong};
@@ -15,6 +14,7 @@ use super::questions::Answer;
 use super::scenes::Case;
 use super::traits::Question;
 use super::{orbits, shadow, sweeps};
+use crate::common::Random;
 
 /// What a judge finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

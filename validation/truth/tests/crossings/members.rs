@@ -9,8 +9,8 @@ use rug::ops::Pow;
 use rug::{Float, Integer};
 use serde_json::Value;
 
-use crate::common::Random;
 use super::flight::{BITS, Shaken, State, Tone, float};
+use crate::common::Random;
 
 /// A pair and the state just after its start.
 #[derive(Clone, Debug)]

@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 use super::flight::float;
 use super::members::Member;
 use super::motion::Motion;
-use super::scenes::Case;
+use super::scenes::{Case, NEAR_FOLD};
 use super::traits::{Question, Restitution};
 
 /// The most bits of `auto`: what straddling starts need.
@@ -241,7 +241,8 @@ impl Case {
         let over: Over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
         let wanted = Wanted { over, doublings: 0, precision };
-        let (word, cycles) = self.word();
+        let is_near_fold = self.scene.pair().excitation().terms()[0].amplitude().text() == NEAR_FOLD[0];
+        let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
         let asked = Cell::new(0);
         let goes_on = || {
             asked.set(asked.get() + 1);

@@ -3,8 +3,11 @@
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 
-use crate::common::Random;
 use super::traits::{Crossing, Data, Excitation, Question, Restitution, Start};
+use crate::common::Random;
+
+/// Where `LR` in one cycle has its fold near the scene's values, for `e = 1/2`: `A/d = 1/sqrt(4 + 9 pi^2)` (Lemma W2).
+pub const NEAR_FOLD: [&str; 3] = ["1", "pi", "9.42497"];
 
 /// A scene with its crossing.
 pub struct Case {
@@ -274,6 +277,7 @@ fn restitution(random: &mut Random, kind: Restitution) -> &'static str {
 fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
     let size = match crossing.question {
         Question::Chaos => SIZES[0],
+        Question::Bifurcations(_) if random.below(2) == 0 => NEAR_FOLD,
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),
     };

@@ -6,10 +6,10 @@ use rug::float::Constant;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-use crate::common::Random;
 use super::flight::{Tone, float};
 use super::members::{Bounds, Member};
 use super::motion::{self, Halt, Judged, wrong};
+use crate::common::Random;
 
 /// The harmonics in whose phase all states so far may be told.
 type Units = BTreeSet<usize>;

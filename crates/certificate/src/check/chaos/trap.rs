@@ -20,8 +20,8 @@ use crate::check::data::{Data, Piece};
 use crate::check::step::Landing;
 use crate::check::walk::Walk;
 use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
-use impact_pair_document::{Decimal, TrapDocument};
 use crate::trap::TrapCertificate;
+use impact_pair_document::{Decimal, TrapDocument};
 
 /// What stops a check of boxes.
 enum End {
