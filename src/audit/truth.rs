@@ -199,13 +199,14 @@ fn note(sites: &mut Vec<Site>, event: &Event, tolerance: &Tolerance) {
 ///
 /// To the tolerance they are one with the infinitely many that are not listed.
 fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance) {
-    let zero = Enclosure::point(Dyadic::zero());
+    // G1: a graze is no impact, or one of a speed too small to tell
+    let velocity = |site: &Site| site.velocity.clone().unwrap_or_else(|| Enclosure::point(Dyadic::zero()));
     while let [.., before, last] = sites.as_slice()
         && last.kind == SiteKind::Impact
         && before.wall == last.wall
         && before.rest.is_none()
         && !tolerance.is_outside_in_time(&tolerance.distance(end, &last.time))
-        && !last.velocity.as_ref().is_some_and(|v| is_faster(v, before.velocity.as_ref().unwrap_or(&zero), tolerance))
+        && !is_faster(&velocity(last), &velocity(before), tolerance)
     {
         sites.pop();
     }
