@@ -104,14 +104,25 @@ fn earliest(document: &Value) -> u64 {
 
 #[test]
 fn attractors_are_confirmed_and_nothing_else_in_their_place() {
+    judges_attractors(4);
+}
+
+#[test]
+#[ignore = "deep"]
+fn attractors_with_any_bound_moved_are_not_confirmed() {
+    judges_attractors(1);
+}
+
+/// Every attractor as it is, and with each value changed; of the bounds of its orbit one in so many.
+fn judges_attractors(every: usize) {
     for (name, document) in attracted() {
         let outcome = &document["outcome"];
         assert_eq!(outcome["kind"], "attracted", "{name}");
         assert!(is_confirmed(&document), "{name}: {:?}", verdict(&document));
-        for path in bounds(&document) {
+        for path in bounds(&document).iter().step_by(every) {
             for sign in [-1, 1] {
-                let moved = moved(outcome.pointer(&path).unwrap(), sign);
-                assert!(!is_confirmed_with(&document, &path, moved), "{name}: {path} {sign}");
+                let moved = moved(outcome.pointer(path).unwrap(), sign);
+                assert!(!is_confirmed_with(&document, path, moved), "{name}: {path} {sign}");
             }
         }
         let (symmetric, cycles) =

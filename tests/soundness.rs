@@ -315,3 +315,31 @@ fn r32_no_event_is_listed_after_the_time_to_stop_at() {
         assert_eq!((orbit.by_ref().count(), orbit.outcome()), (listed, Some(&Outcome::TimeReached)), "{until}");
     }
 }
+
+/// At large times a time to stop at with more digits than are listed is compared as it is written, not as it is enclosed.
+#[cfg(feature = "multiprecision")]
+#[test]
+fn r32_a_time_to_stop_at_of_many_digits_is_compared_exactly() {
+    let scene = Scene::parse(
+        r#"
+        excitation = { amplitude = 0.05, frequency = "2*pi", phase = 0 }
+        pair = { gap = 1, restitution = 0 }
+        start = { time = "2^40", wall = "right", velocity = 0 }"#,
+    )
+    .unwrap();
+    let listed = |until: &str| {
+        let until = Some(until.parse().unwrap());
+        let settings = Settings { until, arithmetic: Arithmetic::Bits(64), ..Settings::default() };
+        let orbit = impact_pair::document::orbit(scene.pair(), scene.start(), settings).unwrap();
+        let document = serde_json::to_value(orbit).unwrap();
+        document["events"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|event| event["time"][0].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    // The second impact is at 1099511627783.32493599890988574345... (`run --digits 30`).
+    let [before, after] = ["1099511627783.32493599890988574", "1099511627783.324935998909886"].map(listed);
+    assert_eq!(before.len() + 2, after.len(), "an impact and a rest: {before:?}, {after:?}");
+}

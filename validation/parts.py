@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """The parts of the validation suite: what each runs, on what it waits, and what it does in small and in full.
 
-Two parts run at a time, of those that use cargo one: it uses all cores itself. A part that has passed and whose inputs have not
-changed since is not run again, where it says so. On failure the last lines are shown, and the command that runs the part alone.
+Two parts run at a time, of those that use cargo one: it uses all cores itself. A part that has passed is not run again until a file that
+it reads has changed, or a tool. On failure the last lines are shown, and the command that runs the part alone.
 """
 import argparse
 import contextlib
 import hashlib
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -26,25 +27,34 @@ PROGRAM = TARGET / "validation" / "impact-pair"
 TAIL = 40
 # Seconds after which a part has failed; ten times as many in full.
 PATIENCE = 2700
+# Whose change lets all parts run again.
+TOOLS = subprocess.run("rustc --version; coqc --version; gappa --version", shell=True, capture_output=True, text=True, check=False).stdout + sys.version
 # What runs now: stopped when another part fails, or the user interrupts.
 RUNNING = set()
 
-# `small` and `full` are shell commands; `inputs` are files or folders whose bytes decide whether it has to run again.
-Part = namedtuple("Part", "name small full after cargo inputs", defaults=((), False, ()))
+# `small` and `full` are shell commands; `inputs` are the files and folders whose bytes decide whether it has to run again.
+Part = namedtuple("Part", "name small full after cargo inputs", defaults=((), False, (".",)))
+# What the program is built from.
+SOURCES = ("Cargo.toml", "Cargo.lock", ".cargo", "src", "crates", "cli", "scenes")
 
 
 def cargo(name, small, full=None, after=()):
-    return Part(name, small, full or small, after, True, ())
+    return Part(name, small, full or small, after, True)
 
 
-def by_program(name):
+def by_program(name, *read):
     """A folder of validation/ that judges the program, and writes a page of the report."""
-    return Part(name, f"validation/{name}/run --quick --report $REPORT", f"validation/{name}/run --report $REPORT", ("program", "python"))
+    command, inputs = f"validation/{name}/run", (*SOURCES, "validation/requirements.txt", f"validation/{name}", *read)
+    return Part(name, f"{command} --quick --report $REPORT", f"{command} --report $REPORT", ("program", "python"), False, inputs)
 
 
-# Cargo builds the library anew for each choice of packages: the same one everywhere, so that it is built once.
-TEST = f"cargo test {' '.join(PROFILE)} --workspace"
-LINT = f"cargo clippy {' '.join(PROFILE)} --all-targets"
+# Cargo builds the library anew for each choice of packages and features: the same one everywhere, so that it is built once.
+GMP = subprocess.run([ROOT / "validation/gmp"], check=True, capture_output=True, text=True).stdout.strip()
+ALL = f"{' '.join(PROFILE)} --workspace {GMP}"
+TEST = f"cargo test {ALL}"
+# Runs the tests of all executables side by side, where it is there.
+QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --lib --bins --tests"
+LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
@@ -55,46 +65,51 @@ CROSSED = "CROSSINGS_CASES=${CROSSINGS_CASES:-100000} CROSSINGS_SEED=fresh"
 MANUAL = "! awk 'NR > 150 || length > 120' README.md | grep . && docs/reference/make --check && docs/manual"
 
 PARTS = [
-    Part("python", *2 * ("validation/environment",)),
+    Part("python", *2 * ("validation/environment",), inputs=()),
     Part("kernel", *2 * ("validation/kernel/prove",), inputs=("src/number/kernel.rs", "validation/kernel", "validation/proving.py")),
     Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
          inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
     cargo("formatting", "cargo fmt --all --check"),
-    cargo("program", f"cargo build {' '.join(PROFILE)} --workspace --bin impact-pair --example instructions", after=("formatting",)),
-    cargo("tests", TEST,
-          f"{MANY} {TEST} --features png,pdf,parquet && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
-          f" && {TEST} --benches && {FRESH} {TEST} --test straddle -- --nocapture"
-          f" && {CROSSED} {TEST} --test crossings -- --nocapture && PROPTEST_CASES=100000 {TEST} --test spoiled"
-          f" && FORGER_CASES=all {TEST} --test forger", ("program",)),
+    cargo("program", f"cargo build {ALL} --bin impact-pair --example instructions", after=("formatting",))._replace(inputs=()),
+    cargo("tests", f"{QUICK} && {TEST} --doc",
+          f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
+          f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
+          f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
+          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
+          f" && FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
-    cargo("no C", f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test flight --test orbit", after=("lints",)),
-    cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {' '.join(PROFILE)} --no-deps --workspace --quiet", after=("lints",)),
+    cargo("no C", f"{NO_C} && cargo check {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features",
+          f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test library", after=("lints",)),
+    cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
-         ("program",)),
-    Part("gallery", *2 * ("docs/gallery/make --check",), ("program",)),
-    Part("stability", *2 * ("docs/stability/make --check",), ("program",)),
+         ("program",), inputs=SOURCES),
+    Part("gallery", *2 * ("docs/gallery/make --check",), ("program",), inputs=(*SOURCES, "docs")),
+    Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
-    *map(by_program, ["arb", "closed_forms", "paper", "references", "audits", "certificates", "cycles", "coq"]),
+    *map(by_program, ["arb", "closed_forms", "references", "certificates", "cycles", "coq"]),
+    by_program("paper", "docs"),
+    by_program("audits", "validation/references"),
     cargo("package", "python/test", "python/test --full", ("lints",)),
-    cargo("mutations", "validation/mutations --quick --tests --report $REPORT", "validation/mutations --report $REPORT",
+    cargo("mutations", "validation/mutations --quick --report $REPORT", "validation/mutations --report $REPORT",
           ("tests", "python", "instructions")),
 ]
 
 
 def stamp(part, full):
-    """A file that is there once the part has passed with these inputs; the full run is whole."""
-    if full or not part.inputs:
+    """A file that is there once the part has passed with these inputs and tools; the full run is whole, and so is one of tests of one's own."""
+    if full or not part.inputs or any(name.endswith(("_CASES", "_SEED", "_MULTIPLIER")) for name in os.environ):
         return None
-    digest = hashlib.sha256()
-    for name in part.inputs:
-        found = ROOT / name
-        for file in sorted(found.rglob("*")) if found.is_dir() else [found]:
-            if file.is_file():
-                digest.update(str(file.relative_to(ROOT)).encode() + file.read_bytes())
-    return STATE / f"{part.name}-{digest.hexdigest()[:16]}"
+    listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *part.inputs, "validation/parts.py"]
+    names = subprocess.run(listed, cwd=ROOT, check=True, capture_output=True).stdout.split(b"\0")
+    digest = hashlib.sha256(TOOLS.encode())
+    for name in sorted(filter(None, names)):
+        file = ROOT / os.fsdecode(name)
+        if file.is_file():
+            digest.update(name + b"\0" + file.read_bytes())
+    return STATE / f"{part.name.replace(' ', '-')}-{digest.hexdigest()[:16]}"
 
 
 def run(part, full, environment):
@@ -132,8 +147,9 @@ def said_by_tests(log):
     """Test runners' own last words in one line, if there are any."""
     text = log.read_text(encoding="utf-8", errors="replace")
     passed = [int(count) for count in re.findall(r"^test result: ok. (\d+) passed", text, re.M)]
+    passed += [int(count) for count in re.findall(r"^ *Summary .* tests run: (\d+) passed", text, re.M)]
     starts = [f"; {told}" for told in re.findall(r"^\d+ starts from seed \d+", text, re.M)]
-    return f"{sum(passed)} tests of {len(passed)} programs passed{''.join(starts)}" if passed else ""
+    return f"{sum(passed)} passed, 0 failed{''.join(starts)}" if passed else ""
 
 
 def stop():

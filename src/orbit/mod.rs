@@ -40,7 +40,7 @@ pub use watch::Watch;
 pub use crate::clock::Clock;
 use crate::clock::Phase;
 use crate::contact::{Contact, Undecided};
-use crate::exact::{Enclosure, Exact};
+use crate::exact::{Enclosure, Exact, compare_rational};
 use crate::mapping::Mapping;
 use crate::number::{Ball, Number};
 use crate::pair::{Reduced, Wall};
@@ -304,11 +304,15 @@ impl Orbit {
         })
     }
 
-    /// The same by the bounds that are listed, against the exact time to stop at.
+    /// The same by the bounds that are listed, against the exact time to stop at: to twice their bits, where that is irrational.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
         let until = self.asked.settings.until.as_ref();
-        until.is_some_and(|until| until.enclose(self.asked.shown).sup() < self.clock.time(turns, phase).inf())
+        let listed = self.clock.time(turns, phase);
+        until.is_some_and(|until| match until.as_rational() {
+            Some(until) => compare_rational(listed.inf(), until).is_gt(),
+            None => until.enclose(self.asked.shown.saturating_mul(2)).sup() < listed.inf(), // X1: any number of bits encloses
+        })
     }
 
     /// The phase of the contact in hand as it is listed, without the whole turns.

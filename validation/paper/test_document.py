@@ -10,6 +10,8 @@ from program import BINARY, ROOT
 
 TEXT = (ROOT / "docs/paper.md").read_text(encoding="utf-8")
 COMMANDS = sorted(set(re.findall(r"`((?:impact-pair|validation/paper/run|cargo)\b[^`]*)`", TEXT)))
+# Without these words of the environment all commands are run, those that search for bases for a minute as well.
+IS_QUICK = "PAPER_QUICK" in os.environ
 # Lower bounds of the entropy, an impact, and where it is told a cycle.
 BOUNDS = re.findall(r"entropy (?:at least )?\$(\d\.\d+)\$(?: an impact and \$(\d\.\d+)\$ a cycle)?", TEXT)
 ENTROPIES = {told for bound in BOUNDS for told in bound if told}
@@ -24,7 +26,8 @@ class Document(unittest.TestCase):
         self.assertEqual(quoted, set(CLAIMS))
 
     def test_commands_of_the_program_are_certified(self):
-        runs = [command for command in COMMANDS if command.startswith("impact-pair ")]
+        searches = [command for command in COMMANDS if command.startswith("impact-pair chaos ") and "--bases" not in command]
+        runs = [command for command in COMMANDS if command.startswith("impact-pair ") and not (IS_QUICK and command in searches)]
         self.assertTrue(runs)
         proved = []
         for command in runs:
@@ -36,7 +39,8 @@ class Document(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 for certified in re.findall(r"topological entropy is at least (.*)", done.stdout):
                     proved += re.findall(r"\d\.\d+", certified)
-        for told in ENTROPIES:
+        self.assertTrue(proved)
+        for told in () if IS_QUICK else ENTROPIES:
             self.assertTrue([entropy for entropy in proved if entropy.startswith(told)], f"{told} of {proved}")
 
     def test_entropies_are_told(self):

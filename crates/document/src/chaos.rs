@@ -27,7 +27,8 @@ pub struct TrapDocument {
     pub scene: SceneDocument,
     /// How many boxes it has.
     pub boxes: u64,
-    /// The impact of the scene's own orbit from which on all are in the region; 0 is its start. `null` if none is proved to be.
+    /// The number, as `run` lists it, of the impact of the scene's own orbit from which on all are in the region; 0 is its start. `null`
+    /// if none is proved to be.
     pub entered_at_impact: Option<u64>,
     /// No motion in it comes to rest, or has chatter that ends.
     pub no_rest: bool,
@@ -116,7 +117,8 @@ pub struct PeriodDocument {
 pub struct EnteredDocument {
     /// How many boxes it has.
     pub boxes: u64,
-    /// The impact from which on all are in it; 0 is the start.
+    /// The number, as `run` lists it, of the impact from which on all are in it; 0 is the start. Impacts of a chatter that are not
+    /// listed have none.
     pub entered_at_impact: u64,
     /// Whether all bases are proved to lie in it, and so the horseshoe.
     pub holds_bases: bool,

@@ -1,8 +1,8 @@
 //! One answer, by `check` and by the truth.
 
 use impact_pair::exact::Exact;
-use impact_pair::orbit::Start;
-use impact_pair::{Scene, scene};
+use impact_pair::orbit::{Settings, Start};
+use impact_pair::{Scene, document, scene};
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use rug::Float;
 use serde_json::Value;
@@ -105,30 +105,43 @@ fn bifurcation(point: &Value, scene: &Scene, key: &str) -> Judged<()> {
     Ok(())
 }
 
-/// From the impact on at which it is told to be in the region, speeds and flights are within the bounds.
-fn trap(document: &Value, member: &Member) -> Judged<()> {
+/// When the listed impact of this number comes, at the earliest; infinitely many of a chatter have no numbers.
+fn listed_time(scene: &Scene, number: u64) -> Option<Float> {
+    let settings = Settings { impacts: Some(number), ..Settings::default() };
+    let orbit = serde_json::to_value(document::orbit(scene.pair(), scene.start(), settings).ok()?).ok()?;
+    let event = orbit["events"].as_array()?.iter().find(|event| event["index"] == number)?;
+    Some(Bounds::read(&event["time"])?.0)
+}
+
+/// From the listed impact on at which it is told to be in the region, speeds and flights are within the bounds.
+fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     let Some(entered) = document["entered_at_impact"].as_u64() else { return Err(Halt::Open("not entered")) };
+    let listed = if entered == 0 { Some(Float::with_val(64, f64::NEG_INFINITY)) } else { listed_time(scene, entered) };
+    let Some(from) = listed else { return Err(Halt::Open("the impact is not listed")) };
     let (Some(speed), Some(flight)) = (Bounds::read(&document["speed_before"]), Bounds::read(&document["flight_time"]))
     else {
         return wrong("a region without bounds".into());
     };
     let mut motion = Motion::new(&member.shaken, member.start.clone());
     let mut last: Option<Float> = None;
-    for index in 1..=entered + 20 {
+    for _ in 1..=entered + 20 {
         let mut releases = Vec::new();
         let Some(contact) = motion.contact(&mut releases)? else { return wrong("a region, but it ends".into()) };
-        if index >= entered && !speed.holds(&float(contact.velocity_before.abs_ref())) {
+        if contact.time < from {
+            continue;
+        }
+        if !speed.holds(&float(contact.velocity_before.abs_ref())) {
             return wrong(format!("speeds in {}, but {}", document["speed_before"], motion::shown(&contact)));
         }
-        if let Some(last) = last.filter(|_| index > entered) {
-            let time = float(&contact.time - &last);
+        if let Some(last) = &last {
+            let time = float(&contact.time - last);
             if !releases.is_empty() || !flight.holds(&time) {
                 return wrong(format!("flights in {}, but {time:.20}", document["flight_time"]));
             }
         }
         last = Some(contact.time);
     }
-    Ok(())
+    if last.is_some() { Ok(()) } else { Err(Halt::Open("it chatters before the region")) }
 }
 
 /// True impacts are neither missed nor false nor outside.
@@ -186,7 +199,7 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             }
             open.map_or(Ok(()), |why| Err(Halt::Open(why)))
         }
-        Answer::Trap(document) => all(&members, |member| trap(document, member)),
+        Answer::Trap(document) => all(&members, |member| trap(document, &case.scene, member)),
         Answer::Cycles(document) => {
             let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
             if !is_point {

@@ -60,7 +60,12 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Judged<Units> {
 fn own(record: &Value, scene: &Scene, asked: &sweep::Asked) -> Judged<Option<Value>> {
     // What is not shadowed is certified from the exact start, to the digits.
     let is_shadow = asked.settings.arithmetic == Arithmetic::Shadow;
-    let arithmetic = if is_shadow { Arithmetic::Auto } else { asked.settings.arithmetic };
+    // In the bits that it took: in more a graze may be told from an impact, which has a number.
+    let arithmetic = match record["bits"].as_u64() {
+        Some(53) if is_shadow => Arithmetic::Interval,
+        _ if is_shadow => Arithmetic::Auto,
+        _ => asked.settings.arithmetic,
+    };
     let impacts = Some(asked.transient + asked.impacts);
     let settings = Settings { impacts, arithmetic, attractor: true, ..asked.settings.clone() };
     let Ok(found) = document::orbit(scene.pair(), scene.start(), settings) else {
