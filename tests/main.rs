@@ -17,6 +17,7 @@ mod orbit;
 mod package;
 mod periodic;
 mod periodic_several;
+mod readme;
 mod scene;
 mod several;
 mod soundness;
