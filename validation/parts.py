@@ -124,7 +124,8 @@ def fast_parts():
         wanted.append("test(/^crossings::no_answer/)")
         targets += " --test truth"
     chosen = " | ".join(f"({one})" for one in wanted)
-    tests = f"CROSSINGS_CASES=${{CROSSINGS_CASES:-300}} cargo nextest run --cargo-profile validation --workspace {GMP} {targets} --status-level fail -E '{chosen}'"
+    # Incremental: a change of a line is not a build of the library; in files of their own, beside those of all other parts.
+    tests = f"CARGO_INCREMENTAL=1 CROSSINGS_CASES=${{CROSSINGS_CASES:-300}} cargo nextest run --cargo-profile validation --workspace {GMP} {targets} --status-level fail -E '{chosen}'"
     if not shutil.which("cargo-nextest"):
         tests = f"{TEST} --lib && {TEST} --test library soundness:: && {TEST} --test cli run::"
     return [cargo("formatting", "cargo fmt --all --check")._replace(inputs=()), cargo("tests", tests)._replace(inputs=())]
