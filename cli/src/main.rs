@@ -84,7 +84,7 @@ fn with_a_verb(mut error: clap::Error) -> clap::Error {
     if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand)
         && (given.ends_with(".toml") || Path::new(given).exists())
     {
-        let tip = format!("a verb stands before a scene: impact-pair run {given}").into();
+        let tip = format!("the verb comes before the scene: impact-pair run {given}").into();
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
     }
     error

@@ -1,4 +1,4 @@
-//! A manifold as a table for programs.
+//! A parameter manifold as a table for programs.
 
 use impact_pair::exact::decimal_bounds;
 use impact_pair::two_impact::{Axis, Manifold, Part};
