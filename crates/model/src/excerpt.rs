@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A line of a text with the place that is meant in it.
 ///
-/// It is shown as compilers do:
+/// It is shown as by compilers:
 ///
 /// ```text
 ///    |

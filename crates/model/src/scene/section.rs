@@ -71,7 +71,7 @@ impl<'t> Section<'t> {
             None => Ok(()),
             Some(unknown) => {
                 let place = if self.name.is_empty() { "a scene".into() } else { format!("[{}]", self.name) };
-                let but = format!("is no key of {place}: accepted are {}", accepted.join(", "));
+                let but = format!("is not a key of {place}: accepted are {}", accepted.join(", "));
                 let name = unknown.key.rsplit('.').next().unwrap_or_default();
                 let meant = nearest(name, accepted).map(str::to_owned);
                 Err(unknown.refused_at(unknown.name.clone(), &but).meant(meant))
