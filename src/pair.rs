@@ -130,5 +130,5 @@ pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
 
 /// A value that is too large for the arithmetic of a flight.
 pub(crate) fn too_large(key: &str, value: &Exact) -> Error {
-    Error::range(key, value, "double-precision flights accept at most 2^400 in units of gaps and turns")
+    Error::range(key, value, "double-precision flights accept at most 2^400 in units of gap widths and forcing periods")
 }

@@ -239,7 +239,7 @@ impl<'s> Audit<'s> {
         let errors = first.errors.as_ref()?;
         let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.impact(first) <= 1;
         is_velocity
-            .then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
+            .then_some("velocities are expected just before the impact; --no-velocity compares times and walls only")
     }
 }
 

@@ -283,5 +283,5 @@ fn told_from_its_least(word: &Word) -> Word {
     let is_right = |shift: &usize| rotated(*shift).map(|mapping| mapping.walls().0 == Wall::Right).collect::<Vec<_>>();
     let shift = (0..mappings.len()).min_by_key(is_right).unwrap_or(0); // exact: a word has impacts
     let mappings: Vec<Mapping> = rotated(shift).collect();
-    Word::new(mappings).expect("a closed word can be turned")
+    Word::new(mappings).expect("a closed word can be rotated")
 }

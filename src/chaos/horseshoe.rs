@@ -271,15 +271,15 @@ fn by_impact(search: &Search<'_>) -> f64 {
 /// What is wrong with bases, if anything is. Lemma D9
 pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     if !bases.iter().all(Base::is_convex) {
-        return Some("the bases are not all convex quadrilaterals with their tops on the left from left to right");
+        return Some("the h-sets are not all convex quadrilaterals with their tops on the left from left to right");
     }
     let apart = bases.iter().enumerate().all(|(k, base)| bases[..k].iter().all(|other| base.is_apart(other)));
     if !bases.iter().all(Base::is_apart_from_its_translates) {
         return Some(
-            "a base overlaps its own translate by a forcing period: its states have no phase modulo 2 pi of their own",
+            "an h-set overlaps its own translate by a forcing period: phases modulo 2 pi are not unique in it",
         );
     }
     let near = bases.iter().all(Base::is_near);
     (!(apart && near))
-        .then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
+        .then_some("the h-sets overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
 }

@@ -63,7 +63,7 @@ impl Untrapped {
     pub fn words(self) -> &'static str {
         match self {
             Self::Rest => "in the finest grid a ball may come to rest",
-            Self::Long => "in the finest grid a flight may last for more than 64 cycles",
+            Self::Long => "in the finest grid a flight may last for more than 64 forcing periods",
             Self::Boxes => "the region still grew after 4 million boxes",
             Self::NoImpact => "the orbit of the scene has no impacts",
             Self::Interrupted => "interrupted",

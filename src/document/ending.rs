@@ -43,7 +43,7 @@ impl<'s> Ending<'s> {
                 Some("try fewer --digits or more --max-bits")
             }
             (Arithmetic::Auto, Some(Reason::Precision)) => {
-                Some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
+                Some("try fewer --digits, or --arithmetic interval, which continues with wider enclosures")
             }
             (Arithmetic::Bits(VERDICT_BITS..), _) => None,
             (Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_), _)
@@ -58,7 +58,7 @@ impl<'s> Ending<'s> {
             }
             // Of intervals more bits were not tried.
             (Arithmetic::Auto, Some(Reason::Graze)) if self.bits >= VERDICT_BITS => {
-                Some("8192 bits do not tell; try --arithmetic with more, such as 65536")
+                Some("8192 bits do not decide; try --arithmetic with more, such as 65536")
             }
             (Arithmetic::Auto, None) if self.wide.is_some() => {
                 Some("try fewer --digits, or narrower intervals in the scene")

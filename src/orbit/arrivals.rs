@@ -69,7 +69,7 @@ impl Arrivals {
             Error::out_of_range(key, format!("{key} is {value}, but {accepted}"))
         };
         let (turns, phase) =
-            self.dial.phase(time).ok_or_else(|| refused("start.time", time, "must be a number of turns below 2^62"))?;
+            self.dial.phase(time).ok_or_else(|| refused("start.time", time, "must be a number of forcing periods below 2^62"))?;
         let points = wall.sign() * velocity <= 0.0;
         let reduced = self.dial.velocity(velocity).filter(|_| points);
         let velocity =

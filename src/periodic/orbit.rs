@@ -28,7 +28,7 @@ impl PeriodicImpact {
     /// The turn that its phase `W t + tau` is told from, counted from that of the first impact.
     pub fn cycle(&self) -> i64 {
         let turn = self.phase.inf().to_rational().floor().to_integer(); // exact: a whole number
-        turn.to_i64().expect("turns of a chain")
+        turn.to_i64().expect("forcing periods of a chain")
     }
 }
 

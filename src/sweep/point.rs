@@ -228,7 +228,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
     let first = &impacts[shift];
     let velocity = orbit.clock().velocity(&first.velocity);
     Attraction {
-        word: Word::new(mappings).expect("a closed word can be turned"),
+        word: Word::new(mappings).expect("a closed word can be rotated"),
         first: told(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
     }

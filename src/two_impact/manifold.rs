@@ -197,7 +197,7 @@ impl Range<'_> {
         self.pair.harmonic(ONE_HARMONIC)?;
         let (gap, e) = (self.pair.gap(), self.pair.restitution());
         if e.compare(&Exact::from(1)) != Some(Ordering::Less) {
-            return Err(Error::range("pair.restitution", e, "must be below 1 for the manifolds of figures 10 and 11"));
+            return Err(Error::range("pair.restitution", e, "must be below 1 for the parameter manifolds of figures 10 and 11"));
         }
         if cycles.is_multiple_of(2) {
             let accepted = "must be odd: with N even and e < 1 no equispaced motion exists (65)";
@@ -258,7 +258,7 @@ impl Range<'_> {
             marks.iter().enumerate().all(|(i, (_, x))| marks[..i].iter().all(|(_, other)| order(x, other).is_some()))
         };
         marks.filter(are_apart).ok_or_else(|| {
-            let accepted = "its marks cannot be told apart with the digits asked for";
+            let accepted = "its marks cannot be distinguished at the requested digits";
             Error::range("pair.restitution", self.pair.restitution(), accepted)
         })
     }

@@ -24,7 +24,7 @@ pub const CYCLES: RangeInclusive<u32> = 1..=999;
 pub(super) const SHOWN: u32 = 11;
 /// What is not known of several harmonics, and what is.
 pub(super) const ONE_HARMONIC: &str =
-    "the closed form of two impacts (periodic --word RL --cycles N --all finds them under several)";
+    "the closed form of two impacts (with several harmonics, periodic --word RL --cycles N --all finds such motions)";
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 
@@ -81,7 +81,7 @@ pub fn speed(scene: &Scene) -> Result<Exact, Error> {
         Place::Wall(Wall::Left) => within(key, start.velocity(), start.velocity().checked_neg()),
         Place::Wall(Wall::Right) => Ok(start.velocity().clone()),
         Place::Inside(_) => {
-            let message = "start.wall is missing, but the velocity asked for is that before an impact";
+            let message = "start.wall is missing, but the velocity to solve for is that before an impact";
             Err(Error::out_of_range("start.wall", message.to_owned()))
         }
     }
@@ -109,7 +109,7 @@ impl Question {
         let data = Data::new(pair, cycles)?;
         // W7 (b): |v| = d W/(N pi), whatever A is.
         if matches!(unknown, Unknown::Amplitude(_)) && data.is_elastic() && cycles.is_multiple_of(2) {
-            let accepted = "must be odd: with e = 1 and N even the speed is d W/(N pi) for every amplitude, so none follows from it";
+            let accepted = "must be odd: with e = 1 and N even the speed is d W/(N pi) for every amplitude, so the amplitude is not determined";
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), accepted));
         }
         Ok(Self { data, unknown })

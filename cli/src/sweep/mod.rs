@@ -133,7 +133,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
         return Ok(Answer::Incomplete);
     }
     let seconds = begun.elapsed().as_secs_f64();
-    let rate = format!("{computed} in {seconds:.1} s, {:.1} per second", computed as f64 / seconds.max(1e-9));
+    let rate = format!("{computed} in {seconds:.1} s, {:.1} a second", computed as f64 / seconds.max(1e-9));
     let mut sweep = Sweep { head, journals: vec![journal] };
     let tally = finish(arguments, &mut sweep, format)?;
     sweep.journals.into_iter().try_for_each(Journal::finish)?;

@@ -73,7 +73,7 @@ impl Attraction {
         }))
     }
 
-    /// Whether its orbit is claimed to be the only one in its box, physical and stable, and nothing of it is left open.
+    /// Whether its orbit is claimed to be the only one in its box, admissible and stable, and nothing of it is left open.
     pub fn is_attractor(&self) -> bool {
         let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
         *unique

@@ -167,7 +167,7 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
     let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
     let is_open = |point: &ClaimedPoint| point.kind != Kind::Graze && point.orbit.physical.is_none();
     if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
-        return Ok(Some("certified: not all is proved that was found".to_owned()));
+        return Ok(Some("certified: not everything found is proved".to_owned()));
     }
     for (i, (point, told)) in points.iter().zip(&document.points).enumerate() {
         // The orbit at which a doubling comes is the one before it.
@@ -177,7 +177,7 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
         let fits = times(asked.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
             && times((*cycles).into()) == Some(point.cycles);
         if !fits || !repeated.eq(point.word.mappings()) {
-            return Ok(Some(format!("points[{i}]: its word is not the asked one, doubled so often")));
+            return Ok(Some(format!("points[{i}]: its word is not the requested one, doubled that number of times")));
         }
         if point.parameter[0] > point.parameter[1] {
             return Ok(Some(format!("points[{i}]: a lower bound is above the upper one")));

@@ -60,14 +60,14 @@ impl Claims {
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
-            Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
+            Some(MANIFOLD_SCHEMA) => Self::Unchecked("parameter manifolds: that their points solve (66)-(69)"),
             Some(CHAOS_CELLS_SCHEMA) => {
-                Self::Unchecked("stretches of a parameter: horseshoes and attracted orbits in each")
+                Self::Unchecked("subintervals of a parameter: horseshoes and attracted orbits in each")
             }
             Some(AUDIT_SCHEMA) => {
                 Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
             }
-            Some(TRADE_SCHEMA) => Self::Unchecked("measurements of what accuracy costs"),
+            Some(TRADE_SCHEMA) => Self::Unchecked("measurements of the cost of accuracy"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
             Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
@@ -253,7 +253,7 @@ impl Claims {
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
             }
-            Self::Trap(certificate) => format!("a closed region of {} and its bounds", boxes(certificate.count())),
+            Self::Trap(certificate) => format!("a trapping region of {} and its bounds", boxes(certificate.count())),
             Self::List(documents) => {
                 let each: Vec<_> = documents.iter().map(Self::all).collect();
                 format!("{}: {}", counted(documents.len(), "document"), each.join(", "))

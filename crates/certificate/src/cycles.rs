@@ -49,7 +49,7 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
         return Some("impacts: the least number is above the greatest".to_owned());
     }
     if *certified && !exhaustive {
-        return Some("certified: it says itself that there may be others".to_owned());
+        return Some("certified: by its own statement there may be others".to_owned());
     }
     if *exhaustive && (*least..=*most).any(|impacts| !fixed_points.contains_key(&impacts)) {
         return Some("exhaustive: the fixed points of some number of impacts are not counted".to_owned());
@@ -67,7 +67,7 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
             None => told == impacts || 2 * told == impacts,
         };
         if told == 0 || !is_least {
-            return Some(format!("orbits[{i}].reduced_impacts: its impacts and its symmetry say otherwise"));
+            return Some(format!("orbits[{i}].reduced_impacts: contradicts its impacts and its symmetry"));
         }
     }
     let mut by_impacts: BTreeMap<u32, u64> = BTreeMap::new();

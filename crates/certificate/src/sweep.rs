@@ -205,13 +205,13 @@ impl ClaimedOrbit {
             None => !head.summary && record.impacts > head.transient,
         };
         let contradiction = if !axes.are_all {
-            Some("the axes have another number of points than told")
+            Some("the axes have another number of points than given")
         } else if !follow || is_cut {
             Some("its impacts are not all those after the transient")
         } else if all
             .is_none_or(|all| record.impacts > all || record.outcome == "not-attracted" && record.impacts < all)
         {
-            Some("it has another number of impacts than asked for")
+            Some("it has another number of impacts than requested")
         } else {
             None
         };

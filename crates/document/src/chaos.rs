@@ -72,7 +72,7 @@ pub struct ChaosDocument {
     pub entropy: EntropyDocument,
     /// The two blocks with the fewest impacts that can follow one another in any order in the map mirrored to one wall. A block is a
     /// sequence of walls and a number of half forcing periods; it is written as starting on the left wall, and mirrored where it starts
-    /// on the right one. The time between the impacts at its ends is these half periods plus the difference of the phases of the two h-sets.
+    /// on the right one. The time between the impacts at its ends is these half cycles plus the difference of the phases of the two h-sets.
     pub horseshoe: Option<String>,
     /// The result for the orbit of the scene's own start.
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -21,7 +21,7 @@ pub enum ExactError {
         radicand: String,
     },
     /// The ends of an interval are not provably in order.
-    #[error("the interval needs a lower end that is provably <= the upper end, got [{lower}, {upper}]")]
+    #[error("the interval needs a lower bound that is provably <= the upper bound, got [{lower}, {upper}]")]
     EndsOutOfOrder {
         /// The first end.
         lower: String,
@@ -29,7 +29,7 @@ pub enum ExactError {
         upper: String,
     },
     /// An end of an interval is itself an interval.
-    #[error("the ends of an interval must be single numbers, got `{end}`")]
+    #[error("the endpoints of an interval must be single numbers, got `{end}`")]
     NestedInterval {
         /// The end.
         end: String,
@@ -41,7 +41,7 @@ pub enum ExactError {
         exponent: i64,
     },
     /// A value is not provably within the accepted magnitudes.
-    #[error("a value beyond 2^40000 in size is not accepted")]
+    #[error("a value beyond 2^40000 in magnitude is not accepted")]
     TooLarge,
     /// The expression is nested too deeply.
     #[error("an expression of more than 256 nested operations is not accepted")]
@@ -99,7 +99,7 @@ impl fmt::Display for Advice {
         match self {
             Self::Nothing => Ok(()),
             Self::Meant(text) => write!(f, "; did you mean `{text}`?"),
-            Self::Units => write!(f, "; numbers have no units here: take one unit of length and one of time for all"),
+            Self::Units => write!(f, "; numbers have no units here: use one unit of length and one of time throughout"),
         }
     }
 }

@@ -43,11 +43,11 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     let states = seen_impacts(scene.pair(), scene.start(), [TRANSIENT, IMPACTS])?;
     let entered = match region.entered() {
         Some(0) => "; the scene's start and all impacts after it are in it".to_owned(),
-        Some(impact) => format!("; of the scene's orbit impact {impact} and all later ones are in it"),
+        Some(impact) => format!("; the scene's orbit is in it from impact {impact} on"),
         None => String::new(),
     };
-    let proved = format!("certified: no motion leaves this region of {} boxes{entered}; {}", region.boxes(), program());
-    let said = format!("{} impacts of a floating orbit after {TRANSIENT} others: seen, not proved", states.len());
+    let proved = format!("certified: a trapping region of {} boxes{entered}; {}", region.boxes(), program());
+    let said = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
     picture::svg(ALONE, SCALE, |root| {
         let top = caption(scene, None, proved, root)?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
@@ -85,7 +85,7 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String
         }
         let (left, right) = below.split_horizontally(TOGETHER.0 as i32 * SCALE / 2);
         let titles =
-            ["(a)  the attractor, the bases and their images", "(b)  the bases along their leaf and across it"];
+            ["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
         let areas = [left, right].map(|area| area.split_vertically(24 * SCALE));
         for ((title, _), words_of) in areas.iter().zip(titles) {
             title.draw(&Text::new(words_of, (16 * SCALE, 14 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
@@ -98,7 +98,7 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String
 /// What is proved.
 fn proved(found: &Chaos) -> String {
     let counted = format!(
-        "{} words of at most {} impacts from {} bases",
+        "{} words of at most {} impacts from {} h-sets",
         found.words().len(),
         found.depth(),
         found.bases().len()
@@ -106,7 +106,7 @@ fn proved(found: &Chaos) -> String {
     if found.entropy() > 0.0 {
         let [impact, cycle] = [found.entropy(), found.entropy_a_cycle()].map(rounded_down);
         return format!(
-            "certified: a horseshoe, topological entropy at least {impact} an impact, {cycle} a cycle; {counted}; {}",
+            "certified: a horseshoe, topological entropy at least {impact} per impact, {cycle} per forcing period; {counted}; {}",
             program()
         );
     }
@@ -132,7 +132,7 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
     if impacts > 0 {
         entries.push((
             Mark::Dot(BLACK),
-            format!("{impacts} impacts of a floating orbit, its transient left out: seen, not proved"),
+            format!("{impacts} impacts of a floating-point orbit without its transient: non-rigorous"),
         ));
     }
     if !found.bases().is_empty() {
@@ -141,7 +141,7 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
         entries.push((Mark::Outline(VERMILION), "bases".to_owned()));
         entries.push((
             Mark::Line(SKY, IMAGE),
-            format!("(a) their images {later} later, up to where they cross a base: proved"),
+            format!("(a) their images {later} later, up to where they cover an h-set: proved"),
         ));
     }
     for (words, colour) in leaf::words(found).iter().zip(leaf::COLOURS) {
@@ -149,7 +149,7 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
         let name = said(&word.in_mappings());
         entries.push((
             Mark::Line(colour, leaf::STRIP),
-            format!("(b) images by {name}, which are proved to lie across bases"),
+            format!("(b) images by {name}, which are proved to cover h-sets"),
         ));
     }
     entries

@@ -88,7 +88,7 @@ fn frame(
     let title = format!("{}: what is proved over the {}", scene.title().unwrap_or("The impact map"), asked.over.key);
     let [transient, impacts] = IMPACTS;
     let bar = format!(
-        "bar: what is proved of all values; below: impacts {} to {} of floating orbits, seen",
+        "bar: proved for all values; below: impacts {} to {} of floating-point orbits, non-rigorous",
         transient + 1,
         transient + impacts
     );

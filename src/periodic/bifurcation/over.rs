@@ -32,7 +32,7 @@ pub struct Over {
 
 fn not_a_range(text: &str) -> Error {
     let accepted =
-        "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; of several terms amplitude.K";
+        "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
     Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}"))
 }
 
@@ -190,9 +190,9 @@ impl Parameter {
 /// Next to each frequency lie others that have no common period with the rest (Lemma H11).
 fn not_periodic(key: Key) -> Error {
     let why =
-        "between two frequencies lie those that have no common period with the others, under which nothing is periodic";
+        "between any two frequencies are some without a common period, for which no orbit is periodic";
     Error::out_of_range(
         key.place().as_str(),
-        format!("the key is \"{key}\", but under several harmonics accepted are amplitude.K, gap, restitution: {why}"),
+        format!("the key is \"{key}\", but with several harmonics accepted are amplitude.K, gap, restitution: {why}"),
     )
 }

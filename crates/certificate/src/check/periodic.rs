@@ -48,7 +48,7 @@ impl PeriodicCertificate {
         if self.says_all_is_proved()
             && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())
         {
-            return Err(Doubt::False("not all is proved that is asked of the orbits".into()));
+            return Err(Doubt::False("not all requested properties of the orbits are proved".into()));
         }
         if self.orbits().is_empty() {
             return Err(Doubt::Open("there is no orbit to check".into()));
@@ -129,7 +129,7 @@ impl Target<'_> {
 
     /// About how long the flights between the claimed impacts last: as phases are told less whole turns, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
-        let none = || Doubt::Open("the claimed impacts do not follow one another in so many cycles".into());
+        let none = || Doubt::Open("the claimed impacts do not follow one another in this number of forcing periods".into());
         let bits = frame.turn.bits();
         let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes
         let float = |x: Real| Real::point(x.mid(), bits).to_f64();

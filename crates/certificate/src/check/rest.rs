@@ -118,7 +118,7 @@ impl<'c> Walk<'c> {
         let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
         // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
-        let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
+        let turns = turns.ok_or_else(|| Doubt::Open("the forcing period of the release is not decided".into()))?;
         // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
         let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);

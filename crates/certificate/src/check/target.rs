@@ -53,14 +53,14 @@ impl<'c> Target<'c> {
         let open = |message: &str| Doubt::Open(message.into());
         let turns = data.common_turns().ok_or_else(|| open("the harmonics are not proved to have a common period"))?;
         if cycles == 0 || !BigInt::from(cycles).is_multiple_of(&turns) {
-            return Err(open("the cycles are no common periods of all harmonics"));
+            return Err(open("the cycles are not a multiple of the common period of all harmonics"));
         }
         let is_told = |turn: Option<u64>| match turn {
             None => turns.is_one(),
             Some(turn) => !turns.is_one() && BigInt::from(turn) < turns,
         };
         if !claim.impacts.iter().all(|impact| is_told(impact.turn)) {
-            return Err(Doubt::False("an impact of the orbit is in no turn of the common period".into()));
+            return Err(Doubt::False("the `turn` of an impact of the orbit is not in the common period".into()));
         }
         if claim
             .impacts
@@ -147,7 +147,7 @@ impl<'c> Target<'c> {
         let bits = frame.turn.bits();
         let turn = |phase: &Bounds| {
             let turns = Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor()); // V6: shared by all members
-            turns.ok_or_else(|| Doubt::Open("the turn of a phase is not decided".into()))
+            turns.ok_or_else(|| Doubt::Open("the forcing period of a phase is not decided".into()))
         };
         for (claimed, found) in impacts.iter().zip(orbit.impacts()) {
             if turn(&claimed.phase)? != 0 {
@@ -203,9 +203,9 @@ impl<'c> Target<'c> {
                 // Both are a whole number.
                 Some(off) if off.is_below(&half) && (-off.clone()).is_below(&half) => {}
                 Some(off) if half.is_below(&off) || half.is_below(&-off.clone()) => {
-                    return Err(Doubt::False("an impact of the orbit is in another cycle".into()));
+                    return Err(Doubt::False("an impact of the orbit is in another forcing period".into()));
                 }
-                _ => return Err(Doubt::Open("the cycle of an impact is not decided".into())),
+                _ => return Err(Doubt::Open("the forcing period of an impact is not decided".into())),
             }
         }
         Ok(())
@@ -229,7 +229,7 @@ impl<'c> Target<'c> {
             let found = right.phase.hull() - &left.phase.hull();
             let found = if found.is_negative() { found + &lasting } else { found };
             if middle.is_negative() || lasting.is_below(&middle) {
-                return Err(Doubt::False("the spacing is not one of the cycles".into()));
+                return Err(Doubt::False("the spacing does not fit the number of forcing periods".into()));
             }
             compare("spacing", &found, claimed)?;
         }
@@ -260,8 +260,8 @@ impl<'c> Target<'c> {
         let is_stable = at.iter().all(Real::is_positive) && determinant.is_below(&one);
         match (self.claim.stability, is_stable, is_unstable) {
             (Stability::Undecided, ..) | (Stability::Stable, true, _) | (Stability::Unstable, _, true) => Ok(()),
-            (_, false, false) => Err(Doubt::Open("the stability is not decided".into())),
-            _ => Err(Doubt::False("the stability is claimed wrongly".into())),
+            (_, false, false) => Err(Doubt::Open("the stability is undecided".into())),
+            _ => Err(Doubt::False("the stability claimed is false".into())),
         }
     }
 

@@ -47,7 +47,7 @@ impl Certificate {
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
         if self.claim() == ClaimName::Shadowed {
             return Err(Error::certificate(
-                "claim \"shadowed\": a theorem is one of the orbit from its exact start".into(),
+                "claim \"shadowed\": only orbits from exact starts can be proved".into(),
             ));
         }
         let data = Data::new(self.pair(), self.start())?;
@@ -88,7 +88,7 @@ impl Certificate {
             let stop = match missing {
                 Some(Doubt::Open(message) | Doubt::False(message)) if proved == flights.len() => Some(message),
                 None if is_last_missing && proved == flights.len() => Some(
-                    "the next impact, which would come after the time up to which all is listed, is not found"
+                    "the next impact, after the time `until`, is not found"
                         .to_owned(),
                 ),
                 _ if proved < flights.len() => Some("boxes do not fit into the printed bounds".to_owned()),

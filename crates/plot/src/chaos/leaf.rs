@@ -84,7 +84,7 @@ pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) 
         shown.fold([-1.0, 1.0], |[low, high]: [f64; 2], at| [low.min(at), high.max(at)])
     };
     let window = [0, 1].map(ends).map(|[low, high]| [low - BEYOND, high + BEYOND]);
-    let names = ["along the leaf, in half lengths of the base", "across the leaf, in half widths of the base"];
+    let names = ["along the leaf, in half lengths of the h-set", "across the leaf, in half widths of the h-set"];
     let plane = Plane::draw(area, window.map(|[low, high]| Axis::over(low, high)), names, RIGHT)?;
     let is_shown = |at: &State| (0..2).all(|i| (window[i][0]..=window[i][1]).contains(&at[i]));
     let states = seen(found).map(|state| leaf.place(state)).filter(is_shown).collect();

@@ -76,7 +76,7 @@ impl Entry {
             Self::Mark(Kind::Release) => "release",
             Self::Left => "impact on the left wall, $Σ_-$",
             Self::Right => "impact on the right wall, $Σ_+$",
-            Self::Box => "the truth lies in here",
+            Self::Box => "the true state lies in here",
             Self::Open => "nothing is proved from here on",
         };
         words.to_owned()

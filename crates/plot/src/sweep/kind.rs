@@ -50,7 +50,7 @@ impl Kind {
         let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
             return match self.outcome.as_str() {
                 "periodic" => "exactly periodic through rest".to_owned(),
-                "not-attracted" => "not proved to converge".to_owned(),
+                "not-attracted" => "undecided convergence".to_owned(),
                 other => other.replace('-', " "),
             };
         };

@@ -38,8 +38,8 @@ impl Kind {
 
     pub fn name(self) -> &'static str {
         match self {
-            Self::Stable => "physical and stable",
-            Self::Unstable => "physical, unstable",
+            Self::Stable => "admissible and stable",
+            Self::Unstable => "admissible, unstable",
             Self::Unphysical => "a wall is touched earlier",
         }
     }

@@ -34,19 +34,19 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
     }
     let open = |message: &str| Err(Doubt::Open(message.to_owned()));
     if lengths.len() * lengths.len() > MOST_PAIRS {
-        return open("the horseshoe is not judged: the words lead in too many ways");
+        return open("the horseshoe is not checked: the graph of words has too many chains");
     }
     let shortest = shortest(lengths, bases);
     let Some(named) = named else {
         return if shortest.is_none() {
             Ok(())
         } else {
-            Err(Doubt::False("two blocks are a horseshoe, and none is named".into()))
+            Err(Doubt::False("two blocks are a horseshoe, but none is given".into()))
         };
     };
     let names: HashMap<String, &Word> = words.iter().map(|word| (name(word), word)).collect();
     let Some([a, b]) = parted(named).map(|pair| pair.map(|name| names.get(name))) else {
-        return open("the horseshoe is no statement that is judged");
+        return open("the horseshoe is not a statement that is checked");
     };
     let (Some(a), Some(b)) = (a, b) else {
         return Err(Doubt::False("the horseshoe has a block that is none of the words".into()));

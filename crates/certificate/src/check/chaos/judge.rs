@@ -168,7 +168,7 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
         words.iter().zip(&is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
     let left = match at_least(&kept, bases) {
         Some(entropy) => format!(
-            "; the {} of {} words that are have an entropy of at least {entropy} an impact",
+            "; the {} of {} words that are proved have an entropy of at least {entropy} per impact",
             kept.len(),
             words.len()
         ),

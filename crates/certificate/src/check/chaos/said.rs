@@ -27,25 +27,25 @@ impl ChaosCertificate {
         let corners = self.bases().iter().filter_map(|base| base.corners.as_ref());
         let bases: Vec<Base> = corners.map(Base::of).collect();
         if bases.len() > MOST_BASES {
-            return Err(Doubt::Open(format!("more than {MOST_BASES} bases are not judged")));
+            return Err(Doubt::Open(format!("more than {MOST_BASES} h-sets are not checked")));
         }
         if !bases.iter().all(Base::is_sound) {
-            return wrong("a base is no convex quadrilateral of states with its tops to the left");
+            return wrong("an h-set is not a convex quadrilateral of states with its tops to the left");
         }
         if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
-            return wrong("the bases are not proved to be disjoint");
+            return wrong("the h-sets are not proved to be disjoint");
         }
         if !bases.iter().all(Base::is_apart_from_its_translates) {
-            return wrong("a base is not proved to be disjoint from its own translate by a forcing period");
+            return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
         }
         if !self.bases().iter().zip(&bases).all(|(told, base)| is_about(told, base)) {
-            return wrong("a base is told to have its middle elsewhere");
+            return wrong("the given middle of an h-set is not its middle");
         }
         let mut words = Vec::new();
         for (k, told) in document.words.iter().enumerate() {
             let word = Word::of(told, bases.len()).filter(|_| told.impacts <= document.depth);
             words.push(word.ok_or_else(|| {
-                Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of bases"))
+                Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of h-sets"))
             })?);
         }
         let entropy = &document.entropy;
@@ -55,7 +55,7 @@ impl ChaosCertificate {
         let by_impacts: Vec<_> = words.iter().map(Word::by_impacts).collect();
         let by_half_cycles: Vec<_> = words.iter().map(|word| (word.from, word.to, word.half_cycles)).collect();
         if told.iter().all(|entropy| *entropy <= BigRational::from_integer(0.into())) {
-            return wrong("it says that an entropy is certified, but tells none");
+            return wrong("it says that an entropy is certified, but gives none");
         }
         for (what, weights, h) in [("per_impact", by_impacts, &told[0]), ("per_cycle", by_half_cycles, &halved)] {
             if !is_reached(&weights, bases.len(), h) {
@@ -100,7 +100,7 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
         }
         // exact: of 32 bits
         if mappings.mappings().len() != *impacts as usize || *cycles == 0 {
-            return wrong("its word has another number of impacts, or it takes no cycle");
+            return wrong("its word has another number of impacts, or it takes no forcing period");
         }
     }
     if region.as_ref().is_some_and(|region| region.boxes == 0) {

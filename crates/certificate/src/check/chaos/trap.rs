@@ -105,11 +105,11 @@ impl TrapCertificate {
             return wrong("a run of boxes is beyond the grid");
         }
         if self.count() > MOST_BOXES {
-            return Err(Doubt::Open(format!("more than {MOST_BOXES} boxes are not judged")));
+            return Err(Doubt::Open(format!("more than {MOST_BOXES} boxes are not checked")));
         }
         // exact: a length
         if self.count() as u64 != *boxes {
-            return wrong("its runs have another number of boxes than told");
+            return wrong("its runs have another number of boxes than given");
         }
         let run = |[column, first, last]: [i32; 3]| (first..=last).map(move |row| [column.into(), row.into()]);
         let all: Vec<[i64; 2]> = region.iter().copied().flat_map(run).collect();
@@ -158,7 +158,7 @@ impl TrapCertificate {
         let period = (Exact::pi() * Exact::from(2)).checked_div(frequency);
         let unit = |x: Result<Exact, _>| match x {
             Ok(x) => Ok(Real::of(&x, BITS)),
-            Err(_) => Err(Doubt::Open("the units are beyond what exact expressions hold".into())),
+            Err(_) => Err(Doubt::Open("the units exceed the range of exact expressions".into())),
         };
         Ok([unit(period)?, unit(amplitude.checked_mul(frequency))?])
     }
