@@ -101,9 +101,7 @@ fn conclusion(diagram: &Diagram) -> String {
     }
     let points = format!("{} proved", counted(diagram.points.len(), "bifurcation"));
     if diagram.interrupted {
-        return format!(
-            "interrupted: {points} so far; some branches were not followed, or not to their ends"
-        );
+        return format!("interrupted: {points} so far; some branches were not followed, or not to their ends");
     }
     let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
     let hint = if diagram.is_certified() { "" } else { "; try a narrower --over, or more --max-bits" };

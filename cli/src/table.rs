@@ -33,7 +33,11 @@ pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
             writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  {note}", "", "rest", event.time)
         }
         Kind::Graze => {
-            writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  velocity zero, or too small to decide", "", "graze", event.time)
+            writeln!(
+                out,
+                "{:>7}  {:7}  {wall:5}  {:31}  velocity zero, or too small to decide",
+                "", "graze", event.time
+            )
         }
         Kind::Release => writeln!(out, "{:>7}  {:7}  {wall:5}  {}", "", "release", event.time),
     }

@@ -68,8 +68,10 @@ impl Arrivals {
         let refused = |key: &str, value: f64, accepted: &str| {
             Error::out_of_range(key, format!("{key} is {value}, but {accepted}"))
         };
-        let (turns, phase) =
-            self.dial.phase(time).ok_or_else(|| refused("start.time", time, "must be a number of forcing periods below 2^62"))?;
+        let (turns, phase) = self
+            .dial
+            .phase(time)
+            .ok_or_else(|| refused("start.time", time, "must be a number of forcing periods below 2^62"))?;
         let points = wall.sign() * velocity <= 0.0;
         let reduced = self.dial.velocity(velocity).filter(|_| points);
         let velocity =

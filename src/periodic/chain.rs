@@ -73,7 +73,8 @@ impl Chain {
         }
         if !cycles.is_multiple_of(repetition.turns) {
             let period = repetition.turns;
-            let accepted = format!("must be a multiple of {period}: only after {period} periods of the fastest harmonic");
+            let accepted =
+                format!("must be a multiple of {period}: only after {period} periods of the fastest harmonic");
             return Err(not_so_many(cycles, &format!("{accepted} do all phases repeat")));
         }
         Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles, repetition })

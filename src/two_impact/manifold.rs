@@ -197,7 +197,11 @@ impl Range<'_> {
         self.pair.harmonic(ONE_HARMONIC)?;
         let (gap, e) = (self.pair.gap(), self.pair.restitution());
         if e.compare(&Exact::from(1)) != Some(Ordering::Less) {
-            return Err(Error::range("pair.restitution", e, "must be below 1 for the parameter manifolds of figures 10 and 11"));
+            return Err(Error::range(
+                "pair.restitution",
+                e,
+                "must be below 1 for the parameter manifolds of figures 10 and 11",
+            ));
         }
         if cycles.is_multiple_of(2) {
             let accepted = "must be odd: with N even and e < 1 no equispaced motion exists (65)";

@@ -164,7 +164,10 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         }
     }
     if let Some(index) = audit.first_wide() {
-        lines.push(format!("impact {index} is the first one whose certified bounds are wider than {} digits", audit.digits()));
+        lines.push(format!(
+            "impact {index} is the first one whose certified bounds are wider than {} digits",
+            audit.digits()
+        ));
     }
     lines.push(format!("\n{}", audit.conclusion()));
     lines

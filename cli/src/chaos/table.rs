@@ -70,9 +70,7 @@ fn fate(document: &ChaosDocument) -> Vec<String> {
             "undecided whether the horseshoe lies in the region of {} boxes in which the scene's own orbit stays",
             region.boxes
         ),
-        None if attracted.is_none() => {
-            "undecided whether the scene's own orbit visits the horseshoe".to_owned()
-        }
+        None if attracted.is_none() => "undecided whether the scene's own orbit visits the horseshoe".to_owned(),
         None => return lines,
     });
     lines

@@ -5,8 +5,7 @@ use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
 
 use crate::heading::heading;
 
-const TIMES: &str =
-    "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
+const TIMES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
 
 pub fn table(trade: &Trade<'_>) -> String {
     let mut lines = vec![format!("{}requested: {}\n", heading(trade.scene), trade.goal()), names()];

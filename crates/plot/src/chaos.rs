@@ -147,10 +147,8 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
     for (words, colour) in leaf::words(found).iter().zip(leaf::COLOURS) {
         let Some(word) = words.first() else { continue };
         let name = said(&word.in_mappings());
-        entries.push((
-            Mark::Line(colour, leaf::STRIP),
-            format!("(b) images by {name}, which are proved to cover h-sets"),
-        ));
+        entries
+            .push((Mark::Line(colour, leaf::STRIP), format!("(b) images by {name}, which are proved to cover h-sets")));
     }
     entries
 }

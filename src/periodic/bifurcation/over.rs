@@ -189,8 +189,7 @@ impl Parameter {
 
 /// Next to each frequency lie others that have no common period with the rest (Lemma H11).
 fn not_periodic(key: Key) -> Error {
-    let why =
-        "between any two frequencies are some without a common period, for which no orbit is periodic";
+    let why = "between any two frequencies are some without a common period, for which no orbit is periodic";
     Error::out_of_range(
         key.place().as_str(),
         format!("the key is \"{key}\", but with several harmonics accepted are amplitude.K, gap, restitution: {why}"),

@@ -87,7 +87,9 @@ impl ClaimedPoint {
             Key::Frequency(_) if certificate.pair().excitation().only().is_some() => {
                 return Err(Doubt::False("nothing bifurcates over the frequency".into()));
             }
-            Key::Frequency(_) => return Err(open("with several harmonics, bifurcations over a frequency are not supported")),
+            Key::Frequency(_) => {
+                return Err(open("with several harmonics, bifurcations over a frequency are not supported"));
+            }
             _ => {}
         }
         let (there, data) = self.data(certificate)?;

@@ -129,7 +129,8 @@ impl Target<'_> {
 
     /// About how long the flights between the claimed impacts last: as phases are told less whole turns, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
-        let none = || Doubt::Open("the claimed impacts do not follow one another in this number of forcing periods".into());
+        let none =
+            || Doubt::Open("the claimed impacts do not follow one another in this number of forcing periods".into());
         let bits = frame.turn.bits();
         let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes
         let float = |x: Real| Real::point(x.mid(), bits).to_f64();

@@ -93,7 +93,9 @@ impl Round<'_> {
             let one = Real::int(1, bits);
             let inverse = inverse(&[[one.clone() - &a, -b], [-c, one - &d]]);
             let step = inverse.map(|inverse| inverse.map(|row| point(&along(&row, &miss))));
-            let Some(step) = step else { return Err(Doubt::Open("an orbit is not distinguished from its neighbours".into())) };
+            let Some(step) = step else {
+                return Err(Doubt::Open("an orbit is not distinguished from its neighbours".into()));
+            };
             let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
             // As many digits as rounding leaves.
             if before.is_some_and(|before| size.scaled(1) > before) {

@@ -46,9 +46,7 @@ impl Certificate {
     /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
         if self.claim() == ClaimName::Shadowed {
-            return Err(Error::certificate(
-                "claim \"shadowed\": only orbits from exact starts can be proved".into(),
-            ));
+            return Err(Error::certificate("claim \"shadowed\": only orbits from exact starts can be proved".into()));
         }
         let data = Data::new(self.pair(), self.start())?;
         Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
@@ -87,10 +85,9 @@ impl Certificate {
             let proved = legs.iter().zip(&flights).take_while(fits).count();
             let stop = match missing {
                 Some(Doubt::Open(message) | Doubt::False(message)) if proved == flights.len() => Some(message),
-                None if is_last_missing && proved == flights.len() => Some(
-                    "the next impact, after the time `until`, is not found"
-                        .to_owned(),
-                ),
+                None if is_last_missing && proved == flights.len() => {
+                    Some("the next impact, after the time `until`, is not found".to_owned())
+                }
                 _ if proved < flights.len() => Some("boxes do not fit into the printed bounds".to_owned()),
                 _ => None,
             };
