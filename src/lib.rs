@@ -14,7 +14,7 @@
 //! | (10)-(13) | motion between impacts | [`flight::Flight`] |
 //! | (10)-(13), figs 12-17 | where the ball is between impacts | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
 //! | (11), (12) | where the ball is at any time; the next impacts of many states | [`orbit::Dense`], [`orbit::Arrivals`] |
-//! | (15) | impact law | [`pair::rebound`] |
+//! | (15) | Newton's impact law | [`pair::rebound`] |
 //! | (14), (A.2), (A.4), (A.6) | the first contact, certified; by the textbook's method | [`contact::first_contact`], [`contact::textbook::first_contact`] |
 //! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |
 //! | (18)-(23) | switch-planes, in three coordinates | [`switch_plane::SwitchPoint`], [`orbit::Orbit::switch_point`] |
@@ -38,7 +38,7 @@
 //!
 //! # Conventions
 //!
-//! Inside, time is in turns of the excitation (`W t + tau = 2 pi u`), length in gaps, velocity in gaps a turn; then
+//! Inside, time is in turns of the excitation (`W t + tau = 2 pi u`), length in gaps, velocity in gap widths per forcing period; then
 //! only `A/d` and `e` are left. Velocities carry their sign and are those *before* an impact unless the name says
 //! `after`. In an enclosure the truth lies within the radius of a [`number::Ball`], or between the bounds of an
 //! [`exact::Enclosure`].

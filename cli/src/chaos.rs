@@ -85,7 +85,7 @@ fn bases(path: &Path) -> Result<Vec<Base>> {
     let named = || scene::name(path);
     let read: Bases = serde_json::from_str(&scene::text(path)?).with_context(named)?;
     if read.bases.is_empty() {
-        bail!("{} has no h-sets ("bases")", named());
+        bail!("{} has no h-sets (key bases)", named());
     }
     Ok(document::bases(&read.bases))
 }

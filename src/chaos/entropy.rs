@@ -18,7 +18,7 @@ fn sums(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64, q: Ball) ->
     matrix
 }
 
-/// A lower bound of the entropy of all sequences of words, by what a word weighs: of impacts, or of half turns.
+/// A lower bound of the entropy of all sequences of words, by what a word weighs: of impacts, or of half periods.
 ///
 /// 0 where none is proved.
 pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64 + Copy) -> f64 {

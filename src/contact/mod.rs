@@ -40,7 +40,7 @@ pub enum Verdict<T> {
 }
 
 impl<T> Verdict<T> {
-    /// What was proved, if it was.
+    /// Returns what was proved, if it was.
     pub fn certified(self) -> Option<T> {
         match self {
             Self::Certified(value) => Some(value),
@@ -56,14 +56,14 @@ pub enum Reason {
     Graze,
     /// The set of states has become too wide for one answer.
     Width,
-    /// The width asked for is beyond this arithmetic.
+    /// The width requested is beyond this arithmetic.
     Precision,
     /// The flight is longer than the solver follows, or has no end that it can prove.
     Budget,
 }
 
 impl Reason {
-    /// The word of the orbit JSON.
+    /// Returns the word of the orbit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Graze => "graze",
@@ -81,7 +81,7 @@ pub struct Undecided {
     pub reason: Reason,
     /// The wall that may be touched, when it is one.
     pub wall: Option<Wall>,
-    /// Encloses the first contact, in turns after the start of the flight, where it is proved but not narrowly enough.
+    /// Encloses the first contact, in forcing periods after the start of the flight, where it is proved but not narrowly enough.
     pub contact: Option<Ball>,
     /// No precision will decide it.
     pub(crate) lasting: bool,
@@ -108,20 +108,20 @@ impl Undecided {
         Self { reason: Reason::Width, wall: Some(contact.wall), contact: Some(contact.time), lasting: false }
     }
 
-    /// More digits are asked for than `contact` is known to.
+    /// More digits are requested than `contact` is known to.
     pub(crate) fn precision(contact: &Contact<Ball>) -> Self {
         Self { reason: Reason::Precision, ..Self::width(contact) }
     }
 }
 
-/// A first contact; times in turns, velocities in gaps a turn.
+/// A first contact; times in forcing periods, velocities in gap widths per forcing period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<N> {
     /// The wall that is touched.
     pub wall: Wall,
-    /// Whole turns between the phase of the start and [`Contact::phase`].
+    /// Whole forcing periods between the phase of the start and [`Contact::phase`].
     pub turns: f64,
-    /// The phase on arrival, less the whole turns.
+    /// The phase on arrival, less the whole forcing periods.
     pub phase: N,
     /// `h`: the time since the start.
     pub time: N,
@@ -185,7 +185,7 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
     }
 }
 
-/// The first contact of a flight in plain double precision: fast, and proved in no way.
+/// Returns the first contact of a flight in plain double precision: fast, and proved in no way.
 ///
 /// `T` is [`Kernel`] or [`crate::number::Std`]. `None` when no contact is found.
 #[inline]

@@ -18,7 +18,7 @@ pub struct Conclusion {
 }
 
 impl Conclusion {
-    /// The conclusion of an orbit that has ended; that of an interrupted one otherwise. `last` is its last event.
+    /// Returns the conclusion of an orbit that has ended; that of an interrupted one otherwise. `last` is its last event.
     pub fn of(orbit: &Orbit, start: &Start, last: Option<&Event>) -> Self {
         let plain = OutcomeDocument {
             kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
@@ -62,12 +62,12 @@ impl Conclusion {
         &self.document.message
     }
 
-    /// Why it is undecided, if it is.
+    /// Returns why it is undecided, if it is.
     pub fn reason(&self) -> Option<Reason> {
         self.reason
     }
 
-    /// The `outcome` of the orbit JSON.
+    /// Returns the `outcome` of the orbit JSON.
     pub fn document(&self) -> OutcomeDocument {
         self.document.clone()
     }

@@ -9,7 +9,7 @@ use crate::chaos::{Cycle, Cycles, Untrapped};
 use crate::periodic::Region;
 use crate::{Error, Scene};
 
-/// The cycles of so many impacts that are proved of a scene, or why none is.
+/// Returns the cycles of so many impacts that are proved of a scene, or why none is.
 ///
 /// # Errors
 /// When a value is beyond what exact expressions hold.

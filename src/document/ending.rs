@@ -15,7 +15,7 @@ pub struct Ending<'s> {
     pub conclusion: Conclusion,
     /// What computed the orbit, as the orbit JSON says it.
     pub computed: ArithmeticDocument,
-    /// The first impact whose enclosure is wider than the digits asked for.
+    /// The first impact whose enclosure is wider than the digits requested.
     pub wide: Option<u64>,
     /// What was asked.
     pub settings: &'s Settings,
@@ -30,7 +30,7 @@ impl<'s> Ending<'s> {
         Self { conclusion, computed, wide, settings, bits }
     }
 
-    /// Whether all that was asked is certified, or in `float`, where no proof is asked for, computed.
+    /// Returns whether all that was asked is certified, or in `float`, where no proof is requested, computed.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }

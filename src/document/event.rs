@@ -48,7 +48,7 @@ pub enum Kind {
 }
 
 impl Event {
-    /// The event of an impact of `orbit`.
+    /// Returns the event of an impact of `orbit`.
     pub fn new(orbit: &Orbit, impact: &Impact) -> Self {
         let (time, velocity) = orbit.bounds(impact);
         let Impact { index, mapping, wall, .. } = *impact;
@@ -56,7 +56,7 @@ impl Event {
         Self { index, wall, time: Bounds::of(orbit, time), kind: Kind::Impact { mapping, velocity } }
     }
 
-    /// The event that `progress` of `orbit` is, after `index` impacts, if it is one.
+    /// Returns the event that `progress` of `orbit` is, after `index` impacts, if it is one.
     pub fn of(orbit: &Orbit, progress: &Progress, index: u64) -> Option<Self> {
         let (wall, time, kind) = match progress {
             Progress::Impact(impact) => return Some(Self::new(orbit, impact)),
@@ -70,7 +70,7 @@ impl Event {
         Some(Self { index, wall, time: Bounds::of(orbit, time), kind })
     }
 
-    /// The relative velocity `y'` just before the impact \[length/time\], if it is one.
+    /// Returns the relative velocity `y'` just before the impact \[length/time\], if it is one.
     pub fn velocity(&self) -> Option<&Bounds> {
         match &self.kind {
             Kind::Impact { velocity, .. } => Some(velocity),
@@ -78,7 +78,7 @@ impl Event {
         }
     }
 
-    /// The word of the orbit JSON.
+    /// Returns the word of the orbit JSON.
     pub fn name(&self) -> EventName {
         match self.kind {
             Kind::Impact { .. } => EventName::Impact,
@@ -117,9 +117,9 @@ pub struct Events<'o> {
 }
 
 impl Orbit {
-    /// The events that are still to come: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
+    /// Returns the events that are still to come: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
     ///
-    /// What they enclose, and what it costs, is that of the orbit; how it ended is told by [`Orbit::outcome`] afterwards.
+    /// What they enclose, and what it costs, is that of the orbit; how it ended is given by [`Orbit::outcome`] afterwards.
     ///
     /// ```
     /// use impact_pair::Scene;
@@ -197,13 +197,13 @@ impl Bounds {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }
 
-    /// What it is known by.
+    /// Returns what it is known by.
     pub fn enclosure(&self) -> &Enclosure {
         let (Self::Certified(x) | Self::Float(x)) = self;
         x
     }
 
-    /// The lower and the upper bound, rounded outward; of a float, the shortest decimal of the double twice.
+    /// Returns the lower and the upper bound, rounded outward; of a float, the shortest decimal of the double twice.
     pub fn decimals(&self) -> [String; 2] {
         match self {
             Self::Certified(x) => decimal_bounds(x),

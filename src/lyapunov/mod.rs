@@ -42,7 +42,7 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// Whether there is none, proved; otherwise it could not be found.
+    /// Returns whether there is none, proved; otherwise it could not be found.
     pub fn is_definite(self) -> bool {
         match self {
             Self::NoImpacts | Self::Unpressed => true,
@@ -51,7 +51,7 @@ impl Unknown {
         }
     }
 
-    /// A word for it.
+    /// Returns a word for it.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoImpacts => "no-impacts",
@@ -79,12 +79,12 @@ pub struct Disturbance {
 }
 
 impl Disturbance {
-    /// A disturbance of the state at the orbit's start, or, in the gap, at its first impact; before it is advanced.
+    /// Returns a disturbance of the state at the orbit's start, or, in the gap, at its first impact; before it is advanced.
     pub fn of(orbit: &Orbit) -> Self {
         Self::new(orbit, orbit.start_impact())
     }
 
-    /// A disturbance of the state at an impact.
+    /// Returns a disturbance of the state at an impact.
     pub fn at(orbit: &Orbit, impact: Impact) -> Self {
         Self::new(orbit, Some(impact))
     }
@@ -95,8 +95,8 @@ impl Disturbance {
         Self { growth, restitution, last, turns: Ball::exact(0.0), rate: None, is_lost: false, settled: None }
     }
 
-    /// The same told in the turns of another harmonic, so many in one of the fastest: cycles are its turns, and (A.7) has times in turns
-    /// of it and velocities in gaps a turn of it. Before it is followed.
+    /// Returns the same given in the turns of another harmonic, so many in one of the fastest: cycles are its forcing periods, and (A.7) has times in forcing periods
+    /// of it and velocities in gap widths per forcing period of it. Before it is followed.
     #[must_use]
     pub fn in_turns_of(self, rate: Option<Ball>) -> Self {
         Self { rate: rate.map(|rate| [rate, rate * rate]), ..self }
@@ -131,7 +131,7 @@ impl Disturbance {
         self.is_lost = !is_known;
     }
 
-    /// (A.7) in the units asked for: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
+    /// (A.7) in the units requested: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
     /// times what it is.
     fn told(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
         let Some([_, square]) = self.rate else { return Some(jacobian) };
@@ -139,7 +139,7 @@ impl Disturbance {
         Some([[tt, tv * square], [vt.checked_div(square)?, vv]])
     }
 
-    /// The exponent over the impacts so far. Lemma L3
+    /// Returns the exponent over the impacts so far. Lemma L3
     pub fn exponent(&self) -> Exponent {
         if let Some(settled) = self.settled {
             return settled;

@@ -57,7 +57,7 @@ impl Arrivals {
         Ok(Self { clock, given, dial })
     }
 
-    /// The impact that follows the state on a wall at a time, with this velocity just before the impact, both exact.
+    /// Returns the impact that follows the state on a wall at a time, with this velocity just before the impact, both exact.
     ///
     /// **Enclosure** (Lemmas C1-C6): of all parameters of the pair the next contact with a wall is on that wall and in these bounds.
     /// **Undecided when** doubles do not decide it, and where the ball comes to rest instead.

@@ -21,11 +21,11 @@ use crate::shaken::Origin;
 use crate::{Error, Scene, rest};
 
 impl Orbit {
-    /// The orbit of `pair` from `start`.
+    /// Returns the orbit of `pair` from `start`.
     ///
     /// # Errors
     /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
-    /// asked for.
+    /// requested.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
         let shown = match settings.arithmetic {
             Arithmetic::Bits(bits) => bits,
@@ -90,7 +90,7 @@ impl Orbit {
         Ok(orbit)
     }
 
-    /// The orbit of a scene; what is wrong with it is told with its line.
+    /// Returns the orbit of a scene; what is wrong with it is given with its line.
     ///
     /// # Errors
     /// As [`Orbit::new`].

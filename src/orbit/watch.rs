@@ -50,7 +50,7 @@ impl Orbit {
         ControlFlow::Continue(())
     }
 
-    /// The same for the impacts alone, to the end or the watch's.
+    /// Returns the same for the impacts alone, to the end or the watch's.
     pub fn follow_impacts(&mut self, watch: &dyn Watch, mut each: impl FnMut(&Self, Impact) -> ControlFlow<()>) {
         let _ = self.follow(watch, |orbit, step| match step {
             Progress::Impact(impact) => each(orbit, impact),

@@ -19,9 +19,9 @@ pub struct Census {
     pub orbits: Vec<PeriodicOrbit>,
     /// Proved: the word has no other orbit that is physical, in the whole state space (Lemma T9). Motions that rest are none of these (Lemma T12).
     pub exhaustive: bool,
-    /// Where else orbits may be, if all of them were asked for.
+    /// Where else orbits may be, if all of them were requested.
     pub undecided: Vec<Region>,
-    /// Whether all of them were asked for.
+    /// Whether all of them were requested.
     pub is_search: bool,
     /// Proved: orbits come in a family, none of them isolated (Lemma T11), which is listed as undecided.
     pub is_family: bool,
@@ -30,7 +30,7 @@ pub struct Census {
 }
 
 impl Census {
-    /// Whether all that was asked is proved: something, or that there is nothing, and each orbit in all it is asked.
+    /// Returns whether all that was asked is proved: something, or that there is nothing, and each orbit in all it is asked.
     pub fn is_certified(&self) -> bool {
         let answers = if self.is_search { self.exhaustive } else { !self.orbits.is_empty() };
         answers && !self.interrupted && self.orbits.iter().all(|orbit| orbit.is_decided() && orbit.is_narrow)

@@ -11,7 +11,7 @@ pub struct MeasuredImpact {
     pub wall: Wall,
     /// `W t + tau` of the fastest harmonic in `[0, 2 pi)` \[rad\]; bounds that hold 0 reach beyond one end.
     pub phase: Enclosure,
-    /// The turn of that harmonic that the phase is told from, less whole common periods: 0 under one harmonic.
+    /// The turn of that harmonic that the phase is measured from, less whole common periods: 0 under one harmonic.
     pub turn: u32,
     /// The relative velocity `y'` just before the impact \[length/time\].
     pub velocity: Enclosure,
@@ -22,7 +22,7 @@ pub struct MeasuredImpact {
 /// **Enclosure**: for every choice of the parameters, one orbit lies within the bounds, and what is enclosed is enclosed for it.
 #[derive(Clone, Debug)]
 pub struct MeasuredOrbit {
-    /// Turns of the fastest harmonic after which the excitation repeats: 1 under one harmonic.
+    /// Forcing periods of the fastest harmonic after which the excitation repeats: 1 under one harmonic.
     pub period: u32,
     /// In time order.
     pub impacts: Vec<MeasuredImpact>,
@@ -43,7 +43,7 @@ pub struct MeasuredOrbit {
 }
 
 impl MeasuredOrbit {
-    /// The same, told from the first impact on this wall; as it is where there is none.
+    /// Returns the same, measured from the first impact on this wall; as it is where there is none.
     pub fn told_from(&self, wall: Wall) -> Self {
         let first = self.impacts.iter().position(|impact| impact.wall == wall);
         let mut told = self.clone();

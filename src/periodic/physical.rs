@@ -21,7 +21,7 @@ use crate::pair::Wall;
 pub(super) struct Claim<N> {
     pub from: Wall,
     to: Wall,
-    /// Whole turns and the rest of the phase, and velocity before the impact it starts with.
+    /// Whole forcing periods and the rest of the phase, and velocity before the impact it starts with.
     pub turns: f64,
     pub start: N,
     pub before: N,
@@ -30,7 +30,7 @@ pub(super) struct Claim<N> {
     leg: Leg<N>,
 }
 
-/// A first contact: its wall, its whole turns since those of the start, and the rest of its phase.
+/// A first contact: its wall, its whole forcing periods since those of the start, and the rest of its phase.
 pub(super) struct Found<N> {
     pub wall: Wall,
     pub turns: f64,
@@ -79,7 +79,7 @@ pub(super) fn all_first<N: Enclosing>(
 }
 
 impl<N: Enclosing> Claim<N> {
-    /// Whether the ball comes to the first impact from inside the gap.
+    /// Returns whether the ball comes to the first impact from inside the gap.
     pub fn arrives(&self) -> Option<bool> {
         match self.from.inward(self.before.clone()).certain_sign()? {
             Ordering::Less => Some(true),
@@ -94,7 +94,7 @@ impl<N: Enclosing> Claim<N> {
         after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
     }
 
-    /// Whether a first contact that is proved is the end of the flight. Lemma T5
+    /// Returns whether a first contact that is proved is the end of the flight. Lemma T5
     pub fn is_at<S: Shaking<N>>(&self, shaking: &S, found: Found<N>) -> Option<bool> {
         if found.wall != self.to {
             return Some(false);

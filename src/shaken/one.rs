@@ -35,7 +35,7 @@ impl One {
         Self { exact, court: Court::new(pair) }
     }
 
-    /// What shakes a pair of one harmonic.
+    /// Returns what shakes a pair of one harmonic.
     ///
     /// # Errors
     /// When a value is beyond what exact expressions or doubles hold, or there are several harmonics.
@@ -45,7 +45,7 @@ impl One {
         Ok(Self::new(exact, reduced))
     }
 
-    /// Whether no parameter is an interval of values.
+    /// Returns whether no parameter is an interval of values.
     #[cfg(feature = "multiprecision")]
     pub fn is_point(&self) -> bool {
         [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())

@@ -3,7 +3,7 @@
 //! A [`Grid`] has exact points; at each of them [`follow`] certifies one orbit and says what is proved of its future:
 //! a [`Point`]. Points do not know of each other, so they may be computed in any order, by any number of threads.
 //!
-//! All of them are told in one unit: phases, cycles and exponents are of one term of the excitation, [`Grid::reference`], also where
+//! All of them are given in one unit: phases, cycles and exponents are of one term of the excitation, [`Grid::reference`], also where
 //! another one is the fastest.
 
 mod columns;

@@ -16,7 +16,7 @@ use crate::turns::in_radians;
 
 use super::unit::{Lasting, Unit};
 
-/// Impacts that can be asked for at a point.
+/// Impacts that can be requested at a point.
 pub const MOST_IMPACTS: u64 = 1_000_000_000;
 
 /// What is asked at each point.
@@ -48,7 +48,7 @@ pub struct State {
     pub velocity: Enclosure,
 }
 
-/// The stable periodic orbit that an orbit is proved to converge to, told from one of its impacts on.
+/// The stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
 ///
 /// That impact makes the word the first one in the alphabet of L and R; of several, the earliest in its cycle. So two
 /// orbits that converge to the same one have the same word, and bounds that overlap.
@@ -83,7 +83,7 @@ pub struct Point {
     pub conclusion: Conclusion,
     /// Where the start is whose orbit it is, if that is not the exact one.
     pub shadow: Option<Shadowing>,
-    /// The first impact that is wider than asked for.
+    /// The first impact that is wider than requested.
     pub first_wide: Option<u64>,
     /// The most bits that an impact took.
     pub bits: u32,
@@ -210,7 +210,7 @@ impl<'u> Window<'u> {
     }
 }
 
-/// The attractor told from the impact that [`Attraction`] names.
+/// The attractor measured from the impact that [`Attraction`] names.
 fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
@@ -309,7 +309,7 @@ mod tests {
         assert!(high - low > 0.1 && found.iter().map(phase).all(|x| x - low < 1e-4 || high - x < 1e-4));
     }
 
-    /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floats does (0.399 an impact).
+    /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floating point does (0.399 an impact).
     #[test]
     fn what_is_chaotic_is_shadowed_and_nothing_else() {
         let follow = |name: &str, impacts: u64| {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::orbit::{Arithmetic, BITS, Settings};
 
-/// Digits that `auto` is asked for.
+/// Digits that `auto` is requested.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
 /// Rungs of fixed bits that bring no further impact before the ladder gives up: the first may just miss one.
 const PATIENCE: u32 = 2;
@@ -71,7 +71,7 @@ impl Ladder {
         Self { next: Some(Rung::Float), max_bits, textbook, reached: 0, idle: 0 }
     }
 
-    /// The rung to measure.
+    /// Returns the rung to measure.
     pub fn rung(&self) -> Option<Rung> {
         self.next
     }

@@ -43,12 +43,12 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Whether all the impacts asked for are there.
+    /// Returns whether all the impacts requested are there.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none()
     }
 
-    /// The digits of the widest enclosure of a time or a velocity.
+    /// Returns the digits of the widest enclosure of a time or a velocity.
     pub fn digits(&self) -> Option<f64> {
         self.widths.map(|Widths { time, velocity }| time.greatest.max(velocity.greatest).digits())
     }
@@ -88,7 +88,7 @@ impl Extent {
 /// How long a rung takes from the orbit's first impact to its end: medians.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
-    /// The impacts with phases and velocities enclosed, in turns and gaps.
+    /// The impacts with phases and velocities enclosed, in forcing periods and gaps.
     pub orbit: Duration,
     /// These, and their bounds in the units of the scene; `None` where there are none.
     pub with_bounds: Option<Duration>,
@@ -160,7 +160,7 @@ fn observe(orbit: &mut Orbit, units: &Units, watch: &dyn Watch) -> Seen {
     }
 }
 
-/// Repeats the run for a while, in turns without and, where they are certified, with bounds; `None` if interrupted.
+/// Repeats the run for a while, in forcing periods without and, where they are certified, with bounds; `None` if interrupted.
 fn repeat(
     begin: impl Fn() -> Result<Orbit, Error>,
     is_certified: bool,

@@ -1,4 +1,4 @@
-//! What accuracy costs on a scene: the speed, the reach and the widths of each arithmetic, and the true errors of floats.
+//! What accuracy costs on a scene: the speed, the reach and the widths of each arithmetic, and the true errors of floating point.
 
 mod document;
 mod judge;
@@ -59,15 +59,15 @@ impl<'s> Trade<'s> {
         Ok(trade)
     }
 
-    /// What judges `float`, in words.
+    /// Returns what judges `float`, in words.
     pub fn judge(&self) -> String {
         judge::name(&judge::truth(&self.asked))
     }
 
-    /// How far each rung is asked to go, in words.
+    /// Returns how far each rung is asked to go, in words.
     ///
     /// # Panics
-    /// When neither impacts nor a time are asked for: no orbit goes on for ever.
+    /// When neither impacts nor a time are requested: no orbit goes on for ever.
     pub fn goal(&self) -> String {
         let impacts = self.asked.impacts.map(|impacts| counted(impacts, "impact"));
         let until = self.asked.until.as_ref().map(|until| format!("t = {until}"));

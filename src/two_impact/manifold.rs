@@ -2,7 +2,7 @@
 //!
 //! On all of them `sin th0`, first contacts and stability depend on `x = d W/|v|` alone (Lemma W8), so the marks between
 //! which they do not change are known, and what is said of a part holds for every point of it. Bounds are in the bits of the
-//! digits asked for, as doubles are not.
+//! digits requested, as doubles are not.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -50,7 +50,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// The word of the manifold JSON.
+    /// Returns the word of the manifold JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Graze => "graze",
@@ -109,11 +109,11 @@ pub struct Range<'p> {
     pub from: Exact,
     /// ... to here.
     pub to: Exact,
-    /// So many points at equal distances, both ends among them.
+    /// So many points at equal distances, endpoints included.
     pub count: usize,
 }
 
-/// The points of a grid that can be asked for.
+/// The points of a grid that can be requested.
 pub const COUNTS: std::ops::RangeInclusive<usize> = 2..=100_000;
 
 /// A point of a curve, by `x = d W/|v|`.
@@ -124,9 +124,9 @@ struct Place {
 }
 
 impl Range<'_> {
-    /// The manifolds of some `N`, for as long as `goes_on` says so, and whether it said so to the end; none is empty.
+    /// Returns the manifolds of some `N`, for as long as `goes_on` says so, and whether it said so to the end; none is empty.
     ///
-    /// Even `N` have no equispaced motion (65): of a range the odd ones are told.
+    /// Even `N` have no equispaced motion (65): of a range the odd ones are given.
     ///
     /// # Errors
     /// As [`Range::manifold`].
@@ -151,11 +151,11 @@ impl Range<'_> {
         Ok((curves, went_on.get()))
     }
 
-    /// The curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
+    /// Returns the curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
     ///
     /// # Errors
     /// When there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
-    /// holds 0, or two marks cannot be told apart.
+    /// holds 0, or two marks cannot be distinguished.
     pub fn manifold(&self, cycles: u32, digits: u32, goes_on: impl Fn() -> bool) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);

@@ -18,9 +18,9 @@ use super::unequispaced::Spacing;
 use crate::exact::Real;
 use crate::periodic::{MeasuredOrbit, Stability};
 
-/// The cycles that can be asked for: each has an equation of its own to solve.
+/// The cycles that can be requested: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
-/// Bits of the bounds that are handed on, beyond the whole bits of the digits asked for.
+/// Bits of the bounds that are handed on, beyond the whole bits of the digits requested.
 pub(super) const SHOWN: u32 = 11;
 /// What is not known of several harmonics, and what is.
 pub(super) const ONE_HARMONIC: &str =
@@ -67,11 +67,11 @@ pub struct Answer {
     pub undecided: Vec<Enclosure>,
     /// Whether there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
-    /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits asked for.
+    /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits requested.
     pub is_complete: bool,
 }
 
-/// The speed before the impact that a scene starts with \[length/time\].
+/// Returns the speed before the impact that a scene starts with \[length/time\].
 ///
 /// # Errors
 /// When it starts inside the gap.
@@ -88,7 +88,7 @@ pub fn speed(scene: &Scene) -> Result<Exact, Error> {
 }
 
 impl Question {
-    /// A question about `pair`.
+    /// Returns a question about `pair`.
     ///
     /// # Errors
     /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
@@ -115,7 +115,7 @@ impl Question {
         Ok(Self { data, unknown })
     }
 
-    /// Answers it, with each enclosure of a phase at most `10^-digits` of a turn wide and of a velocity `10^-digits` of
+    /// Answers it, with each enclosure of a phase at most `10^-digits` of a forcing period wide and of a velocity `10^-digits` of
     /// `A W`, where the data are points and nothing is undecided for want of bits.
     ///
     /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
@@ -132,7 +132,7 @@ impl Question {
         answer
     }
 
-    /// The pair.
+    /// Returns the pair.
     pub fn pair(&self) -> &ImpactPair {
         self.data.pair()
     }
@@ -142,7 +142,7 @@ impl Question {
         self.data.cycles()
     }
 
-    /// What is not given.
+    /// Returns what is not given.
     pub fn unknown(&self) -> &Unknown {
         &self.unknown
     }
@@ -189,7 +189,7 @@ impl Question {
 }
 
 impl Answer {
-    /// What it answers.
+    /// Returns what it answers.
     pub fn question(&self) -> &Question {
         &self.question
     }

@@ -144,17 +144,17 @@ impl BifurcationCertificate {
         self.contradiction.as_deref()
     }
 
-    /// How many bifurcations it claims.
+    /// Returns how many bifurcations it claims.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// How many of them are checked: those that are no grazes.
+    /// Returns how many of them are checked: those that are no grazes.
     pub fn checked(&self) -> usize {
         self.points.iter().filter(|point| point.kind != Kind::Graze).count()
     }
 
-    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

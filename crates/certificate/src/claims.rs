@@ -115,7 +115,7 @@ impl Claims {
         Ok(Judged { verdict, confirmed: before })
     }
 
-    /// Proves every claim again, or says which one is not true or not proved, until `stop` is set, if there is one. `progress` is told
+    /// Proves every claim again, or says which one is not true or not proved, until `stop` is set, if there is one. `progress` receives
     /// the claims confirmed so far.
     ///
     /// # Errors
@@ -177,7 +177,7 @@ impl Claims {
         Judged { verdict, confirmed }
     }
 
-    /// How many claims come one after another: events, orbits.
+    /// Returns how many claims come one after another: events, orbits.
     pub fn count(&self) -> usize {
         match self {
             Self::Orbit(certificate) => certificate.events().len(),
@@ -193,7 +193,7 @@ impl Claims {
         }
     }
 
-    /// What of it is not judged: keys, or words.
+    /// Returns what of it is not judged: keys, or words.
     pub fn unjudged(&self) -> Vec<String> {
         match self {
             Self::Orbit(certificate) => certificate.unjudged().to_vec(),
@@ -213,7 +213,7 @@ impl Claims {
         }
     }
 
-    /// The first claims, in words.
+    /// Returns the first claims, in words.
     pub fn first(&self, count: usize) -> String {
         match self {
             Self::Orbit(certificate) => {
@@ -240,7 +240,7 @@ impl Claims {
         }
     }
 
-    /// All claims, in words.
+    /// Returns all claims, in words.
     pub fn all(&self) -> String {
         match self {
             Self::Orbit(certificate) => {

@@ -28,7 +28,7 @@ impl CyclesCertificate {
         Ok(Self { orbits, contradiction })
     }
 
-    /// Its orbits, as those of a periodic JSON.
+    /// Returns its orbits, as those of a periodic JSON.
     pub fn orbits(&self) -> &PeriodicCertificate {
         &self.orbits
     }

@@ -17,7 +17,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// The verdict on all claims together.
+    /// Returns the verdict on all claims together.
     pub fn name(&self) -> VerdictName {
         match self.verdict {
             Verdict::Confirmed { .. } => VerdictName::Confirmed,
@@ -67,7 +67,7 @@ impl Claims {
         }
     }
 
-    /// Each claim of the text that this was read from, with its verdict.
+    /// Returns each claim of the text that this was read from, with its verdict.
     ///
     /// # Panics
     /// When it was read from another text.
@@ -92,7 +92,7 @@ impl Claims {
         }
     }
 
-    /// The verdict in words.
+    /// Returns the verdict in words.
     pub fn said(&self, verdict: &Verdict) -> String {
         match verdict {
             Verdict::Confirmed { bits, pieces } => {

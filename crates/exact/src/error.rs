@@ -66,7 +66,7 @@ pub enum ExactError {
 /// assert_eq!(error.to_string(), "column 4: found `pie`, accepted are a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign");
 /// ```
 ///
-/// Where another text was perhaps meant, it is told:
+/// Where another text was perhaps meant, it is given:
 ///
 /// ```
 /// use impact_pair_exact::Exact;
@@ -114,7 +114,7 @@ impl ParseError {
         ParseError { advice, ..self }
     }
 
-    /// What was perhaps meant: a text that reads as a number.
+    /// Returns what was perhaps meant: a text that reads as a number.
     pub fn meant(&self) -> Option<&str> {
         match &self.advice {
             Advice::Meant(text) => Some(text),
@@ -122,12 +122,12 @@ impl ParseError {
         }
     }
 
-    /// The byte column, counted from 1, where reading stopped.
+    /// Returns the byte column, counted from 1, where reading stopped.
     pub fn column(&self) -> usize {
         self.column
     }
 
-    /// The mathematical reason, if the text reads well but has no provable value.
+    /// Returns the mathematical reason, if the text reads well but has no provable value.
     pub fn undefined(&self) -> Option<&ExactError> {
         match &self.problem {
             Problem::Undefined(reason) => Some(reason),

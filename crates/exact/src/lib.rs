@@ -130,7 +130,7 @@ impl Exact {
         Exact::from_monomial(Monomial::new(BigRational::one(), 1))
     }
 
-    /// All numbers from `lower` to `upper`; the point itself if both are the same.
+    /// Returns all numbers from `lower` to `upper`; the point itself if both are the same.
     ///
     /// **Errors** if an end is not a point, or `lower <= upper` cannot be proved.
     ///
@@ -158,12 +158,12 @@ impl Exact {
         self.node.is_point
     }
 
-    /// The value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
+    /// Returns the value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
     pub fn as_rational(&self) -> Option<&BigRational> {
         self.as_monomial().and_then(Monomial::as_rational)
     }
 
-    /// The ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
+    /// Returns the ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
     ///
     /// ```
     /// # use impact_pair_exact::Exact;
@@ -178,12 +178,12 @@ impl Exact {
         }
     }
 
-    /// The lower one of the [`ends`](Exact::ends).
+    /// Returns the lower one of the [`ends`](Exact::ends).
     pub fn lower(&self) -> Option<Exact> {
         self.ends().map(|(lower, _)| lower)
     }
 
-    /// The upper one of the [`ends`](Exact::ends).
+    /// Returns the upper one of the [`ends`](Exact::ends).
     pub fn upper(&self) -> Option<Exact> {
         self.ends().map(|(_, upper)| upper)
     }

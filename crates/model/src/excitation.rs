@@ -114,7 +114,7 @@ impl From<Harmonic> for Excitation {
     }
 }
 
-/// Whether two harmonics are proved to have one frequency, and phases that differ by whole turns.
+/// Whether two harmonics are proved to have one frequency, and phases that differ by whole forcing periods.
 fn are_in_step(a: &Harmonic, b: &Harmonic) -> bool {
     let turns = || -> Result<Exact, ExactError> {
         let turn = Exact::pi() * Exact::from(2);

@@ -29,7 +29,7 @@ pub enum Arithmetic {
 }
 
 impl Arithmetic {
-    /// An arithmetic that this build does not have.
+    /// Returns an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
         let (least, most) = BITS.into_inner();
         let bits = if cfg!(feature = "multiprecision") {

@@ -16,7 +16,7 @@ use crate::sweep::Cells;
 /// Of one panel, and of two beside each other.
 const ALONE: (u32, u32) = (900, 640);
 const TOGETHER: (u32, u32) = (1120, 640);
-/// Impacts of a floating orbit that are shown, of that in a region after so many others.
+/// Impacts of a floating-point orbit that are shown, of that in a region after so many others.
 const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
 /// Images up to this many impacts later are shown.
@@ -29,7 +29,7 @@ const RIGHT: i32 = 30 * SCALE;
 pub(crate) const PHASE: &str = "phase $θ$ of the impact, mirrored to the left wall [rad]";
 const SPEED: &str = "speed before the impact, in $AΩ$";
 
-/// The boxes of a region, and a floating orbit.
+/// Returns the boxes of a region, and a floating-point orbit.
 ///
 /// # Errors
 /// When it cannot be drawn.
@@ -69,7 +69,7 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     })
 }
 
-/// A floating orbit, the bases and their first images; and the bases of the horseshoe in coordinates of their own, in which
+/// Returns a floating-point orbit, the h-sets and their first images; and the h-sets of the horseshoe in coordinates of their own, in which
 /// it is seen how images lie across them.
 ///
 /// # Errors
@@ -120,7 +120,7 @@ fn rounded_down(x: f64) -> String {
     format!("{:.4}", whole / 1e4)
 }
 
-/// The floating orbit, as far as it is shown.
+/// The floating-point orbit, as far as it is shown.
 fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
     found.attractor().iter().take(IMPACTS)
 }
@@ -195,7 +195,7 @@ fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// The corners of a base, the first one again at the end.
+/// The corners of an h-set, the first one again at the end.
 fn round(base: &Base) -> [State; 5] {
     [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
 }

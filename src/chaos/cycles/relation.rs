@@ -61,7 +61,7 @@ impl Relation {
         }
     }
 
-    /// The flights to a wall from a box of phases to a box of reduced phases, about these members.
+    /// Returns the flights to a wall from a box of phases to a box of reduced phases, about these members.
     pub fn leg(&self, side: Side, [from, to]: [Interval; 2], centres: [Interval; 2]) -> Option<Leg> {
         let shift = Interval::point(side.shift());
         let offsets = [from - centres[0], to - centres[1]];

@@ -11,8 +11,8 @@ use crate::mapping::Sheared;
 use crate::number::{Ball, kernel};
 use crate::pair::{Inward, Reduced, Wall, rebound_of};
 
-/// Encloses the first contacts of many flights of one pair, which leave a wall at a phase in turns with a velocity away from it
-/// in gaps a turn.
+/// Encloses the first contacts of many flights of one pair, which leave a wall at a phase in forcing periods with a velocity away from it
+/// in gap widths per forcing period.
 ///
 /// **Enclosure**: `told` gets, in the order of the starts, what [`first_contact`] says of each, with the same bits.
 /// **Cost**: about half of that of one at a time, where the target has vectors of four doubles and FMA.
@@ -73,7 +73,7 @@ pub struct Image {
     pub jacobian: [[Ball; 2]; 2],
 }
 
-/// Encloses the image of all states of a wall, a phase in turns and a velocity before the impact in gaps a turn:
+/// Encloses the image of all states of a wall, a phase in forcing periods and a velocity before the impact in gap widths per forcing period:
 /// **equations** (15), (A.1)-(A.7).
 ///
 /// **Enclosure**: for all states in the balls, and all parameters in those of the pair, contact and Jacobian lie in

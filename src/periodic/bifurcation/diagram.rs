@@ -82,17 +82,17 @@ impl Diagram {
         Self { parameter, points: Vec::new(), unproved: Vec::new(), branches: Vec::new(), interrupted: false }
     }
 
-    /// The pair; the parameter's own value in it is not used.
+    /// Returns the pair; the parameter's own value in it is not used.
     pub fn pair(&self) -> &ImpactPair {
         &self.parameter.pair
     }
 
-    /// The parameter and its range.
+    /// Returns the parameter and its range.
     pub fn over(&self) -> &Over {
         &self.parameter.over
     }
 
-    /// The parameter of a point in the units of the scene, and the pair with it.
+    /// Returns the parameter of a point in the units of the scene, and the pair with it.
     ///
     /// # Errors
     /// When it is beyond what exact expressions hold.
@@ -105,7 +105,7 @@ impl Diagram {
         self.parameter.range_f64(ends)
     }
 
-    /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to
+    /// Returns whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to
     /// its end.
     pub fn is_certified(&self) -> bool {
         let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);

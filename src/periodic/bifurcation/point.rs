@@ -18,7 +18,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The word of the bifurcation JSON.
+    /// Returns the word of the bifurcation JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fold => "fold",
@@ -41,7 +41,7 @@ pub struct Point {
     pub word: Word,
     /// The cycles of its orbit.
     pub cycles: u32,
-    /// Turns after which the excitation repeats: 1 under one harmonic.
+    /// Forcing periods after which the excitation repeats: 1 under one harmonic.
     pub period: u32,
     /// The impacts of the orbit.
     pub impacts: Vec<PeriodicImpact>,
@@ -58,7 +58,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Whether all that is said of it is proved; at a graze no more than that there is one.
+    /// Returns whether all that is said of it is proved; at a graze no more than that there is one.
     pub fn is_decided(&self) -> bool {
         self.kind == Kind::Graze || self.orbit.as_ref().is_some_and(|orbit| orbit.physical.is_some())
     }

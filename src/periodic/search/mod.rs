@@ -27,7 +27,7 @@ use interval::Interval;
 pub struct Budget {
     /// Boxes to look at.
     pub boxes: u64,
-    /// `-log2` of the width below which a box is not halved, in turns.
+    /// `-log2` of the width below which a box is not halved, in forcing periods.
     pub halvings: u32,
 }
 
@@ -48,7 +48,7 @@ pub struct Searched {
 
 /// Cells of the first phase in each turn of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
-/// Turns that are cut into cells so; those of a longer period are wider.
+/// Forcing periods that are cut into cells so; those of a longer period are wider.
 const MOST_PERIODS: u32 = 1 << 10;
 
 impl Problem {
@@ -59,7 +59,7 @@ impl Problem {
         self.find_all_while(start, precision, budget, &|_| true)
     }
 
-    /// The same while `goes_on`, which is told how far the search has come and is asked between parts, by any thread.
+    /// Returns the same while `goes_on`, which receives how far the search has come and is asked between parts, by any thread.
     ///
     /// What it ends before is listed as undecided.
     pub fn find_all_while(

@@ -17,7 +17,7 @@ fn exact(x: f64) -> Exact {
     Exact::from_f64(x).unwrap()
 }
 
-/// A pair with a gap of 1 under harmonics of these amplitudes, the first one of a turn a time.
+/// A pair with a gap of 1 under harmonics of these amplitudes, the first one with period 1.
 fn shaken(amplitudes: &[f64], restitution: f64) -> Either {
     let turn = Exact::pi() * Exact::from(2);
     let frequencies =
@@ -31,7 +31,7 @@ fn shaken(amplitudes: &[f64], restitution: f64) -> Either {
     Either::new(&pair, &clock).unwrap()
 }
 
-/// The first contact of a member after its start, in turns from below, and the time that is clear of the set.
+/// The first contact of a member after its start, in forcing periods from below, and the time that is clear of the set.
 fn of<S: Flying>(shaken: &Arc<S>, member: &Launch<Ball>, all: &Launch<Ball>) -> Option<(f64, f64)> {
     let (contact, _) = shaken.first_contact(member.clone(), None).ok()?;
     let Since { whole, rest } = clear(&**shaken, all);

@@ -66,7 +66,7 @@ impl Isolated {
         }
     }
 
-    /// The contacts of flights of the set, told near a time: the phase, its error, and the velocity there (Lemma M3).
+    /// Returns the contacts of flights of the set, told near a time: the phase, its error, and the velocity there (Lemma M3).
     pub fn told_at(
         &self,
         flight: &SumFlight<'_, MpBall>,

@@ -9,7 +9,7 @@ use crate::Claim;
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
-/// What is found around an extremum of all flights of a set, told from the wall it is near.
+/// What is found around an extremum of all flights of a set, measured from the wall it is near.
 struct Summit {
     /// Two points around it, `y''` not 0 between them.
     before: Real,

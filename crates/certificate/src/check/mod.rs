@@ -1,12 +1,12 @@
 //! Whether an orbit JSON is right, found out anew from its own decimal numbers.
 //!
 //! The route shares nothing with the one that made the certificate but the exact numbers and their interval arithmetic: physical
-//! lengths instead of gaps, radians instead of turns, one arithmetic of integers at a precision that rises until every claim is
+//! lengths instead of gaps, radians instead of forcing periods, one arithmetic of integers at a precision that rises until every claim is
 //! decided, no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
 //! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
-//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are told apart by their
+//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are distinguished by their
 //! bounds ([`distinct`], Lemma V13). Regions and words of horseshoes are proved in
 //! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
@@ -149,7 +149,7 @@ fn one_by_one<C>(
 }
 
 impl Certificate {
-    /// Proves every claim again, or says which one is not true or not proved. `progress` is told the events confirmed so far.
+    /// Proves every claim again, or says which one is not true or not proved. `progress` receives the events confirmed so far.
     ///
     /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
@@ -162,7 +162,7 @@ impl Certificate {
         self.check_within(&Effort::default(), progress)
     }
 
-    /// The same with no more than this effort.
+    /// Returns the same with no more than this effort.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions hold.
@@ -170,7 +170,7 @@ impl Certificate {
         self.check_until(effort, None, progress)
     }
 
-    /// The same until `stop` is set, if there is one.
+    /// Returns the same until `stop` is set, if there is one.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions hold.

@@ -127,7 +127,7 @@ impl Target<'_> {
         Ok(self.round(frame, self.times(frame)?, self.is_physical()))
     }
 
-    /// About how long the flights between the claimed impacts last: as phases are told less whole turns, these follow from the drift.
+    /// About how long the flights between the claimed impacts last: as phases are given less whole forcing periods, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
         let none =
             || Doubt::Open("the claimed impacts do not follow one another in this number of forcing periods".into());

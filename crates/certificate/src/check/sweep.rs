@@ -16,7 +16,7 @@ use impact_pair_model::Error;
 
 impl SweepCertificate {
     /// Proves the impacts of every point again, or says of which they are not true or not proved, until `stop` is set, if there is
-    /// one. `progress` is told the points judged so far.
+    /// one. `progress` receives the points judged so far.
     ///
     /// # Errors
     /// When a scene's values are beyond what exact expressions hold.
@@ -29,7 +29,7 @@ impl SweepCertificate {
         self.judge_until(effort, stop, |point, _| progress(point))
     }
 
-    /// The same; `progress` is told whether all points so far are confirmed as well.
+    /// The same; `progress` receives whether all points so far are confirmed as well.
     pub(crate) fn judge_until(
         &self,
         effort: &Effort,
@@ -128,7 +128,7 @@ impl ClaimedOrbit {
 }
 
 impl ClaimedOrbit {
-    /// The phase of an impact, of the term that phases are told of: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
+    /// The phase of an impact, of the term that phases are relative to: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
     fn told(&self, walk: &Walk<'_>, landing: &Landing) -> Result<Real, Doubt> {
         let found = walk.absolute(&landing.phase.hull());
         let Some(reference) = &self.reference else { return Ok(found) };

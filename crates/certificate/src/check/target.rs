@@ -38,7 +38,7 @@ pub(super) struct Target<'c> {
 }
 
 impl<'c> Target<'c> {
-    /// What is claimed, if it may be an orbit of that word in so many cycles.
+    /// Returns what is claimed, if it may be an orbit of that word in so many cycles.
     pub fn new(data: &'c Data, word: &Word, cycles: u64, claim: &'c ClaimedOrbit) -> Result<Self, Doubt> {
         let walls: Vec<Wall> = word.mappings().iter().map(|mapping| mapping.walls().0).collect();
         if !word.is_closed() {
@@ -85,14 +85,14 @@ impl<'c> Target<'c> {
         }
     }
 
-    /// What is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
+    /// Returns what is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
     pub fn origin(&self, frame: &Frame, turn: Option<u64>) -> Real {
         // exact: without a turn, the common period is one
         let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
         frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
     }
 
-    /// The claimed states of an impact, in phases since the origin.
+    /// Returns the claimed states of an impact, in phases since the origin.
     pub fn state(&self, frame: &Frame, impact: usize) -> Landing {
         let (claim, bits) = (&self.claim.impacts[impact], frame.turn.bits());
         let origin = self.origin(frame, claim.turn);
@@ -101,7 +101,7 @@ impl<'c> Target<'c> {
         frame.spanned(claim.wall, phase, velocity)
     }
 
-    /// The claimed states of the first impact.
+    /// Returns the claimed states of the first impact.
     pub fn first(&self, frame: &Frame) -> Landing {
         self.state(frame, 0)
     }
@@ -186,7 +186,7 @@ impl<'c> Target<'c> {
         both(&one, &other).or_else(|doubt| both(&other, &one).map_err(|_| doubt))
     }
 
-    /// The whole turns between its first impact and the others.
+    /// The whole forcing periods between its first impact and the others.
     fn compare_cycles(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let middle =
             |claimed: &Passage| hull(&claimed.phase.each_ref().map(|x| Real::rational(x, frame.turn.bits()))).middle();

@@ -24,7 +24,7 @@ pub struct Theorem {
     pub text: String,
     /// The impacts it proves.
     pub impacts: usize,
-    /// Why it does not prove all that were asked for.
+    /// Why it does not prove all that were requested.
     pub stop: Option<Finding>,
 }
 
@@ -36,11 +36,11 @@ const MOST_BITS: u32 = 1 << 16;
 const SPARE_BITS: u32 = 64;
 
 impl Certificate {
-    /// A file for Coq that proves the first `most` impacts, or those up to the first other event: for every start and all
+    /// Returns a file for Coq that proves the first `most` impacts, or those up to the first other event: for every start and all
     /// parameters that the scene allows there is exactly one orbit, its impacts are first contacts on these walls, and its times
     /// and velocities lie in the printed bounds.
     ///
-    /// `progress` is told the impacts computed so far.
+    /// `progress` receives the impacts computed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.

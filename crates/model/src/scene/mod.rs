@@ -24,7 +24,7 @@ use impact_pair_exact::Exact;
 use section::{Entry, Section, quoted};
 pub use vary::{Key, Term};
 
-/// Digits of a shadow where none are asked for: it is as narrow as it is, and a scene's own are meant for what can be narrower.
+/// Digits of a shadow where none are requested: it is as narrow as it is, and a scene's own are meant for what can be narrower.
 const SHADOW_DIGITS: u32 = 6;
 
 /// The accepted numbers of digits.
@@ -114,12 +114,12 @@ impl Scene {
         &self.pair
     }
 
-    /// Where the orbit starts.
+    /// Returns where the orbit starts.
     pub fn start(&self) -> &Start {
         &self.start
     }
 
-    /// The table `[run]`.
+    /// Returns the table `[run]`.
     pub fn run(&self) -> &Run {
         &self.run
     }

@@ -39,7 +39,7 @@ pub struct Sheet<'s> {
 }
 
 impl Sheet<'_> {
-    /// The picture as SVG.
+    /// Returns the picture as SVG.
     ///
     /// # Errors
     /// When it cannot be drawn.

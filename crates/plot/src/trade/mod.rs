@@ -92,7 +92,7 @@ impl Mark {
     }
 }
 
-/// The plot of what has been measured.
+/// Returns the plot of what has been measured.
 ///
 /// # Errors
 /// When it cannot be drawn.

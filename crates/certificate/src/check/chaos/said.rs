@@ -1,4 +1,4 @@
-//! What a chaos JSON says of its bases and words, and whether one follows from the other: disjoint bases, entropies, the shortest
+//! What a chaos JSON says of its h-sets and words, and whether one follows from the other: disjoint h-sets, entropies, the shortest
 //! horseshoe (Lemmas D8, D10, V12).
 
 use impact_pair_exact::Real;
@@ -16,11 +16,11 @@ use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use impact_pair_document::{BaseDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
-/// The entropy of words between more bases is not judged.
+/// The entropy of words between more h-sets is not judged.
 const MOST_BASES: usize = 64;
 
 impl ChaosCertificate {
-    /// The bases and the words, if what is said of them follows from them.
+    /// The h-sets and the words, if what is said of them follows from them.
     pub(super) fn says_one_thing(&self) -> Result<(Vec<Base>, Vec<Word>), Doubt> {
         let document = self.document();
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
@@ -82,7 +82,7 @@ impl Word {
         fits.then_some(Self { from, to, half_cycles: told.half_cycles, flights })
     }
 
-    /// The base it comes from, the one it leads to, and its impacts.
+    /// The h-set it comes from, the one it leads to, and its impacts.
     pub(super) fn by_impacts(&self) -> (usize, usize, i64) {
         (self.from, self.to, self.flights.len() as i64) // exact: a length
     }
@@ -109,7 +109,7 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
     Ok(())
 }
 
-/// Whether a base's middle is told to be in it.
+/// Whether an h-set's middle is given to be in it.
 fn is_about(told: &BaseDocument, base: &Base) -> bool {
     let phase = Real::rational(&told.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
     let ends = [&phase, &Real::rational(&told.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));

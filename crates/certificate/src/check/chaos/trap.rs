@@ -31,10 +31,10 @@ enum End {
 
 impl TrapCertificate {
     /// Proves again that the region is closed, and what is said of it, or says what is not true or not proved, until `stop` is set, if
-    /// there is one. `progress` is told the boxes confirmed so far.
+    /// there is one. `progress` receives the boxes confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold, and under several harmonics.
+    /// When the scene's values are beyond what exact expressions hold, and with several harmonics.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -221,7 +221,7 @@ fn comes_in(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing
     false
 }
 
-/// A phase \[turns\] and a speed over `A W`, mirrored to the left wall.
+/// A phase \[forcing periods\] and a speed over `A W`, mirrored to the left wall.
 pub(super) fn mirrored(wall: Wall, phase: Real, velocity: Real) -> [Real; 2] {
     match wall {
         Wall::Left => [phase, -velocity],
