@@ -1,4 +1,4 @@
-//! Between the units of the scene and forcing periods and gaps, exactly: what enters and leaves an orbit.
+//! Exact conversion between the units of the scene and reduced units.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -30,7 +30,7 @@ pub struct Clock {
     /// The whole forcing periods that phases are counted from.
     origin: BigInt,
     bits: u32,
-    /// What is printed has at most so many bits.
+    /// Maximum precision of printed values, in bits.
     shown: u32,
     /// Enclosures of `2 pi / W`, `tau / W`, `W d / (2 pi)` and `d`.
     period: Enclosure,

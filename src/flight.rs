@@ -1,7 +1,7 @@
 //! The motion between two impacts in closed form, equations (10)-(13).
 //!
 //! # Units
-//! Time is counted in turns of the excitation (`theta = W t + tau = 2 pi u`), lengths in gaps `d`. Only
+//! Time is counted in forcing periods (`theta = W t + tau = 2 pi u`), lengths in gap widths `d`. Only
 //! `alpha = A/d` and `e` are left; `beta = 2 pi alpha` is the box's greatest speed. A velocity is in gap widths per forcing period.
 //!
 //! # The frame of a flight
@@ -52,7 +52,7 @@ pub(crate) struct Launch<N> {
     pub phase: N,
     /// `z'`
     pub velocity: N,
-    /// The acceleration of each flight is exactly 0 there: the ball was pressed against the wall before.
+    /// The acceleration of each flight is exactly 0 there: the ball was sticking before.
     pub is_release: bool,
 }
 
@@ -70,7 +70,7 @@ impl<N: Number> Launch<N> {
 }
 
 impl<N> Launch<N> {
-    /// Returns the same in another arithmetic.
+    /// Returns the data in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Launch<M> {
         Launch {
             wall: self.wall,

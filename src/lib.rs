@@ -1,8 +1,8 @@
-//! Verified numerics for the horizontal impact pair: a ball between the two walls of a shaken box.
+//! Verified numerics for the horizontal impact pair: a ball between the two walls of an excited box.
 //!
 //! R. P. S. Han, A. C. J. Luo and W. Deng, *Chaotic motion of a horizontal impact pair*, Journal of Sound and
 //! Vibration 181(2), 231-250 (1995), is read here with proofs: every impact of the mappings P1-P4 is enclosed in an
-//! interval that provably holds it, none is missed, none is invented. What cannot be proved in the arithmetic chosen
+//! interval that provably holds it, none is missed, none is invented. What is undecided in the arithmetic chosen
 //! is [`Undecided`](contact::Undecided), with its reason.
 //!
 //! # The paper, equation by equation
@@ -27,7 +27,7 @@
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
-//! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
+//! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | beyond the paper | intervals of the package `inari`, IEEE 1788 | [`number::interval`], [`orbit::Orbit::intervals`] |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
 //!
@@ -38,7 +38,7 @@
 //!
 //! # Conventions
 //!
-//! Inside, time is in turns of the excitation (`W t + tau = 2 pi u`), length in gaps, velocity in gap widths per forcing period; then
+//! Internally, time is in forcing periods (`W t + tau = 2 pi u`), length in gap widths, velocity in gap widths per forcing period; then
 //! only `A/d` and `e` are left. Velocities carry their sign and are those *before* an impact unless the name says
 //! `after`. In an enclosure the truth lies within the radius of a [`number::Ball`], or between the bounds of an
 //! [`exact::Enclosure`].

@@ -30,7 +30,7 @@ pub struct Passage<N> {
 ///
 /// ```
 /// use impact_pair::mapping::{Passage, jacobian};
-/// // No shaking: a ball at 4 gaps a turn rebounds with e v0 = 2 and crosses in half a turn.
+/// // No excitation: a ball with 4 gap widths per forcing period rebounds with e v0 = 2 and crosses in half a period.
 /// let passage = Passage { time: 0.5, sin0: 0.0, sin1: 0.0, velocity0: -4.0, velocity1: 2.0 };
 /// let [[a, b], [c, d]] = jacobian(0.0, 0.5, &passage).unwrap();
 /// assert_eq!([a, b, c, d], [1.0, 0.125, 0.0, -0.5]);

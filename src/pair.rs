@@ -1,4 +1,4 @@
-//! The impact pair of figure 1, and what is left of it without units.
+//! The impact pair of figure 1, and its dimensionless parameters.
 
 use crate::Error;
 use crate::exact::Exact;
@@ -41,10 +41,10 @@ pub struct Reduced<N> {
 }
 
 impl Reduced<Exact> {
-    /// Returns the parameters of a pair without units, exactly.
+    /// Returns the exact dimensionless parameters of a pair.
     ///
     /// # Errors
-    /// When `A/d` is beyond what exact expressions hold, or there are several harmonics.
+    /// If `A/d` exceeds the range of exact expressions, or there are several harmonics.
     ///
     /// ```
     /// use impact_pair::pair::Reduced;

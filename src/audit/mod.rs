@@ -100,7 +100,7 @@ pub struct Audit<'s> {
     pub rows: Vec<Listed>,
     /// Number of rows after the end of the comparison.
     pub left_out: usize,
-    /// The end of the comparison: the time requested (an irrational one a little later), or the last one listed.
+    /// The end of the comparison: the requested time (an irrational one a little later), or the last one listed.
     end: BigRational,
     settings: Settings,
     tolerance: Tolerance,

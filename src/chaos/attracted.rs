@@ -78,7 +78,7 @@ impl Set {
     fn next(&self, law: &Law, guess: &Guess) -> Option<(Self, Side)> {
         let quad = self.quad();
         if !(quad.floor > 0.0 && self.sides.iter().all(|side| length(*side) < WIDEST)) {
-            return None; // exact: given up, nothing is claimed
+            return None; // exact: given up, nothing is certified
         }
         // proposes: where the images are, and how they lie there
         let image = guess.map(self.middle)?;

@@ -194,7 +194,7 @@ impl<const M: usize> Flights<M> {
             } else {
                 step *= 0.5;
                 if step < 1e-7 {
-                    return false; // exact: given up, nothing is claimed
+                    return false; // exact: given up, nothing is certified
                 }
             }
         }

@@ -243,7 +243,7 @@ impl Region {
     pub(super) fn holds(&self, phase: Ball, speed: Ball) -> Option<bool> {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {
-            // D5: the boxes of both ends, outward; where there are too many nothing is claimed
+            // D5: the boxes of both ends, outward; where there are too many nothing is certified
             let ends = [(x.mid() - x.rad()).next_down() * per, (x.mid() + x.rad()).next_up() * per];
             let [low, high] = ends.map(f64::floor); // D5: the box of an end
             (high - low < 1e3 && high.abs() < 1e15).then_some(low as i64..=high as i64) // exact: small whole numbers

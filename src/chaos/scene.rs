@@ -15,7 +15,7 @@ const RATIO: &str = "pair.gap / excitation.amplitude";
 pub(super) const IMPACTS: u64 = 100;
 
 impl Law {
-    /// That of a pair under one harmonic.
+    /// That of a pair with one harmonic.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic(WHAT)?;
         let gap = within(RATIO, pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;

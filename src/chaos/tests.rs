@@ -391,7 +391,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
     }
 }
 
-/// Where an orbit changes what it converges to, nothing is claimed of a cell that holds the change.
+/// Where an orbit changes what it converges to, nothing is certified of a cell that holds the change.
 #[test]
 fn a_cell_across_a_bifurcation_is_undecided() {
     // The equispaced orbit of two impacts in a cycle is stable at A = 1 and not at A = 9.

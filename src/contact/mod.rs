@@ -52,9 +52,9 @@ impl<T> Verdict<T> {
 /// Why a question stayed open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
-    /// A wall may be touched with no velocity: a graze, or a ball that comes to rest.
+    /// A wall may be touched with zero velocity: a graze, or a ball that comes to rest.
     Graze,
-    /// The set of states has become too wide for one answer.
+    /// The set of states has become too wide to decide.
     Width,
     /// The width requested is beyond this arithmetic.
     Precision,
@@ -88,7 +88,7 @@ pub struct Undecided {
 }
 
 impl Undecided {
-    /// A wall may be touched with no velocity: this one, if it is known.
+    /// A wall may be touched with zero velocity: this one, if it is known.
     pub(crate) fn graze(wall: Option<Wall>) -> Self {
         Self { reason: Reason::Graze, wall, contact: None, lasting: false }
     }
@@ -150,7 +150,7 @@ impl Court {
 /// was made for, the first contact is on the wall and inside the balls returned, it exists, and no wall is touched
 /// between start and contact. The flight's parameters must be the centres of the pair's.
 /// **Undecided when** the contact or an earlier extremum may be a graze, the departure's direction is not
-/// certain, the drift may be 0, the phase is not within 2 turns of 0, or the radii are too wide for one answer.
+/// certain, the drift may be 0, the phase is not within 2 turns of 0, or the radii are too wide to decide.
 /// **Cost**: one floating solve and about a hundred operations; no allocation.
 ///
 /// ```

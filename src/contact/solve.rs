@@ -69,7 +69,7 @@ pub(crate) trait Judge {
 pub(crate) enum NoProposal {
     /// The drift is 0: the motion repeats inside the gap for ever.
     NoDrift,
-    /// The ball starts with no velocity and is pressed against its wall.
+    /// The ball starts with zero velocity and is pressed against its wall.
     Rest,
     /// The flight would last longer than [`LONGEST_FLIGHT`].
     TooLong,

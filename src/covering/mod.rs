@@ -104,7 +104,7 @@ impl Shadow {
         Ok(Self { clock, chain, nodes, listed: 0 })
     }
 
-    /// Returns the orbit near that of a scene; what is wrong with it is given with its line.
+    /// Returns the orbit near that of a scene; errors have the line in the scene file.
     ///
     /// # Errors
     /// As [`Shadow::new`].

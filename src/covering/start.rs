@@ -57,7 +57,7 @@ impl Starts {
 /// Starts that differ from a given one in the velocity alone; in the time alone where no velocity is left after the impact.
 #[derive(Debug)]
 pub(crate) struct Segment<W> {
-    /// The start requested.
+    /// The requested start.
     initial: Initial<Ball>,
     varied: Varied,
     /// The state that flights are followed from.

@@ -34,7 +34,7 @@ fn units(scene: &Scene) -> Result<[Enclosure; 2], Error> {
 /// Returns a region of a scene.
 ///
 /// # Errors
-/// When a value is beyond what exact expressions hold.
+/// If a value exceeds the range of exact expressions.
 pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
     let [period, fastest] = units(scene)?;
     let told = |[low, high]: [f64; 2]| Enclosure::from_f64_bounds(low, high).expect("finite bounds in order");
@@ -67,7 +67,7 @@ pub fn told([low, high]: &[Decimal; 2]) -> String {
     format!("{} to {}", low.text(), high.text())
 }
 
-/// Returns what is proved of a scene's chaos, over a range of a parameter if one is given.
+/// Returns the chaos document of a scene, over a range of a parameter if given.
 pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Chaos) -> ChaosDocument {
     ChaosDocument {
         schema: CHAOS_SCHEMA.to_owned(),
@@ -126,7 +126,7 @@ fn period(word: &Word, cycles: u32) -> PeriodDocument {
     PeriodDocument { word: word.to_string(), impacts: word.mappings().len() as u32, cycles }
 }
 
-/// Returns what is proved of each value of a parameter.
+/// Returns the verdicts over a range of a parameter.
 pub fn cells(scene: &Scene, asked: &Asked, cells: &Cells) -> ChaosCellsDocument {
     let width = |stretch: &Stretch| {
         let [low, high] = [&stretch.low, &stretch.high].map(|end| end.enclose(BITS).mid_rad().0);

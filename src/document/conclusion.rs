@@ -1,4 +1,4 @@
-//! How an orbit ended, as a document, whose line in words follows from its fields.
+//! Outcome of an orbit as a document, whose message follows from its fields.
 
 pub use impact_pair_document::counted;
 use impact_pair_document::{Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
@@ -57,7 +57,7 @@ impl Conclusion {
         }
     }
 
-    /// One line in words.
+    /// Returns the message.
     pub fn message(&self) -> &str {
         &self.document.message
     }

@@ -1,4 +1,4 @@
-//! How a run ended, in one line for people, and whether that is all that was asked.
+//! The last line of a table: the outcome, and whether everything requested is certified.
 
 use std::fmt;
 
@@ -9,15 +9,15 @@ use super::orbit::{arithmetic, is_certified};
 use crate::contact::Reason;
 use crate::orbit::{Arithmetic, Orbit, Settings, VERDICT_BITS};
 
-/// The conclusion of an orbit, seen against what was asked.
+/// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
     /// How it ended.
     pub conclusion: Conclusion,
-    /// What computed the orbit, as the orbit JSON says it.
+    /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
-    /// The first impact whose enclosure is wider than the digits requested.
+    /// The first impact whose enclosure is wider than the requested digits.
     pub wide: Option<u64>,
-    /// What was asked.
+    /// The request.
     pub settings: &'s Settings,
     /// The most bits that it was computed with.
     pub bits: u32,
@@ -30,7 +30,7 @@ impl<'s> Ending<'s> {
         Self { conclusion, computed, wide, settings, bits }
     }
 
-    /// Returns whether all that was asked is certified, or in `float`, where no proof is requested, computed.
+    /// Returns whether everything requested is certified, or with `float` computed.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }

@@ -21,11 +21,11 @@ pub struct Event {
     pub wall: Wall,
     /// When \[time\].
     pub time: Bounds,
-    /// What happens.
+    /// Kind of an event.
     pub kind: Kind,
 }
 
-/// What happens at an event.
+/// The kind of an event, with its data.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// The ball hits the wall.
@@ -36,7 +36,7 @@ pub enum Kind {
         /// The relative velocity `y'` just before the impact \[length/time\].
         velocity: Bounds,
     },
-    /// The wall is touched with no velocity, or nearly so, or nearly touched.
+    /// The wall is touched with zero velocity, or nearly so, or nearly touched.
     Graze,
     /// The ball comes to rest on the wall.
     Rest {
@@ -117,9 +117,9 @@ pub struct Events<'o> {
 }
 
 impl Orbit {
-    /// Returns the events that are still to come: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
+    /// Returns an iterator over the following events: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
     ///
-    /// What they enclose, and what it costs, is that of the orbit; how it ended is given by [`Orbit::outcome`] afterwards.
+    /// Enclosures and costs are those of the orbit; afterwards [`Orbit::outcome`] has its outcome.
     ///
     /// ```
     /// use impact_pair::Scene;
@@ -182,12 +182,12 @@ impl From<&Event> for EventDocument {
     }
 }
 
-/// What is known of a number.
+/// A number: exact, enclosed, or computed.
 #[derive(Clone, Debug)]
 pub enum Bounds {
     /// It is proved to lie in here.
     Certified(Enclosure),
-    /// It was computed to be about this; nothing is claimed.
+    /// A computed approximation, not certified.
     Float(Enclosure),
 }
 
@@ -197,7 +197,7 @@ impl Bounds {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }
 
-    /// Returns what it is known by.
+    /// Returns the number.
     pub fn enclosure(&self) -> &Enclosure {
         let (Self::Certified(x) | Self::Float(x)) = self;
         x

@@ -1,4 +1,4 @@
-//! What is computed, made into the documents of [`crate::json`], and into words.
+//! Results as documents of [`crate::json`], and as text.
 
 mod bifurcation;
 mod chaos;

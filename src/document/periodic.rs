@@ -24,7 +24,7 @@ impl Units {
     /// Returns the units of `pair`.
     ///
     /// # Errors
-    /// When `W d` is beyond what exact expressions hold.
+    /// If `W d` exceeds the range of exact expressions.
     pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
         let speed = pair
@@ -46,7 +46,7 @@ impl Units {
         measured(orbit, |velocity| self.velocity(velocity, orbit.bits))
     }
 
-    /// Returns the document of what is found of a problem; `start` only names the scene.
+    /// Returns the document of the orbits of a problem; `start` only names the scene.
     pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
         let region = |region: &Region| {
             let impact = |impact: &PeriodicImpact| PeriodicImpactDocument {

@@ -59,7 +59,7 @@ fn sign(of: Ordering) -> &'static str {
     }
 }
 
-/// Returns the manifolds of one range, maybe `interrupted` before all were there; `start` only names the scene.
+/// Returns the parameter manifolds of one range, possibly `interrupted`; `start` only names the scene.
 pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold], interrupted: bool) -> ManifoldDocument {
     let axis = range.axis;
     let curve = |curve: &Manifold| CurveDocument {

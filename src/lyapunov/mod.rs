@@ -17,9 +17,9 @@ pub use growth::Growth;
 pub enum Exponent {
     /// `ln |DP^n|` divided by the impacts, and by the cycles, that the `n` flights take. Lemma L3
     Finite {
-        /// For an impact.
+        /// Per impact.
         per_impact: Ball,
-        /// For a cycle of the excitation.
+        /// Per forcing period.
         per_cycle: Ball,
     },
     /// The ball comes to rest: all disturbances are forgotten, the derivative is 0, the exponent minus infinity.
@@ -35,7 +35,7 @@ pub enum Unknown {
     NoImpacts,
     /// At a graze the map has no derivative; it may have been a miss.
     Graze,
-    /// The ball rests where nothing presses it to the wall: some that start nearby leave.
+    /// The ball rests with zero contact force: some nearby motions leave.
     Unpressed,
     /// The states are known too coarsely.
     Width,
@@ -51,7 +51,7 @@ impl Unknown {
         }
     }
 
-    /// Returns a word for it.
+    /// Returns its name in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoImpacts => "no-impacts",
@@ -74,7 +74,7 @@ pub struct Disturbance {
     rate: Option<[Ball; 2]>,
     /// The growth is not known any more: it will not matter if a rest follows.
     is_lost: bool,
-    /// What is known without the growth, once that is so.
+    /// The result that no longer depends on the growth, if any.
     settled: Option<Exponent>,
 }
 
@@ -95,7 +95,7 @@ impl Disturbance {
         Self { growth, restitution, last, turns: Ball::exact(0.0), rate: None, is_lost: false, settled: None }
     }
 
-    /// Returns the same given in the turns of another harmonic, so many in one of the fastest: cycles are its forcing periods, and (A.7) has times in forcing periods
+    /// Returns the growth in periods of another harmonic, of which a given number are one period of the fastest: (A.7) then has times in these
     /// of it and velocities in gap widths per forcing period of it. Before it is followed.
     #[must_use]
     pub fn in_turns_of(self, rate: Option<Ball>) -> Self {

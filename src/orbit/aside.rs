@@ -1,4 +1,4 @@
-//! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
+//! Events of an orbit besides impacts: grazes, rests, releases, repetition.
 
 use super::Period;
 use super::attraction::Recent;
@@ -27,7 +27,7 @@ pub(super) struct Aside {
     /// Of a motion that hits no wall: grazes so far.
     pub grazes: u64,
     pub recurrence: Recurrence,
-    /// The time requested has ended the list.
+    /// The requested time has ended the list.
     pub is_late: bool,
     /// The last impacts handed out.
     pub recent: Recent,

@@ -90,7 +90,7 @@ impl Orbit {
         Ok(orbit)
     }
 
-    /// Returns the orbit of a scene; what is wrong with it is given with its line.
+    /// Returns the orbit of a scene; errors have the line in the scene file.
     ///
     /// # Errors
     /// As [`Orbit::new`].

@@ -1,4 +1,4 @@
-//! Where the ball is between the events of an orbit: what figures draw.
+//! The motion between the events of an orbit, as drawn in figures.
 
 use super::event::finite;
 use super::{Impact, Orbit, Release};
@@ -54,7 +54,7 @@ fn on(wall: Wall) -> Ball {
 }
 
 impl Orbit {
-    /// Returns the flight from the start requested, or from those near by of a shadowed orbit, and its phase: whole forcing periods and the rest.
+    /// Returns the flight from the requested start, or from those near by of a shadowed orbit, and its phase: whole forcing periods and the rest.
     pub fn first_course(&self) -> (Course, i64, Ball) {
         let Initial { turns, phase, velocity, .. } = self.initial;
         let course = match self.initial.place {
@@ -74,7 +74,7 @@ impl Orbit {
         self.leaving(impact.wall, impact.turns, impact.phase, impact.velocity)
     }
 
-    /// Returns the flight that begins with a release, with no velocity.
+    /// Returns the flight that begins with a release, with zero velocity.
     pub fn course_from(&self, release: &Release) -> Course {
         let (mid, rad) = release.phase.mid_rad();
         self.leaving(release.wall, release.turns, Ball::new(mid, rad), Ball::exact(0.0))

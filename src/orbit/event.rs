@@ -1,4 +1,4 @@
-//! What an orbit consists of: its impacts, and how it ended.
+//! Events and outcomes of an orbit.
 
 use super::Period;
 use crate::contact::Reason;
@@ -39,7 +39,7 @@ impl Impact {
     }
 }
 
-/// A wall that is touched with no velocity, or is not: no precision tells.
+/// A wall that is touched with zero velocity, or not touched: undecided at any precision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Graze {
     /// The wall.
@@ -63,23 +63,23 @@ pub struct Rest {
     pub is_accumulation: bool,
 }
 
-/// The ball leaves the wall that it rested on, where its acceleration turns inward.
+/// The ball leaves the wall on which it rested, where the contact force vanishes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
     /// The wall.
     pub wall: Wall,
     /// Whole forcing periods since the clock's origin.
     pub turns: i64,
-    /// Encloses the rest of the phase, in forcing periods; under one harmonic it is exactly 0 on the left wall, -1/2 on the right one.
+    /// Encloses the rest of the phase, in forcing periods; with one harmonic it is exactly 0 on the left wall, -1/2 on the right one.
     pub phase: Enclosure,
 }
 
-/// What [`Orbit::advance`](super::Orbit::advance) has done.
+/// Result of [`Orbit::advance`](super::Orbit::advance).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Progress {
     /// The next impact is certified.
     Impact(Impact),
-    /// A contact that may be tangential; the orbit goes on with both continuations enclosed.
+    /// A contact that may be tangential; the orbit continues with both continuations enclosed.
     Graze(Graze),
     /// The ball has come to rest, proved.
     Rest(Rest),
@@ -118,14 +118,14 @@ impl Progress {
 pub enum Outcome {
     /// All the impacts requested.
     ImpactsReached,
-    /// All the impacts up to the time requested.
+    /// All the impacts up to the requested time.
     TimeReached,
     /// All that was requested, and from a release on the motion is proved to repeat exactly, for ever.
     Periodic(Period),
     /// All that was requested, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only where
     /// [`Settings::attractor`](super::Settings::attractor) asks for it.
     Attracted(Box<Attractor>),
-    /// The ball rests on its wall for ever: nothing shakes the box.
+    /// The ball rests on its wall for ever: there is no excitation.
     RestsForever(Wall),
     /// No wall is ever touched again.
     NeverImpacts,

@@ -23,13 +23,13 @@ use crate::shaken::{Either, Flying, Origin, Released, Shaken};
 #[derive(Clone, Debug)]
 pub(super) struct Given {
     pub pair: Arc<ImpactPair>,
-    /// The pair without units, under one harmonic or several.
+    /// The pair without units, with one harmonic or several.
     pub shaken: Arc<dyn Motions>,
     /// The start or a later state of its motion, or the last release.
     pub origin: Origin<Exact>,
 }
 
-/// The motions under what shakes the box: what follows is compiled for each kind of it.
+/// The motions under the excitation: what follows is compiled for each kind of it.
 pub(super) trait Motions: Shaken {
     /// In plain doubles.
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;

@@ -55,14 +55,14 @@ use motion::Motion;
 use raise::Raise;
 use width::Width;
 
-/// Bits beyond those of the digits requested that `auto` spends on a decision: what they do not tell is a graze, or `Undecided`.
+/// Bits beyond those of the requested digits that `auto` spends on a decision: what they leave undecided is a graze, or `Undecided`.
 pub const VERDICT_BITS: u32 = 8192;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
 /// **Enclosure**: for every start and all parameters of the scene, impact `i` of the true orbit lies in the `i`-th
 /// item, on that wall, and no other wall contact comes between, but those of a rest or a graze: [`Orbit::advance`]
-/// tells of these, too. With [`Arithmetic::Float`] nothing is claimed.
+/// tells of these, too. With [`Arithmetic::Float`] nothing is certified.
 /// **Cost**: a certified flight, a second bracket and a Jacobian for each impact; memory does not grow.
 ///
 /// ```
@@ -86,7 +86,7 @@ pub struct Orbit {
     clock: Clock,
     asked: Asked,
     engine: Engine,
-    /// The start requested; those near by, one of which has the orbit, of a shadowed one.
+    /// The requested start; those near by, one of which has the orbit, of a shadowed one.
     initial: Initial<Ball>,
     followed: Followed,
     /// Where the motion is.
@@ -116,7 +116,7 @@ struct Engine {
     given: Given,
     pair: Reduced<Ball>,
     motion: Box<dyn Motion>,
-    /// What computes now: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
+    /// The current arithmetic: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
     arithmetic: Arithmetic,
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
@@ -161,12 +161,12 @@ impl Orbit {
         &self.clock
     }
 
-    /// Returns what computes.
+    /// Returns the arithmetic.
     pub fn arithmetic(&self) -> Arithmetic {
         self.asked.settings.arithmetic
     }
 
-    /// Returns the most bits that an impact so far was computed with: 53 in double precision.
+    /// Returns the maximum precision of an impact so far, in bits: 53 in double precision.
     pub fn bits(&self) -> u32 {
         self.engine.bits.max(self.engine.motion.bits()) // shown
     }
@@ -177,12 +177,12 @@ impl Orbit {
         self.engine.motion.plan()
     }
 
-    /// Returns how the orbit ended; `None` while it goes on.
+    /// Returns the outcome of the orbit; `None` while it continues.
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()
     }
 
-    /// Returns the first impact whose enclosure is wider than the digits requested, if one is.
+    /// Returns the first impact whose enclosure is wider than the requested digits, if one is.
     pub fn first_wide(&self) -> Option<u64> {
         self.first_wide
     }
@@ -192,7 +192,7 @@ impl Orbit {
         self.listed
     }
 
-    /// Goes on: to the next event, or in more precision over an impact that was listed before.
+    /// Advances to the next event, or computes an impact listed before again in higher precision.
     ///
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.
     pub fn advance(&mut self) -> Progress {
@@ -288,7 +288,7 @@ impl Orbit {
         Progress::Ended
     }
 
-    /// Returns the time requested \[time\], if all events up to it are listed because it ended the list.
+    /// Returns the requested time \[time\], if all events up to it are listed because it ended the list.
     pub fn listed_until(&self) -> Option<&Exact> {
         self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
     }

@@ -1,4 +1,4 @@
-//! One impact after another, in double precision: plain and certified, whatever shakes the box.
+//! One impact after another, in double precision: plain and certified, for any excitation.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
     /// (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
 
-    /// Starts, one of which has this motion, which then begins at that start; `None` where it is that of the start requested.
+    /// Starts, one of which has this motion, which then begins at that start; `None` where it is that of the requested start.
     fn starts(&self) -> Option<Starts> {
         None
     }

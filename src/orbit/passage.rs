@@ -1,4 +1,4 @@
-//! What two impacts in a row say of the flight between them, and where an impact is in its cycle.
+//! The flight between two successive impacts, and the phase of an impact.
 
 use std::cmp::Ordering;
 
@@ -56,7 +56,7 @@ impl Orbit {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// The same in two parts, from an impact or from the start requested; at inside starts only the column of the velocity is meant.
+    /// The same in two parts, from an impact or from the requested start; at inside starts only the column of the velocity is meant.
     #[cfg(feature = "multiprecision")]
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
@@ -76,7 +76,7 @@ impl Orbit {
         Sheared::between(restitution, self.turns_between(from, to), swings, [from.velocity, to.velocity])
     }
 
-    /// Returns the start requested as impact number 0, when it is on a wall.
+    /// Returns the requested start as impact number 0, when it is on a wall.
     pub fn start_impact(&self) -> Option<Impact> {
         let Initial { turns, phase, velocity, .. } = self.initial;
         let wall = self.initial.place.wall();

@@ -1,4 +1,4 @@
-//! One impact after another in multiprecision, whatever shakes the box.
+//! One impact after another in multiprecision, for any excitation.
 //!
 //! The centre of the set is a pair of MPFR numbers and flies in balls; the set around it is the parallelogram of
 //! [`super::set`], in units of a power of two, since a chaotic orbit of 10,000 impacts starts with one of `2^-5800`.

@@ -28,10 +28,10 @@ pub(super) struct Raise {
     impacts: Option<u64>,
     /// How long the orbit is to last, in forcing periods.
     turns: f64,
-    /// Bits of the width requested.
+    /// Bits of the requested width.
     asked: f64,
     most: u32,
-    /// How narrow a flight can become in any precision: as narrow as what shakes the box is given.
+    /// How narrow a flight can become in any precision: as narrow as the excitation is given.
     finest: f64,
     /// Bits that are left for decisions.
     verdict_bits: f64,
@@ -112,7 +112,7 @@ impl Raise {
     }
 }
 
-/// Bits to which the least exact of what shakes the box is given: infinitely many without intervals.
+/// Bits to which the least exact of the excitation is given: infinitely many without intervals.
 fn finest(pair: &ImpactPair) -> f64 {
     let terms = pair.excitation().terms().iter();
     let shaking = terms.flat_map(|term| [term.amplitude(), term.frequency(), term.phase()]);

@@ -50,14 +50,14 @@ impl Shape {
         Self { axis: (1.0, 0.0), edges: [phase, unscaled], scale }
     }
 
-    /// Returns bounds the distances of phases from the centre's.
+    /// Bounds the distances of phases from the centre's.
     #[inline(always)]
     pub fn phase_radius(&self) -> f64 {
         let (c, s) = self.axis;
         up(c.abs() * self.edges[0] + s.abs() * self.edges[1])
     }
 
-    /// Returns bounds the distances of velocities.
+    /// Bounds the distances of velocities.
     #[inline(always)]
     pub fn velocity_radius(&self) -> f64 {
         let (c, s) = self.axis;

@@ -45,7 +45,7 @@ pub(super) struct ShadowMotion<S: Flying, B> {
     set: Option<IntervalMotion<S>>,
 }
 
-/// What is claimed of a shadowed orbit.
+/// The claims of a shadowed orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shadowing {
     /// **Enclosure**: holds the time of the start that has the orbit \[time\].
@@ -92,7 +92,7 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the start requested.
+    /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
         let Starts { varied, bounds: Initial { turns, phase, velocity, .. } } = motion.starts()?;
         let in_doubles = || match varied {

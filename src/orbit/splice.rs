@@ -3,7 +3,7 @@
 //! **Lemma F6** (splicing). Let the set of all starts within `a` of a given one, along the velocity (or the time) as in Lemma F3, be flown
 //! through `m` impacts, each proved to be the first contact, on one wall, transversal, for all of them. Then `F^m` is differentiable
 //! there; by the chain rule its derivative along the segment is `J_m ... J_1 q`, with each `J_i` at the start's own impacts, so that the
-//! product of the balls that hold (A.7) over the sets holds it. `J_1` is (A.7) of the whole flight from the start requested, at the
+//! product of the balls that hold (A.7) over the sets holds it. `J_1` is (A.7) of the whole flight from the requested start, at the
 //! scene's time, as in F3: where flights are followed from a later state of it (R3), that is where first contacts are searched for, and
 //! nothing else. With the product for the column of the first axis, and the image of the given
 //! start itself for `F(x)`, condition 2 of F1 says that the image of the segment crosses a node, and F2 goes on from there: the start
@@ -39,7 +39,7 @@ pub(super) struct Splice {
     pair: ImpactPair,
     start: Start,
     clock: Clock,
-    /// The start requested in doubles.
+    /// The requested start in doubles.
     initial: Initial<Ball>,
     varied: Varied,
     bits: u32,

@@ -1,4 +1,4 @@
-//! What an orbit says of its events in the units of the scene.
+//! Events of an orbit in the units of the scene.
 
 use inari::Interval;
 
@@ -16,7 +16,7 @@ impl Orbit {
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
     }
 
-    /// Returns the same bounds as intervals of doubles, for whoever computes with such.
+    /// Returns the same bounds as intervals of doubles.
     ///
     /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`](super::Arithmetic::Float).
     ///
@@ -64,17 +64,17 @@ impl Orbit {
         (shift, speed)
     }
 
-    /// Returns when a rest begins \[time\].
+    /// Returns bounds of the beginning of a rest \[time\].
     pub fn rest_time(&self, rest: &Rest) -> Enclosure {
         self.clock.time(rest.turns, &rest.phase)
     }
 
-    /// Returns when a wall may be grazed \[time\].
+    /// Returns bounds of the time of a graze \[time\].
     pub fn graze_time(&self, graze: &Graze) -> Enclosure {
         self.exact_time(graze.turns, &graze.phase)
     }
 
-    /// Returns when a release happens \[time\], as exactly as it can be shown.
+    /// Returns bounds of the time of a release \[time\], exact if possible.
     pub fn release_time(&self, release: &Release) -> Enclosure {
         self.exact_time(release.turns, &release.phase)
     }

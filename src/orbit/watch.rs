@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 
 use super::{Impact, Orbit, Progress};
 
-/// Sees how far orbits have come, and says how long to go on.
+/// Observes the progress of an orbit, and decides whether to continue.
 ///
-/// A closure is one that says only whether to go on; `&|| true` follows orbits to their ends.
+/// A closure returns only whether to continue; `&|| true` follows orbits to their ends.
 pub trait Watch {
     /// Whether to go on; asked before each event.
     fn goes_on(&self) -> bool;

@@ -30,9 +30,9 @@ pub struct Attractor {
     pub cycles: u32,
     /// The orbit.
     pub orbit: PeriodicOrbit,
-    /// The first impact of those looked at whose states are proved to lie in a neighbourhood that the period contracts.
+    /// The first impact examined whose states are proved to lie in a neighbourhood that the map of a period contracts.
     pub from: u64,
-    /// What a period multiplies the distance from the orbit by at most, from there on, in that neighbourhood's norm.
+    /// Upper bound of the contraction rate of a period in that neighbourhood, in its norm.
     pub factor: f64,
 }
 

@@ -3,7 +3,7 @@
 //! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities; the
 //! Newton's impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
 //! Floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
-//! through the same lines; and in what shakes the box ([`Shaking`]).
+//! through the same lines; and in the excitation ([`Shaking`]).
 
 use super::shaking::{Hop, Repetition, Shaking};
 use crate::Error;
@@ -11,7 +11,7 @@ use crate::mapping::{Word, jacobian_between};
 use crate::number::Number;
 use crate::pair::{Reduced, Wall};
 
-/// A closed word of `k` impacts that repeats after so many cycles. **Equations** (29), (33), (36), (52)-(56)
+/// A closed word of `k` impacts that repeats after `cycles` forcing periods. **Equations** (29), (33), (36), (52)-(56)
 ///
 /// Unknowns are the phases `u_0 < u_1 < ... < u_{k-1} < u_0 + cycles` in forcing periods, in time order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,7 +98,7 @@ impl Chain {
         self.cycles
     }
 
-    /// Returns the forcing periods after which the excitation repeats: 1 under one harmonic.
+    /// Returns the forcing periods after which the excitation repeats: 1 with one harmonic.
     pub fn period(&self) -> u32 {
         self.repetition.turns
     }

@@ -1,4 +1,4 @@
-//! A pair whose chains are proved, whatever shakes its box.
+//! A pair whose chains are proved, for any excitation.
 
 use super::chain::{Chain, Legs};
 use super::physical;

@@ -1,4 +1,4 @@
-//! Where orbits may be: from floating-point motions that nearly close, and from phases spread evenly. Nothing is proved.
+//! Where orbits may be: from floating-point motions that nearly close, and from phases spread evenly. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -108,7 +108,7 @@ fn spread_phases(chain: &Chain, n: usize) -> Vec<f64> {
     std::iter::once(first).chain(rest).collect()
 }
 
-/// The same phases with the first one in the first common period: in `[0, 1)` under one harmonic.
+/// The same phases with the first one in the first common period: in `[0, 1)` with one harmonic.
 fn into_first_period(chain: &Chain, mut phases: Vec<f64>) -> Vec<f64> {
     let period = f64::from(chain.period());
     let whole = (phases[0] / period).floor() * period;

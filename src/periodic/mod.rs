@@ -1,11 +1,11 @@
 //! Periodic orbits of any word, proved: sections 3 and 4 of the paper.
 //!
 //! A [`Problem`] is a pair, a closed word and a number of cycles. Its unknowns are the phases of the impacts, its
-//! equations Newton's impact law at each ([`chain`]); Newton's iteration in floating point proposes ([`newton`]), Krawczyk's operator
-//! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
+//! equations Newton's impact law at each ([`chain`]); Newton's iteration in floating point approximates ([`newton`]), Krawczyk's
+//! operator verifies ([`krawczyk`]), first in doubles and then at the requested precision. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
-//! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. With several harmonics
-//! with a common period ([`Problem::period`]) all that is the same. Lemmas T1-T12, H10-H12 and H14 are in
+//! [`Problem::find_all`] searches the whole state space, so that its list is complete. With several harmonics
+//! with a common period ([`Problem::period`]) the same methods apply. Lemmas T1-T12, H10-H12 and H14 are in
 //! `docs/proofs.md`.
 
 mod attractor;
@@ -55,7 +55,7 @@ pub use search::{Budget, Searched};
 use several::repetition;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
-/// How narrow the enclosures of an orbit are asked to be.
+/// Requested widths of the enclosures of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Precision {
     /// At most `10^-digits` wide: phases in forcing periods, velocities in `A W`.
@@ -71,7 +71,7 @@ impl Default for Precision {
 }
 
 impl Precision {
-    /// `log2` of the width requested: a hundredth of a digit is for printing.
+    /// `log2` of the requested width: a hundredth of a digit is for printing.
     fn log2_width(self) -> f64 {
         -log2_of_digits(f64::from(self.digits) + 0.01)
     }
@@ -80,16 +80,16 @@ impl Precision {
 /// Digits that orbits are distinguished by, where those requested do not do.
 const FINE_DIGITS: u32 = 14;
 
-/// What shakes the box.
+/// The excitation.
 #[derive(Clone, Debug)]
 enum Pair {
     One(Box<One>),
     Several(Box<Several>),
 }
 
-/// The periodic orbits of a word in so many cycles, as a question.
+/// The problem of finding the periodic orbits of a word with a given number of forcing periods.
 ///
-/// A cycle is a turn of the fastest harmonic; with several harmonics an orbit takes whole common periods of theirs.
+/// A cycle is a period of the fastest harmonic; with several harmonics an orbit takes whole common periods.
 ///
 /// ```
 /// use impact_pair::{Harmonic, ImpactPair};
@@ -116,7 +116,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Returns the orbits of `pair` with this word and so many cycles.
+    /// Returns the problem for `pair` with this word and this number of cycles.
     ///
     /// # Errors
     /// When the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles. Under several
@@ -167,7 +167,7 @@ impl Problem {
         }
     }
 
-    /// Returns the common period of all harmonics, in turns of the fastest: 1 of one harmonic.
+    /// Returns the common period of all harmonics, in periods of the fastest: 1 for one harmonic.
     pub fn period(&self) -> u32 {
         self.chain.period()
     }
@@ -179,7 +179,7 @@ impl Problem {
         self.find_while(start, precision, || true)
     }
 
-    /// Returns the same while `goes_on`, which is asked between guesses; those that it ends before are not tried.
+    /// Finds orbits while `goes_on` returns true; it is called between guesses.
     pub fn find_while(&self, start: &Start, precision: Precision, goes_on: impl Fn() -> bool) -> Census {
         if let Some(census) = self.settled() {
             return census;
@@ -245,7 +245,7 @@ impl Problem {
         Some((problem, phases))
     }
 
-    /// The orbit near a guess, and whether it is one of those known: what the digits requested do not tell apart is proved to
+    /// The orbit near a guess, and whether it is one of those known: what the requested digits do not tell apart is proved to
     /// more. Lemma T6
     fn prove_beside<'o>(
         &self,

@@ -1,4 +1,4 @@
-//! Floating point proposes: Newton's iteration on a chain's equations. Nothing here is proved.
+//! Newton's iteration on a chain's equations in floating point: non-rigorous.
 
 use super::chain::{Chain, Leg, Legs};
 use super::precondition::Preconditioner;

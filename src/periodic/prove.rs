@@ -71,10 +71,10 @@ impl Problem {
         }
     }
 
-    /// Proves the orbit near these phases (in forcing periods, in time order), as narrowly as asked.
+    /// Proves the orbit near these phases (in forcing periods, in time order), to the requested width.
     ///
     /// In doubles first; in more and more bits where they do not prove, decide or narrow enough. `None` where no orbit
-    /// could be proved; one that is may be wider than asked, where the bits allowed end or parameters are intervals.
+    /// could be proved; an orbit may be wider than requested, if the allowed bits end or parameters are intervals.
     pub fn prove(&self, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
         match &self.pair {
             Pair::One(one) => self.prove_under(&**one, guess, precision),

@@ -26,7 +26,7 @@ impl Stability {
         }
     }
 
-    /// Returns what trace and determinant say: Jury's conditions, with the signs of (39) and (40). Lemma T4
+    /// Returns the stability from trace and determinant: Jury's conditions, with the signs of (39) and (40). Lemma T4
     pub fn of<N: Enclosing>(trace: &N, determinant: &N) -> Self {
         let one = || N::from_f64(1.0);
         let sum = one() + determinant.clone();

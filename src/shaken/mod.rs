@@ -1,4 +1,4 @@
-//! What shakes the box, as motions see it: one harmonic, equation (9), or several, equation (1).
+//! The excitation, as motions see it: one harmonic, equation (9), or several, equation (1).
 //!
 //! How first contacts are proved are two theorems in two places, the closed form of [`crate::contact`] and the scan of
 //! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
@@ -174,7 +174,7 @@ pub(crate) enum Either {
 }
 
 impl Either {
-    /// Returns what shakes `pair`, phases given by the clock.
+    /// Returns the excitation of `pair`, phases given by the clock.
     ///
     /// # Errors
     /// When a value is beyond what exact expressions or doubles hold.

@@ -13,7 +13,7 @@ use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
 
-/// The start requested, in forcing periods and gaps: at the scene's time and place; the phase is in `[-1/2, 1/2]` (about).
+/// The requested start, in forcing periods and gaps: at the scene's time and place; the phase is in `[-1/2, 1/2]` (about).
 #[derive(Clone, Debug)]
 pub(crate) struct Initial<N> {
     pub place: Location<N>,
@@ -41,9 +41,9 @@ pub(crate) struct Origin<N> {
 /// What leads to a state that a motion is followed from.
 #[derive(Clone, Debug)]
 pub(crate) enum Past<N> {
-    /// Nothing: it is the start requested, or stands for itself.
+    /// Nothing: it is the requested start, or stands for itself.
     Nothing,
-    /// A flight that touches no wall, from the start requested. Lemma R3
+    /// A flight that touches no wall, from the requested start. Lemma R3
     Flight(Initial<N>),
     /// A rest, which ends with this release.
     Rest(Released),
@@ -117,7 +117,7 @@ impl<N> Origin<N> {
 }
 
 impl<N: Clone> Origin<N> {
-    /// Returns the start requested, where this is that start or a later state of its motion; else itself.
+    /// Returns the requested start, where this is that start or a later state of its motion; else itself.
     pub fn initial(&self) -> Initial<N> {
         match &self.past {
             Past::Flight(initial) => initial.clone(),
@@ -185,7 +185,7 @@ impl Origin<Ball> {
         }
     }
 
-    /// Returns the forcing periods since the start requested: exactly 0 where it is that start.
+    /// Returns the forcing periods since the requested start: exactly 0 where it is that start.
     pub fn delay(&self) -> Ball {
         let Past::Flight(initial) = &self.past else { return Ball::exact(0.0) };
         // Lemma N1: the two are less than a turn apart (R3).

@@ -1,4 +1,4 @@
-//! What shakes the box, as chains of impacts see it: one harmonic, equation (9), or several, equation (1).
+//! The excitation, as chains of impacts see it: one harmonic, equation (9), or several, equation (1).
 //!
 //! The equations of a chain ([`crate::periodic::chain`]) are the same for both; here stand the terms in which they differ.
 

@@ -13,7 +13,7 @@ use crate::several::Spectrum;
 /// A motion without drift that stays between the walls for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Still {
-    /// It touches the left wall, with no velocity, at phase 1/4 of every forcing period.
+    /// It touches the left wall, with zero velocity, at phase 1/4 of every forcing period.
     pub grazes_left: bool,
     /// It touches the right wall at phase 3/4.
     pub grazes_right: bool,
@@ -23,7 +23,7 @@ impl Still {
     /// It touches none.
     const UNTOUCHED: Self = Self { grazes_left: false, grazes_right: false };
 
-    /// Returns whether the motion from an origin is proved to stay between the walls for ever, under one harmonic (Lemma Z4).
+    /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
     ///
     /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
     /// box stands still, and at quarter periods, where sine and cosine are exact.

@@ -38,7 +38,7 @@ impl Axis {
     /// Value number `index` from 0.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold.
+    /// If it exceeds the range of exact expressions.
     pub fn value(&self, index: u64) -> Result<Exact, ExactError> {
         // The ends as they are written.
         if index == 0 {
@@ -139,11 +139,11 @@ impl Grid {
         }
     }
 
-    /// Returns the number, from 0, of the term whose cycles are the unit of the sweep of a scene: one for all its points. `None` where the
+    /// Returns the number, from 0, of the term whose period is the unit of the sweep of a scene: the same for all its points. `None` where the
     /// excitation has a single term.
     ///
     /// It is the fastest of the terms that move the box where all axes are at their upper ends: so of terms whose amplitudes vary from
-    /// 0 as well. Phases `W t + tau`, cycles and what is said a cycle are relative to this term at every point, also where another term is
+    /// 0 as well. Phases `W t + tau` and forcing periods refer to this term at every point, also where another term is
     /// faster there, or where this one does not move the box.
     ///
     /// # Errors
@@ -184,10 +184,10 @@ impl Grid {
         varied.with(&[(Key::StartTime, time)])
     }
 
-    /// Returns the values of a point, an axis each.
+    /// Returns the values of a point, one per axis.
     ///
     /// # Errors
-    /// When one is beyond what exact expressions hold.
+    /// If one is beyond the range of exact expressions.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
         let value = |(axis, place): (&Axis, u64)| {
             let value =

@@ -1,4 +1,4 @@
-//! One point of a sweep: an orbit, followed past a transient, and what is proved of it.
+//! One point of a sweep: an orbit, followed past a transient, and its certified results.
 
 use std::ops::ControlFlow;
 
@@ -19,14 +19,14 @@ use super::unit::{Lasting, Unit};
 /// Impacts that can be requested at a point.
 pub const MOST_IMPACTS: u64 = 1_000_000_000;
 
-/// What is asked at each point.
+/// The settings of each point.
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// Impacts that are certified and passed over first.
     pub transient: u64,
-    /// Impacts after them that are looked at.
+    /// Number of impacts after the transient.
     pub impacts: u64,
-    /// Only what is said of them all: they are not told one by one.
+    /// Whether the impacts are not listed, only their summary.
     pub summary: bool,
     /// The number, from 0, of the term whose cycles are the unit, as [`Grid::reference`](super::Grid::reference) says; without it the
     /// fastest that moves the box.
@@ -62,24 +62,24 @@ pub struct Attraction {
     pub from: u64,
 }
 
-/// What is certified at a point.
+/// The certified results of a point.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// The impacts after the transient; none in a summary.
     pub states: Vec<State>,
     /// All impacts that are certified, those of the transient among them.
     pub impacts: u64,
-    /// Impacts a cycle after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
+    /// Impacts per forcing period after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
     pub impacts_per_cycle: Option<Ball>,
     /// How a small disturbance grows after the transient.
     pub exponent: Exponent,
-    /// What the orbit converges to, where that is proved.
+    /// The orbit that it is proved to converge to, if any.
     pub attraction: Option<Attraction>,
-    /// What it converges to, or repeats exactly, is periodic after so long.
+    /// Period of that orbit, or of the exact repetition.
     pub lasting: Option<Lasting>,
     /// How it ended.
     pub outcome: Outcome,
-    /// The same in words.
+    /// The outcome in words.
     pub conclusion: Conclusion,
     /// Where the start is whose orbit it is, if that is not the exact one.
     pub shadow: Option<Shadowing>,

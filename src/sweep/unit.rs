@@ -1,6 +1,6 @@
 //! The unit of a sweep: the cycles of one term of the excitation, at all its points.
 //!
-//! An orbit is given in turns of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, that
+//! An orbit is given in periods of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, that
 //! is not the same term at all points. With `W`, `tau` of the point's own fastest harmonic and `W'`, `tau'` of the sweep's reference,
 //! `u = (W t + tau)/(2 pi)` becomes `u' = (W' t + tau')/(2 pi) = r (u - tau/(2 pi)) + tau'/(2 pi)`, `r = W'/W`: times in forcing periods are `r`
 //! times, velocities in gap widths per forcing period `1/r` times what they are.

@@ -1,4 +1,4 @@
-//! The trade JSON: what is measured, as a document.
+//! The trade JSON.
 
 use std::time::Duration;
 

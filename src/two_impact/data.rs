@@ -37,7 +37,7 @@ const RATIO: &str = "pair.gap / excitation.amplitude";
 
 impl Data {
     /// # Errors
-    /// When e is neither 1 nor proved to be below 1, or `d/A` beyond what exact expressions hold.
+    /// When e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
     pub fn new(pair: &ImpactPair, cycles: u32) -> Result<Self, Error> {
         let e = pair.restitution();
         let is_elastic = match e.compare(&Exact::from(1)) {

@@ -1,6 +1,6 @@
 //! A number and its derivative: one formula gives the enclosures of a function and of its slope.
 //!
-//! Not in intervals of doubles: zeros are isolated as far as half of the bits of the digits requested, near folds more (Lemma W6).
+//! Not in intervals of doubles: zeros are isolated as far as half of the bits of the requested digits, near folds more (Lemma W6).
 
 use std::ops::{Add, Mul, Sub};
 

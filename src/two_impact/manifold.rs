@@ -1,8 +1,8 @@
-//! The curves of figures 10 and 11: `A_N` over W or over v, with the parts that are physical and those that are stable.
+//! The curves of figures 10 and 11: `A_N` over W or over v, with the parts that are admissible and those that are stable.
 //!
 //! On all of them `sin th0`, first contacts and stability depend on `x = d W/|v|` alone (Lemma W8), so the marks between
-//! which they do not change are known, and what is said of a part holds for every point of it. Bounds are in the bits of the
-//! digits requested, as doubles are not.
+//! which they do not change are known, and the properties of a part hold for every point of it. Bounds are in the bits of the
+//! requested digits, as doubles are not.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -17,7 +17,7 @@ use super::question::{ONE_HARMONIC, SHOWN};
 use crate::exact::Real;
 use crate::periodic::Stability;
 
-/// What a curve runs over.
+/// The parameter of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// The angular frequency W: figure 10.
@@ -39,7 +39,7 @@ impl Axis {
 /// Where something changes along a curve, in the order of rising `d W/|v|`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// The near wall is grazed: physical beyond.
+    /// The near wall is grazed: admissible beyond.
     Graze,
     /// The pitchfork (40): stable from here to the fold.
     Pitchfork,
@@ -61,7 +61,7 @@ impl Mark {
     }
 }
 
-/// What holds at every point between one listed point of a curve and the next.
+/// The properties proved at every point between one listed point of a curve and the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     /// Whether `sin th0 > 0`: solid in the figures; else it is negative.
@@ -79,9 +79,9 @@ pub struct Point {
     pub at: Enclosure,
     /// `A_N` \[length\]
     pub amplitude: Enclosure,
-    /// What changes here; `None` for a point of the grid.
+    /// The change at this point; `None` for a point of the grid.
     pub mark: Option<Mark>,
-    /// What holds from here to the next point; `None` for the last one.
+    /// The properties from here to the next point; `None` for the last one.
     pub after: Option<Part>,
 }
 
@@ -96,20 +96,20 @@ pub struct Manifold {
     pub points: Vec<Point>,
 }
 
-/// What the curves are of: `d` and `e` of a pair, and the range.
+/// The data of the curves: `d` and `e` of a pair, and the range.
 #[derive(Clone, Debug)]
 pub struct Range<'p> {
     /// Its amplitude is not used; its frequency only over v.
     pub pair: &'p ImpactPair,
     /// `|v|`; not used over v.
     pub speed: Exact,
-    /// What the curves run over.
+    /// The parameter of the curves.
     pub axis: Axis,
     /// From here ...
     pub from: Exact,
     /// ... to here.
     pub to: Exact,
-    /// So many points at equal distances, endpoints included.
+    /// Number of equidistant points, endpoints included.
     pub count: usize,
 }
 
@@ -124,7 +124,7 @@ struct Place {
 }
 
 impl Range<'_> {
-    /// Returns the manifolds of some `N`, for as long as `goes_on` says so, and whether it said so to the end; none is empty.
+    /// Returns the parameter manifolds of some `N`, computed while `goes_on` returns true, and whether it did to the end; none is empty.
     ///
     /// Even `N` have no equispaced motion (65): of a range the odd ones are given.
     ///

@@ -1,4 +1,4 @@
-//! Periodic motions with two impacts in N cycles: the closed forms (61)-(73), and what has none, with proofs.
+//! Periodic motions with two impacts in N cycles: by the closed forms (61)-(73), or isolated with proof where there are none.
 //!
 //! The paper's section 4 gives the equispaced motions; whether a wall is touched earlier, whether they are stable, which
 //! others there are, it leaves open. Here each is enclosed, and all that is said of it is proved (`docs/proofs.md`, W).

@@ -86,7 +86,7 @@ impl Motion {
         }
     }
 
-    /// Returns whether no wall is touched before the impacts: `false` if an earlier contact is proved.
+    /// Returns whether the motion is admissible: `false` if an earlier contact is proved.
     pub fn is_physical(&self) -> Option<bool> {
         if self.is_symmetric && !self.is_elastic() {
             return self.is_physical_equispaced();

@@ -1,4 +1,4 @@
-//! Which two-impact motions there are: the question, and its answer with as many digits as asked.
+//! The search for two-impact motions, to the requested digits.
 
 use std::ops::RangeInclusive;
 
@@ -20,7 +20,7 @@ use crate::periodic::{MeasuredOrbit, Stability};
 
 /// The cycles that can be requested: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
-/// Bits of the bounds that are handed on, beyond the whole bits of the digits requested.
+/// Bits of the bounds that are handed on, beyond the whole bits of the requested digits.
 pub(super) const SHOWN: u32 = 11;
 /// What is not known of several harmonics, and what is.
 pub(super) const ONE_HARMONIC: &str =
@@ -28,7 +28,7 @@ pub(super) const ONE_HARMONIC: &str =
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 
-/// What of (66)-(68) is not given.
+/// The quantity of (66)-(68) to solve for.
 #[derive(Clone, Debug)]
 pub enum Unknown {
     /// The motion itself: all motions for the pair's `A` and `d`, equispaced or not.
@@ -57,7 +57,7 @@ pub struct Question {
     unknown: Unknown,
 }
 
-/// The motions, and what is not decided.
+/// The motions, and the undecided parts.
 #[derive(Clone, Debug)]
 pub struct Answer {
     question: Question,
@@ -67,7 +67,7 @@ pub struct Answer {
     pub undecided: Vec<Enclosure>,
     /// Whether there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
-    /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits requested.
+    /// Whether everything is decided: for each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the requested digits.
     pub is_complete: bool,
 }
 
@@ -88,7 +88,7 @@ pub fn speed(scene: &Scene) -> Result<Exact, Error> {
 }
 
 impl Question {
-    /// Returns a question about `pair`.
+    /// Returns the search for `pair`.
     ///
     /// # Errors
     /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
@@ -142,7 +142,7 @@ impl Question {
         self.data.cycles()
     }
 
-    /// Returns what is not given.
+    /// Returns the quantity to solve for.
     pub fn unknown(&self) -> &Unknown {
         &self.unknown
     }
@@ -189,7 +189,7 @@ impl Question {
 }
 
 impl Answer {
-    /// Returns what it answers.
+    /// Returns its answer.
     pub fn question(&self) -> &Question {
         &self.question
     }

@@ -33,7 +33,7 @@ pub enum Claims {
     Trap(Box<TrapCertificate>),
     /// Several documents in a list: one by one.
     List(Vec<Claims>),
-    /// Nothing of it is checked, for the reason told.
+    /// Not checked, for the given reason.
     Unchecked(&'static str),
 }
 
@@ -115,11 +115,11 @@ impl Claims {
         Ok(Judged { verdict, confirmed: before })
     }
 
-    /// Proves every claim again, or says which one is not true or not proved, until `stop` is set, if there is one. `progress` receives
+    /// Proves every claim again, or returns the first one refuted or undecided, until `stop` is set, if given. `progress` receives
     /// the claims confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -133,7 +133,7 @@ impl Claims {
     /// [`document`](Self::document) tells of each of them.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn judge(
         &self,
         effort: &Effort,

@@ -49,7 +49,7 @@ pub enum ClaimKind {
         /// The bounds of `y'` just before \[length/time\].
         velocity: [BigRational; 2],
     },
-    /// The wall is touched, or nearly touched, with no velocity or nearly none.
+    /// The wall is touched, or nearly touched, with zero velocity or nearly none.
     Graze,
     /// The ball comes to rest.
     Rest {

@@ -1,7 +1,7 @@
 //! Exact real numbers as expressions, enclosed at any precision asked, never through a rounded double.
 //!
 //! An [`Exact`] is read from a text such as `9.42497`, `10*pi` or `sqrt(2)/3`, or built by arithmetic, and encloses its
-//! value in an [`Enclosure`] as narrow as asked. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
+//! value in an [`Enclosure`] as narrow as requested. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `normal` (that of sums), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision

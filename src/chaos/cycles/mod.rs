@@ -247,7 +247,7 @@ impl Cycles {
         self.asked.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
     }
 
-    /// Returns whether all that was asked is proved: that there are no others, and whether each of them is stable, as narrowly as asked.
+    /// Returns whether all that was asked is proved: that there are no others, and whether each of them is stable, to the requested width.
     pub fn is_certified(&self) -> bool {
         self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.is_decided() && cycle.orbit.is_narrow)
     }
@@ -273,7 +273,7 @@ fn searched(task: &Task, graph: &Graph, impacts: usize, done: &AtomicUsize) -> V
             let Some(at) = queue.lock().expect("no thread has panicked").next() else { break };
             let block = (task.goes_on)().then(|| searched_block(task, graph, at, impacts));
             let stopped = Block { found: Vec::new(), undecided: Vec::new(), is_whole: false };
-            results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is claimed
+            results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is certified
             done.fetch_add(1, Ordering::Relaxed);
         }
     };

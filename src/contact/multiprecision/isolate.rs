@@ -303,7 +303,7 @@ fn prove(
     })
 }
 
-/// A wall that may be touched with no velocity.
+/// A wall that may be touched with zero velocity.
 fn graze(flight: &Flight<MpBall>, target: Option<Target>) -> Undecided {
     Undecided::graze(target.map(|target| target.wall(flight.wall)))
 }

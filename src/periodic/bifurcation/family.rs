@@ -23,7 +23,7 @@ pub(super) enum Unknown {
     Restitution,
 }
 
-/// What shakes the box, as a parameter of it varies.
+/// The excitation, as a parameter of it varies.
 pub(super) trait Varied: Chained {
     /// What shakes a pair; `None` where it is of another kind, or beyond what exact expressions or doubles hold.
     fn of(pair: &ImpactPair) -> Option<Self>;

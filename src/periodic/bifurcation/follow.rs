@@ -1,4 +1,4 @@
-//! Floats follow a branch through its folds to its end and note where something changes sign. Nothing is proved.
+//! Floating point follows a branch through its folds to its end and note where something changes sign. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -32,7 +32,7 @@ pub(super) enum Stop {
     Loop,
     /// Newton's iteration or the budget gives out.
     Lost,
-    /// The caller wishes to stop.
+    /// The caller requested a stop.
     Interrupted,
 }
 

@@ -124,7 +124,7 @@ impl Parameter {
     /// Returns what varies without units at a value of the parameter.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold.
+    /// If it exceeds the range of exact expressions.
     pub fn without_units(&self, value: &Exact) -> Result<Exact, Error> {
         let ratio = || match (self.over.key, &self.others) {
             (Key::Amplitude(_), None) => value.checked_div(self.pair.gap()),
@@ -138,7 +138,7 @@ impl Parameter {
     /// Returns the parameter from what varies without units, as far as the ends of a ball tell, and the pair with it.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold, or not in its range.
+    /// If it exceeds the range of exact expressions, or not in its range.
     pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
         let value = |ratio: &Exact| -> Result<Exact, ExactError> {
             match (self.over.key, &self.others) {

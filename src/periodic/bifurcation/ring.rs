@@ -1,4 +1,4 @@
-//! Chains that repeat or mirror themselves after half their impacts, told by that half: Lemma Y1.
+//! Chains that repeat or mirror themselves after half their impacts, given by that half: Lemma Y1.
 
 use super::super::chain::{Chain, Legs, Slopes};
 use super::super::shaking::Shaking;

@@ -1,4 +1,4 @@
-//! Where branches begin: orbits of the word at values spread over the range. Nothing is proved.
+//! Where branches begin: orbits of the word at values spread over the range. Non-rigorous.
 
 // Labels: proposes throughout.
 

@@ -1,4 +1,4 @@
-//! Floating point proposes: a branch followed by pseudo-arclength, and what changes sign along it. Nothing is proved.
+//! A branch followed by pseudo-arclength in floating point, and what changes sign along it. Non-rigorous.
 
 // Labels: proposes throughout.
 

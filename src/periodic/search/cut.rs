@@ -1,4 +1,4 @@
-//! Cutting a box of phases down to what an orbit needs: Lemma T9.
+//! Contraction of a box of phases to the phases of orbits: Lemma T9.
 
 use std::ops::Range;
 

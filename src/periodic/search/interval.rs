@@ -1,7 +1,7 @@
 //! Intervals between two doubles, for boxes that are wide: cutting them asks for ends, not for centres.
 //!
 //! The rounding mode is never touched: each end is moved out by one unit in the last place, which is at least what
-//! rounding to nearest may have taken. inari's intervals, which judge these in the tests, switch the rounding mode: with our
+//! rounding to nearest may have taken. inari's intervals, the reference for these in the tests, switch the rounding mode: with our
 //! sine a search takes 3.4 times the processor time in them (`LRLRLLRLRR` in 5 cycles of `scenes/cascade.toml`), and all that
 //! `periodic --all` does for four impacts of figures 12-15 1.3 to 1.8 times.
 

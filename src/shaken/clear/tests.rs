@@ -83,7 +83,7 @@ proptest! {
         }
     }
 
-    /// A lone flight under one harmonic: what is clear ends where the distance is as small as doubles tell it, however slow the drift.
+    /// A lone flight with one harmonic: what is clear ends where the distance is as small as doubles tell it, however slow the drift.
     #[test]
     fn the_bound_is_near_the_contact(amplitude in 0.01..0.4f64, phase in -0.5..0.5f64, drift in sizes(), sign in prop_oneof![Just(1.0), Just(-1.0)]) {
         let shaken = shaken(&[amplitude], 0.5);

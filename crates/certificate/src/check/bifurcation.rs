@@ -35,7 +35,7 @@ const LARGEST: i64 = -40;
 
 impl BifurcationCertificate {
     /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until `stop` is set, if there is
-    /// one. `progress` receives the points judged so far.
+    /// one. `progress` receives the points checked so far.
     ///
     /// # Errors
     /// None: what is beyond exact expressions leaves a point undecided.

@@ -40,7 +40,7 @@ impl Clock {
         Self::new(data, base, bits)
     }
 
-    /// Returns the clock of phases counted from `quarters` quarter periods; `None` beyond what exact expressions hold.
+    /// Returns the clock of phases counted from `quarters` quarter periods; `None` beyond the range of exact expressions.
     pub fn at_quarter_turns(data: &Data, quarters: &BigInt, bits: u32) -> Option<Self> {
         // X1: any number of bits encloses
         let bits = with_turns(data, bits).saturating_add(u32::try_from(quarters.bits()).ok()?);

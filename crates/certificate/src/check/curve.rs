@@ -156,7 +156,7 @@ impl Curve<'_> {
         Real::point(x.mid(), self.bits())
     }
 
-    /// Returns the coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Nothing is proved.
+    /// Returns the coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Non-rigorous.
     pub fn polish(&mut self, guess: Point) -> Result<Point, Doubt> {
         let open = || Doubt::Open("no bifurcation is found near".into());
         let (mut at, mut before) = (guess.map(|x| self.point(&x)), None::<Dyadic>);
@@ -189,7 +189,7 @@ impl Curve<'_> {
         Err(open())
     }
 
-    /// The point of the curve with the same coordinate `along` as a guess. Nothing is proved.
+    /// The point of the curve with the same coordinate `along` as a guess. Non-rigorous.
     fn on_curve(&self, mut at: Point, along: usize) -> Result<Point, Doubt> {
         let others = others(along);
         for _ in 0..STEPS / 4 {

@@ -21,7 +21,7 @@ impl CyclesCertificate {
     /// proved, until `stop` is set, if there is one. `progress` receives the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,

@@ -1,4 +1,4 @@
-//! The periodic orbit in an ellipse that the period contracts, as narrowly as asked, and what follows of it (Lemma V6).
+//! The periodic orbit in an ellipse that the period contracts, to the requested width, and what follows of it (Lemma V6).
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Grazes: past a wall that is touched, or nearly touched, with no velocity or nearly none (Lemma V4).
+//! Grazes: past a wall that is touched, or nearly touched, with zero velocity or nearly none (Lemma V4).
 
 use super::affine::Affine;
 use super::contact::{Claimed, Doubt, clear_throughout};

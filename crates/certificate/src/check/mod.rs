@@ -98,7 +98,7 @@ pub struct Effort {
     pub parts: u32,
     /// Pieces that intervals among the data are cut into.
     pub pieces: usize,
-    /// Places of flights that are looked at before a claim is left undecided, each under one harmonic and in up to 512 bits; one in
+    /// Places of flights that are looked at before a claim is left undecided, each with one harmonic and in up to 512 bits; one in
     /// `n` times as many bits counts `n^2` times. A claim that is confirmed allows 256 more, in the bits it took.
     pub work: u64,
 }
@@ -149,7 +149,7 @@ fn one_by_one<C>(
 }
 
 impl Certificate {
-    /// Proves every claim again, or says which one is not true or not proved. `progress` receives the events confirmed so far.
+    /// Proves every claim again, or returns the first one refuted or undecided. `progress` receives the events confirmed so far.
     ///
     /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
@@ -157,7 +157,7 @@ impl Certificate {
     /// of a shadowed orbit of any length, by as many threads as there are processors.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check(&self, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
         self.check_within(&Effort::default(), progress)
     }
@@ -165,7 +165,7 @@ impl Certificate {
     /// Returns the same with no more than this effort.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
         self.check_until(effort, None, progress)
     }
@@ -173,7 +173,7 @@ impl Certificate {
     /// Returns the same until `stop` is set, if there is one.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -247,7 +247,7 @@ impl Certificate {
     /// are sure to be on one wall.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn retraced(&self, bits: u32) -> Result<Vec<(Enclosure, Enclosure)>, Error> {
         let data = Data::new(self.pair(), self.start())?;
         let mut walk = Walk::new(self, &data, &Piece::default(), bits);

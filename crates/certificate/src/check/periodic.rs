@@ -25,7 +25,7 @@ impl PeriodicCertificate {
     /// told the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,

@@ -71,7 +71,7 @@ impl Round<'_> {
     }
 
     /// Returns where Newton's iteration for a state that comes again under the middle of the data ends, and the derivative of the round
-    /// near it. Nothing is proved.
+    /// near it. Non-rigorous.
     pub fn polish(&mut self, guess: [Real; 2]) -> Result<([Real; 2], Matrix), Doubt> {
         let bits = self.bits();
         let point = |x: &Real| Real::point(x.mid(), bits);

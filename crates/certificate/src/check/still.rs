@@ -1,4 +1,4 @@
-//! Motions without drift, `c = 0` exactly: they touch no wall, or, under one harmonic, graze the same ones in every forcing period.
+//! Motions without drift, `c = 0` exactly: they touch no wall, or, with one harmonic, graze the same ones in every forcing period.
 
 use std::cmp::Ordering;
 

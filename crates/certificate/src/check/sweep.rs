@@ -16,10 +16,10 @@ use impact_pair_model::Error;
 
 impl SweepCertificate {
     /// Proves the impacts of every point again, or says of which they are not true or not proved, until `stop` is set, if there is
-    /// one. `progress` receives the points judged so far.
+    /// one. `progress` receives the points checked so far.
     ///
     /// # Errors
-    /// When a scene's values are beyond what exact expressions hold.
+    /// When a scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,

@@ -158,7 +158,7 @@ impl Recorder {
         self.trace.strokes.push(Stroke { part, impacts: self.trace.crossings.len(), points });
     }
 
-    /// An event with no velocity.
+    /// An event with zero velocity.
     fn touch(&mut self, orbit: &Orbit, kind: Kind, phase: Phase) {
         self.follow(orbit, phase);
         let point = self.point(orbit, phase).filter(|point| point.at <= self.window);

@@ -71,7 +71,7 @@ pub enum Part {
     Jump,
     /// While an impact may have come or not: the flights before and after it. Enclosures without a line.
     Either,
-    /// Infinitely many bounces, each smaller than the digits requested.
+    /// Infinitely many bounces, each smaller than the requested digits.
     Chatter,
     /// On a wall.
     Rest,

@@ -212,7 +212,7 @@ impl Beam {
             } else {
                 step *= 0.5;
                 if step < SHORTEST_PART {
-                    return false; // exact: given up, nothing is claimed
+                    return false; // exact: given up, nothing is certified
                 }
             }
         }

@@ -38,7 +38,7 @@ impl ChaosCertificate {
     /// proved, until `stop` is set, if there is one. `progress` receives the words confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold, and with several harmonics.
+    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
     pub fn check_until(
         &self,
         effort: &Effort,

@@ -37,7 +37,7 @@ struct Law {
 }
 
 impl Law {
-    /// That of a pair under one harmonic.
+    /// That of a pair with one harmonic.
     fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic("the impact map without units")?;
         let gap = within("pair.gap / excitation.amplitude", pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;

@@ -34,7 +34,7 @@ impl TrapCertificate {
     /// there is one. `progress` receives the boxes confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold, and with several harmonics.
+    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
     pub fn check_until(
         &self,
         effort: &Effort,
