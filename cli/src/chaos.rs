@@ -75,7 +75,7 @@ pub struct ChaosArguments {
     pub destination: Destination,
 }
 
-/// What is read of a file of bases.
+/// The content of a file of h-sets.
 #[derive(Deserialize)]
 struct Bases {
     bases: Vec<BaseDocument>,
@@ -85,7 +85,7 @@ fn bases(path: &Path) -> Result<Vec<Base>> {
     let named = || scene::name(path);
     let read: Bases = serde_json::from_str(&scene::text(path)?).with_context(named)?;
     if read.bases.is_empty() {
-        bail!("{} has no h-sets (key bases)", named());
+        bail!("{} has no h-sets: its list \"bases\" is empty", named());
     }
     Ok(document::bases(&read.bases))
 }

@@ -98,13 +98,13 @@ fn table(scene: &Scene, document: &TrapDocument) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     writeln!(
         out,
-        "\nregion of {} boxes, {} columns a cycle, {} rows a speed of A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
-         certified: no motion with an impact in it leaves it, comes to rest, or has chatter that ends;\n{}",
+        "\nregion of {} boxes, {} columns per forcing period, {} rows per speed A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
+         certified: a trapping region, without sticking and without complete chatter;\n{}",
         document.boxes,
         document.columns,
         document.rows,
-        document::told(&document.flight_time),
-        document::told(&document.speed_before),
+        document::bounds_text(&document.flight_time),
+        document::bounds_text(&document.speed_before),
         entered(document),
     )?;
     Ok(out)

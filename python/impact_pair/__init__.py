@@ -9,8 +9,8 @@ Bounds('2.487100613920(68,71)')
 >>> float(sol(1.0).y[0])  # where the ball is at t = 1
 2.84459...
 
-A bracket holds the last digits of the lower and the upper bound, rounded outward. All that is certified contains the true value of the exact problem:
-``"9.42497"`` is 942497/100000 and ``"pi"`` is pi. Units are those of the scene: length, time, radians.
+A bracket holds the last digits of the lower and the upper bound, rounded outward. Certified bounds contain the true value of the
+exact problem: ``"9.42497"`` is 942497/100000 and ``"pi"`` is pi. Units are those of the scene: length, time, radians.
 """
 
 from __future__ import annotations

@@ -204,7 +204,7 @@ class Curve:
     amplitude_bounds: Doubles
     #: What changes at a point: graze, pitchfork, fold, or None (n,).
     marks: list[str | None]
-    #: What is proved between each point and the next (n,): sine, physical (admissible), stability.
+    #: What is proved between each point and the next (n,): ``sine``, ``physical``, ``stability``.
     parts: list[dict[str, Any] | None]
 
 
@@ -309,7 +309,8 @@ class Chaos(Document):
     def __repr__(self) -> str:
         per = self.document["entropy"]
         said = "certified" if self.certified else "undecided"
-        return f"{said}: topological entropy at least {per['per_impact']} per impact, {per['per_cycle']} per forcing period; {len(self.words)} words"
+        bounds = f"{per['per_impact']} per impact, {per['per_cycle']} per forcing period"
+        return f"{said}: topological entropy at least {bounds}; {len(self.words)} words"
 
 
 class ChaosCells(Document):

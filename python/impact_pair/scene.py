@@ -213,7 +213,7 @@ class Scene:
         max_bits: int = MAX_BITS,
         progress: Progress = None,
     ) -> answers.Periodic:
-        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all`` searches the whole state space."""
+        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
         with reporting(progress, "cells") as tell:
             return answers.Periodic(*_core.periodic(self._core, (word, cycles, all), (digits, max_bits), tell))
 

@@ -56,7 +56,7 @@ fn coordinates([p, q]: [State; 2]) -> Option<[[Ball; 2]; 2]> {
 
 impl Set {
     fn of(first: &Visited) -> Self {
-        let turns = first.phase.mid().floor(); // exact: whole turns, told by themselves
+        let turns = first.phase.mid().floor(); // exact: whole turns, word_of by themselves
         Self {
             middle: [first.phase.mid() - turns, first.speed.mid()],
             // D15: what the middle is rounded by
@@ -90,7 +90,7 @@ impl Set {
             [own[k][0] + u, own[k][1] + w]
         });
         let directions = directions(self.sides.map(|side| applied(image.jacobian, side)));
-        let turns = image.state[0].floor(); // exact: whole turns, told by themselves
+        let turns = image.state[0].floor(); // exact: whole turns, word_of by themselves
         let middle = [image.state[0] - turns, image.state[1]];
 
         let landing = Flights::moved(law, &quad, self.moved).land(image.side, arrival)?;
@@ -196,7 +196,7 @@ fn converges(law: &Law, first: &Visited, room: f64, goes_on: &dyn Fn() -> bool) 
         }
     }
     let (Period { from, impacts, turns }, _) = found?;
-    told(sets[from].wall, &sides[from..from + impacts], turns)
+    word_of(sets[from].wall, &sides[from..from + impacts], turns)
 }
 
 impl Period {
@@ -209,9 +209,9 @@ impl Period {
 }
 
 /// The word of so many flights from a wall, in whole forcing periods of mirrored phases; twice where it ends on the other wall.
-fn told(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
+fn word_of(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
     let far = sides.iter().filter(|&&side| side == Side::Far).count();
-    let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is told half a turn later
+    let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is word_of half a turn later
     let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
     let mut from = wall;
     let mut mappings = Vec::new();

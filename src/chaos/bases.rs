@@ -147,7 +147,7 @@ impl Seen {
                 continue;
             }
             // `(xi, eta)` and the leaf's slope there.
-            let told = |[u, w]: State| {
+            let in_coordinates = |[u, w]: State| {
                 [(u * across[1] - w * across[0]) / determinant, (along[0] * w - along[1] * u) / determinant]
             };
             let near: Vec<[f64; 3]> = self
@@ -155,8 +155,8 @@ impl Seen {
                 .iter()
                 .filter_map(|&([u, w], direction)| {
                     let phase = u - centre[0];
-                    let [xi, eta] = told([phase - phase.round(), w - centre[1]]);
-                    let [run, rise] = told(direction);
+                    let [xi, eta] = in_coordinates([phase - phase.round(), w - centre[1]]);
+                    let [run, rise] = in_coordinates(direction);
                     (xi.abs() < LENGTHS[0] && eta.abs() < LENGTHS[0] * 0.1).then(|| [xi, eta, rise / run])
                 })
                 .collect();

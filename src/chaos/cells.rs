@@ -228,7 +228,7 @@ impl Work<'_> {
         let first = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0);
         let law = Law::of(pair)?;
         Ok(match first.and_then(|first| attracted(&law, &first, self.goes_on)) {
-            Some((word, cycles)) => Verdict::Attracted { word: told_from_its_least(&word), cycles },
+            Some((word, cycles)) => Verdict::Attracted { word: rotated_to_its_least(&word), cycles },
             None => Verdict::Undecided,
         })
     }
@@ -277,7 +277,7 @@ pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usi
 }
 
 /// A word from that impact on that makes it the first one in the alphabet of L and R.
-fn told_from_its_least(word: &Word) -> Word {
+fn rotated_to_its_least(word: &Word) -> Word {
     let mappings = word.mappings();
     let rotated = |shift: usize| mappings.iter().cycle().skip(shift).take(mappings.len()).copied();
     let is_right = |shift: &usize| rotated(*shift).map(|mapping| mapping.walls().0 == Wall::Right).collect::<Vec<_>>();

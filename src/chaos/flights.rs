@@ -272,7 +272,7 @@ impl<const M: usize> Flights<M> {
     }
 
     /// `z'` of all flights that are at this height between two phases, measured from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
-    pub fn told_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
+    pub fn velocity_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
         let arrival = 0.5 * (low + high);
         let radius = up((arrival - low).max(high - arrival)); // D4: the farther end
         let [own, _] = self.ahead(arrival);
@@ -280,7 +280,7 @@ impl<const M: usize> Flights<M> {
         let (sin, cos) = Ball::exact(arrival).sin_cos();
         let centre = (height + sin - self.centre_sin).checked_div(own)? - cos;
         let (sins, coss) = Ball::new(arrival, radius).sin_cos();
-        // The drift told so, over all.
+        // The drift projected so, over all.
         let drift = (height + sins - self.sin).checked_div(all)?;
         let by_start = (drift - self.cos).checked_div(all)?;
         let by_arrival = (coss - drift).checked_div(all)? + sins;
@@ -291,7 +291,7 @@ impl<const M: usize> Flights<M> {
 impl<const M: usize> Landing<M> {
     /// Holds `n (x - p)` for all images `x`.
     pub fn along(&self, normal: [Ball; 2], point: [Ball; 2]) -> Ball {
-        self.told(normal, point, |_, change| change)
+        self.projected(normal, point, |_, change| change)
     }
 
     /// Returns the same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15
@@ -300,11 +300,11 @@ impl<const M: usize> Landing<M> {
             let [u, w] = moved[k].map(Ball::exact);
             change - n * u - m * w
         };
-        self.told([n, m], point, from)
+        self.projected([n, m], point, from)
     }
 
     /// `from` makes of what a parameter changes `n x` by what it changes `n (x - p)` by.
-    fn told(&self, [n, m]: [Ball; 2], point: [Ball; 2], from: impl Fn(usize, Ball) -> Ball) -> Ball {
+    fn projected(&self, [n, m]: [Ball; 2], point: [Ball; 2], from: impl Fn(usize, Ball) -> Ball) -> Ball {
         let centre = n * (self.phase - point[0]) + m * (self.speed - point[1]);
         let sheared = n + m * self.slope;
         let change = |[delay, speed]: [Ball; 2]| delay * sheared + m * speed;

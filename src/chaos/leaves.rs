@@ -70,7 +70,7 @@ fn mean<T>(all: &[T], of: impl Fn(&T) -> f64) -> f64 {
 
 impl Cluster {
     /// Coordinates in which it is from -1 to 1.
-    fn told(&self, [xi, eta, _]: [f64; 3]) -> [f64; 2] {
+    fn in_coordinates(&self, [xi, eta, _]: [f64; 3]) -> [f64; 2] {
         [xi / self.long, (eta - self.middle - self.slope * xi) / self.width]
     }
 }
@@ -80,11 +80,11 @@ impl Window {
         let unit = |direction: State| direction.map(|x| x / length(direction));
         let (along, across) = (unit(along), unit(guess.contracting(centre, AHEAD)?));
         let sine = cross(along, across);
-        let told = |at| [cross(at, across) / sine, cross(along, at) / sine];
+        let in_coordinates = |at| [cross(at, across) / sine, cross(along, at) / sine];
         let point = |&([u, w], direction): &(State, State)| {
             let phase = u - centre[0];
-            let [xi, eta] = told([phase - phase.round(), w - centre[1]]);
-            let [run, rise] = told(direction);
+            let [xi, eta] = in_coordinates([phase - phase.round(), w - centre[1]]);
+            let [run, rise] = in_coordinates(direction);
             [xi, eta, rise / run]
         };
         let all: Vec<[f64; 3]> = seen.points.iter().take(JUDGES).map(point).collect();
@@ -109,14 +109,15 @@ impl Window {
 
     /// The words that the orbit's points in one of them are seen to make: in a row, across an h-set, at one time.
     fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
-        let is_inside = |&k: &usize| clusters[from].told(self.all[k]).iter().all(|x| x.abs() < 1.0);
+        let is_inside = |&k: &usize| clusters[from].in_coordinates(self.all[k]).iter().all(|x| x.abs() < 1.0);
         let inside: Vec<usize> = self.near.iter().copied().filter(is_inside).collect();
         let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / POINTS + 1).collect();
         let mut taken = vec![false; inside.len()];
         let mut words = Vec::new();
         for time in 1..=impacts.min(AFTER) {
             for (to, cluster) in clusters.iter().enumerate() {
-                let images: Vec<[f64; 2]> = inside.iter().map(|&k| cluster.told(self.all[k + time])).collect();
+                let images: Vec<[f64; 2]> =
+                    inside.iter().map(|&k| cluster.in_coordinates(self.all[k + time])).collect();
                 for [first, last] in crossings(&images, &taken) {
                     taken[first..last].fill(true);
                     words.push(Path { from, to, sides: vec![Side::Far; time], half_turns: 1 });
@@ -275,7 +276,7 @@ mod tests {
         let (window, bundles): (_, [Vec<[f64; 3]>; 2]) = window();
         let place = |cuts| Place { middle: ([0.78, 1.22], [0.18, 0.08]), long: 0.3, beside: 0.02, cuts };
         let holds = |cluster: &Cluster, [xi, eta, slope]: [f64; 3]| {
-            xi.abs() > 0.3 || cluster.told([xi, eta, slope]).iter().all(|x| x.abs() < 1.0)
+            xi.abs() > 0.3 || cluster.in_coordinates([xi, eta, slope]).iter().all(|x| x.abs() < 1.0)
         };
         let whole = window.clusters(place(0b0)).expect("leaves");
         assert_eq!(whole.len(), 1);

@@ -219,11 +219,11 @@ impl Flights {
         let sign = if far { 1.0 } else { -1.0 };
         let rate = view.rate.signed(sign);
         let mut bounds = [(rate.mid() - rate.rad()).next_down(), (rate.mid() + rate.rad()).next_up()];
-        if let Some(told) = self.told_by_phases(if far { self.gap() } else { Ball::exact(0.0) }, low, high) {
-            let told = told.signed(sign);
+        if let Some(velocity) = self.velocity_by_phases(if far { self.gap() } else { Ball::exact(0.0) }, low, high) {
+            let velocity = velocity.signed(sign);
             // D4: both hold the speeds
-            bounds[0] = bounds[0].max((told.mid() - told.rad()).next_down());
-            bounds[1] = bounds[1].min((told.mid() + told.rad()).next_up()); // D4: both hold them
+            bounds[0] = bounds[0].max((velocity.mid() - velocity.rad()).next_down());
+            bounds[1] = bounds[1].min((velocity.mid() + velocity.rad()).next_up()); // D4: both hold them
         }
         bounds[0] = bounds[0].max(0.0); // D4: who comes from inside
         (bounds[0] <= bounds[1]).then_some(bounds)

@@ -131,13 +131,13 @@ pub struct Contact<N> {
 
 /// A pair as the certificates of first contacts want it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Court {
+pub(crate) struct PairBounds {
     pub pair: Reduced<Ball>,
     pub centre: Reduced<f64>,
     pub margins: Margins,
 }
 
-impl Court {
+impl PairBounds {
     pub fn new(pair: Reduced<Ball>) -> Self {
         Self { pair, centre: pair.centre(), margins: Margins::new(&pair) }
     }

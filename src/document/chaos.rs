@@ -37,8 +37,8 @@ fn units(scene: &Scene) -> Result<[Enclosure; 2], Error> {
 /// If a value exceeds the range of exact expressions.
 pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
     let [period, fastest] = units(scene)?;
-    let told = |[low, high]: [f64; 2]| Enclosure::from_f64_bounds(low, high).expect("finite bounds in order");
-    let (flight, speed) = (told(trap.flight()), told(trap.speed()));
+    let bounds_text = |[low, high]: [f64; 2]| Enclosure::from_f64_bounds(low, high).expect("finite bounds in order");
+    let (flight, speed) = (bounds_text(trap.flight()), bounds_text(trap.speed()));
     let (columns, rows) = trap.grid();
     let runs = trap.columns().into_iter();
     Ok(TrapDocument {
@@ -63,7 +63,7 @@ pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
 }
 
 /// Returns the bounds of a document as text.
-pub fn told([low, high]: &[Decimal; 2]) -> String {
+pub fn bounds_text([low, high]: &[Decimal; 2]) -> String {
     format!("{} to {}", low.text(), high.text())
 }
 

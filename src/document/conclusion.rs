@@ -28,7 +28,7 @@ impl Conclusion {
             epsilon: orbit.shadow().and_then(|shadow| shadow.nearness).map(epsilon),
             ..OutcomeDocument::default()
         };
-        let decided = |document: OutcomeDocument| Self { document: document.told(), reason: None };
+        let decided = |document: OutcomeDocument| Self { document: document.with_message(), reason: None };
         match orbit.outcome() {
             Some(Outcome::ImpactsReached | Outcome::TimeReached | Outcome::NeverImpacts) => decided(plain),
             Some(Outcome::Periodic(period)) => decided(OutcomeDocument { period: Some(*period), ..plain }),
@@ -46,7 +46,7 @@ impl Conclusion {
             Some(Outcome::RestsForever(wall)) => decided(OutcomeDocument { wall: Some(*wall), ..plain }),
             Some(Outcome::Undecided { reason, wall, time }) => {
                 let document = undecided(plain, *reason, time);
-                Self { document: OutcomeDocument { wall: *wall, ..document }.told(), reason: Some(*reason) }
+                Self { document: OutcomeDocument { wall: *wall, ..document }.with_message(), reason: Some(*reason) }
             }
             None => {
                 let time = last.map_or_else(|| enclosed(start.time()), |event| event.time.enclosure().clone());

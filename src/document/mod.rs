@@ -11,7 +11,7 @@ mod periodic;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
-pub use chaos::{bases, cells, chaos, told, trap};
+pub use chaos::{bases, bounds_text, cells, chaos, trap};
 pub use conclusion::{Conclusion, counted};
 pub use cycles::cycles;
 pub use ending::Ending;

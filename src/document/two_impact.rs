@@ -47,7 +47,7 @@ fn orbit(orbit: &Orbit, unknown: &Unknown, wall: Wall) -> PeriodicOrbitDocument 
         sine: Some(orbit.sine.map(|sine| sign(sine).to_owned())),
         amplitude: matches!(unknown, Unknown::Amplitude(_)).then(|| bounds(&orbit.amplitude)),
         gap: matches!(unknown, Unknown::Gap(_)).then(|| bounds(&orbit.gap)),
-        ..periodic_orbit(&orbit.measured.told_from(wall))
+        ..periodic_orbit(&orbit.measured.listed_from(wall))
     }
 }
 

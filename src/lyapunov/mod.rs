@@ -120,7 +120,7 @@ impl Disturbance {
         let Some(last) = self.last.replace(impact.clone()) else { return };
         let turns = orbit.turns_between(&last, impact);
         self.turns = self.turns + self.rate.map_or(turns, |[rate, _]| turns * rate);
-        let Some(jacobian) = orbit.jacobian(&last, impact).and_then(|jacobian| self.told(jacobian)) else {
+        let Some(jacobian) = orbit.jacobian(&last, impact).and_then(|jacobian| self.in_reference(jacobian)) else {
             // It may be a graze as far as is known.
             self.settled = Some(Exponent::Unknown(Unknown::Width));
             return;
@@ -133,7 +133,7 @@ impl Disturbance {
 
     /// (A.7) in the units requested: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
     /// times what it is.
-    fn told(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
+    fn in_reference(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
         let Some([_, square]) = self.rate else { return Some(jacobian) };
         let [[tt, tv], [vt, vv]] = jacobian;
         Some([[tt, tv * square], [vt.checked_div(square)?, vv]])

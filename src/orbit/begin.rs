@@ -61,7 +61,7 @@ impl Orbit {
         let cursor = Cursor { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity };
         let followed = Followed::new(cursor, near.is_none(), &given, &settings);
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
-        let patience = given.shaken.patience(widths[0].linear);
+        let max_reported_chatter = given.shaken.max_reported_chatter(widths[0].linear);
         let engine = Engine {
             given,
             pair: reduced,
@@ -71,8 +71,8 @@ impl Orbit {
             #[cfg(feature = "multiprecision")]
             raise: None,
             bits: 0,
-            haste: rest::haste(&reduced),
-            patience,
+            min_chatter_time_per_speed: rest::min_chatter_time_per_speed(&reduced),
+            max_reported_chatter,
         };
         let mut orbit = Self {
             clock,

@@ -126,9 +126,9 @@ struct Engine {
     /// The most bits of motions before the last release.
     bits: u32,
     /// No chatter is shorter than the velocity before an impact times this, in forcing periods.
-    haste: f64,
-    /// Nor is it told before it is as short as this, or ends before the contact force does.
-    patience: Option<f64>,
+    min_chatter_time_per_speed: f64,
+    /// Nor is it reported before it is as short as this, or ends before the contact force does.
+    max_reported_chatter: Option<f64>,
 }
 
 /// The state that the motion is followed from, and what is known of it: with another state all of it is another.
@@ -269,8 +269,8 @@ impl Orbit {
     #[inline]
     fn may_rest(&self) -> bool {
         let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
-        let shortest = (velocity.mid() * self.engine.haste).abs();
-        let most = self.engine.patience.unwrap_or_else(|| {
+        let shortest = (velocity.mid() * self.engine.min_chatter_time_per_speed).abs();
+        let most = self.engine.max_reported_chatter.unwrap_or_else(|| {
             let phase = phase.mid() + wall.mirror_phase();
             (phase.ceil() - phase).max(f64::EPSILON) // proposes
         });

@@ -80,11 +80,11 @@ pub(super) trait Chained: Flying {
 
 impl Chained for One {
     fn rates(&self) -> Vec<Rate> {
-        vec![Rate { beta: self.court.pair.beta, own: None }]
+        vec![Rate { beta: self.bounds_of_pair.pair.beta, own: None }]
     }
 
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
-        physical::is_physical(&self.court, chain, phases, legs)
+        physical::is_physical(&self.bounds_of_pair, chain, phases, legs)
     }
 
     #[cfg(feature = "multiprecision")]
@@ -95,6 +95,6 @@ impl Chained for One {
         phases: &[MpBall],
         legs: &Legs<MpBall>,
     ) -> Option<bool> {
-        physical::is_physical_precisely(&self.court, pair, chain, phases, legs)
+        physical::is_physical_precisely(&self.bounds_of_pair, pair, chain, phases, legs)
     }
 }

@@ -44,10 +44,10 @@ pub struct MeasuredOrbit {
 
 impl MeasuredOrbit {
     /// Returns the orbit listed from the first impact on this wall; unchanged if there is none.
-    pub fn told_from(&self, wall: Wall) -> Self {
+    pub fn listed_from(&self, wall: Wall) -> Self {
         let first = self.impacts.iter().position(|impact| impact.wall == wall);
-        let mut told = self.clone();
-        told.impacts.rotate_left(first.unwrap_or(0)); // shown
-        told
+        let mut listed = self.clone();
+        listed.impacts.rotate_left(first.unwrap_or(0)); // shown
+        listed
     }
 }

@@ -162,7 +162,7 @@ impl Problem {
     /// Returns the parameters in doubles; `None` with several harmonics.
     pub fn reduced(&self) -> Option<&Reduced<Ball>> {
         match &self.pair {
-            Pair::One(one) => Some(&one.court.pair),
+            Pair::One(one) => Some(&one.bounds_of_pair.pair),
             Pair::Several(_) => None,
         }
     }

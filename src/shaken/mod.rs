@@ -59,9 +59,9 @@ pub(crate) trait Shaken: Debug + Send + Sync {
     #[cfg(feature = "multiprecision")]
     fn swing(&self, turns: i64, phase: f64) -> f64;
 
-    /// Chatter of how many forcing periods may be told, if widths of `least` forcing periods are; `None`: any that ends before the contact force does, half
+    /// Chatter of how many forcing periods may be reported, if widths of `least` forcing periods are; `None`: any that ends before the contact force does, half
     /// a forcing period after it began at the latest. It proposes.
-    fn patience(&self, least: f64) -> Option<f64>;
+    fn max_reported_chatter(&self, least: f64) -> Option<f64>;
 
     /// How long, in forcing periods, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
     /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7

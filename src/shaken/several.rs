@@ -127,7 +127,7 @@ impl Shaken for Several {
         self.floats.harmonics.sums(turns, &phase).swing
     }
 
-    fn patience(&self, least: f64) -> Option<f64> {
+    fn max_reported_chatter(&self, least: f64) -> Option<f64> {
         // A rest is told once the chatter left is shorter than the digits show.
         Some(least.max(f64::MIN_POSITIVE)) // proposes: Z1 is proved where it says so
     }
@@ -236,7 +236,7 @@ impl Flying for Several {
     ) -> Result<Arrival<Vec<(MpBall, MpBall)>>, Undecided> {
         let centre = SumFlight::new(&sum.harmonics, centre, waves);
         let (isolated, at) = self.isolated(sum, &all(), &centre, waves, bits)?;
-        let (phase, error, velocity) = isolated.told_at(&centre, &at, bits);
+        let (phase, error, velocity) = isolated.evaluated_near(&centre, &at, bits);
         let precise::Isolated { contact, swings, .. } = isolated;
         Ok(Arrival { contact, swings, phase, error, velocity, slope: swings[1], waves: None })
     }
@@ -252,7 +252,7 @@ impl Flying for Several {
         let centre = SumFlight::new(&sum.harmonics, all.map(Phased::centre_of), waves);
         let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
         let all = SumFlight::new(&sum.harmonics, all, waves);
-        let (phase, error, velocity) = isolated.told_at(&all, &at, bits);
+        let (phase, error, velocity) = isolated.evaluated_near(&all, &at, bits);
         let velocity = velocity.widened(error * Magnitude::new(sum.harmonics.rates.second, 0));
         Ok((isolated.contact, [MpBall::new(phase, error), velocity], None))
     }

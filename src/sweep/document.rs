@@ -112,12 +112,12 @@ fn message(point: &Point) -> String {
         let every = if cycles == 1 { "every cycle".to_owned() } else { format!("every {cycles} cycles") };
         return own.message.replacen(&every, "in each period", 1);
     };
-    let told = OutcomeDocument {
+    let outcome = OutcomeDocument {
         cycles: own.cycles.and_then(|_| u32::try_from(cycles).ok()),
         period: own.period.map(|period| Period { cycles, ..period }),
         ..own.clone()
     };
-    told.words().unwrap_or(own.message)
+    outcome.words().unwrap_or(own.message)
 }
 
 fn impact(state: &State) -> SweepImpact {

@@ -215,11 +215,11 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
-    let told = |impact: &PeriodicImpact| unit.recurring(&impact.phase, periodic.bits);
+    let in_reference = |impact: &PeriodicImpact| unit.recurring(&impact.phase, periodic.bits);
     let own = |impact: &PeriodicImpact| in_radians(&impact.phase, periodic.bits);
     let is_right = |shift| rotated(shift).map(|impact| impact.wall == Wall::Right).collect::<Vec<_>>();
     let earlier = |a: &usize, b: &usize| {
-        let phase = |shift: usize| told(&impacts[shift]).unwrap_or_else(|| own(&impacts[shift])).mid_rad().0;
+        let phase = |shift: usize| in_reference(&impacts[shift]).unwrap_or_else(|| own(&impacts[shift])).mid_rad().0;
         is_right(*a).cmp(&is_right(*b)).then_with(|| phase(*a).total_cmp(&phase(*b)))
     };
     let shift = (0..impacts.len()).min_by(earlier).expect("a word has impacts");
@@ -229,7 +229,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
     let velocity = orbit.clock().velocity(&first.velocity);
     Attraction {
         word: Word::new(mappings).expect("a closed word can be rotated"),
-        first: told(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
+        first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
     }
 }

@@ -110,7 +110,7 @@ impl AuditArguments {
         }
     }
 
-    /// How the list is judged.
+    /// Returns the settings of the audit.
     pub fn asked(&self) -> Asked {
         let (tolerance, until) = (self.tolerance.clone(), self.until.clone());
         Asked { tolerance, until, digits: self.digits, max_bits: self.max_bits }

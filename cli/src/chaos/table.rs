@@ -16,9 +16,10 @@ pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt:
     let words = found.words().len();
     writeln!(
         out,
-        "\n{} h-sets, {words} words of at most {} impacts, {} boxes",
-        document.bases.len(),
-        document.depth,
+        "\n{}, {} of at most {}, {} boxes",
+        counted(document.bases.len() as u32, "h-set"),
+        counted(words as u32, "word"),
+        counted(document.depth, "impact"),
         document.boxes
     )?;
     if let Some([a, b]) = found.horseshoe() {

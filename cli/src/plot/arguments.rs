@@ -81,7 +81,7 @@ pub struct PlotArguments {
 }
 
 impl PlotArguments {
-    /// What is drawn: the panels asked for, each once, in the order of the paper if all are.
+    /// Returns the panels requested, each once, in the order of the paper if all are.
     pub fn figure(&self) -> Figure {
         let mut panels = if self.all { Panel::ALL.to_vec() } else { Vec::new() };
         for &panel in &self.panels {

@@ -78,7 +78,7 @@ fn keep_states(arguments: &SweepArguments, format: SweepFormat, is_summary: bool
     Ok(())
 }
 
-/// The format asked for, or the one that suits.
+/// Returns the requested format, or the default.
 fn format(arguments: &SweepArguments) -> Result<SweepFormat> {
     let usual = if arguments.shard.is_some() { SweepFormat::Jsonl } else { SweepFormat::Csv };
     let format = arguments.format.unwrap_or(usual);

@@ -59,14 +59,14 @@ pub struct TradeArguments {
 }
 
 impl TradeArguments {
-    /// How far each rung is followed.
+    /// Returns how far each row is followed.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let run = Run { impacts: self.impacts, ..Run::default() };
         Settings { max_bits: self.max_bits, ..scene.settings_asked(run, Arithmetic::Auto) }
     }
 }
 
-/// How the rungs of a trade are written.
+/// The output formats of `trade`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum TradeFormat {
     /// Human-readable: one line per row

@@ -70,7 +70,7 @@ fn significant(x: f64) -> String {
     format!("{x:.*}", places as usize)
 }
 
-/// What is known of the errors of `float` and its so many impacts.
+/// Returns the errors of `float` and the number of its impacts.
 fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
     let mut lines = vec![format!(
         "\ntrue errors of float, compared with {truth} on {} of {}:",

@@ -146,14 +146,14 @@ impl FromStr for Cycles {
     }
 }
 
-/// What a manifold runs over.
+/// The parameter of a parameter manifold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
     Frequency,
     Velocity,
 }
 
-/// A range of a manifold.
+/// The range of a parameter manifold.
 #[derive(Clone, Debug)]
 pub struct ManifoldRange {
     pub over: Over,

@@ -47,7 +47,7 @@ fn orbit(index: usize, orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Vec<Stri
         Unknown::Amplitude(_) => lines.push(format!("     A = {}", decimal_digits(&orbit.amplitude))),
         Unknown::Gap(_) => lines.push(format!("     d = {}", decimal_digits(&orbit.gap))),
     }
-    for impact in &orbit.measured.told_from(wall).impacts {
+    for impact in &orbit.measured.listed_from(wall).impacts {
         let (phase, velocity) = (decimal_digits(&impact.phase), decimal_digits(&impact.velocity));
         lines.push(format!("     {:5}  W t + tau = {phase:24} v = {velocity}", impact.wall.name()));
     }
@@ -82,7 +82,7 @@ fn eigenvalues(orbit: &MeasuredOrbit) -> String {
     }
 }
 
-/// Where something changes along the manifolds.
+/// The changes along the parameter manifolds.
 pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
     let name = match axis {

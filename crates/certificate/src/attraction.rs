@@ -47,9 +47,9 @@ pub(super) enum Stability {
 #[derive(Clone, Debug)]
 pub(super) struct Passage {
     pub wall: Wall,
-    /// Whole turns of the common period of all harmonics before the phase; told where that is longer than a forcing period.
+    /// Whole turns of the common period of all harmonics before the phase; given where that is longer than a forcing period.
     pub turn: Option<u64>,
-    /// The whole forcing periods before the phase since that which the first one is in; told where a period takes several common ones.
+    /// The whole forcing periods before the phase since that which the first one is in; given where a period takes several common ones.
     pub cycle: Option<i64>,
     pub phase: Bounds,
     pub velocity: Bounds,

@@ -169,9 +169,9 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
     if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
         return Ok(Some("certified: not everything found is proved".to_owned()));
     }
-    for (i, (point, told)) in points.iter().zip(&document.points).enumerate() {
+    for (i, (point, claimed)) in points.iter().zip(&document.points).enumerate() {
         // The orbit at which a doubling comes is the one before it.
-        let doublings = told.doublings.saturating_sub((point.kind == Kind::PeriodDoubling).into());
+        let doublings = claimed.doublings.saturating_sub((point.kind == Kind::PeriodDoubling).into());
         let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings)?);
         let repeated = asked.mappings().iter().cycle().take(point.word.mappings().len());
         let fits = times(asked.mappings().len() as u64) == Some(point.word.mappings().len() as u64)

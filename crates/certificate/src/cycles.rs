@@ -59,14 +59,14 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
         return Some("no_attractor: a cycle is not unstable, or there may be others".to_owned());
     }
     for (i, (cycle, orbit)) in document.orbits.iter().zip(orbits).enumerate() {
-        let (told, impacts) = (u64::from(cycle.reduced_impacts), orbit.orbit.impacts.len() as u64); // exact: a length
+        let (claimed, impacts) = (u64::from(cycle.reduced_impacts), orbit.orbit.impacts.len() as u64); // exact: a length
         // Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
         let is_least = match orbit.orbit.symmetric {
-            Some(true) => 2 * told == impacts,
-            Some(false) => told == impacts,
-            None => told == impacts || 2 * told == impacts,
+            Some(true) => 2 * claimed == impacts,
+            Some(false) => claimed == impacts,
+            None => claimed == impacts || 2 * claimed == impacts,
         };
-        if told == 0 || !is_least {
+        if claimed == 0 || !is_least {
             return Some(format!("orbits[{i}].reduced_impacts: contradicts its impacts and its symmetry"));
         }
     }
@@ -79,7 +79,10 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
     let listed = |impacts: u32| {
         by_impacts.iter().filter(|(least, _)| impacts.is_multiple_of(**least)).map(|(_, n)| n).sum::<u64>()
     };
-    let wrong = fixed_points.iter().find(|(impacts, told)| **impacts == 0 || listed(**impacts) != **told)?;
-    let (impacts, told) = wrong;
-    Some(format!("fixed_points: {told} of {impacts} impacts, but those of the listed orbits are {}", listed(*impacts)))
+    let wrong = fixed_points.iter().find(|(impacts, claimed)| **impacts == 0 || listed(**impacts) != **claimed)?;
+    let (impacts, claimed) = wrong;
+    Some(format!(
+        "fixed_points: {claimed} of {impacts} impacts, but those of the listed orbits are {}",
+        listed(*impacts)
+    ))
 }

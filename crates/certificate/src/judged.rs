@@ -46,7 +46,7 @@ struct Part<'c> {
 }
 
 impl Claims {
-    /// How many of the claims that were told to be confirmed, one after another, are so for all data, whatever becomes of the others.
+    /// Number of the claims reported as confirmed, one after another, are so for all data, whatever becomes of the others.
     pub(super) fn certain(&self, reached: usize) -> usize {
         match self {
             Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,

@@ -82,7 +82,7 @@ impl OutcomeDocument {
     ///
     /// # Panics
     /// If a field required by the kind is missing: never for outcomes that this project writes.
-    pub fn told(self) -> Self {
+    pub fn with_message(self) -> Self {
         let message = self.words().expect("an outcome has the fields of its kind");
         Self { message, ..self }
     }

@@ -53,7 +53,7 @@ pub enum ExactError {
         value: String,
     },
     /// Cancellation eats more than the internal precision allowed.
-    #[error("a value loses so many digits to cancellation that 65536 bits do not suffice to enclose it")]
+    #[error("a value loses too many digits to cancellation: 65536 bits do not suffice to enclose it")]
     TooIllConditioned,
 }
 

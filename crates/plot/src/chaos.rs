@@ -5,6 +5,7 @@ mod leaf;
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{Base, Chaos, State, Trap, seen_impacts};
+use impact_pair::document::counted;
 use impact_pair::periodic::bifurcation::Over;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
@@ -98,10 +99,10 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String
 /// What is proved.
 fn proved(found: &Chaos) -> String {
     let counted = format!(
-        "{} words of at most {} impacts from {} h-sets",
-        found.words().len(),
-        found.depth(),
-        found.bases().len()
+        "{} of at most {} from {}",
+        counted(found.words().len() as u32, "word"),
+        counted(found.depth(), "impact"),
+        counted(found.bases().len() as u32, "h-set")
     );
     if found.entropy() > 0.0 {
         let [impact, cycle] = [found.entropy(), found.entropy_a_cycle()].map(rounded_down);

@@ -17,7 +17,7 @@ use super::bounds::{Bounds, Margins, Radii};
 use super::certify::Bracket;
 use super::extrema::Target;
 use super::solve::propose;
-use super::{Contact, Court, Reason, Undecided};
+use super::{Contact, PairBounds, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Inward, Wall};
@@ -94,7 +94,7 @@ pub(crate) struct Start {
 ///
 /// A doubt that the flight of the `centre` does not share is the set's width's fault.
 pub(crate) fn isolate_first(
-    pair: &Court,
+    pair: &PairBounds,
     start: &Start,
     all: impl FnOnce() -> Flight<MpBall>,
     centre: &Flight<MpBall>,
@@ -109,7 +109,7 @@ pub(crate) fn isolate_first(
 }
 
 /// What doubles can say of the set.
-fn isolate_in_doubles(pair: &Court, start: &Start) -> Option<Isolated> {
+fn isolate_in_doubles(pair: &PairBounds, start: &Start) -> Option<Isolated> {
     let Start { wall, height, phase, velocity } = *start;
     let sin_cos = kernel::sin_cos(phase.mid());
     let (flight, height) = match wall {

@@ -21,8 +21,8 @@ use impact_pair_model::Error;
 use std::sync::atomic::AtomicBool;
 
 impl PeriodicCertificate {
-    /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress` is
-    /// told the orbits confirmed so far.
+    /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress`
+    /// receives the orbits confirmed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.

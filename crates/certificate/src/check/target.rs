@@ -55,11 +55,11 @@ impl<'c> Target<'c> {
         if cycles == 0 || !BigInt::from(cycles).is_multiple_of(&turns) {
             return Err(open("the cycles are not a multiple of the common period of all harmonics"));
         }
-        let is_told = |turn: Option<u64>| match turn {
+        let is_valid = |turn: Option<u64>| match turn {
             None => turns.is_one(),
             Some(turn) => !turns.is_one() && BigInt::from(turn) < turns,
         };
-        if !claim.impacts.iter().all(|impact| is_told(impact.turn)) {
+        if !claim.impacts.iter().all(|impact| is_valid(impact.turn)) {
             return Err(Doubt::False("the `turn` of an impact of the orbit is not in the common period".into()));
         }
         if claim

@@ -130,15 +130,17 @@ impl TrapCertificate {
         let times = [times.lo(), times.hi()].map(|x| Real::point(Dyadic::from_f64(x).expect("a finite bound"), BITS));
         let units = self.units()?;
         let scaled = |bounds: &[Real; 2], unit: &Real| bounds.each_ref().map(|bound| bound.clone() * unit);
-        let is_below = |bound: &Real, told: &Decimal| compare_rational(bound.enclosure().sup(), &told.value()).is_le();
-        let is_above = |bound: &Real, told: &Decimal| compare_rational(bound.enclosure().inf(), &told.value()).is_ge();
-        for (what, bounds, told) in [
+        let is_below =
+            |bound: &Real, claimed: &Decimal| compare_rational(bound.enclosure().sup(), &claimed.value()).is_le();
+        let is_above =
+            |bound: &Real, claimed: &Decimal| compare_rational(bound.enclosure().inf(), &claimed.value()).is_ge();
+        for (what, bounds, claimed) in [
             ("flight", &times, flight),
             ("speed", &speeds, speed),
             ("flight_time", &scaled(&times, &units[0]), flight_time),
             ("speed_before", &scaled(&speeds, &units[1]), speed_before),
         ] {
-            if !(is_above(&bounds[0], &told[0]) && is_below(&bounds[1], &told[1])) {
+            if !(is_above(&bounds[0], &claimed[0]) && is_below(&bounds[1], &claimed[1])) {
                 return Err(Doubt::Open(format!("{what} is not proved to be within its bounds")));
             }
         }
