@@ -56,10 +56,10 @@ macro_rules! refusals {
 
 refusals! {
     unknown_key: "restitution" => "restitution = 0.5\nrestitition = 0.6",
-        "line 13: pair.restitition is 0.6, but is no key of [pair]: accepted are gap, restitution; \
+        "line 13: pair.restitition is 0.6, but is not a key of [pair]: accepted are gap, restitution; \
          did you mean `restitution`?";
     unknown_table: "[run]" => "[ran]",
-        "line 19: ran is [ran], but is no key of a scene: accepted are title, excitation, pair, start, run; did you mean `run`?";
+        "line 19: ran is [ran], but is not a key of a scene: accepted are title, excitation, pair, start, run; did you mean `run`?";
     duplicate_key: "gap" => "gap = 1\ngap = 2", "line 12: duplicate key in `gap = 2`";
     missing_key: "restitution" => "",
         "line 10: pair.restitution is missing, but must be a number, or a string with an expression (\"3*pi\") \

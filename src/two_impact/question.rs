@@ -24,7 +24,7 @@ pub const CYCLES: RangeInclusive<u32> = 1..=999;
 pub(super) const SHOWN: u32 = 11;
 /// What is not known of several harmonics, and what is.
 pub(super) const ONE_HARMONIC: &str =
-    "the closed form of two impacts (with several harmonics, periodic --word RL --cycles N --all finds such motions)";
+    "the closed form of two impacts (for several, use periodic --word RL --cycles N --all)";
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 

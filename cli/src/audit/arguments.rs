@@ -30,10 +30,12 @@ Verdicts on a row, or on a certified impact without a row:
   outside         certified; time or velocity is proved to be farther away than that
   missed          certified before the end of the list, but not listed
   false           proved not to happen
-  in the chatter  on its wall, no faster, and after the last impact of a chatter that is farther than the tolerance
-                  from its end: infinitely many impacts lie there, and none of them has to be listed
+  in the chatter  on its wall, no faster, and after the last impact of a chatter that is farther
+                  than the tolerance from its end: infinitely many impacts lie there, and none of
+                  them has to be listed
   undecided       after the last impact that could be certified
-  not reached     later than that; the list lacks more impacts than it has rows, and the orbit is not followed further
+  not reached     later than that; the list lacks more impacts than it has rows, and the orbit is
+                  not followed further
 The start and grazes may be listed or not; of a graze, wall and time are compared.
 
 A row may be an impact if it lies on the same wall, and is nearest to it among all impacts or within the tolerance. \

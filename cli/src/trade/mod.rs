@@ -18,7 +18,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let asked = arguments.settings(&scene);
     if asked.impacts == Some(0) {
-        bail!("{}: run.impacts is 0, no impacts to measure (try --impacts)", scene::name(&arguments.scene));
+        bail!("{}: run.impacts is 0: no impacts to measure (try --impacts)", scene::name(&arguments.scene));
     }
     Orbit::of(&scene, asked.clone()).with_context(|| scene::name(&arguments.scene))?;
     let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());

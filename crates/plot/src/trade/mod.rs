@@ -83,7 +83,9 @@ impl Mark {
             Some(Judgement { departure: Some(departure), .. }) => {
                 format!("{name} (wrong word from impact {})", departure.impact)
             }
-            Some(judgement) if judgement.judged < impacts => format!("{name} (judged to impact {})", judgement.judged),
+            Some(judgement) if judgement.judged < impacts => {
+                format!("{name} (compared up to impact {})", judgement.judged)
+            }
             _ if rung.is_complete() => name,
             _ => format!("{name} ({impacts})"),
         };
