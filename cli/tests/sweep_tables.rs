@@ -197,7 +197,7 @@ fn states_that_are_no_table_of_their_own_are_refused() {
     };
     let states = ["--states", "states.csv"];
     let cases: [(&[&str], &str); 13] = [
-        (&["--format", "jsonl"], "--states writes a table, but a line of jsonl holds a point and its states"),
+        (&["--format", "jsonl"], "--states writes a table, but a line of jsonl holds a point with its states"),
         (&["--summary"], "--states writes the impacts, but a sweep with --summary has none"),
         (&["--shard", "1/3"], "--states writes a table, but a shard is written as jsonl"),
         (&["--shard", "1/3", "--format", "csv"], "--format is not jsonl, but a shard is written as jsonl"),
