@@ -57,8 +57,9 @@ const WORDS: [(&str, &str, &[&str]); 69] = [
     ("seen, not proved", "non-rigorous", &[]),
     ("dead impact", "perfectly plastic impact", &[]),
     ("impact law", "Newton's impact law", &["newton's"]),
-    ("manifold", "parameter manifold", &["parameter", "stable", "unstable"]),
-    ("manifolds", "parameter manifolds", &["parameter", "stable", "unstable"]),
+    // A heading of a schema is its name.
+    ("manifold", "parameter manifold", &["parameter", "stable", "unstable", "##"]),
+    ("manifolds", "parameter manifolds", &["parameter", "stable", "unstable", "##"]),
     ("is another orbit", "diverges from the true orbit", &[]),
     ("another orbit from", "diverges from the true orbit at", &[]),
     ("spoiled", "corrupted", &[]),
@@ -84,6 +85,7 @@ type Text = Vec<(usize, String)>;
 
 /// The words of a line; code becomes a word of its own that is none of the table's.
 fn words(number: usize, line: &str) -> Text {
+    let line = line.replace("``", "`");
     let prose: Vec<&str> = line.split('`').enumerate().map(|(i, part)| if i % 2 == 0 { part } else { " # " }).collect();
     let plain = |word: &str| {
         let end = |c: char| matches!(c, ',' | '.' | ';' | ':' | '!' | '?' | ')' | ']' | '*' | '|');
