@@ -1,4 +1,4 @@
-//! Between the units of the scene and turns and gaps, exactly: what enters and leaves an orbit.
+//! Exact conversion between the units of the scene and reduced units.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -11,10 +11,10 @@ use crate::number::Ball;
 use crate::pair::{ImpactPair, ball, too_large, within};
 use crate::turns;
 
-/// Bits kept beyond those of the largest number of turns and of the widths to be shown.
+/// Bits kept beyond those of the largest number of forcing periods and of the widths to be shown.
 const BITS: u32 = 160;
 
-/// A phase as whole turns and the rest in `[-1/2, 1/2]` (about).
+/// A phase as whole forcing periods and the rest in `[-1/2, 1/2]` (about).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Phase {
     pub turns: i64,
@@ -27,10 +27,10 @@ pub struct Clock {
     /// `tau / (2 pi)` and `W / (2 pi)`
     shift: Exact,
     rate: Exact,
-    /// The whole turns that phases are counted from.
+    /// The whole forcing periods that phases are counted from.
     origin: BigInt,
     bits: u32,
-    /// What is printed has at most so many bits.
+    /// Maximum precision of printed values, in bits.
     shown: u32,
     /// Enclosures of `2 pi / W`, `tau / W`, `W d / (2 pi)` and `d`.
     period: Enclosure,
@@ -39,7 +39,7 @@ pub struct Clock {
     gap: Enclosure,
     /// `2 pi / (W d)`
     slowness: Exact,
-    /// What intervals of W, tau and d add to widths: to a time for each turn since `t = -tau/W` and once, in periods;
+    /// What intervals of W, tau and d add to widths: to a time for each forcing period since `t = -tau/W` and once, in periods;
     /// to a velocity for each unit of it. `None` for exact ones.
     spread: Option<[f64; 3]>,
 }
@@ -77,23 +77,23 @@ impl Clock {
         })
     }
 
-    /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole turns of the origin, and `2 pi / (W d)`, in so many bits.
+    /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole forcing periods of the origin, and `2 pi / (W d)`, in so many bits.
     pub(crate) fn factors(&self, bits: u32) -> [Enclosure; 3] {
         let origin = Enclosure::from_rational(&BigRational::from(self.origin.clone()), bits);
         [self.rate.enclose(bits), self.shift.enclose(bits).sub(&origin, bits), self.slowness.enclose(bits)]
     }
 
-    /// How many turns after the start of a period of so many turns phases are counted from.
+    /// How many forcing periods after the start of a period of so many forcing periods phases are counted from.
     pub(crate) fn turns_into(&self, period: u32) -> i64 {
         self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0) // exact: below 2^32
     }
 
-    /// The whole turns that phases are counted from.
+    /// The whole forcing periods that phases are counted from.
     pub(crate) fn origin(&self) -> &BigInt {
         &self.origin
     }
 
-    /// The phase `(W t + tau) / (2 pi)` of a time, in whole turns after the origin and the rest.
+    /// The phase `(W t + tau) / (2 pi)` of a time, in whole forcing periods after the origin and the rest.
     pub(crate) fn split(&self, key: &'static str, time: &Exact) -> Result<(i64, Exact), Error> {
         let origin = Exact::from(self.origin.clone());
         let since = phase(&self.rate, &self.shift, time).and_then(|phase| phase.checked_sub(&origin));
@@ -110,9 +110,9 @@ impl Clock {
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
-    /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gaps a turn.
+    /// Bounds how wide the bounds of a time are, in periods, and those of a velocity, in gap widths per forcing period.
     ///
-    /// The bits of exact factors are not counted: they are 160 more than what is asked for has.
+    /// The bits of exact factors are not counted: they are 160 more than what is requested has.
     pub(crate) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         (2.0f64.mul_add(rest.rad(), time), 2.0f64.mul_add(velocity.rad(), of_velocity))
@@ -134,7 +134,7 @@ impl Clock {
         (per_turn.mul_add(turns, once), per_unit * velocity.mag())
     }
 
-    /// A velocity in gaps a turn.
+    /// A velocity in gap widths per forcing period.
     pub(crate) fn reduced_velocity(&self, velocity: &Exact) -> Result<Exact, Error> {
         within("start.velocity", velocity, velocity.checked_mul(&self.slowness))
     }
@@ -145,7 +145,7 @@ impl Clock {
         whole.add(rest, self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
     }
 
-    /// The same for a phase that is exactly known, itself exact where an exact expression says it.
+    /// Returns the same for a phase that is exactly known, itself exact where an exact expression says it.
     pub fn time_of(&self, turns: i64, rest: f64) -> Enclosure {
         let exact = || {
             let phase = Exact::from(&self.origin + turns).checked_add(&Exact::from_f64(rest)?).ok()?;
@@ -157,14 +157,14 @@ impl Clock {
         }
     }
 
-    /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of turns.
+    /// Encloses `t mod 2 pi/W` \[time\]: from `[0, 2 pi/W)` on, and beyond when the phase may be a whole number of forcing periods.
     pub fn time_in_period(&self, rest: &Enclosure) -> Enclosure {
         let turns = rest.sub(&self.shift.enclose(self.shown), self.shown);
         let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), self.shown); // exact: a whole number
         turns.sub(&whole, self.shown).mul(&self.period, self.shown)
     }
 
-    /// Encloses a time \[time\] given in turns.
+    /// Encloses a time \[time\] given in forcing periods.
     #[cfg(feature = "multiprecision")]
     pub(crate) fn duration(&self, turns: &Enclosure) -> Enclosure {
         turns.mul(&self.period, self.shown)
@@ -175,12 +175,12 @@ impl Clock {
         length.mul(&self.gap, self.shown)
     }
 
-    /// Encloses a velocity \[length/time\] given in gaps a turn.
+    /// Encloses a velocity \[length/time\] given in gap widths per forcing period.
     pub fn velocity(&self, velocity: &Enclosure) -> Enclosure {
         velocity.mul(&self.speed, self.shown)
     }
 
-    /// Encloses an acceleration \[length/time^2\] given in gaps a turn squared.
+    /// Encloses an acceleration \[length/time^2\] given in gap widths per forcing period squared.
     pub fn acceleration(&self, acceleration: &Enclosure) -> Enclosure {
         self.velocity(acceleration).mul(&self.rate.enclose(self.shown), self.shown)
     }

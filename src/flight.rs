@@ -1,24 +1,24 @@
 //! The motion between two impacts in closed form, equations (10)-(13).
 //!
 //! # Units
-//! Time is counted in turns of the excitation (`theta = W t + tau = 2 pi u`), lengths in gaps `d`. Only
-//! `alpha = A/d` and `e` are left; `beta = 2 pi alpha` is the box's greatest speed. A velocity is in gaps a turn.
+//! Time is counted in forcing periods (`theta = W t + tau = 2 pi u`), lengths in gap widths `d`. Only
+//! `alpha = A/d` and `e` are left; `beta = 2 pi alpha` is the box's greatest speed. A velocity is in gap widths per forcing period.
 //!
 //! # The frame of a flight
-//! Motion is told from the wall the ball left (from the left wall for a start inside the gap): the height
+//! Motion is measured from the wall the ball left (from the left wall for a start inside the gap): the height
 //! `z` is the distance from it, 0 there and 1 at the far wall, and the sines and cosines carry the sign
 //! that mirrors the right wall's flights onto the left wall's (`y -> -y`, `theta -> theta + pi`). With
-//! `c = z'(0) + beta cos th0` (the drift) and `h` turns after the start, at phase `th1`:
+//! `c = z'(0) + beta cos th0` (the drift) and `h` forcing periods after the start, at phase `th1`:
 //!
 //! ```text
 //! z  = z0 + c h - alpha (sin th1 - sin th0)     (11), (A.2), (A.4), (A.6)
 //! z' = c - beta cos th1                         (12), (A.1), (A.3), (A.5)
 //! ```
 //!
-//! **The departure root divided out.** For a flight that left the wall `h <= 1/8` turns ago, with the versine,
+//! **The departure root divided out.** For a flight that left the wall `h <= 1/8` forcing periods ago, with the versine,
 //! excess and sine of `2 pi h` ([`Departure`]), the addition theorems turn this into
 //! `z = z'(0) h + alpha (cos th0 excess + sin th0 versine)`, where nothing cancels as `h -> 0`: `z/h` keeps
-//! its sign information down to flights of a billionth of a turn ([`Flight::hop_height`]).
+//! its sign information down to flights of a billionth of a forcing period ([`Flight::hop_height`]).
 
 use crate::number::kernel::Departure;
 use crate::number::{Number, UNIT};
@@ -47,12 +47,12 @@ pub(crate) struct Launch<N> {
     pub wall: Option<Wall>,
     /// Above the left wall, inside the gap.
     pub height: N,
-    /// Whole turns and the rest of the phase.
+    /// Whole forcing periods and the rest of the phase.
     pub turns: i64,
     pub phase: N,
     /// `z'`
     pub velocity: N,
-    /// The acceleration of each flight is exactly 0 there: the ball was pressed against the wall before.
+    /// The acceleration of each flight is exactly 0 there: the ball was sticking before.
     pub is_release: bool,
 }
 
@@ -70,7 +70,7 @@ impl<N: Number> Launch<N> {
 }
 
 impl<N> Launch<N> {
-    /// The same in another arithmetic.
+    /// Returns the data in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Launch<M> {
         Launch {
             wall: self.wall,
@@ -90,7 +90,7 @@ pub struct Flight<N> {
     pub alpha: N,
     /// `2 pi A/d`
     pub beta: N,
-    /// The phase of the start in turns, not mirrored.
+    /// The phase of the start in forcing periods, not mirrored.
     pub phase: N,
     /// Mirrored `sin th0`.
     pub sin: N,
@@ -100,14 +100,14 @@ pub struct Flight<N> {
     pub height: N,
     /// `z'` at the start, after the impact.
     pub velocity: N,
-    /// The drift `c`: what `z` gains in each turn.
+    /// The drift `c`: what `z` gains in each forcing period.
     pub drift: N,
     /// The wall that heights are measured from.
     pub wall: Wall,
 }
 
 impl<N> Flight<N> {
-    /// The same flight in another arithmetic.
+    /// Returns the same flight in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Flight<M> {
         Flight {
             alpha: f(&self.alpha),
@@ -134,7 +134,7 @@ impl<N: Number> Flight<N> {
         }
     }
 
-    /// A flight that leaves `wall` with velocity `velocity >= 0` away from it.
+    /// Returns a flight that leaves `wall` with velocity `velocity >= 0` away from it.
     ///
     /// `sin_cos` are the sine and cosine of the phase, not mirrored.
     #[inline(always)]
@@ -142,7 +142,7 @@ impl<N: Number> Flight<N> {
         Self::new(pair, wall, N::from_f64(0.0), phase, velocity, sin_cos)
     }
 
-    /// A flight that starts inside the gap, `height` above the left wall.
+    /// Returns a flight that starts inside the gap, `height` above the left wall.
     #[inline(always)]
     pub fn from_inside(pair: &Reduced<N>, height: N, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
         Self::new(pair, Wall::Left, height, phase, velocity, sin_cos)
@@ -157,7 +157,7 @@ impl<N: Number> Flight<N> {
 
     /// `z - target` at `phase1 + turns`, where `turns` is a whole number and `sin1` the mirrored sine there.
     ///
-    /// **Equation** (11). Whole turns and the rest are kept apart so that long flights lose no phase.
+    /// **Equation** (11). Whole forcing periods and the rest are kept apart so that long flights lose no phase.
     #[inline(always)]
     pub fn height_above(&self, target: N, turns: N, phase1: N, sin1: N) -> N {
         let wave = self.alpha.mul_sub_ref(&sin1.minus(&self.sin), self.height.clone() - target);
@@ -171,13 +171,13 @@ impl<N: Number> Flight<N> {
         self.beta.mul_sub_ref(&cos1, self.drift.clone())
     }
 
-    /// `z''` per turn squared where the mirrored sine is `sin1`. **Equation** (10).
+    /// `z''` per forcing period squared where the mirrored sine is `sin1`. **Equation** (10).
     #[inline(always)]
     pub fn acceleration_at(&self, sin1: N) -> N {
         self.beta.turn().times(&self.beta) * sin1
     }
 
-    /// `z` after a hop of `h <= 1/8` turns from a wall, without cancellation; `excess` and `versine` of `h`.
+    /// `z` after a hop of `h <= 1/8` forcing periods from a wall, without cancellation; `excess` and `versine` of `h`.
     #[inline(always)]
     pub fn hop_height(&self, h: N, versine: N, excess: N) -> N {
         let wave = self.cos.mul_add_ref(&excess, self.sin.clone() * versine);
@@ -199,14 +199,14 @@ impl Flight<f64> {
         self.drift.abs() >= self.beta
     }
 
-    /// The time from the start to a phase and whole turns, and what rounding adds.
+    /// The time from the start to a phase and whole forcing periods, and what rounding adds.
     #[inline(always)]
     pub(crate) fn elapsed(&self, turns: f64, at: f64) -> f64 {
         // Whole turns may cancel the rest, so the time's own rounding is not relative to it.
         UNIT.mul_add(turns.abs(), (turns + (at - self.phase)).abs())
     }
 
-    /// The mirrored sine and cosine after a hop, by the addition theorems.
+    /// Returns the mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
     pub fn hop_sin_cos(&self, d: &Departure) -> (f64, f64) {
         turned((&self.sin, &self.cos), d)

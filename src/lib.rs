@@ -1,8 +1,8 @@
-//! Verified numerics for the horizontal impact pair: a ball between the two walls of a shaken box.
+//! Verified numerics for the horizontal impact pair: a ball between the two walls of an excited box.
 //!
 //! R. P. S. Han, A. C. J. Luo and W. Deng, *Chaotic motion of a horizontal impact pair*, Journal of Sound and
 //! Vibration 181(2), 231-250 (1995), is read here with proofs: every impact of the mappings P1-P4 is enclosed in an
-//! interval that provably holds it, none is missed, none is invented. What cannot be proved in the arithmetic chosen
+//! interval that provably holds it, none is missed, none is invented. What is undecided in the arithmetic chosen
 //! is [`Undecided`](contact::Undecided), with its reason.
 //!
 //! # The paper, equation by equation
@@ -12,22 +12,22 @@
 //! | (1), (9) | displacement of the box, one harmonic or several | [`Excitation`], [`Harmonic`], [`excitation::displacement_velocity_acceleration`] |
 //! | fig. 1, (14) | gap, walls | [`ImpactPair`], [`pair::Wall`] |
 //! | (10)-(13) | motion between impacts | [`flight::Flight`] |
-//! | (10)-(13), figs 12-17 | where the ball is between impacts | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
-//! | (11), (12) | where the ball is at any time; the next impacts of many states | [`orbit::Dense`], [`orbit::Arrivals`] |
-//! | (15) | impact law | [`pair::rebound`] |
-//! | (14), (A.2), (A.4), (A.6) | the first contact, certified; by the textbook's method | [`contact::first_contact`], [`contact::textbook::first_contact`] |
+//! | (10)-(13), figs 12-17 | motion between impacts, for figures | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
+//! | (11), (12) | the motion at any time; the next impacts of many states | [`orbit::Dense`], [`orbit::Arrivals`] |
+//! | (15) | Newton's impact law | [`pair::rebound`] |
+//! | (14), (A.2), (A.4), (A.6) | the first contact, certified; by the textbook method | [`contact::first_contact`], [`contact::textbook::first_contact`] |
 //! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |
 //! | (18)-(23) | switch-planes, in three coordinates | [`switch_plane::SwitchPoint`], [`orbit::Orbit::switch_point`] |
 //! | (24)-(27) | mappings P1-P4 | [`mapping::Mapping`] |
 //! | (28), (29), (33), (52), (55) | models: words of mappings | [`mapping::Word`] |
 //! | (A.7) | Jacobian of a mapping | [`mapping::jacobian`] |
-//! | (56)-(73), figs 10, 11 | two impacts in N cycles: closed forms, all others, first contacts, stability, manifolds | [`two_impact`] |
+//! | (56)-(73), figs 10, 11 | two impacts in N cycles: closed forms, all others, first contacts, stability, parameter manifolds | [`two_impact`] |
 //! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
 //! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
-//! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`rest`], [`orbit::Progress`], [`orbit::Outcome`] |
+//! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
-//! | beyond the paper | as many digits as asked | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
+//! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | beyond the paper | intervals of the package `inari`, IEEE 1788 | [`number::interval`], [`orbit::Orbit::intervals`] |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
 //!
@@ -38,9 +38,9 @@
 //!
 //! # Conventions
 //!
-//! Inside, time is in turns of the excitation (`W t + tau = 2 pi u`), length in gaps, velocity in gaps a turn; then
+//! Internally, time is in forcing periods (`W t + tau = 2 pi u`), length in gap widths, velocity in gap widths per forcing period; then
 //! only `A/d` and `e` are left. Velocities carry their sign and are those *before* an impact unless the name says
-//! `after`. In an enclosure the truth lies within the radius of a [`number::Ball`], or between the bounds of an
+//! `after`. In an enclosure the true value lies within the radius of a [`number::Ball`], or between the bounds of an
 //! [`exact::Enclosure`].
 //!
 //! # Example
@@ -87,7 +87,7 @@ pub mod number;
 pub mod orbit;
 pub mod pair;
 pub mod periodic;
-pub mod rest;
+mod rest;
 pub mod scales;
 mod several;
 mod shaken;

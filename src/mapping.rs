@@ -4,10 +4,10 @@ use crate::number::Number;
 use crate::pair::rebound;
 pub use impact_pair_model::{Mapping, Word};
 
-/// What the Jacobian of one mapping depends on; velocities in gaps a turn, with their sign, before the impacts.
+/// What the Jacobian of one mapping depends on; velocities in gap widths per forcing period, with their sign, before the impacts.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage<N> {
-    /// `h = t1 - t0` in turns.
+    /// `h = t1 - t0` in forcing periods.
     pub time: N,
     /// `sin th0` at the impact the flight starts with.
     pub sin0: N,
@@ -19,7 +19,7 @@ pub struct Passage<N> {
     pub velocity1: N,
 }
 
-/// `[[dt1/dt0, dt1/dv0], [dv1/dt0, dv1/dv0]]` of a mapping, times in turns, velocities in gaps a turn.
+/// `[[dt1/dt0, dt1/dv0], [dv1/dt0, dv1/dv0]]` of a mapping, times in forcing periods, velocities in gap widths per forcing period.
 ///
 /// **Equation** (A.7), the same for P1-P4. **Enclosure** (for balls): holds the Jacobian at every start whose
 /// passage lies in `passage`. `None` when `v1` may be 0: the arrival may be a graze.
@@ -30,7 +30,7 @@ pub struct Passage<N> {
 ///
 /// ```
 /// use impact_pair::mapping::{Passage, jacobian};
-/// // No shaking: a ball at 4 gaps a turn rebounds with e v0 = 2 and crosses in half a turn.
+/// // No excitation: a ball with 4 gap widths per forcing period rebounds with e v0 = 2 and crosses in half a period.
 /// let passage = Passage { time: 0.5, sin0: 0.0, sin1: 0.0, velocity0: -4.0, velocity1: 2.0 };
 /// let [[a, b], [c, d]] = jacobian(0.0, 0.5, &passage).unwrap();
 /// assert_eq!([a, b, c, d], [1.0, 0.125, 0.0, -0.5]);
@@ -66,7 +66,7 @@ pub(crate) struct Sheared<N> {
 }
 
 impl<N: Number> Sheared<N> {
-    /// From what [`jacobian_between`] is told.
+    /// From what [`jacobian_between`] is given.
     #[inline(always)]
     pub fn between(restitution: N, time: N, [swing0, swing1]: [N; 2], [velocity0, velocity1]: [N; 2]) -> Option<Self> {
         let inverse = N::from_f64(1.0).checked_div(velocity1)?;
@@ -76,14 +76,14 @@ impl<N: Number> Sheared<N> {
         Some(Self { time: [time_by_time, time_by_velocity], slope: swing1, velocity: [-swing0, -restitution] })
     }
 
-    /// The derivative along a curve for its first column, and no other: `product` multiplies a row with the curve's direction.
+    /// Returns the derivative along a curve for its first column, and no other: `product` multiplies a row with the curve's direction.
     pub fn along(self, product: impl Fn([N; 2]) -> N) -> Self {
         let Self { time, slope, velocity } = self;
         let [time, velocity] = [time, velocity].map(|row| [product(row), N::from_f64(0.0)]);
         Self { time, slope, velocity }
     }
 
-    /// Both in one.
+    /// Returns both in one.
     #[inline(always)]
     pub fn jacobian(self) -> [[N; 2]; 2] {
         let Self { time, slope, velocity: [by_time, by_velocity] } = self;

@@ -1,4 +1,4 @@
-//! The impact pair of figure 1, and what is left of it without units.
+//! The impact pair of figure 1, and its dimensionless parameters.
 
 use crate::Error;
 use crate::exact::Exact;
@@ -6,9 +6,9 @@ use crate::number::{Ball, LARGEST_RATE, Number};
 pub(crate) use impact_pair_model::within;
 pub use impact_pair_model::{ImpactPair, Wall};
 
-/// Numbers as they are told from a wall.
+/// Numbers as they are measured from a wall.
 pub trait Inward {
-    /// A component told from this wall: positive where it points away from it.
+    /// A component measured from this wall: positive where it points away from it.
     fn inward<N: Number>(self, x: N) -> N;
     /// The pair with the sign that mirrors flights from the right wall onto those from the left.
     fn mirror<N: Number>(self, sin_cos: (N, N)) -> (N, N);
@@ -29,22 +29,22 @@ impl Inward for Wall {
 /// What stands behind `A/d`.
 const RATIO: &str = "excitation.amplitude / pair.gap";
 
-/// All that the motion depends on once time is in turns and length in gaps.
+/// All that the motion depends on once time is in forcing periods and length in gaps.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<N> {
     /// `A/d`
     pub alpha: N,
-    /// `2 pi A/d`, the box's greatest speed in gaps a turn.
+    /// `2 pi A/d`, the box's greatest speed in gap widths per forcing period.
     pub beta: N,
     /// `e`
     pub restitution: N,
 }
 
 impl Reduced<Exact> {
-    /// The parameters of a pair without units, exactly.
+    /// Returns the exact dimensionless parameters of a pair.
     ///
     /// # Errors
-    /// When `A/d` is beyond what exact expressions hold, or there are several harmonics.
+    /// If `A/d` exceeds the range of exact expressions, or there are several harmonics.
     ///
     /// ```
     /// use impact_pair::pair::Reduced;
@@ -72,19 +72,19 @@ impl Reduced<Exact> {
 }
 
 impl<N> Reduced<N> {
-    /// The same parameters in another arithmetic.
+    /// Returns the same parameters in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Reduced<M> {
         Reduced { alpha: f(&self.alpha), beta: f(&self.beta), restitution: f(&self.restitution) }
     }
 }
 
-/// The impact law `v+ = -e v-`. **Equation** (15)
+/// Newton's impact law `v+ = -e v-`. **Equation** (15)
 #[inline(always)]
 pub fn rebound<N: Number>(restitution: &N, velocity_before: N) -> N {
     -(restitution.clone() * velocity_before)
 }
 
-/// The impact law over a ball; nothing is exactly nothing, so that a dead impact leaves at rest.
+/// Newton's impact law over a ball; nothing is exactly nothing, so that a perfectly plastic impact leaves at rest.
 #[inline(always)]
 pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
     let zero = Ball::exact(0.0);
@@ -92,7 +92,7 @@ pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
 }
 
 impl<N: Number> Reduced<N> {
-    /// The velocity after an impact. **Equation** (15)
+    /// Returns the velocity after an impact. **Equation** (15)
     #[inline(always)]
     pub fn rebound(&self, velocity_before: N) -> N {
         rebound(&self.restitution, velocity_before)
@@ -112,7 +112,7 @@ impl Reduced<Ball> {
         2f64.powi(speed.log2().round() as i32) // S2: any power of two
     }
 
-    /// The centres of the parameters, for the floating twin.
+    /// Returns the centres of the parameters, for the floating-point twin.
     #[inline(always)]
     pub fn centre(&self) -> Reduced<f64> {
         Reduced { alpha: self.alpha.mid(), beta: self.beta.mid(), restitution: self.restitution.mid() }
@@ -130,5 +130,5 @@ pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
 
 /// A value that is too large for the arithmetic of a flight.
 pub(crate) fn too_large(key: &str, value: &Exact) -> Error {
-    Error::range(key, value, "double-precision flights accept at most 2^400 in units of gaps and turns")
+    Error::range(key, value, "double-precision flights accept at most 2^400 in units of gap widths and forcing periods")
 }

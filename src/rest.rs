@@ -14,7 +14,7 @@ use crate::number::{Ball, Enclosing, Number, Wave};
 use crate::pair::{Reduced, Wall};
 
 /// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
-pub(crate) fn haste(pair: &Reduced<Ball>) -> f64 {
+pub(crate) fn min_chatter_time_per_speed(pair: &Reduced<Ball>) -> f64 {
     let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
     let haste = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
     // Where nothing shakes anything may rest; where nothing is lost only what is at rest.

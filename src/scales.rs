@@ -28,7 +28,7 @@ impl Size {
         Self(exponent as f64) // exact: an i32
     }
 
-    /// The greater one.
+    /// Returns the greater one.
     pub fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0)) // exact: one of both
     }
@@ -92,12 +92,12 @@ impl Unit {
         low.is_finite().then_some(Self { low, high })
     }
 
-    /// An upper bound of `x` in this unit.
+    /// Returns an upper bound of `x` in this unit.
     pub fn above(&self, x: &Dyadic) -> Size {
         Size(outward(log10(x, 1.0) - self.low, 1.0))
     }
 
-    /// A lower bound of `x` in this unit.
+    /// Returns a lower bound of `x` in this unit.
     pub fn below(&self, x: &Dyadic) -> Size {
         Size(outward(log10(x, -1.0) - self.high, -1.0))
     }
@@ -108,7 +108,7 @@ impl Unit {
 pub struct Units {
     /// The period of the excitation, `2 pi / W`.
     pub time: Unit,
-    /// `A W`; the gap a turn, `d W / (2 pi)`, when A may be zero.
+    /// `A W`; the gap a forcing period, `d W / (2 pi)`, when A may be zero.
     pub velocity: Unit,
     /// What the unit of velocities is.
     pub speed: Speed,
@@ -149,7 +149,7 @@ impl Units {
 pub struct Scales {
     /// The period of the excitation, `2 pi / W` \[time\].
     pub period: Enclosure,
-    /// `A W`, under several harmonics their sum, or the gap a turn where A may be zero \[length/time\].
+    /// `A W`, with several harmonics their sum, or the gap a forcing period where A may be zero \[length/time\].
     pub velocity: Enclosure,
     /// Which of the two it is.
     pub speed: Speed,

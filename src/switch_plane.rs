@@ -24,7 +24,7 @@ pub struct SwitchPoint {
     pub absolute_velocity: Enclosure,
 }
 
-/// `x/d` and `x'` in gaps a turn, of an impact on `wall` while the box is at `E/d` with `E'`.
+/// `x/d` and `x'` in gap widths per forcing period, of an impact on `wall` while the box is at `E/d` with `E'`.
 ///
 /// **Equations** (22), (23), without units.
 pub fn absolute<N: Number + Copy>((shift, speed): (N, N), wall: Wall, velocity: N) -> (N, N) {

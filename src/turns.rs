@@ -1,7 +1,7 @@
 //! Whole turns of the excitation, counted without loss.
 //!
-//! **Lemma N1** (turns). A count is an integer below `2^62` in magnitude: sums that would not be are refused, and the motion
-//! ends there, undecided. So a difference of two counts, and a count with a time within one flight (below `2^60` turns) added,
+//! **Lemma N1** (forcing periods). A count is an integer below `2^62` in magnitude: sums that would not be are refused, and the motion
+//! ends there, undecided. So a difference of two counts, and a count with a time within one flight (below `2^60` forcing periods) added,
 //! are integers of 64 bits. *Proof.* A double below `2^62` in magnitude that is a whole number is that integer when cast; the sum
 //! of two integers below `2^62` is below `2^63`, and is compared before it is kept. \[\]
 
@@ -13,7 +13,7 @@ use crate::exact::Enclosure;
 
 /// Counts are smaller.
 const MOST: i64 = 1 << 62;
-/// Flights of more turns are not followed: turns within one are exact as doubles.
+/// Flights of more forcing periods are not followed: forcing periods within one are exact as doubles.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64; // exact: a power of two
 
 /// `turns + more`; `None` where the count ends.
@@ -21,7 +21,7 @@ pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
     turns.checked_add(more).filter(|count| (-MOST < *count) && (*count < MOST))
 }
 
-/// `turns + whole` for a whole number `whole` that a flight was told to last; `None` where the count ends.
+/// `turns + whole` for a whole number `whole` that a flight was given to last; `None` where the count ends.
 #[inline]
 pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     // Lemma N1: the cast is exact where the comparison holds, which fails on NaN, and then the sum does not wrap.
@@ -30,7 +30,7 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     (whole.abs() < MOST as f64 && count.unsigned_abs() < MOST as u64).then_some(count)
 }
 
-/// The phase `W t + tau` \[rad\] of one in turns, its lower bound in `[0, 2 pi)`.
+/// Returns the phase `W t + tau` \[rad\] of one in forcing periods, its lower bound in `[0, 2 pi)`.
 pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     let bits = bits + 64;
     let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), bits); // exact: any whole number of turns
@@ -38,7 +38,7 @@ pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     turns.sub(&whole, bits).mul(&two_pi, bits)
 }
 
-/// The turn, less whole common periods of so many turns, that a phase is in: 0 under one harmonic.
+/// Returns the turn, less whole common periods of so many forcing periods, that a phase is in: 0 with one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
     turn.to_u32().expect("less than the period")

@@ -220,7 +220,7 @@ fn bifurcations_of_two_tones_are_seen_in_the_orbits_beside_them() {
 fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
     let (waves, phases) = ("\"pi\", \"3*pi\"", "0, 0");
     let said = |terms, cycles, over| under(terms, cycles, over, 0).unwrap_err().to_string();
-    assert!(said(["1, 1", waves, phases], 3, "frequency.1=3..4").contains("under which nothing is periodic"));
+    assert!(said(["1, 1", waves, phases], 3, "frequency.1=3..4").contains("for which no orbit is periodic"));
     assert!(said(["1, 1", waves, phases], 3, "amplitude=0.1..0.2").contains("accepted are amplitude.1 to amplitude.2"));
     assert!(said(["1, 1", waves, phases], 2, "gap=1..2").contains("must be a multiple of 3"));
     let incommensurate = said(["1, 1", "1, \"sqrt(2)\"", phases], 2, "gap=1..2");

@@ -167,7 +167,7 @@ fn refuses_spoiled_words(depth: usize) {
     for k in 0..words.len() {
         let listed = format!("words[{k}]");
         let twice = edited(&|words| words.push(words[k].clone()));
-        let left = format!("the {} of {} words that are have an entropy", words.len(), words.len() + 1);
+        let left = format!("the {} of {} words that are proved have an entropy", words.len(), words.len() + 1);
         refuses(&twice, &listed, &format!("it is not proved again; {left}"));
         let later = edited(&|words| words[k]["half_cycles"] = json!(words[k]["half_cycles"].as_i64().unwrap() + 2));
         assert!(!is_confirmed(&later), "{listed}");
@@ -205,7 +205,7 @@ fn entropies_follow_from_the_words_that_are_listed() {
         refuses(&told(above), key, "does not follow");
     }
     let none = json!({ "per_impact": "0", "per_cycle": "0" });
-    refuses(&with(&document, &[("/entropy", none)]), "no entropy", "tells none");
+    refuses(&with(&document, &[("/entropy", none)]), "no entropy", "gives none");
     let named = document["horseshoe"].as_str().unwrap();
     for (old, new) in [
         ("P1 P2 P4", "P1 P2 P3"),

@@ -26,3 +26,4 @@ mod starts;
 mod straddle;
 mod tolerances;
 mod two_impact;
+mod words;

@@ -147,11 +147,11 @@ fn unknown_missing_and_duplicate_keys_are_named() {
     let cases = [
         (
             with("gap = 9.42497", "gap = 9.42497\nbounce = 0.5"),
-            "line 8: pair.bounce is 0.5, but is no key of [pair]: accepted are gap, restitution",
+            "line 8: pair.bounce is 0.5, but is not a key of [pair]: accepted are gap, restitution",
         ),
         (
             with("[run]", "[chart]"),
-            "line 13: chart is [chart], but is no key of a scene: accepted are title, excitation, pair, start, run",
+            "line 13: chart is [chart], but is not a key of a scene: accepted are title, excitation, pair, start, run",
         ),
         (
             with("gap = 9.42497", ""),

@@ -36,8 +36,8 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit code: 0 all that was asked is certified; 1 some of it is not (the output still holds all that is); \
-2 usage, bad input, I/O";
+Exit code: 0 everything requested is certified; 1 some of it is not (the output still holds what is certified); 2 \
+usage, bad input, I/O";
 
 const HELP: &str = "\
 Examples:
@@ -45,7 +45,7 @@ Examples:
   impact-pair run scenes/figure-14.toml --impacts 1000 --digits 30 --format csv --output impacts.csv
   impact-pair help run
 
-Exit code: 0 all that was asked is certified; 1 some of it is not (the output still holds all that is); \
+Exit code: 0 everything requested is certified; 1 some of it is not (the output still holds what is certified); \
 2 usage, bad input, I/O";
 
 #[derive(Debug, Subcommand)]
@@ -59,37 +59,37 @@ pub enum Verb {
     /// Prove the folds, pitchforks, period doublings and grazes of a word's orbits over a parameter
     #[command(after_help = EXIT_CODES, after_long_help = BIFURCATION_HELP)]
     Bifurcations(BifurcationArguments),
-    /// Prove a region that the motion of a scene does not leave: no rest, no chatter, bounds for all time
+    /// Prove a trapping region of a scene: no sticking, no complete chatter, bounds for all time
     #[command(after_help = EXIT_CODES, after_long_help = trap::HELP)]
     Trap(trap::TrapArguments),
-    /// Prove chaos: words of impacts that follow one another in any order, and a lower bound of the entropy
+    /// Prove chaos: a horseshoe by covering relations, and a lower bound of the topological entropy
     #[command(after_help = EXIT_CODES, after_long_help = chaos::HELP)]
     Chaos(chaos::ChaosArguments),
-    /// Find all periodic motions of so many impacts in a region that the motion does not leave, and whether one attracts
+    /// Find all periodic orbits with N impacts in a trapping region, and whether one attracts
     #[command(after_help = EXIT_CODES, after_long_help = cycles::HELP)]
     Cycles(cycles::CyclesArguments),
-    /// Prove every claim of a JSON document again, by another route, from its own numbers
+    /// Prove every claim of a JSON document again, by an independent method, from its own numbers
     #[command(after_help = CHECK_EXIT_CODES, after_long_help = CHECK_HELP)]
     Check(CheckArguments),
-    /// Write a Coq file whose theorem says what an orbit JSON says
+    /// Write a Coq file whose theorem states the claims of an orbit JSON
     #[command(after_help = PROVE_EXIT_CODES, after_long_help = PROVE_HELP)]
     Prove(ProveArguments),
     /// Certify an orbit at each point of a grid of parameters or initial data: bifurcation diagrams, exponents, basins
     #[command(after_help = sweep::EXIT_CODES, after_long_help = sweep::HELP)]
     Sweep(sweep::SweepArguments),
-    /// Measure what accuracy costs on a scene: each arithmetic's speed, reach and widths, and the true errors of floats
+    /// Measure the cost of accuracy on a scene: speed, reach and widths of each arithmetic, and the true errors of floating point
     #[command(after_help = trade::EXIT_CODES, after_long_help = trade::HELP)]
     Trade(trade::TradeArguments),
-    /// Draw the figures of a scene, of certified orbits, as SVG or PNG
+    /// Draw the paper's figures for a scene from certified orbits, as SVG, PNG or PDF
     #[command(after_help = EXIT_CODES, after_long_help = plot::HELP)]
     Plot(plot::PlotArguments),
     /// Find the motions with two impacts in N cycles: closed forms (61)-(73), all others, first contacts, stability
     #[command(after_help = two_impact::EXIT_CODES, after_long_help = two_impact::HELP)]
     TwoImpact(two_impact::TwoImpactArguments),
-    /// Judge another simulator's list of impacts: inside, outside, missed, false; where it leaves the certified orbit
+    /// Compare another simulator's list of impacts with the certified orbit: inside, outside, missed, false; where it diverges
     #[command(after_help = audit::EXIT_CODES, after_long_help = audit::HELP)]
     Audit(audit::AuditArguments),
-    /// Print the manual page, or write those of all verbs into a folder
+    /// Print the manual page, or write the pages of all verbs into a directory
     #[command(after_long_help = MAN_HELP)]
     Man(ManArguments),
     /// Print a completion script for a shell
@@ -106,25 +106,26 @@ Examples:
   impact-pair run scenes/figure-14.toml --until 20*pi --digits 40 --format csv --output impacts.csv
   impact-pair run scenes/chatter.toml --arithmetic interval --format jsonl
 
-Scene: a TOML file with [excitation] amplitude, frequency, phase; [pair] gap, restitution; [start] time, velocity and \
-wall or position; and, if you like, title and [run] impacts, until, digits. Numbers are exact decimals, strings are \
+Scene: a TOML file with [excitation] amplitude, frequency, phase; [pair] gap, restitution; [start] time, velocity \
+and wall or position; optionally title and [run] impacts, until, digits. Numbers are exact decimals; strings are \
 expressions such as \"3*pi\" or intervals such as \"[9.42, 9.43]\".
 
-Table: 1.0000305639(24,68) means that the truth lies in [1.000030563924, 1.000030563968]: the digits before the \
-parenthesis are certain, in it are the lower and the upper end of the rest, rounded outward. Where no digits are \
-certain, 2.00000(-1,+3) means [1.99999, 2.00003]. Float runs claim nothing and show plain decimals.
+Table: 1.0000305639(24,68) means that the true value lies in [1.000030563924, 1.000030563968]. The digits before the \
+parenthesis are certain; the parenthesis holds the remaining digits of the lower and the upper bound, rounded \
+outward. Where no digits are certain, 2.00000(-1,+3) means [1.99999, 2.00003]. Runs with --arithmetic float are not \
+rigorous and print plain decimals.
 
-Exit code: 0 all that was asked is certified (a float run that completes certifies nothing and exits 0 too); 1 some of \
-it is not: the orbit became undecided, was interrupted, or is wider than --digits (the output still holds all that is \
-certified); 2 usage, bad input, I/O.";
+Exit code: 0 everything requested is certified (a float run that completes certifies nothing and exits 0 too); 1 \
+some of it is not: the orbit is undecided from some impact on, was interrupted, or is wider than --digits (the \
+output still holds what is certified); 2 usage, bad input, I/O.";
 
 /// Where an answer goes, and what is said beside it.
 #[derive(Args, Debug)]
 pub struct Destination {
-    /// Write to FILE, which appears whole or not at all, instead of stdout
+    /// Write to FILE, atomically, instead of stdout
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// No notes and no progress on stderr
+    /// Print no notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -133,29 +134,29 @@ pub struct Destination {
 pub struct RunArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// Stop after so many impacts [default: that of the scene; 100 if there is no --until either]
+    /// Stop after N impacts [default: that of the scene; 100 if there is no --until either]
     #[arg(long, value_name = "N", value_parser = count(0..=u64::MAX))]
     impacts: Option<u64>,
     /// Stop at this time, a number or an expression such as 100*pi [default: that of the scene]
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
     until: Option<Exact>,
-    /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W
-    /// [default: that of the scene, or 9; of a shadow 6]
+    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W
+    /// [default: that of the scene, or 9; with shadow 6]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// What computes: auto, the cheapest that certifies the digits; float, plain doubles, nothing is certified; interval,
-    /// certified in doubles, whatever the widths; inari, the same by the textbook's method, of one harmonic; shadow, of a
-    /// chaotic motion, one true orbit that starts within some 1e-12 of the given start, for any number of impacts; or
-    /// certified in so many BITS, whatever the widths
+    /// The arithmetic: auto, the cheapest that certifies the digits; float, plain doubles, not rigorous; interval,
+    /// certified in doubles, whatever the widths; inari, the textbook interval method, for one harmonic; shadow, for
+    /// chaotic motion, a true orbit that starts within about 1e-12 of the given start, for any number of impacts; or BITS,
+    /// certified at that precision, whatever the widths
     #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     pub arithmetic: Arithmetic,
-    /// With --arithmetic shadow: prove the first M impacts by precision, so that the start is nearer to the given one
+    /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
     #[arg(long, value_name = "M", default_value_t = 0, value_parser = count(0..=u64::MAX))]
     splice: u64,
-    /// Bits that auto takes at most
+    /// Maximum precision of auto, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
-    /// How the events are written
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
@@ -176,36 +177,37 @@ Examples:
   impact-pair periodic scenes/figure-13.toml --word \"P2 P1\" --cycles 1 --digits 30 --format json
   impact-pair periodic scenes/figure-13.toml --word RL --cycles 1 --all
 
-Each orbit listed is proved to be the only one in its bounds. Physical: no flight touches a wall before it ends. Stable: \
-both eigenvalues of the period's Jacobian lie inside the unit circle; unstable: one lies outside. Without --all the \
-orbits are those that the scene's motion and evenly spread starts lead to; there may be others. Motions in which the ball rests on a wall are \
-not looked for, with --all neither: with e > 0 they have infinitely many impacts in a period, or meet a wall without velocity just where it begins to \
-press; with e = 0 each is what follows a release, and run proves it from there.
+Each orbit listed is proved to be the only one within its bounds. Admissible: no flight touches a wall before it \
+ends; otherwise the orbit is virtual. Stable: both eigenvalues of the Jacobian of a period lie inside the unit \
+circle; unstable: one lies outside. Without --all the search starts from the scene's own motion and from a grid of \
+initial conditions, and there may be other orbits. Motions with sticking are not searched for, not even with --all: \
+for e > 0 they have infinitely many impacts per period, or meet a wall with zero velocity exactly where the contact \
+force sets in; for e = 0 each follows from a release, and run proves it from there.
 
-Exit code: 0 all that was asked is certified; 1 some of it is not: no orbit was found, something of one is undecided or \
-wider than --digits (the output still holds all that is certified); 2 usage, bad input, I/O.";
+Exit code: 0 everything requested is certified; 1 some of it is not: no orbit was found, or part of one is undecided \
+or wider than --digits (the output still holds what is certified); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct PeriodicArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// The word: mappings, the first one right-most (\"P2 P4 P1 P3\"), or walls in time order (RRLL)
+    /// The word, a sequence of mappings, the first one right-most ("P2 P4 P1 P3"), or of walls in time order (RRLL)
     #[arg(long, value_name = "WORD")]
     pub word: Word,
-    /// The cycles 2 pi/W that the word takes, W being the fastest harmonic's
+    /// The number of forcing periods 2 pi/W that the orbit takes; W is that of the fastest harmonic
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
-    /// Search the whole state space, so that these are all in which the ball never rests on a wall
+    /// Search the whole state space, so that the list is complete up to orbits with sticking
     #[arg(long)]
     pub all: bool,
-    /// Enclosures are asked to be at most 10^-D wide: of phases in cycles, of velocities relative to A W
+    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
     /// [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// Bits to take at most
+    /// Maximum precision, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// How the orbits are written; json is schema impact-pair/periodic/1
+    /// Output format; json is schema impact-pair/periodic/1
     #[arg(long, value_enum, default_value_t)]
     pub format: PeriodicFormat,
     #[command(flatten)]
@@ -225,40 +227,42 @@ Examples:
   impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over gap=1.02..1.1
   impact-pair bifurcations scenes/square-wave.toml --word RL --cycles 5 --over amplitude.2=0..2
 
-Orbits of the word are looked for at values spread over the range; their branches are followed through folds, and so are \
-those that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly one such bifurcation \
-lies in its bounds. That there are no others is not proved. Only A/d and e matter: over frequency nothing bifurcates.
+Orbits of the word are searched for at values spread over the range. Their branches are followed through folds, and \
+so are the branches that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly \
+one such bifurcation lies within its bounds. Other bifurcations are not excluded. Only A/d and e matter: over \
+frequency nothing bifurcates.
 
-Of several terms --over amplitude.K=... is the amplitude of term K, from 1; their frequencies must be commensurate, and N whole common \
-periods in cycles of the fastest. Pitchforks come only where each harmonic is its own opposite half a common period later.
+With several harmonics, --over amplitude.K=... varies the amplitude of term K, counted from 1. The frequencies must \
+be commensurate, and N must be a whole number of common periods, counted in periods of the fastest harmonic. \
+Pitchforks exist only if each harmonic changes sign over half the common period.
 
-Exit code: 0 each change that was met is proved as narrowly as asked; 1 some is not, a branch was lost, or it was interrupted \
-(the output still holds all that is certified); 2 usage, bad input, I/O.";
+Exit code: 0 every change that was found is proved to the requested width; 1 some are not, a branch was lost, or the \
+run was interrupted (the output still holds what is certified); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct BifurcationArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// The word: mappings, the first one right-most (\"P2 P4 P1 P3\"), or walls in time order (RRLL)
+    /// The word, a sequence of mappings, the first one right-most ("P2 P4 P1 P3"), or of walls in time order (RRLL)
     #[arg(long, value_name = "WORD")]
     pub word: Word,
-    /// The cycles 2 pi/W that the word takes
+    /// The number of forcing periods 2 pi/W that the orbit takes
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
-    /// The parameter and its range: amplitude (of several terms amplitude.K), gap, restitution or frequency
+    /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution or frequency
     #[arg(long, value_name = "KEY=LO..HI")]
     over: Over,
-    /// Doublings of the period after which new branches are followed no further
+    /// Number of period doublings after which new branches are not followed further
     #[arg(long, value_name = "K", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=8))]
     doublings: u32,
-    /// Enclosures are asked to be at most 10^-D wide: of the parameter relative to itself, of phases in cycles, of
-    /// velocities relative to A W [default: that of the scene, or 9]
+    /// Requested width of enclosures, at most 10^-D: of the parameter relative to itself, of phases relative to 2
+    /// pi, of velocities relative to A W [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// Bits to take at most
+    /// Maximum precision, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// How the bifurcations are written; json is schema impact-pair/bifurcations/1
+    /// Output format; json is schema impact-pair/bifurcations/1
     #[arg(long, value_enum, default_value_t)]
     pub format: PeriodicFormat,
     #[command(flatten)]
@@ -276,7 +280,7 @@ impl BifurcationArguments {
 /// How periodic orbits and bifurcations are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum PeriodicFormat {
-    /// For people: the certain digits, then the ends of the rest
+    /// Human-readable: the certain digits, then the last digits of both bounds
     #[default]
     Table,
     /// One document of the schema named above
@@ -284,7 +288,7 @@ pub enum PeriodicFormat {
 }
 
 const CHECK_EXIT_CODES: &str = "\
-Exit code: 0 every claim is proved again; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O";
+Exit code: 0 every claim is proved again; 1 a claim is refuted or undecided; 2 usage, bad input, I/O";
 
 const CHECK_HELP: &str = "\
 Examples:
@@ -292,31 +296,34 @@ Examples:
   impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl
   impact-pair check orbit.jsonl --format json
 
-Each flight is followed anew from the exact data of the certificate's own scene: in physical units, by halving, in one \
-arithmetic of integers whose precision rises until every claimed bound is decided. A claim is confirmed when what is \
-found lies inside its bounds, refuted when it lies outside. JSON Lines are read as well.
+Each flight is followed again from the exact data of the certificate's own scene, by an independent method: in the \
+units of the scene, by bisection, in one integer arithmetic whose precision rises until every claimed bound is \
+decided. A claim is confirmed if the value found lies within its bounds, and refuted if it lies outside. JSON Lines \
+are accepted as well.
 
-Of a shadowed orbit (run --arithmetic shadow) it is proved that one start within the bounds told has all the impacts, each in its \
-box: link by link, by all processors.
+For a shadowed orbit (run --arithmetic shadow), one start within the given bounds is proved to have all the impacts, \
+each in its box: link by link, on all processors.
 
-Of periodic, two-impact and cycles each orbit is found again: that there is one in its bounds, and no other, its stability, symmetry, and \
-whether a wall is touched earlier; not that there are no others elsewhere, but of cycles that the counts are those of the orbits that \
-are listed. Of bifurcations each fold, pitchfork and period doubling is \
-found again; not the grazes. Of a sweep the listed impacts are found again; not what becomes of them. Of trap the listed boxes are \
-proved to be closed, of chaos each listed word is proved along tubes made anew, and that the entropies follow from the words. Of \
-manifolds nothing is checked. What is not checked is named in a line of its own; with --format json each value of the document stands \
-among the claims with its verdict, or among those that are not checked. Ctrl-C keeps what is proved so far.
+For periodic, two-impact and cycles, each orbit is proved again: existence and uniqueness within its bounds, \
+stability, symmetry, and whether a wall is touched earlier. That there are no other orbits is not checked; for \
+cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
+is proved again, the grazes are not. For sweep, the listed impacts are proved again, the long-term outcome is not. \
+For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
+boxes computed anew, and the entropies are proved to follow from the words. Parameter manifolds are not checked. A \
+separate line names the values that are not checked; with --format json each value of the document is listed among \
+the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 
-Exit code: 0 every claim is proved again but what is named; 1 one is refuted, or could not be proved again; 2 usage, bad input, I/O.";
+Exit code: 0 every claim is proved again, except those named as not checked; 1 a claim is refuted or undecided; 2 \
+usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
     /// JSON of run or sweep (or JSON Lines), periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
     pub certificate: PathBuf,
-    /// Allow so many times the work for each claim before it is left undecided
+    /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub effort: u64,
-    /// How the verdict is written; json is schema impact-pair/check/1
+    /// Output format; json is schema impact-pair/check/1
     #[arg(long, value_enum, default_value_t)]
     pub format: CheckFormat,
     #[command(flatten)]
@@ -326,7 +333,7 @@ pub struct CheckArguments {
 /// How a verdict is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum CheckFormat {
-    /// For people: the verdict in a line, and in another one what is not checked
+    /// Human-readable: the verdict in one line, what is not checked in another
     #[default]
     Text,
     /// Each claim with its verdict, and the path of each value that is not checked
@@ -343,7 +350,7 @@ impl CheckArguments {
 }
 
 const PROVE_EXIT_CODES: &str = "\
-Exit code: 0 the file proves all impacts asked for; 1 fewer of them; 2 usage, bad input, I/O";
+Exit code: 0 the file proves all the impacts requested; 1 fewer of them; 2 usage, bad input, I/O";
 
 const PROVE_HELP: &str = "\
 Examples:
@@ -355,7 +362,7 @@ first contact after the one before, on the listed walls, at times and velocities
 the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; nothing of \
 impact-pair is trusted for that.
 
-Exit code: 0 the file proves all impacts asked for (or those up to the first other event); 1 fewer of them; 2 usage, bad \
+Exit code: 0 the file proves all the impacts requested (or those up to the first other event); 1 fewer of them; 2 usage, bad \
 input, I/O.";
 
 #[derive(Args, Debug)]
@@ -376,7 +383,7 @@ Examples:
 
 #[derive(Args, Debug)]
 pub struct ManArguments {
-    /// Write a page for the program and one for each verb into DIR, which is made if it is not there
+    /// Write a page for the program and one for each verb into DIR, which is created if needed
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }
@@ -389,14 +396,14 @@ Examples:
 /// How the events of an orbit are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// For people: the certain digits, then the ends of the rest
+    /// Human-readable: the certain digits, then the last digits of both bounds
     #[default]
     Table,
     /// One document, schema impact-pair/orbit/1
     Json,
-    /// JSON Lines as they are certified: the head, an event a line, the outcome
+    /// JSON Lines as they are certified: the head, one event per line, the outcome
     Jsonl,
-    /// A line an event, bounds in columns
+    /// One event per line, bounds in columns
     Csv,
 }
 
@@ -446,6 +453,6 @@ pub fn window(text: &str) -> Result<[f64; 2], String> {
     let (low, high) = text.split_once("..").ok_or("accepted is a range such as 0.2..0.5")?;
     match (number(low)?, number(high)?) {
         (low, high) if low < high => Ok([low, high]),
-        _ => Err("accepted is a range whose lower end is first".into()),
+        _ => Err("accepted is a range whose lower end comes first".into()),
     }
 }

@@ -101,11 +101,9 @@ fn conclusion(diagram: &Diagram) -> String {
     }
     let points = format!("{} proved", counted(diagram.points.len(), "bifurcation"));
     if diagram.interrupted {
-        return format!(
-            "interrupted: {points} until then; branches are left that were not followed, or not to their ends"
-        );
+        return format!("interrupted: {points} so far; some branches were not followed, or not to their ends");
     }
     let certified = if diagram.is_certified() { "certified: " } else { "undecided: " };
     let hint = if diagram.is_certified() { "" } else { "; try a narrower --over, or more --max-bits" };
-    format!("{certified}{points}; others are not excluded (branches are found and followed in floats){hint}")
+    format!("{certified}{points}; others are not excluded (branches are found and followed in floating point){hint}")
 }

@@ -29,51 +29,53 @@ Examples:
   impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --over gap=9.4249..9.4251
   impact-pair chaos scenes/figure-14.toml --over amplitude=1..1.1:2 --plot proved.svg
 
-Bases are quadrilaterals of states along the leaves of the attractor: found from a floating orbit, or those of --bases. From \
-each a tube of boxes is followed, impact by impact; each box is proved to be mapped along the next tube. Where a tube \
-crosses a base, that is a word. For each sequence of words that fit together there is a true motion with these impacts, for a periodic \
-sequence a periodic one; how many there are bounds the topological entropy from below. That says that a horseshoe is there, and \
-sensitive dependence in it; not that every motion is chaotic, that the attractor is, or that the Lyapunov exponent is positive. \
-Of one harmonic.
+The h-sets are quadrilaterals of states along the leaves of the attractor, found from a floating-point orbit or read \
+from --bases. The image of each is followed, impact by impact, by a chain of boxes; each box is proved to be mapped \
+along the next ones. Where the image covers an h-set (a covering relation), the walls of its impacts are a word. For \
+each sequence of words that fit together there is a true motion with these impacts, and for a periodic sequence a \
+periodic one; their number bounds the topological entropy from below. This proves a horseshoe and sensitive \
+dependence on initial conditions in it. It does not prove that every motion is chaotic, that the attractor is, or \
+that the Lyapunov exponent is positive. One harmonic only.
 
-Of the orbit of the scene's own start it is said what is proved: that it converges to a periodic one, so that only transients see \
-the horseshoe, and that it stays in a region (trap) in which the horseshoe lies. With --over KEY=LO..HI:COUNT each cell of the range is \
-asked whether it holds a horseshoe, or that orbit converges; each verdict holds for all values in its stretch.
+For the orbit of the scene's own start, the output states whether it is proved to converge to a periodic orbit, so \
+that only transients visit the horseshoe, or to stay in a trapping region that contains the horseshoe. With --over \
+KEY=LO..HI:COUNT, each cell of the range is tested for a horseshoe and for convergence of that orbit; each verdict \
+holds for all values in its interval.
 
-Exit code: 0 a positive entropy is proved, of cells one verdict for each value; 1 it is not, or it was interrupted (what is proved until then is written); 2 usage, bad \
-input, I/O.";
+Exit code: 0 a positive entropy is proved, or with COUNT a verdict for every value; 1 it is not, or the run was \
+interrupted (what is proved so far is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct ChaosArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// The most impacts of a word: each one more takes about 1.3 times as long
+    /// Maximum number of impacts of a word: each further impact takes about 1.3 times as long
     #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
     depth: u32,
-    /// Take the bases of FILE: JSON with a list "bases" as this verb writes it
+    /// Read the h-sets from FILE: JSON with a list "bases" as written by this verb
     #[arg(long, value_name = "FILE")]
     bases: Option<PathBuf>,
-    /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in so many cells, each
-    /// by itself: whether it holds a horseshoe, or the scene's own orbit converges to a periodic one
+    /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in COUNT cells, one
+    /// by one: whether each holds a horseshoe, or the scene's own orbit converges to a periodic one
     #[arg(long, value_name = "KEY=LO..HI[:COUNT]")]
     over: Option<Range>,
-    /// With :COUNT: halve a cell so often where nothing is proved of all of it
+    /// With :COUNT: bisect an undecided cell up to N times
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
     halvings: u32,
-    /// How it is written; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
+    /// Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Draw a floating orbit, the bases and their first images; with :COUNT the bifurcation diagram, coloured by what is proved
+    /// Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// What the picture stands on
+    /// Colours of the picture
     #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
     theme: Theme,
     #[command(flatten)]
     pub destination: Destination,
 }
 
-/// What is read of a file of bases.
+/// The content of a file of h-sets.
 #[derive(Deserialize)]
 struct Bases {
     bases: Vec<BaseDocument>,
@@ -83,7 +85,7 @@ fn bases(path: &Path) -> Result<Vec<Base>> {
     let named = || scene::name(path);
     let read: Bases = serde_json::from_str(&scene::text(path)?).with_context(named)?;
     if read.bases.is_empty() {
-        bail!("{} has no bases", named());
+        bail!("{} has no h-sets: its list \"bases\" is empty", named());
     }
     Ok(document::bases(&read.bases))
 }
@@ -120,7 +122,7 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     match &arguments.over {
         Some(Range { over, cells: Some(cells) }) => {
             if !bases.is_empty() {
-                bail!("--bases are for one range, but --over {}=... is cut into {cells} cells", over.key);
+                bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key);
             }
             work.cells(over, *cells)
         }
@@ -151,7 +153,7 @@ impl Work<'_> {
         };
         let progress = Progress::boxes(!self.arguments.destination.quiet);
         let watch = |depth: usize, boxes: u64| {
-            let at = if depth == 0 { "bases: ".to_owned() } else { format!("depth {depth}: ") };
+            let at = if depth == 0 { "h-sets: ".to_owned() } else { format!("depth {depth}: ") };
             progress.boxed(&at, boxes);
             goes_on()
         };

@@ -1,4 +1,4 @@
-//! `impact-pair check CERTIFICATE`: every claim of a JSON document, proved again by another route.
+//! `impact-pair check CERTIFICATE`: every claim of a JSON document, proved again by an independent method.
 
 use std::io::Write;
 

@@ -1,4 +1,4 @@
-//! `impact-pair cycles SCENE --impacts LO..HI`: all periodic motions of a region, proved.
+//! `impact-pair cycles SCENE --impacts LO..HI`: all periodic orbits of a trapping region, proved.
 
 use std::fmt::{self, Write};
 use std::ops::RangeInclusive;
@@ -25,35 +25,36 @@ Examples:
   impact-pair cycles scenes/figure-14.toml --impacts 1..7
   impact-pair cycles scenes/figure-14.toml --impacts 1..5 --format json --output cycles.json
 
-In the region of the verb trap, with every impact mirrored to the left wall, a periodic motion and its mirror image are one cycle. All \
-cycles of so many impacts are found: chains of boxes that the region allows are cut by the impact law until each is excluded or holds one \
-proved cycle. Counted are the states that come again after so many impacts (fixed points), those of shorter cycles included, and the cycles \
-of just so many impacts. A cycle on a single wall or with an odd number of crossings is one in this count as any other. Outside the \
-region there may be others. Of one harmonic.
+In the trapping region of the verb trap, with every impact mirrored to the left wall, a periodic orbit and its \
+mirror image are one cycle. All periodic orbits of period n of the impact map are found: chains of boxes that the \
+region allows are contracted by Newton's impact law until each is excluded or holds one proved cycle. The output \
+counts the fixed points of the n-th iterate, including those of shorter cycles, and the cycles of least period n. \
+Cycles on a single wall, or with an odd number of crossings, are counted as well. Outside the region there may be \
+others. One harmonic only.
 
-Exit code: 0 these are all, and of each it is proved whether it is stable; 1 something of it is not proved, or it was interrupted (what is \
-proved is written); 2 usage, bad input, I/O.";
+Exit code: 0 the list is proved complete, with the stability of each cycle; 1 something is undecided, or the run was \
+interrupted (what is proved is written); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CyclesArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// The numbers of impacts of a cycle, 1..N, or one of them; each one more takes up to twice as long
+    /// Number of impacts of the cycles, a range 1..N or a single number; each further impact takes up to twice as long
     #[arg(long, value_name = "LO..HI", value_parser = impacts)]
     impacts: RangeInclusive<u32>,
-    /// Enclosures are asked to be at most 10^-D wide: of phases in turns, of velocities in A W [default: that of the scene, or 9]
+    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// Halve the boxes of the coarsest region so often: where something stays undecided
+    /// Bisect the boxes of the coarsest region N times, to decide more
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
-    /// How they are written; json is schema impact-pair/cycles/1
+    /// Output format; json is schema impact-pair/cycles/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Write to FILE, which appears whole or not at all, instead of stdout
+    /// Write to FILE, atomically, instead of stdout
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// No notes and no progress on stderr
+    /// Print no notes and no progress on stderr
     #[arg(long, short)]
     quiet: bool,
 }
@@ -159,17 +160,17 @@ fn conclusion(found: Result<&Cycles, Untrapped>) -> String {
     let attracts = match (stable, open) {
         (0, 0) => "none of them attracts".to_owned(),
         (stable, 0) => format!("{stable} of them attracting"),
-        (stable, open) => format!("{stable} of them attracting, of {open} that is undecided"),
+        (stable, open) => format!("{stable} of them attracting, undecided for {open}"),
     };
     if found.is_exhaustive() {
         let certified = if found.is_certified() { "certified" } else { "not all certified" };
         let all = match found.cycles().len() {
-            0 => format!("the region has no cycle that closes after {asked}"),
+            0 => format!("the region has no cycle of {asked}"),
             1 => format!(
-                "the region has one cycle that closes after {asked}, and no other; {}",
+                "the region has exactly one cycle of {asked}; {}",
                 if stable == 1 { "it attracts" } else { &attracts }
             ),
-            count => format!("the region has {count} cycles that close after {asked}, and no others; {attracts}"),
+            count => format!("the region has exactly {count} cycles of {asked}; {attracts}"),
         };
         return format!("{certified}: {all}");
     }

@@ -42,7 +42,7 @@ use arguments::{Cli, Verb};
 /// What the exit code says of the answer.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Answer {
-    /// All that was asked is certified, or no proof was asked for.
+    /// All that was asked is certified, or no proof was requested.
     Complete,
     /// Some of it is not.
     Incomplete,
@@ -84,7 +84,7 @@ fn with_a_verb(mut error: clap::Error) -> clap::Error {
     if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand)
         && (given.ends_with(".toml") || Path::new(given).exists())
     {
-        let tip = format!("a verb stands before a scene: impact-pair run {given}").into();
+        let tip = format!("the verb comes before the scene: impact-pair run {given}").into();
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
     }
     error
@@ -96,7 +96,7 @@ fn complain(error: &Error) {
     let excerpt = error.chain().find_map(|cause| cause.downcast_ref::<impact_pair::Error>()?.excerpt());
     let excerpt = excerpt.map(|excerpt| format!("\n{place}{excerpt}{place:#}")).unwrap_or_default();
     // Nobody may be listening.
-    let _ = writeln!(anstream::stderr(), "{word}error:{word:#} {}{excerpt}", told(error));
+    let _ = writeln!(anstream::stderr(), "{word}error:{word:#} {}{excerpt}", message_of(error));
 }
 
 fn style(of: impl Fn(&Styles) -> &Style) -> Style {
@@ -104,10 +104,10 @@ fn style(of: impl Fn(&Styles) -> &Style) -> Style {
 }
 
 /// The error and its causes, down to one of the library, whose message tells what it comes from.
-fn told(error: &Error) -> String {
+fn message_of(error: &Error) -> String {
     let ours = error.chain().position(|cause| cause.is::<impact_pair::Error>());
-    let told = error.chain().take(ours.map_or(usize::MAX, |last| last + 1));
-    told.map(ToString::to_string).collect::<Vec<_>>().join(": ")
+    let message_of = error.chain().take(ours.map_or(usize::MAX, |last| last + 1));
+    message_of.map(ToString::to_string).collect::<Vec<_>>().join(": ")
 }
 
 fn is_broken_pipe(error: &Error) -> bool {

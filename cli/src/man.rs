@@ -20,7 +20,7 @@ pub fn man(arguments: &ManArguments) -> Result<Answer> {
         write(&command, None)?;
         return Ok(Answer::Complete);
     };
-    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
     for page in std::iter::once(&command).chain(command.get_subcommands()) {
         write(page, Some(folder))?;
     }

@@ -1,4 +1,4 @@
-//! Where data go: stdout, or a file that appears whole or not at all.
+//! Output of data: to stdout, or to a file that is written atomically.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, IsTerminal, LineWriter, Write};

@@ -28,7 +28,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let interrupted = interruption();
     let progress = match arguments.all {
         true => Progress::search(!arguments.destination.quiet),
-        false => Progress::of("looking for orbits", !arguments.destination.quiet),
+        false => Progress::of("searching for orbits", !arguments.destination.quiet),
     };
     let goes_on = |searched: Searched| {
         progress.searched(searched);
@@ -77,9 +77,9 @@ fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Re
 /// Whether an orbit is one of the ball's, in words.
 pub fn physical(known: Option<bool>) -> &'static str {
     match known {
-        Some(true) => "physical",
-        Some(false) => "not physical: a wall is touched earlier",
-        None => "undecided whether physical",
+        Some(true) => "admissible",
+        Some(false) => "virtual: a wall is touched earlier",
+        None => "undecided whether admissible",
     }
 }
 
@@ -97,8 +97,8 @@ fn described(orbit: &PeriodicOrbit) -> String {
     let (physical, symmetric) = (physical(orbit.physical), symmetric(orbit.symmetric));
     let repeats = match orbit.repeats {
         Some(1) => String::new(),
-        Some(times) => format!(", a shorter orbit run through {times} times"),
-        None => ", or a shorter one run through more than once".into(),
+        Some(times) => format!(", a shorter orbit traversed {times} times"),
+        None => ", or a shorter one traversed more than once".into(),
     };
     let stability = match orbit.stability.name() {
         "undecided" if orbit.is_neutral() => {
@@ -126,8 +126,8 @@ pub fn orbits(count: usize) -> String {
 fn conclusion(census: &Census) -> String {
     let orbits = orbits(census.orbits.len());
     let rest = match (census.exhaustive, census.is_search, census.undecided.len()) {
-        (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit without a rest".to_owned(),
-        (true, ..) => "there is no other physical one without a rest".to_owned(),
+        (true, ..) if census.orbits.is_empty() => return "certified: there is no orbit without sticking".to_owned(),
+        (true, ..) => "there is no other admissible one without sticking".to_owned(),
         (false, true, _) if census.is_family => {
             return "not certified: with A = 0 and e = 1 the orbits are a family, one at each phase, and none is isolated".to_owned();
         }
@@ -138,10 +138,10 @@ fn conclusion(census: &Census) -> String {
     let wide = census.orbits.iter().filter(|orbit| !orbit.is_narrow).count();
     let mut said = format!("{orbits} proved; {}{rest}", if census.interrupted { "interrupted, " } else { "" });
     if open > 0 {
-        said += &format!("; {open} with something undecided");
+        said += &format!("; {open} partly undecided");
     }
     if wide > 0 {
-        said += &format!("; {wide} wider than asked (try fewer --digits or more --max-bits)");
+        said += &format!("; {wide} wider than requested (try fewer --digits or more --max-bits)");
     }
     format!("{}: {said}", if census.is_certified() { "certified" } else { "not all certified" })
 }

@@ -9,7 +9,7 @@ use impact_pair::orbit::Watch;
 use impact_pair::periodic::Searched;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Impacts between two looks at the clock; in doubles so many take less than a blink.
+/// Impacts between two looks at the clock; in doubles these take less than a blink.
 const STRIDE: u64 = 16;
 /// Exit code of a program that SIGINT ends.
 const KILLED: i32 = 130;

@@ -14,7 +14,7 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
     let bits = if let Arithmetic::Bits(_) = settings.arithmetic { " bits" } else { "" };
     let arithmetic = format!("{}{bits}", settings.arithmetic);
     if is_certified(settings.arithmetic) {
-        writeln!(out, "arithmetic: {arithmetic}, {} digits asked for\n", settings.digits)?;
+        writeln!(out, "arithmetic: {arithmetic}, {} digits requested\n", settings.digits)?;
     } else {
         writeln!(out, "arithmetic: {arithmetic}, nothing is certified\n")?;
     }
@@ -33,7 +33,11 @@ pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
             writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  {note}", "", "rest", event.time)
         }
         Kind::Graze => {
-            writeln!(out, "{:>7}  {:7}  {wall:5}  {:31}  no velocity, or too little to tell", "", "graze", event.time)
+            writeln!(
+                out,
+                "{:>7}  {:7}  {wall:5}  {:31}  velocity zero, or too small to decide",
+                "", "graze", event.time
+            )
         }
         Kind::Release => writeln!(out, "{:>7}  {:7}  {wall:5}  {}", "", "release", event.time),
     }

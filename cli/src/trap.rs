@@ -1,4 +1,4 @@
-//! `impact-pair trap SCENE`: a region that the motion does not leave, proved.
+//! `impact-pair trap SCENE`: a trapping region, proved.
 
 use std::fmt::{self, Write};
 use std::path::PathBuf;
@@ -23,28 +23,29 @@ Examples:
   impact-pair trap scenes/figure-14.toml
   impact-pair trap scenes/figure-17.toml --plot region.svg --format json --output region.json
 
-The region is made of boxes of the phase and of the speed before the impact, every impact mirrored to the left wall. It is \
-grown from where a floating orbit ends until each flight from a box is proved to land in boxes; both ways to go on at a graze \
-are in it. So a motion with one impact in it has all later ones there, never rests, has no chatter that ends, and keeps within the \
-bounds for all time. Whether it attracts what begins elsewhere is not claimed. Of one harmonic.
+The trapping region (forward invariant) is a set of boxes in phase and speed before the impact, with every impact \
+mirrored to the left wall. It grows from the end of a floating-point orbit until each flight from a box is proved to \
+land in boxes; at a graze both continuations are included. A motion with one impact in the region has all later \
+impacts there, never sticks, has no complete chatter, and keeps within the bounds for all time. Whether the region \
+attracts motions from outside is not claimed. One harmonic only.
 
-Exit code: 0 a region is proved, and the scene's own orbit is in it from an impact on; 1 one of both is not proved; 2 usage, bad \
-input, I/O.";
+Exit code: 0 a region is proved, and the scene's own orbit is in it from some impact on; 1 either is undecided; 2 \
+usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct TrapArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// Halve the boxes of the coarsest grid that closes so often: narrower bounds
+    /// Bisect the boxes of the coarsest forward-invariant grid N times, for narrower bounds
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
-    /// How the region is written; json is schema impact-pair/trap/1
+    /// Output format; json is schema impact-pair/trap/1
     #[arg(long, value_enum, default_value_t)]
     format: PeriodicFormat,
-    /// Draw the region, and a floating orbit in it
+    /// Draw the region, and a floating-point orbit in it
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
-    /// What the picture stands on
+    /// Colours of the picture
     #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
     theme: Theme,
     #[command(flatten)]
@@ -97,13 +98,13 @@ fn table(scene: &Scene, document: &TrapDocument) -> Result<String, fmt::Error> {
     let mut out = heading(scene);
     writeln!(
         out,
-        "\nregion of {} boxes, {} columns a cycle, {} rows a speed of A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
-         certified: no motion with an impact in it leaves it, comes to rest, or has chatter that ends;\n{}",
+        "\nregion of {} boxes, {} columns per forcing period, {} rows per speed A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
+         certified: a trapping region, without sticking and without complete chatter;\n{}",
         document.boxes,
         document.columns,
         document.rows,
-        document::told(&document.flight_time),
-        document::told(&document.speed_before),
+        document::bounds_text(&document.flight_time),
+        document::bounds_text(&document.speed_before),
         entered(document),
     )?;
     Ok(out)
@@ -113,8 +114,8 @@ fn table(scene: &Scene, document: &TrapDocument) -> Result<String, fmt::Error> {
 fn entered(document: &TrapDocument) -> String {
     match document.entered_at_impact {
         Some(0) => "the scene's start and all impacts after it are in it".to_owned(),
-        Some(impact) => format!("of the scene's orbit impact {impact} and all later ones are in it"),
-        None => "undecided whether the scene's orbit enters it: none of its first 100 impacts is proved to be in it"
+        Some(impact) => format!("the scene's orbit is in it from impact {impact} on"),
+        None => "undecided whether the scene's orbit enters it: none of its first 100 impacts is proved to lie in it"
             .to_owned(),
     }
 }

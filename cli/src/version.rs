@@ -10,7 +10,7 @@ pub fn text() -> &'static str {
         let number = env!("CARGO_PKG_VERSION");
         let doubles = "auto, float, interval (53 bits, rounded to nearest, error bounds proved), inari (53 bits, rounded outward)";
         let (beyond, features) = beyond_doubles();
-        let fused = if FUSED { "yes" } else { "no: the same results, slower" };
+        let fused = if FUSED { "yes" } else { "no (same results, slower)" };
         format!(
             "{number}\narithmetics: {doubles}{beyond}\nfeatures: {features}\nbuilt for {ARCH} {OS}, CPU features: fma {fused}"
         )

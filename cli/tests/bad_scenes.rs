@@ -56,10 +56,10 @@ macro_rules! refusals {
 
 refusals! {
     unknown_key: "restitution" => "restitution = 0.5\nrestitition = 0.6",
-        "line 13: pair.restitition is 0.6, but is no key of [pair]: accepted are gap, restitution; \
+        "line 13: pair.restitition is 0.6, but is not a key of [pair]: accepted are gap, restitution; \
          did you mean `restitution`?";
     unknown_table: "[run]" => "[ran]",
-        "line 19: ran is [ran], but is no key of a scene: accepted are title, excitation, pair, start, run; did you mean `run`?";
+        "line 19: ran is [ran], but is not a key of a scene: accepted are title, excitation, pair, start, run; did you mean `run`?";
     duplicate_key: "gap" => "gap = 1\ngap = 2", "line 12: duplicate key in `gap = 2`";
     missing_key: "restitution" => "",
         "line 10: pair.restitution is missing, but must be a number, or a string with an expression (\"3*pi\") \
@@ -104,7 +104,7 @@ refusals! {
          `/`, `^` or the end; did you mean `2*pi`?";
     a_unit: "gap" => "gap = \"8 mm\"",
         "line 11: pair.gap is \"8 mm\", but does not read as a number: column 3: found `mm`, accepted are `+`, `-`, `*`, `/`, `^` or \
-         the end; numbers have no units here: take one unit of length and one of time for all";
+         the end; numbers have no units here: use one unit of length and one of time throughout";
     a_decimal_comma: "gap" => "gap = 9,42497",
         "line 11: unexpected key or value, expected newline, `#` in `gap = 9,42497`; did you mean `gap = 9.42497`?";
     an_expression_without_quotes: "frequency" => "frequency = 2*pi",
@@ -121,7 +121,7 @@ refusals! {
     part_of_an_impact: "impacts" => "impacts = 2.5",
         "line 20: run.impacts is 2.5, but must be an integer of at least 0";
     beyond_double_precision: "velocity" => "velocity = -1e300",
-        "line 17: start.velocity is -1e300, but double-precision flights accept at most 2^400 in units of gaps and turns";
+        "line 17: start.velocity is -1e300, but double-precision flights accept at most 2^400 in units of gap widths and forcing periods";
 }
 
 #[test]

@@ -11,7 +11,7 @@ use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
 /// The exponent is that of a floating orbit.
-const SEEN: [(&str, &str); 1] = [(r"floating orbit: -?\d\.\d{3}", "floating orbit: ..")];
+const SEEN: [(&str, &str); 1] = [(r"floating-point orbit: -?\d\.\d{3}", "floating-point orbit: ..")];
 
 macro_rules! snapshots {
     ($($name:ident: $arguments:expr;)*) => {
@@ -74,7 +74,10 @@ fn a_document_makes_itself_again() {
     let first = chaos(BASES[1], "first.json");
     assert_eq!(first, chaos(&path("first.json"), "second.json"));
     let drawn = fs::read_to_string(path("chaos.svg")).unwrap();
-    assert!(drawn.contains("entropy at least 0.2811 an impact, 0.6931 a cycle") && drawn.contains("seen, not proved"));
+    assert!(
+        drawn.contains("entropy at least 0.2811 per impact, 0.6931 per forcing period")
+            && drawn.contains("non-rigorous")
+    );
     // Many points, few elements.
     assert!(drawn.len() < 400_000 && drawn.lines().count() < 200);
     let document: Value = serde_json::from_str(&first).unwrap();
@@ -100,7 +103,7 @@ fn a_region_is_written_and_drawn() {
     assert_eq!(document["entered_at_impact"].as_i64(), Some(2));
     let drawn = fs::read_to_string(plot).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.contains("fill=\"#121212\"") && !drawn.contains("#FFFFFF"));
-    assert!(drawn.contains("this region of 431 boxes; of the scene's orbit impact 2"));
+    assert!(drawn.contains("a trapping region of 431 boxes; the scene's orbit is in it from impact 2"));
     // The orbit is in half a turn about its beginning.
     assert!(drawn.contains(">−3π/4<") && !drawn.contains(">π/2<"));
 }

@@ -74,14 +74,14 @@ fn shards_put_together_are_the_whole() {
     }
     let merge = |shards: &[&str]| error(&sweep(&[&["--merge"], shards].concat()).output().unwrap());
     assert!(merge(&[&one, &two]).contains("shard 3/3 is missing"));
-    assert!(merge(&[&one, &two, &two]).contains("is shard 2/3, which is there already"));
+    assert!(merge(&[&one, &two, &two]).contains("is shard 2/3, which is given twice"));
     let whole = folder.join("whole.jsonl");
     written(sweep(&DIAGRAM).args(["--format", "jsonl"]), &whole);
-    assert!(merge(&[whole.to_str().unwrap()]).contains("is no shard but a whole sweep"));
+    assert!(merge(&[whole.to_str().unwrap()]).contains("is a whole sweep, not a shard"));
     // A shard of another sweep, one that is not finished, and one that is damaged.
     let other = folder.join("other.jsonl");
     written(sweep(&DIAGRAM).args(["--digits", "7", "--shard", "2/3"]), &other);
-    assert!(merge(&[&one, other.to_str().unwrap(), &three]).contains("different sweeps: digits is 7 in the one and 6"));
+    assert!(merge(&[&one, other.to_str().unwrap(), &three]).contains("different sweeps: digits is 7 in one and 6"));
     let text = fs::read_to_string(&two).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     let damaged = folder.join("damaged.jsonl");
@@ -90,9 +90,11 @@ fn shards_put_together_are_the_whole() {
         merge(&[&one, damaged.to_str().unwrap(), &three])
     };
     assert!(with(lines[..lines.len() - 1].join("\n")).contains("lacks point 19: the shard is not finished"));
-    assert!(with(text.replace("\"point\":1,", "\"point\":2,")).contains("line 2: point 2 is none of this sweep"));
-    assert!(with(format!("{text}{}\n", lines[1])).contains("point 1 is there twice"));
-    assert!(with(text[..text.len() / 2].to_owned()).contains("is no record of a point"));
+    assert!(
+        with(text.replace("\"point\":1,", "\"point\":2,")).contains("line 2: point 2 does not belong to this sweep")
+    );
+    assert!(with(format!("{text}{}\n", lines[1])).contains("point 1 occurs twice"));
+    assert!(with(text[..text.len() / 2].to_owned()).contains("is not the record of a point"));
     assert!(with("nothing".into()).contains("line 1 is no head"));
 }
 
@@ -118,16 +120,16 @@ fn a_torn_journal_is_gone_on_with_and_a_damaged_one_is_refused() {
     let line = torn[..minus].lines().count();
     fs::write(&partial, [&torn[..minus], "\" ", &torn[minus + 2..]].concat()).unwrap();
     let said = error(&resume());
-    assert!(said.contains(&format!("resumed.csv.partial: line {line}: it is damaged")), "{said}");
+    assert!(said.contains(&format!("resumed.csv.partial: line {line}: it is corrupted")), "{said}");
     fs::write(&partial, torn.replace("\"point\":3", "\"point\":9")).unwrap();
-    assert!(error(&resume()).contains("resumed.csv.partial: line 5: it is damaged"));
+    assert!(error(&resume()).contains("resumed.csv.partial: line 5: it is corrupted"));
     fs::write(&partial, &lines).unwrap();
-    assert!(error(&resume()).contains("line 1: it has no checksum: an earlier version began this sweep"));
+    assert!(error(&resume()).contains("line 1: it has no checksum: an earlier version started this sweep"));
     fs::write(&partial, torn).unwrap();
     let refused = sweep(&DIAGRAM).arg("--output").arg(&file).output().unwrap();
-    assert!(error(&refused).contains("holds an unfinished sweep: go on with it by --resume, or remove it"));
+    assert!(error(&refused).contains("holds an unfinished sweep: continue it with --resume, or remove the file"));
     let answer = sweep(&DIAGRAM).args(["--digits", "5", "--resume", "--output"]).arg(&file).output().unwrap();
-    assert!(error(&answer).contains("of another sweep, or of another version: digits is 6 in the one and 5"));
+    assert!(error(&answer).contains("belongs to another sweep or another version: digits is 6 in one and 5"));
     assert!(String::from_utf8(resume().stderr).unwrap().contains("(14 in "), "seven points are taken over");
     assert_eq!(fs::read(&file).unwrap(), whole);
     assert_eq!(files(&folder), ["resumed.csv", "whole.csv"]);

@@ -197,15 +197,15 @@ fn states_that_are_no_table_of_their_own_are_refused() {
     };
     let states = ["--states", "states.csv"];
     let cases: [(&[&str], &str); 13] = [
-        (&["--format", "jsonl"], "--states writes a table, but a line of jsonl holds a point and its states"),
+        (&["--format", "jsonl"], "--states writes a table, but a line of jsonl holds a point with its states"),
         (&["--summary"], "--states writes the impacts, but a sweep with --summary has none"),
         (&["--shard", "1/3"], "--states writes a table, but a shard is written as jsonl"),
         (&["--shard", "1/3", "--format", "csv"], "--format is not jsonl, but a shard is written as jsonl"),
         (&["--output", "states.csv"], "cannot write states.csv: --output and --states name the same file"),
         (&["--output", "./states.csv"], "cannot write states.csv: --output and --states name the same file"),
         (&["--states", "scene.toml"], "cannot write scene.toml: it is the input"),
-        (&["--states", "-"], "--output and --states both are stdout"),
-        (&["--output", "-", "--states", "-"], "--output and --states both are stdout"),
+        (&["--states", "-"], "--output and --states are both stdout"),
+        (&["--output", "-", "--states", "-"], "--output and --states are both stdout"),
         (&["--plot", "a.svg", "--states", "./a.svg"], "--plot and --states name the same file"),
         (&["--output", "a.csv", "--states", "a.csv.partial"], "finished points are kept there until --output appears"),
         (&["--output", "a.csv", "--states", "none/a.csv"], "cannot write none/a.csv: No such file"),

@@ -50,7 +50,7 @@ fn a_scene_that_asks_for_no_impact_is_refused() {
     let answer = trade(&[scene.to_str().unwrap()]).output().unwrap();
     assert_eq!(answer.status.code(), Some(2));
     let text = String::from_utf8(answer.stderr).unwrap();
-    assert!(text.contains("run.impacts is 0, there is nothing to measure (try --impacts)"), "{text}");
+    assert!(text.contains("run.impacts is 0: no impacts to measure (try --impacts)"), "{text}");
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn ctrl_c_keeps_what_is_measured() {
     // The draft appears after the handler is in place.
     let answer = common::interrupted(trade(&long).arg(&file), || !files(&folder).is_empty());
     assert_eq!(answer.status.code(), Some(1));
-    assert_eq!(String::from_utf8(answer.stderr).unwrap(), "interrupted in rung float\n");
+    assert_eq!(String::from_utf8(answer.stderr).unwrap(), "interrupted in row float\n");
     let document: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!(document["interrupted"], "float");
     assert!(document["rungs"].as_array().unwrap().is_empty());

@@ -71,7 +71,7 @@ fn a_picture_has_all_curves_and_kinds() {
         "N = 7",
         "d/2",
         "amplitude AN",
-        "physical and stable",
+        "admissible and stable",
         "a wall is touched earlier",
         "width=\"900\"",
     ];

@@ -1,4 +1,4 @@
-"""Verified numerics for the horizontal impact pair: a ball between the two walls of a shaken box, every impact proved.
+"""Verified numerics for the horizontal impact pair: a ball between the two walls of an excited box, every impact proved.
 
 >>> import impact_pair
 >>> sol = impact_pair.solve(A=8, W="pi", d="9.42497", e="0.5", v0="-12.56636", impacts=200)
@@ -9,8 +9,8 @@ Bounds('2.487100613920(68,71)')
 >>> float(sol(1.0).y[0])  # where the ball is at t = 1
 2.84459...
 
-A bracket holds the last digits of both bounds, rounded outward. All that is certified contains the true value of the exact problem:
-``"9.42497"`` is 942497/100000 and ``"pi"`` is pi. Units are those of the scene: length, time, radians.
+A bracket holds the last digits of the lower and the upper bound, rounded outward. Certified bounds contain the true value of the
+exact problem: ``"9.42497"`` is 942497/100000 and ``"pi"`` is pi. Units are those of the scene: length, time, radians.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def solve(
     max_bits: int = MAX_BITS,
     progress: Progress = None,
 ) -> Orbit:
-    """Return the certified impacts of A sin(W t + tau) shaking a box of gap d with restitution e, in the letters of the paper.
+    """Return the certified impacts under the excitation A sin(W t + tau), with gap d and restitution e, in the paper's notation.
 
     A, d, y0 [length], W [rad/time], tau [rad], t0, until [time], v0 [length/time]: exact numbers, see :class:`Scene`. The ball starts
     at t0 on a ``wall`` (``"left"``, the default, or ``"right"``) with velocity v0 just before the impact, or inside the gap at y0. What

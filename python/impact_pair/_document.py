@@ -1,4 +1,4 @@
-"""What all answers have in common: their document, and how it leaves Python."""
+"""Base class of all answers: their document, and its export."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Document:
-    """An answer: the document that the command line writes with ``--format json``, and whether it answers all."""
+    """An answer: the document that the command line writes with ``--format json``, and whether it is complete."""
 
     def __init__(self, text: str, complete: bool | None = None, svg: str | None = None) -> None:
         self._text = text
@@ -31,17 +31,17 @@ class Document:
 
     @property
     def certified(self) -> bool:
-        """Whether what the document says is proved."""
+        """Whether the claims of the document are proved."""
         return bool(self.document["certified"])
 
     @property
     def complete(self) -> bool | None:
-        """Whether all that was asked is certified: the command line's exit code 0. ``None`` of a document that was read."""
+        """Whether everything requested is certified: the command line's exit code 0. ``None`` for a document that was read."""
         return self._complete
 
     @property
     def svg(self) -> str | None:
-        """The picture, if one was asked for."""
+        """The picture, if requested."""
         return self._svg
 
     def json(self) -> str:

@@ -19,7 +19,7 @@ Value: TypeAlias = "Number | tuple[Number, Number]"
 
 
 def text(key: str, value: Value) -> str:
-    """Return a number in exact words, an interval as ``[low, high]``; ``key`` names it in errors."""
+    """Return a number as exact text, an interval as ``[low, high]``; ``key`` names it in errors."""
     if isinstance(value, tuple):
         if len(value) != 2:
             raise RangeError(f"{key} is {value!r}, but an interval is a tuple of two numbers", key, repr(value))
@@ -43,12 +43,12 @@ def text(key: str, value: Value) -> str:
 
 
 def texts(key: str, value: Value | Sequence[Value]) -> str | list[str]:
-    """Return a number, or a list of them for several harmonics, in exact words."""
+    """Return a number, or a list of them for several harmonics, as exact texts."""
     if isinstance(value, (str, tuple)) or not isinstance(value, Sequence):
         return text(key, value)
     return [text(f"{key}.{i + 1}", one) for i, one in enumerate(value)]
 
 
 def optional(key: str, value: Value | None) -> str | None:
-    """Return a number in exact words, if there is one."""
+    """Return a number as exact text, if there is one."""
     return None if value is None else text(key, value)

@@ -1,4 +1,4 @@
-"""Progress of long work: a function that is told what is done, or a bar of tqdm where that is installed."""
+"""Progress of long computations: a callback, or a bar of tqdm if that is installed."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import sys
 from collections.abc import Callable, Iterator
 from typing import TypeAlias
 
-#: ``True`` for a bar of tqdm, if it is installed; a function for one of your own, which is told how much is done; ``None`` for a
+#: ``True`` for a bar of tqdm, if it is installed; or a callback that receives the amount done; ``None`` for a
 #: bar only where a person may be looking.
 Progress: TypeAlias = "bool | Callable[[int], object] | None"
 
 
 @contextlib.contextmanager
 def reporting(progress: Progress, unit: str, total: int | None = None) -> Iterator[Callable[[int], object] | None]:
-    """Yield what is to be called with how much is done, or None."""
+    """Yield the function to call with the amount done, or None."""
     if callable(progress):
         yield progress
         return

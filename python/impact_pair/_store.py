@@ -1,4 +1,4 @@
-"""Finished chunks of a sweep: in memory, or in a folder that outlives this process."""
+"""Finished chunks of a sweep, in memory or in a folder."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Chunks(ABC):
 
     @abstractmethod
     def ranges(self) -> list[tuple[int, int]]:
-        """Return the points that are there: first and last, the last not among them."""
+        """Return the ranges of stored points, first (included) and last (excluded)."""
 
     @abstractmethod
     def add(self, first: int, last: int, lines: bytes) -> None:
@@ -33,7 +33,7 @@ class Chunks(ABC):
         """Yield the chunks in the order of their points."""
 
     def missing(self, points: int) -> list[tuple[int, int]]:
-        """Return the ranges of points that are not there."""
+        """Return the ranges of missing points."""
         gaps, at = [], 0
         for first, last in [*sorted(self.ranges()), (points, points)]:
             if at < first:
@@ -49,7 +49,7 @@ class Memory(Chunks):
         self._lines: dict[tuple[int, int], bytes] = {}
 
     def ranges(self) -> list[tuple[int, int]]:
-        """Return what is there."""
+        """Return the ranges of stored points."""
         return list(self._lines)
 
     def add(self, first: int, last: int, lines: bytes) -> None:
@@ -62,7 +62,7 @@ class Memory(Chunks):
 
 
 class Files(Chunks):
-    """Chunks in a folder: a file each, whose name tells its points and a hash of its bytes; it appears whole or not at all."""
+    """Chunks in a folder: one file each, written atomically; its name has the range of points and a hash of its bytes."""
 
     def __init__(self, folder: Path, head: str) -> None:
         self.folder = folder
@@ -82,7 +82,7 @@ class Files(Chunks):
                 at = last
 
     def ranges(self) -> list[tuple[int, int]]:
-        """Return what is there."""
+        """Return the ranges of stored points."""
         return list(self._files)
 
     def add(self, first: int, last: int, lines: bytes) -> None:
@@ -102,12 +102,12 @@ class Files(Chunks):
 
 
 def digest(lines: bytes) -> str:
-    """Return what tells a damaged chunk."""
+    """Return the hash that detects a corrupted chunk."""
     return hashlib.sha256(lines).hexdigest()[:16]
 
 
 def whole(first: int, last: int, lines: bytes) -> bytes:
-    """Return the lines, which must be one a point."""
+    """Return the lines, which must be one per point."""
     if lines.count(b"\n") != last - first:
         raise Error(f"a worker answered with {lines.count(10)} lines for the points from {first} up to {last}")
     return lines

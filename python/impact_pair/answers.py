@@ -26,13 +26,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class PeriodicOrbit:
-    """A periodic orbit that is proved to be the only one in its bounds; of ``fields`` this is the document."""
+    """A periodic orbit that is proved to be unique within its bounds; ``fields`` is its document."""
 
     fields: dict[str, Any]
 
     @property
     def walls(self) -> list[str]:
-        """The walls of its impacts (n,), in the order of time."""
+        """The walls of its impacts (n,), in time order."""
         return [impact["wall"] for impact in self.fields["impacts"]]
 
     @property
@@ -47,12 +47,12 @@ class PeriodicOrbit:
 
     @property
     def phases(self) -> list[Bounds]:
-        """The same phases as exact decimals."""
+        """Bounds of W t + tau at its impacts as exact decimals [rad]."""
         return [Bounds(*impact["phase"]) for impact in self.fields["impacts"]]
 
     @property
     def velocities(self) -> list[Bounds]:
-        """The same velocities as exact decimals."""
+        """Bounds of y' just before its impacts as exact decimals [length/time]."""
         return [Bounds(*impact["velocity"]) for impact in self.fields["impacts"]]
 
     @property
@@ -62,13 +62,13 @@ class PeriodicOrbit:
 
     @property
     def physical(self) -> bool | None:
-        """Whether it is proved that no wall is touched earlier on any flight; None where that is undecided."""
+        """Whether it is admissible: no wall is touched earlier on any flight; None if undecided."""
         found: bool | None = self.fields["physical"]
         return found
 
     @property
     def symmetric(self) -> bool | None:
-        """Whether it is its own mirror image; None where that is undecided."""
+        """Whether it is its own mirror image; None if undecided."""
         found: bool | None = self.fields["symmetric"]
         return found
 
@@ -84,7 +84,7 @@ class PeriodicOrbit:
 
     @property
     def eigenvalues(self) -> list[tuple[Bounds, Bounds]]:
-        """Real and imaginary part of both eigenvalues."""
+        """Real and imaginary part of each eigenvalue."""
         return [(Bounds(*value["re"]), Bounds(*value["im"])) for value in self.fields.get("eigenvalues") or []]
 
     def __repr__(self) -> str:
@@ -98,17 +98,17 @@ class Periodic(Document):
 
     @property
     def word(self) -> str:
-        """The word, its right-most mapping first in time."""
+        """The word, a sequence of mappings, the right-most first in time."""
         return str(self.document["word"])
 
     @property
     def cycles(self) -> int:
-        """The cycles that it takes."""
+        """Number of forcing periods of the orbits."""
         return int(self.document["cycles"])
 
     @property
     def exhaustive(self) -> bool:
-        """Whether it is proved that there are no others in which the ball never rests on a wall."""
+        """Whether the list is proved complete, apart from motions with sticking."""
         return bool(self.document["exhaustive"])
 
     @cached_property
@@ -126,7 +126,7 @@ class Periodic(Document):
         return self.orbits[i]
 
     def to_pandas(self) -> Any:
-        """Return a DataFrame with a row an impact."""
+        """Return a DataFrame with one row per impact."""
         import pandas as pd
 
         rows = [
@@ -138,14 +138,14 @@ class Periodic(Document):
         return pd.DataFrame(rows)
 
     def __repr__(self) -> str:
-        rest = "proved to be all without a rest" if self.exhaustive else "others are not excluded"
+        rest = "proved to be all without sticking" if self.exhaustive else "others are not excluded"
         lines = [f"{self.word} in {self.cycles} cycles: {len(self)} orbits, {rest}", *map(repr, self)]
         return "\n".join(lines)
 
 
 @dataclass(frozen=True)
 class Bifurcation:
-    """A proved bifurcation: exactly one lies in its bounds."""
+    """A proved bifurcation: exactly one lies within its bounds."""
 
     #: fold, pitchfork, period-doubling or graze.
     kind: str
@@ -178,7 +178,7 @@ class Bifurcations(Document):
         return iter(self.points)
 
     def to_pandas(self) -> Any:
-        """Return a DataFrame with a row a bifurcation."""
+        """Return a DataFrame with one row per bifurcation."""
         import pandas as pd
 
         rows = [
@@ -195,7 +195,7 @@ class Bifurcations(Document):
 
 @dataclass(frozen=True)
 class Curve:
-    """A manifold of one N: A_N over W or v, certified at each of its n points."""
+    """A parameter manifold of one N: A_N over W or v, certified at each of its n points."""
 
     cycles: int
     #: Bounds of W [rad/time] or v [length/time] (n, 2).
@@ -204,7 +204,7 @@ class Curve:
     amplitude_bounds: Doubles
     #: What changes at a point: graze, pitchfork, fold, or None (n,).
     marks: list[str | None]
-    #: What is proved between each point and the next (n,): sine, physical, stability.
+    #: What is proved between each point and the next (n,): ``sine``, ``physical``, ``stability``.
     parts: list[dict[str, Any] | None]
 
 
@@ -231,20 +231,20 @@ class Manifold(Document):
 
     def __repr__(self) -> str:
         said = ", ".join(f"N = {curve.cycles}: {len(curve.marks)} points" for curve in self.curves)
-        return f"<manifolds over {self.document['over']}: {said}>"
+        return f"<parameter manifolds over {self.document['over']}: {said}>"
 
 
 class Trap(Document):
-    """A region that no motion with an impact in it leaves: no rest, no chatter that ends, bounds for all time."""
+    """A trapping region: no sticking, no complete chatter, bounds for all time."""
 
     @property
     def boxes(self) -> int:
-        """How many boxes it has."""
+        """Number of boxes."""
         return int(self.document["boxes"])
 
     @property
     def entered_at_impact(self) -> int | None:
-        """From which impact on the scene's own orbit is in it, 0 for its start; None where that is not proved."""
+        """The impact from which on the scene's own orbit is in it, 0 for its start; None if undecided."""
         found: int | None = self.document["entered_at_impact"]
         return found
 
@@ -255,16 +255,16 @@ class Trap(Document):
 
 
 class Cycles(Document):
-    """All periodic motions of a region with so many impacts; a motion and its mirror image are one."""
+    """All periodic orbits with given numbers of impacts in a trapping region; an orbit and its mirror image are one."""
 
     @property
     def exhaustive(self) -> bool:
-        """Whether these are all."""
+        """Whether the list is complete."""
         return bool(self.document["exhaustive"])
 
     @property
     def fixed_points(self) -> dict[int, int]:
-        """How many states of the region come again after n impacts, by n; without those n of which it is not proved."""
+        """The number of fixed points of the n-th iterate in the region, by n; only for n where it is proved."""
         return {int(impacts): int(count) for impacts, count in self.document["fixed_points"].items()}
 
     @cached_property
@@ -285,16 +285,16 @@ class Cycles(Document):
 
 
 class Chaos(Document):
-    """Words of impacts that follow one another in any order, and what that says of the entropy."""
+    """A horseshoe: words that can follow one another, and a lower bound of the topological entropy."""
 
     @property
     def entropy(self) -> float:
-        """A lower bound of the topological entropy of the impact map [nats an impact]; 0 where nothing is proved."""
+        """A lower bound of the topological entropy of the impact map [nats per impact]; 0 if nothing is proved."""
         return self._down("per_impact")
 
     @property
     def entropy_per_cycle(self) -> float:
-        """The same [nats a cycle]."""
+        """A lower bound of the topological entropy [nats per forcing period]; 0 if nothing is proved."""
         return self._down("per_cycle")
 
     def _down(self, key: str) -> float:
@@ -303,26 +303,27 @@ class Chaos(Document):
 
     @property
     def words(self) -> list[dict[str, Any]]:
-        """The words: from which base to which, impacts, half cycles, flights."""
+        """The words: first and last h-set, impacts, half forcing periods, flights."""
         return list(self.document["words"])
 
     def __repr__(self) -> str:
         per = self.document["entropy"]
         said = "certified" if self.certified else "undecided"
-        return f"{said}: topological entropy at least {per['per_impact']} an impact, {per['per_cycle']} a cycle; {len(self.words)} words"
+        bounds = f"{per['per_impact']} per impact, {per['per_cycle']} per forcing period"
+        return f"{said}: topological entropy at least {bounds}; {len(self.words)} words"
 
 
 class ChaosCells(Document):
-    """Which values of a parameter are proved to hold a horseshoe, and which to be attracted."""
+    """Verdicts over a range of a parameter: a horseshoe, or an orbit that is attracted."""
 
     @property
     def shares(self) -> dict[str, float]:
-        """Which part of the range is proved to hold a ``horseshoe``, to be ``attracted``, or neither: ``undecided``."""
+        """Fractions of the range proved to hold a ``horseshoe``, to be ``attracted``, or ``undecided``."""
         return dict(self.document["shares"])
 
     @property
     def stretches(self) -> list[dict[str, Any]]:
-        """The stretches of one verdict each, from the lowest value of the parameter to the highest."""
+        """The subintervals with their verdicts, in the order of the parameter."""
         return list(self.document["stretches"])
 
     def __repr__(self) -> str:
@@ -331,20 +332,20 @@ class ChaosCells(Document):
 
 
 class Trade(Document):
-    """What accuracy costs: a rung for each arithmetic."""
+    """The cost of accuracy, for each arithmetic."""
 
     @property
     def certified(self) -> bool:
-        """Never: it measures."""
+        """Always false: it is a measurement."""
         return False
 
     @property
     def rungs(self) -> list[dict[str, Any]]:
-        """The rungs, in the order in which they were measured."""
+        """The arithmetics, in the order of measurement."""
         return list(self.document["rungs"])
 
     def to_pandas(self) -> Any:
-        """Return a DataFrame with a row a rung."""
+        """Return a DataFrame with one row per arithmetic."""
         import pandas as pd
 
         return pd.json_normalize(self.rungs)
@@ -353,30 +354,30 @@ class Trade(Document):
         return self.svg
 
     def __repr__(self) -> str:
-        return f"<trade of {len(self.rungs)} rungs>"
+        return f"<trade of {len(self.rungs)} arithmetics>"
 
 
 class Audit(Document):
-    """Another simulator's list, judged."""
+    """An audit: another simulator's list, compared with the certified orbit."""
 
     @property
     def certified(self) -> bool:
-        """Whether it is judged by a certified orbit: always."""
+        """Always true: the list is compared with a certified orbit."""
         return True
 
     @property
     def agreed(self) -> bool:
-        """Whether all rows are inside or in a chatter, and nothing is missed."""
+        """Whether all rows are inside or in a chatter, and no impact is missed."""
         return bool(self.document["agreed"])
 
     @property
     def message(self) -> str:
-        """What is found, in words."""
+        """The result in words."""
         return str(self.document["message"])
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many rows or certified impacts have which verdict."""
+        """Number of rows or certified impacts with each verdict."""
         return dict(self.document["counts"])
 
     @property
@@ -387,11 +388,11 @@ class Audit(Document):
 
     @property
     def events(self) -> list[dict[str, Any]]:
-        """Verdict, row, what was listed, what is certified, and the error, for each row and each missed impact."""
+        """Verdict, row, listed values, certified values and errors, for each row and each missed impact."""
         return list(self.document["events"])
 
     def to_pandas(self) -> Any:
-        """Return a DataFrame with a row an event."""
+        """Return a DataFrame with one row per event."""
         import pandas as pd
 
         return pd.json_normalize(self.events)
@@ -401,7 +402,7 @@ class Audit(Document):
 
 
 class Picture(Document):
-    """A picture as SVG, and what of it is certified."""
+    """A picture as SVG, and whether it is certified."""
 
     def __init__(self, svg: str, complete: bool | None = None, verdict: str | None = None) -> None:
         super().__init__("", complete, svg)
@@ -409,7 +410,7 @@ class Picture(Document):
 
     @property
     def certified(self) -> bool:
-        """Whether what is drawn is proved."""
+        """Whether the picture is proved."""
         return not self.verdict.startswith("computed")
 
     def json(self) -> str:

@@ -1,4 +1,4 @@
-"""Bounds: what is proved of a number, as exact decimals, as doubles rounded outward, as balls of other packages."""
+"""Bounds of numbers: as exact decimals, as doubles rounded outward, as balls of other packages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What cannot be asked: exceptions of one root, each with the key at fault and its value.
+"""Exceptions of the package, with a common base class; each has the key at fault and its value.
 
 Hard questions are no errors: what cannot be proved is said by the outcome of the answer, ``undecided`` with its reason.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 
 class Error(Exception):
-    """The root of all errors of this package.
+    """Base class of all errors of this package.
 
     ``key`` is the key of the scene, or the keyword, that is at fault, such as ``"pair.gap"``, and ``value`` its value as it was
     written; ``None`` where no single one is.
@@ -23,11 +23,11 @@ class Error(Exception):
 
 
 class SceneError(Error, ValueError):
-    """A scene that does not read as one: a key unknown or missing, a value of the wrong kind, no TOML."""
+    """A malformed scene: a key unknown or missing, a value of the wrong kind, not TOML."""
 
 
 class RangeError(Error, ValueError):
-    """A value outside what is accepted."""
+    """A value out of range."""
 
 
 class WordError(Error, ValueError):
@@ -35,12 +35,12 @@ class WordError(Error, ValueError):
 
 
 class CertificateError(Error, ValueError):
-    """A document that does not read as one of this program."""
+    """A malformed document."""
 
 
 class ListError(Error, ValueError):
-    """A list of impacts that does not read as one."""
+    """A malformed list of impacts."""
 
 
 class Interrupted(Error):
-    """A sweep whose workers or scheduler went away; with ``resume=`` all finished chunks are kept."""
+    """A sweep whose workers or scheduler were lost; with ``resume=`` all finished chunks are kept."""

@@ -1,4 +1,4 @@
-"""Orbits: certified impacts, and where the ball is between them."""
+"""Orbits: certified impacts, and bounds of the motion between them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SHOWN = 6
 
 @dataclass(frozen=True)
 class Event:
-    """What happens at a wall. Times [time] are proved to lie in their bounds."""
+    """An event at a wall. Times [time] are proved to lie in their bounds."""
 
     wall: str
     time: Bounds
@@ -47,24 +47,24 @@ class Impact(Event):
 
 @dataclass(frozen=True)
 class Graze(Event):
-    """The wall is touched with no velocity, or not at all: no precision tells."""
+    """The wall is touched with zero velocity, or not touched: undecided at any precision."""
 
 
 @dataclass(frozen=True)
 class Rest(Event):
-    """The ball comes to rest, after infinitely many impacts that are not listed where ``accumulation`` says so."""
+    """The ball comes to rest (sticking), after infinitely many unlisted impacts if ``accumulation`` is true."""
 
     accumulation: bool
 
 
 @dataclass(frozen=True)
 class Release(Event):
-    """The ball leaves the wall that it rested on."""
+    """The ball leaves the wall on which it rested."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How an orbit ended: ``kind`` and ``reason`` are the words of the orbit JSON, ``message`` is a line for people."""
+    """Outcome of an orbit: ``kind`` and ``reason`` are those of the orbit JSON, ``message`` is one line of text."""
 
     kind: str
     message: str
@@ -74,7 +74,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class States:
-    """Where the ball is at times t: bounds (n, 2) of y [length] and y' [length/time]; NaN where nothing is proved."""
+    """Bounds (n, 2) of y [length] and y' [length/time] at times t; NaN where nothing is proved."""
 
     t: Doubles
     y_bounds: Doubles
@@ -123,12 +123,12 @@ class Orbit(Document):
 
     @property
     def t_radii(self) -> Doubles:
-        """How far the times may be from ``t`` (n,) [time], rounded up."""
+        """Radii of the times about ``t`` (n,) [time], rounded up."""
         return radii(self.t_bounds)
 
     @property
     def v_radii(self) -> Doubles:
-        """How far the velocities may be from ``v`` (n,) [length/time], rounded up."""
+        """Radii of the velocities about ``v`` (n,) [length/time], rounded up."""
         return radii(self.v_bounds)
 
     @cached_property
@@ -143,7 +143,7 @@ class Orbit(Document):
 
     @cached_property
     def mappings(self) -> npt.NDArray[np.object_]:
-        """The mappings that led to the impacts (n,): ``"P1"`` to ``"P4"``, or None where there is none or more than one."""
+        """The mappings that end at the impacts (n,): ``"P1"`` to ``"P4"``, or None if there is none or more than one."""
         return np.asarray(np.array(MAPPINGS, dtype=object)[self._mappings])
 
     @cached_property
@@ -153,17 +153,17 @@ class Orbit(Document):
 
     @property
     def certified(self) -> bool:
-        """Whether the bounds are proved: not of ``arithmetic="float"``."""
+        """Whether the bounds are proved: false for ``arithmetic="float"``."""
         return bool(self._about[0]["certified"])
 
     @property
     def claim(self) -> str:
-        """Of which start it is the orbit: ``"exact start"``, or ``"shadowed"``: of one within the bounds of the outcome."""
+        """The start of the orbit: ``"exact start"``, or ``"shadowed"`` for one within the bounds of the outcome."""
         return str(self._about[0]["claim"])
 
     @property
     def arithmetic(self) -> dict[str, Any]:
-        """What computed it: ``kind`` and ``bits``."""
+        """The arithmetic: ``kind`` and ``bits``."""
         return dict(self._about[0]["arithmetic"])
 
     @property
@@ -173,18 +173,18 @@ class Orbit(Document):
 
     @property
     def outcome(self) -> Outcome:
-        """How it ended."""
+        """Outcome of the orbit."""
         fields = self._about[1]
         return Outcome(fields["kind"], fields["message"], fields.get("reason"), fields)
 
     @property
     def bits(self) -> int | None:
-        """The most bits that an impact took: 53 in doubles. None of an orbit that was read."""
+        """Maximum precision of an impact in bits: 53 in doubles. None for an orbit that was read."""
         return self._core.ending()[2]
 
     @property
     def events(self) -> list[Event]:
-        """All events, in the order of time, with exact decimals."""
+        """All events in time order, with exact decimals."""
         return [self.event(i) for i in range(len(self._names))]
 
     def event(self, i: int) -> Event:
@@ -217,7 +217,7 @@ class Orbit(Document):
         return (self[i] for i in range(len(self)))
 
     def __call__(self, t: npt.ArrayLike, progress: Progress = False) -> States:
-        """Return where the ball is at times t (n,) [time], exact doubles, in any order: enclosed by (11) and (12).
+        """Return bounds of the motion at times t (n,) [time], exact doubles in any order, by (11) and (12).
 
         At a time that may be before or after an impact both velocities are in the bounds. NaN before the start, after the last
         event, but where a time to stop at, ``until``, says that there is none before it, and while infinitely many impacts pass.
@@ -232,7 +232,7 @@ class Orbit(Document):
         return self._core.json()
 
     def prove(self, impacts: int | None = None) -> Theorem:
-        """Return a Coq file whose theorem says what this orbit says; see :func:`impact_pair.prove`."""
+        """Return a Coq file whose theorem states the claims of this orbit; see :func:`impact_pair.prove`."""
         from .verdicts import prove
 
         return prove(self.json(), impacts)
@@ -245,13 +245,13 @@ class Orbit(Document):
         return named | {"t_lower": t_lower, "t_upper": t_upper, "v_lower": v_lower, "v_upper": v_upper}
 
     def to_pandas(self) -> Any:
-        """Return a DataFrame with a row an impact; columns as in ``to_dict``."""
+        """Return a DataFrame with one row per impact; columns as in ``to_dict``."""
         import pandas as pd
 
         return pd.DataFrame(self.to_dict()).set_index("index")
 
     def to_arrow(self) -> Any:
-        """Return a pyarrow Table with a row an impact; columns as in ``to_dict``, the scene as metadata."""
+        """Return a pyarrow Table with one row per impact; columns as in ``to_dict``, the scene as metadata."""
         import pyarrow as pa
 
         table = pa.table(self.to_dict())
@@ -287,7 +287,7 @@ class Orbit(Document):
                     yield ("", type(other).__name__.lower(), other.wall, str(other.time), "")
 
     def __repr__(self) -> str:
-        """Return the first and the last events; digits before a bracket are certain, in it are the ends of the rest."""
+        """Return the first and the last events; digits before a bracket are certain; the bracket holds the last digits of both bounds."""
         head = f"{'#':>7}  {'mapping':7}  {'wall':5}  {'time':31}  velocity before"
         lines = [f"{n:>7}  {mapping:7}  {wall:5}  {time:31}  {v}".rstrip() for n, mapping, wall, time, v in self._rows()]
         return "\n".join([head, *lines, self._core.ending()[1]])
@@ -304,7 +304,7 @@ class Orbit(Document):
 
 
 def read(text: str) -> Orbit:
-    """Return the orbit of an orbit JSON; it does not know where the ball is between its impacts."""
+    """Return the orbit of an orbit JSON; it has no bounds of the motion between its impacts."""
     return Orbit(_core.read_orbit(text))
 
 

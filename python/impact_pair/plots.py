@@ -1,4 +1,4 @@
-"""Pictures by matplotlib: one function a panel, each takes an ``Axes`` (or makes one) and returns it.
+"""Pictures by matplotlib: one function per panel; each takes an ``Axes`` (or makes one) and returns it.
 
 What is certified is drawn from its bounds: bands between them, and a line or dots in their middles. The paper's figures, each in a line::
 
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from .orbit import Orbit
     from .sweep import SweepResult
 
-#: Blue and green are told apart by who does not see colours as most do.
+#: Blue and green are distinguishable with colour-vision deficiency.
 BLUE, GREEN, VERMILION, GREY = "#0072b2", "#009e73", "#d55e00", "#999999"
-#: Points of a curve in a cycle.
+#: Points of a curve per forcing period.
 IN_A_CYCLE = 200
 #: Outcomes of a sweep, in the order of their colours.
 OUTCOMES = ("attracted", "periodic", "rests-forever", "never-impacts", "not-attracted", "undecided")
@@ -54,7 +54,7 @@ def _floats(texts: list[str]) -> list[float]:
 
 
 def _shaking(orbit: Orbit, t: Doubles) -> tuple[Doubles, Doubles]:
-    """E and E' of (1), in floats."""
+    """E and E' of (1), in floating point."""
     terms = _terms(orbit)
     moved = sum((a * np.sin(w * t + tau) for a, w, tau in terms), np.zeros_like(t))
     speed = sum((a * w * np.cos(w * t + tau) for a, w, tau in terms), np.zeros_like(t))
@@ -106,7 +106,7 @@ def phase_plane(orbit: Orbit, ax: Any | None = None, cycles: float = 40) -> Any:
 
 
 def absolute_phase_plane(orbit: Orbit, ax: Any | None = None, cycles: float = 40) -> Any:
-    """Draw (d): x' [length/time] over x = y + E(t) [length]; E in floats."""
+    """Draw (d): x' [length/time] over x = y + E(t) [length]; E in floating point."""
     ax = _axes(ax)
     found = orbit(_times(orbit, cycles))
     moved, speed = _shaking(orbit, found.t)
@@ -180,7 +180,7 @@ def panels(orbit: Orbit, letters: str = "abcdefgh") -> Any:
 
 
 def figure(number: int, impacts: int = 4000) -> Any:
-    """Draw a figure of the paper: 10 and 11 are manifolds, 12 to 17 eight panels of an orbit; returns its ``Axes``."""
+    """Draw a figure of the paper: 10 and 11 are parameter manifolds, 12 to 17 eight panels of an orbit; returns its ``Axes``."""
     if number in (10, 11):
         over = {"frequency": (1, 60, 200)} if number == 10 else {"velocity": (-200, -1, 200)}
         return manifold(Scene.named(f"figure-{number}").manifold(over, (1, 7)))
@@ -214,7 +214,7 @@ def diagram(found: SweepResult, ax: Any | None = None, show: str = "phase") -> A
 
 
 def basins(found: SweepResult, ax: Any | None = None, values: str = "outcome") -> Any:
-    """Draw a map over two keys: ``values`` is ``"outcome"``, ``"exponent"`` (an impact's), or ``"word"``."""
+    """Draw a map over two keys: ``values`` is ``"outcome"``, ``"exponent"`` (per impact), or ``"word"``."""
     ax = _axes(ax)
     counts = [over["count"] for over in found.head["over"]]
     table = found.table

@@ -1,4 +1,4 @@
-"""Scenes: one impact pair, one start, and what can be asked of them."""
+"""Scenes: one impact pair, one start, and the computations on them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-#: Bits that an orbit takes at most where nothing is said.
+#: Default maximum precision of an orbit, in bits.
 MAX_BITS = 1_000_000
 TABLES = {
     "excitation": ("amplitude", "frequency", "phase"),
@@ -65,10 +65,10 @@ class Scene:
     ) -> None:
         """Make a scene.
 
-        A sin(W t + tau) shakes the box: ``amplitude`` A [length], ``frequency`` W [rad/time], ``phase`` tau [rad]. ``gap`` d
+        The excitation is A sin(W t + tau): ``amplitude`` A [length], ``frequency`` W [rad/time], ``phase`` tau [rad]. ``gap`` d
         [length] is between the walls, ``restitution`` e from 0 to 1. The start is at ``time`` [time] on a ``wall`` (``"left"``,
         the default, or ``"right"``) with relative ``velocity`` [length/time] just before the impact, or inside the gap at
-        ``position`` y [length]. ``impacts``, ``until`` [time] and ``digits`` say how far ``run`` goes where it is not told.
+        ``position`` y [length]. ``impacts``, ``until`` [time] and ``digits`` are the defaults of ``run``.
         """
         given = {
             "title": title,
@@ -108,7 +108,7 @@ class Scene:
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any]) -> Scene:
-        """Make a scene of tables as a scene file has them: excitation, pair, start, and maybe title and run."""
+        """Make a scene of tables as a scene file has them: excitation, pair, start, and optionally title and run."""
         scene = cls.__new__(cls)
         scene._read(toml(tables), has_lines=False)
         return scene
@@ -133,7 +133,7 @@ class Scene:
 
     @property
     def document(self) -> dict[str, Any]:
-        """Parameters and start in exact words, as in the orbit JSON."""
+        """Parameters and start as exact texts, as in the orbit JSON."""
         found: dict[str, Any] = json.loads(self._core.document())
         return found
 
@@ -156,7 +156,7 @@ class Scene:
     ) -> Orbit:
         """Return the certified events of the scene.
 
-        It stops after so many ``impacts`` or at the time ``until`` [time], by default where the scene says, or after 100 impacts.
+        It stops after ``impacts`` impacts or at the time ``until`` [time], by default as the scene specifies, or after 100 impacts.
         Enclosures are asked to be at most 10^-``digits`` wide: of times relative to 2 pi/W, of velocities to A W (default 9).
         ``arithmetic`` is ``"auto"``, ``"float"``, ``"interval"``, ``"inari"``, ``"shadow"`` or a number of bits.
         """
@@ -213,7 +213,7 @@ class Scene:
         max_bits: int = MAX_BITS,
         progress: Progress = None,
     ) -> answers.Periodic:
-        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in so many cycles; ``all`` searches the whole state space."""
+        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
         with reporting(progress, "cells") as tell:
             return answers.Periodic(*_core.periodic(self._core, (word, cycles, all), (digits, max_bits), tell))
 
@@ -226,7 +226,7 @@ class Scene:
         digits: int | None = None,
         progress: Progress = None,
     ) -> answers.Periodic | list[answers.Periodic]:
-        """Find all motions with two impacts in N cycles, (56)-(73); for N from one to another an answer each, in a list.
+        """Find all motions with two impacts in N cycles, (56)-(73); for a range of N one answer each, in a list.
 
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
@@ -268,7 +268,7 @@ class Scene:
             return answers.Bifurcations(*_core.bifurcations(self._core, question, (digits, max_bits), tell))
 
     def trap(self, *, finer: int = 0, picture: bool = False, progress: Progress = None) -> answers.Trap:
-        """Prove a region that the motion does not leave; ``finer`` halves its boxes so often."""
+        """Prove a trapping region; its boxes are bisected ``finer`` times."""
         with reporting(progress, "boxes") as tell:
             document, complete, said = _core.trap(self._core, (finer, picture), tell)
         if document is None:
@@ -278,7 +278,7 @@ class Scene:
     def cycles(
         self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
     ) -> answers.Cycles:
-        """Prove all periodic motions of the region of ``trap`` with so many impacts, or with any number from one to another."""
+        """Prove all periodic orbits in the region of ``trap`` with a number of impacts, or a range of numbers."""
         ends = both_ends(impacts)
         with reporting(progress, "impacts", ends[1]) as tell:
             return answers.Cycles(*_core.cycles(self._core, ends, (finer, digits), tell))
@@ -292,7 +292,7 @@ class Scene:
         picture: bool = False,
         progress: Progress = None,
     ) -> answers.Chaos:
-        """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over`` if that is given."""
+        """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given."""
         question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases))
         with reporting(progress, "boxes") as tell:
             return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
@@ -306,9 +306,9 @@ class Scene:
         picture: bool = False,
         progress: Progress = None,
     ) -> answers.ChaosCells:
-        """Prove of each value in ``{"amplitude": (low, high, count)}``, cell by cell, that there is a horseshoe or an attractor.
+        """Prove, cell by cell over ``{"amplitude": (low, high, count)}``, that there is a horseshoe or an attractor.
 
-        The cells are ``count`` equal parts of the range. One of which nothing is proved is halved, at most ``halvings`` times.
+        The cells are ``count`` equal parts of the range. An undecided cell is bisected, at most ``halvings`` times.
         """
         [(key, (low, high, count))] = over.items()
         question = (ranged({key: (low, high)}), count)
@@ -323,7 +323,7 @@ class Scene:
         picture: bool = False,
         progress: Progress = None,
     ) -> answers.Trade:
-        """Measure what accuracy costs: each arithmetic's speed, reach and widths, and the true errors of floats."""
+        """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
         with reporting(progress, "impacts", impacts) as tell:
             return answers.Trade(*_core.trade(self._core, (impacts, max_bits, picture), tell))
 
@@ -339,10 +339,10 @@ class Scene:
         max_bits: int = MAX_BITS,
         progress: Progress = None,
     ) -> answers.Audit:
-        """Judge another simulator's impacts: inside, outside, missed, false; and where it leaves the certified orbit.
+        """Compare another simulator's impacts with the certified orbit: inside, outside, missed, false; and where it diverges.
 
         ``events`` is the path of a list (CSV, other text, JSON), arrays by name (``time``, ``wall``, ``velocity``) or a DataFrame
-        with such columns; of doubles the exact values are judged. ``columns`` names time, wall and velocity, or numbers them from 1.
+        with such columns; doubles are compared with their exact values. ``columns`` names time, wall and velocity, or numbers them from 1.
         """
         time, wall, velocity = (None if column is None else str(column) for column in columns)
         listed = (answers.listing(events), (time, wall, velocity, velocities))
@@ -394,25 +394,25 @@ class Scene:
 
 
 def both_ends(counts: int | tuple[int, int]) -> tuple[int, int]:
-    """Return the first and the last of some numbers, of which there may be one."""
+    """Return the first and the last of a range, or of a single number."""
     return (counts, counts) if isinstance(counts, int) else counts
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
-    """Return a key and its range in the words of the command line."""
+    """Return a key and its range in the syntax of the command line."""
     [(key, (low, high))] = over.items()
     return f"{key}={text(key, low)}..{text(key, high)}"
 
 
 def toml(tables: Mapping[str, Any]) -> str:
-    """Return tables as a scene file, all numbers in exact words."""
+    """Return tables as a scene file, all numbers as exact texts."""
     lines = []
     title = tables.get("title")
     if title is not None:
         lines.append(f"title = {json.dumps(title, ensure_ascii=False)}")
     unknown = [name for name in tables if name != "title" and name not in TABLES]
     if unknown:
-        raise SceneError(f"{unknown[0]} is no table of a scene: accepted are title, {', '.join(TABLES)}", unknown[0])
+        raise SceneError(f"{unknown[0]} is not a table of a scene: accepted are title, {', '.join(TABLES)}", unknown[0])
     for name in TABLES:
         table = tables.get(name)
         if table is None:

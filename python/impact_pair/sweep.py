@@ -1,7 +1,7 @@
 """Sweeps: one certified orbit at each point of a grid, in this process or on any ``concurrent.futures.Executor``.
 
-A point is a pure function of the exact scene and its number, so it does not matter who computes it, how often, or in which order: the
-answer has the same bytes as ``impact-pair sweep`` writes in one process.
+A point is a pure function of the exact scene and its number, so neither the worker nor the order matters: the answer
+has the same bytes as ``impact-pair sweep`` writes in one process.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ from ._store import Chunks, Files, Memory
 from .bounds import doubles
 from .errors import Error, Interrupted
 
-#: Which rows a table has: impacts and points, told apart by the column ``record``, or only the ones or the others.
+#: The rows of a table: impacts and points, distinguished by the column ``record``, or only one of these.
 Rows = Literal["mixed", "points", "states"]
 
 #: How many times larger than the last ones a chunk may be: the first ones tell the rate.
 GROWTH = 8
 #: Chunks that wait for each worker, so that none is idle.
 AHEAD = 2
-#: The last chunks are smaller, so that workers end together: so many for each.
+#: The last chunks are smaller, so that workers end together: this number for each.
 TAIL = 4
 
 
 @dataclass(frozen=True)
 class Question:
-    """A sweep in words: all that its points depend on, and what workers are sent."""
+    """The specification of a sweep: everything that its points depend on, as sent to workers."""
 
     scene: str
     over: tuple[str, ...]
@@ -52,24 +52,24 @@ class Question:
     summary: bool
 
     def core(self) -> _core.Sweep:
-        """Return the sweep for who computes it."""
+        """Return the sweep for the computation."""
         asked = (self.digits, self.arithmetic, self.max_bits)
         scene = _core.Scene(self.scene)
         return _core.Sweep(scene, list(self.over), (self.transient, self.impacts), asked, self.summary)
 
     def key(self) -> str:
-        """Return a hash of scene, grid, what is asked, and version: sweeps of one key have the same bytes."""
+        """Return a hash of scene, grid, settings and version: sweeps with equal keys have the same bytes."""
         return hashlib.sha256(self.core().head().encode()).hexdigest()[:32]
 
 
 def compute(question: Question, first: int, last: int) -> tuple[bytes, float]:
-    """Return the lines of the points from first up to last, and the seconds it took: what a worker does, on one thread."""
+    """Return the lines of the points from first up to last, and the seconds taken: the work of a worker, on one thread."""
     began = time.perf_counter()
     return question.core().compute((first, last), 1, None), time.perf_counter() - began
 
 
 class Rate:
-    """How large the next chunk is to be so that it takes some seconds."""
+    """The size of the next chunk, such that it takes some seconds."""
 
     def __init__(self, seconds: float, workers: int) -> None:
         self.seconds, self.workers = seconds, workers
@@ -102,15 +102,15 @@ def sweep(
 ) -> SweepResult:
     """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
 
-    ``over`` says what varies, one key or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spread, both ends
-    among them; of two keys the second one runs through faster. Keys are those of the command line: amplitude, frequency, phase, gap,
-    restitution, start.time, start.phase, start.position, start.velocity; of several harmonics amplitude.2 and so on. Of each orbit
-    ``transient`` impacts are passed over and ``impacts`` told, or with ``summary`` none.
+    ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
+    endpoints included; of two keys the second one varies faster. Keys are those of the command line: amplitude, frequency, phase, gap,
+    restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2 and so on. Of each orbit
+    ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
 
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
-    ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: asked again
-    after a crash of a worker, the scheduler or this process, the sweep goes on from there.
+    ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: called again
+    after a crash of a worker, the scheduler or this process, the sweep continues from there.
     """
     axes = tuple(f"{key}={text(key, low)}..{text(key, high)}:{int(count)}" for key, (low, high, count) in over.items())
     question = Question(scene, axes, **asked)
@@ -195,7 +195,7 @@ class Run:
 
 
 class SweepResult:
-    """A finished sweep: what is certified at each point, in the order of the grid."""
+    """A finished sweep: the certified result of each point, in the order of the grid."""
 
     def __init__(self, question: Question, chunks: Chunks) -> None:
         self._question, self._chunks = question, chunks
@@ -206,28 +206,28 @@ class SweepResult:
 
     @cached_property
     def head(self) -> dict[str, Any]:
-        """What the sweep is about: the first line of its JSON Lines."""
+        """The head of the sweep: the first line of its JSON Lines."""
         found: dict[str, Any] = json.loads(self._core.head())
         return found
 
     @property
     def certified(self) -> bool:
-        """Whether the bounds are proved: not of ``arithmetic="float"``."""
+        """Whether the bounds are proved: false for ``arithmetic="float"``."""
         return bool(self.head["certified"])
 
     @property
     def complete(self) -> bool:
-        """Whether all that was asked is certified at every point: the command line's exit code 0."""
+        """Whether everything requested is certified at every point: the command line's exit code 0."""
         return all(record["complete"] for record in self)
 
     @property
     def outcomes(self) -> dict[str, int]:
-        """How many points have which outcome."""
+        """Number of points with each outcome."""
         return dict(sorted(Counter(record["outcome"] for record in self).items()))
 
     @property
     def points(self) -> int:
-        """How many points there are."""
+        """Number of points."""
         return self._core.points
 
     def __len__(self) -> int:
@@ -252,7 +252,7 @@ class SweepResult:
     def table(self) -> dict[str, Any]:
         """The columns of CSV as arrays: of bounds doubles (n, 2), rounded outward, NaN where there are none.
 
-        Rows are the impacts after the transient (``record`` is ``"state"``) and what is said of each point (``"point"``).
+        Rows are the impacts after the transient (``record`` is ``"state"``) and the result of each point (``"point"``).
         """
         return self._table("mixed")
 
@@ -260,7 +260,7 @@ class SweepResult:
     def states(self) -> dict[str, Any]:
         """The impacts after the transients: point, values of the keys, index, wall, phase [rad], velocity [length/time].
 
-        Columns are as in ``table``; ``point`` is the row of what is said of its orbit in ``to_dict("points")``.
+        Columns are as in ``table``; ``point`` is the row of its point in ``to_dict("points")``.
         """
         return self._table("states")
 
@@ -293,9 +293,9 @@ class SweepResult:
         return self._core.svg(b"".join(self.lines()), show)
 
     def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
-        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; the file appears whole or not at all.
+        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; the file is written atomically.
 
-        With ``states``, a .csv beside a .csv, the impacts go into a table of their own, and ``path`` holds only what is said of each
+        With ``states``, a .csv beside a .csv, the impacts go into a separate table, and ``path`` holds only the result of each
         point; both have the column ``point``.
         """
         path = Path(path)

@@ -1,4 +1,4 @@
-"""``check`` and ``prove``: what a document claims, proved again, and as a theorem for Coq."""
+"""``check`` and ``prove``: the claims of a document, proved again, or as a theorem of Coq."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Claim:
-    """A claim of a document and what a check found of it."""
+    """A claim of a document and its verdict."""
 
-    #: Where it stands: ``events[0].time``.
+    #: Path of the claim, such as ``events[0].time``.
     path: str
     #: confirmed, refuted or undecided, as are those after the first one that is not confirmed.
     verdict: str
-    #: Why it is not confirmed: of the claim that decides.
+    #: The reason why it is not confirmed, at the deciding claim.
     reason: str | None
 
 
 @dataclass(frozen=True)
 class Check:
-    """What a check found; true where every claim is proved again."""
+    """The result of a check; true if every claim is proved again."""
 
     #: confirmed, refuted, undecided or interrupted.
     verdict: str
-    #: Which claims, and what is wrong with one.
+    #: The claims checked, and the fault, if any.
     message: str
-    #: Where the document has what claims nothing, or what no lemma of ``check`` is about.
+    #: Paths of the values that are not checked: they claim nothing, or no lemma of ``check`` covers them.
     unjudged: list[str]
-    #: All that is judged, in the order of the document.
+    #: All claims checked, in the order of the document.
     claims: list[Claim]
 
     def __bool__(self) -> bool:
@@ -52,9 +52,9 @@ class Theorem:
     """A file for Coq."""
 
     text: str
-    #: How many impacts it proves.
+    #: Number of impacts that it proves.
     impacts: int
-    #: Why not all that were asked for, if so.
+    #: The reason why not all requested impacts are proved, if so.
     stop: str | None
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -72,9 +72,9 @@ def text_of(source: Source) -> str:
 
 
 def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Check:
-    """Prove every claim of a document again, by another route, from its own numbers.
+    """Prove every claim of a document again, by an independent method, from its own numbers.
 
-    ``effort`` allows so many times the work for each claim before it is left undecided.
+    ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as tell:
         verdict, message, unjudged, claims = _core.check(text_of(source), effort, tell)
@@ -82,6 +82,6 @@ def check(source: Source, *, effort: int = 1, progress: Progress = None) -> Chec
 
 
 def prove(source: Source, impacts: int | None = None, *, progress: Progress = None) -> Theorem:
-    """Return a Coq file whose theorem says what an orbit says, of its first ``impacts`` or of all."""
+    """Return a Coq file whose theorem states the claims of an orbit, for its first ``impacts`` or all."""
     with reporting(progress, "impacts", impacts) as tell:
         return Theorem(*_core.prove(text_of(source), impacts, tell))

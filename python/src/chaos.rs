@@ -16,7 +16,7 @@ use crate::scene::Scene;
 use crate::verbs::{Answer, Drawn, digits, text};
 use crate::watched::watched;
 
-/// A region that no motion leaves; without a document where none is proved, and why.
+/// A trapping region; without a document if none is proved, with the reason.
 #[pyfunction]
 pub fn trap(
     py: Python<'_>,
@@ -42,7 +42,7 @@ pub fn trap(
     })
 }
 
-/// All periodic motions of a region with so many impacts.
+/// All periodic orbits with given numbers of impacts in a trapping region.
 #[pyfunction]
 pub fn cycles(
     py: Python<'_>,
@@ -70,7 +70,7 @@ pub fn cycles(
     })
 }
 
-/// Horseshoes and a lower bound of the entropy; of given bases, JSON, or of those found.
+/// Horseshoes and a lower bound of the entropy, from given h-sets (JSON) or those found.
 #[pyfunction]
 pub fn chaos(
     py: Python<'_>,
@@ -106,7 +106,7 @@ pub fn chaos(
     })
 }
 
-/// What is proved of each value in a range of a parameter, cell by cell.
+/// Verdicts over a range of a parameter, cell by cell.
 #[pyfunction]
 pub fn chaos_cells(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! What cannot be asked, as the exceptions of `impact_pair.errors`.
+//! Errors, as the exceptions of `impact_pair.errors`.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;

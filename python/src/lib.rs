@@ -1,5 +1,5 @@
 //! The compiled module of the Python package `impact_pair`: scenes as TOML and exact texts in, documents as JSON and bounds as
-//! bytes of doubles out. What is asked is checked and told as by the command line; what computes is the library. All types and
+//! bytes of doubles out. Arguments are checked as by the command line; the library computes. All types and
 //! the documentation for people are in the package above it.
 
 mod chaos;

@@ -23,7 +23,7 @@ pub fn exact(key: &str, text: &str) -> Result<Exact, Fault> {
     Exact::parse(text).map_err(|error| Fault::range(key, text, &format!("does not read as a number: {error}")))
 }
 
-/// The same, of a single number.
+/// A number that a keyword gives, which must be a single number.
 pub fn point(key: &str, text: &str) -> Result<Exact, Fault> {
     let number = exact(key, text)?;
     if number.is_point() {

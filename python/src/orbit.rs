@@ -29,7 +29,7 @@ pub struct Orbit {
     head: OrbitHead,
     outcome: OutcomeDocument,
     events: Events,
-    /// All that was asked is certified; of a document that is not said.
+    /// Everything requested is certified; unknown for a document.
     complete: Option<bool>,
     said: String,
     bits: Option<u32>,
@@ -112,7 +112,7 @@ impl Orbit {
         Ok((json(&self.head)?, json(&self.outcome)?))
     }
 
-    /// Whether all that was asked is certified, the last line of the table, and the most bits that an impact took.
+    /// Whether everything requested is certified, the last line of the table, and the maximum precision in bits.
     fn ending(&self) -> (Option<bool>, &str, Option<u32>) {
         (self.complete, &self.said, self.bits)
     }
@@ -140,8 +140,7 @@ impl Orbit {
     /// Bounds of the displacement and the velocity at times, four doubles each; NaN where nothing is proved.
     fn at<'py>(&self, py: Python<'py>, times: &[u8], progress: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyBytes>> {
         let Some((orbit, dense)) = &self.motion else {
-            let message =
-                "this orbit was read from a document: run the scene again to ask where the ball is between impacts";
+            let message = "this orbit was read from a document: run the scene again for bounds between impacts";
             return Err(Fault::other(message).into());
         };
         let times = read(times);
@@ -159,7 +158,7 @@ impl Orbit {
     }
 }
 
-/// How far an orbit is asked to go: impacts, time, digits, arithmetic, splice, bits.
+/// The requested length of an orbit: impacts, time, digits, arithmetic, splice, bits.
 pub type Asked = (Option<u64>, Option<String>, Option<u32>, String, u64, u32);
 
 /// The part of it that a scene's table `[run]` may say.

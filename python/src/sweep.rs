@@ -16,7 +16,7 @@ use crate::pictures::{Lines, drawn};
 use crate::scene::{Scene, json};
 use crate::watched::{Monitor, watched};
 
-/// A sweep over a grid, and what is asked at each of its points.
+/// A sweep over a grid, and the settings of its points.
 #[pyclass(frozen, module = "impact_pair._core")]
 pub struct Sweep {
     scene: impact_pair::Scene,
@@ -93,13 +93,13 @@ impl Sweep {
         json(&self.head)
     }
 
-    /// How many points there are.
+    /// Number of points.
     #[getter]
     fn points(&self) -> u64 {
         self.grid.points()
     }
 
-    /// The lines of the points from `first` up to `last`, by so many threads.
+    /// The lines of the points from `first` up to `last`, by this number of threads.
     fn compute<'py>(
         &self,
         py: Python<'py>,

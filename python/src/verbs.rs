@@ -1,4 +1,4 @@
-//! The other verbs: each answers with its document as JSON and whether all that was asked is certified.
+//! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
 use std::sync::atomic::AtomicBool;
 
@@ -24,16 +24,16 @@ use crate::pictures::drawn;
 use crate::scene::Scene;
 use crate::watched::watched;
 
-/// A document as JSON, and whether all that was asked is certified.
+/// A document as JSON, and whether everything requested is certified.
 pub type Answer = (String, bool);
-/// The same with a picture as SVG, where one was asked for.
+/// The same with a picture as SVG, if requested.
 pub type Drawn = (String, bool, Option<String>);
 
 pub fn text(document: &impl serde::Serialize) -> String {
     serde_json::to_string(document).expect("plain data")
 }
 
-/// The digits asked for, or else the scene's, or else the usual ones.
+/// The requested digits, or else the scene's, or else the default.
 pub fn digits(asked: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
     let asked = asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
     Ok(asked.or(scene.run().digits).unwrap_or(Settings::default().digits))
@@ -133,7 +133,7 @@ fn all_cycles((low, high): (u32, u32)) -> Result<std::ops::RangeInclusive<u32>, 
     if low <= high { Ok(ends[0]..=ends[1]) } else { Err(Fault::range("cycles", low, "must not be after the last one")) }
 }
 
-/// The manifolds of figures 10 and 11 over `frequency` or `velocity`, from, to, in so many points; with their picture if asked for.
+/// The parameter manifolds of figures 10 and 11 over `frequency` or `velocity`: first and last value, number of points; with their picture if requested.
 #[pyfunction]
 pub fn manifold(
     py: Python<'_>,
@@ -163,7 +163,7 @@ pub fn manifold(
     })
 }
 
-/// What accuracy costs on a scene.
+/// The cost of accuracy on a scene.
 #[pyfunction]
 pub fn trade(
     py: Python<'_>,
@@ -187,10 +187,10 @@ pub fn trade(
     })
 }
 
-/// Where a list has what: the names or numbers of its columns of times, walls and velocities, and whether velocities are judged.
+/// The layout of a list: the names or numbers of its columns of times, walls and velocities, and whether velocities are compared.
 type ListColumns = (Option<String>, Option<String>, Option<String>, bool);
 
-/// Another simulator's list, judged by the certified orbit.
+/// Another simulator's list, compared with the certified orbit.
 #[pyfunction]
 pub fn audit(
     py: Python<'_>,
@@ -225,7 +225,7 @@ pub fn audit(
     })
 }
 
-/// The verdict, what is said of it, what is not checked, and each claim with its verdict, and why not, of the one that decides.
+/// The verdict, its message, the values not checked, and each claim with its verdict and, at the deciding one, the reason.
 type Checked = (&'static str, String, Vec<String>, Vec<(String, &'static str, Option<String>)>);
 
 /// Every claim of a document, proved again.
@@ -255,7 +255,7 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
     })
 }
 
-/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and why not all, if so.
+/// An orbit JSON as a theorem for Coq: the file, the impacts it proves, and the reason why not all, if so.
 #[pyfunction]
 pub fn prove(
     py: Python<'_>,

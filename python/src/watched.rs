@@ -1,4 +1,4 @@
-//! Long work without the GIL: on a thread of its own, while the calling one answers Ctrl-C and tells how far it is.
+//! Long computations without the GIL, on a separate thread, while the calling one handles Ctrl-C and progress.
 
 use std::panic;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -49,8 +49,8 @@ impl Watch for Monitor {
     }
 }
 
-/// Does the work; `progress` is called now and then with what is done. After Ctrl-C, or when `progress` raises, the work is asked to
-/// stop, and what it found is forgotten.
+/// Does the work; `progress` is called at intervals with the amount done. After Ctrl-C, or when `progress` raises, the
+/// work is stopped and its result dropped.
 pub fn watched<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,

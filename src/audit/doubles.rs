@@ -1,8 +1,8 @@
-//! How far double precision can be trusted on this scene: two orbits in doubles, judged as any other list.
+//! How far double precision can be trusted on this scene: two orbits in doubles, compared as any other list.
 //!
-//! The first is the exact orbit of the scene's data rounded to doubles: where it is proved to be outside, no simulator that reads
-//! the scene in doubles can be right but by chance, however well it computes. The second is impact-pair's own float orbit: it
-//! shows what rounding on the way adds; of other orbits in doubles it proves nothing.
+//! The first is the exact orbit of the scene's data rounded to doubles: once it is proved to be outside, any simulator that
+//! reads the scene in doubles is right only by chance, however accurate. The second is impact-pair's own float orbit: it
+//! shows what rounding on the way adds; it proves nothing about other programs.
 
 use std::ops::ControlFlow;
 
@@ -21,7 +21,7 @@ use crate::{Error, Scene};
 /// Bits of a number that is rounded to a double.
 const BITS: u32 = 256;
 
-/// What is found of both.
+/// The results for both.
 #[derive(Clone, Copy, Debug)]
 pub struct Doubles {
     /// The exact orbit of the rounded data; `None` for intervals, or if it could not be certified that far.
@@ -30,12 +30,12 @@ pub struct Doubles {
     pub float: Option<Parting>,
 }
 
-/// Where an orbit parts from the truth, by impacts of the truth up to the end of the list.
+/// Where an orbit differs from the true one, by true impacts up to the end of the list.
 #[derive(Clone, Copy, Debug)]
 pub struct Parting {
-    /// The first impact that it does not agree in.
+    /// The first impact that disagrees.
     pub disagrees: Option<(u64, Verdict)>,
-    /// The first impact of another orbit.
+    /// The impact at which it diverges from the true orbit.
     pub leaves: Option<u64>,
 }
 

@@ -1,4 +1,4 @@
-//! The judgement: what each row and each certified impact is, and where the list leaves the orbit.
+//! The comparison: the verdict on each row and each certified impact, and where the list diverges from the orbit.
 
 use std::ops::Range;
 
@@ -14,17 +14,17 @@ use crate::exact::{Dyadic, Enclosure, compare_rational};
 /// A row, a certified impact, or both.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// What it is.
+    /// Its verdict.
     pub verdict: Verdict,
-    /// The place of the row among the rows.
+    /// Position of the row among the rows.
     pub row: Option<usize>,
     /// The contact that it is; of a false row the nearest one.
     pub(super) site: Option<usize>,
-    /// How far the row is off, if it is the contact.
+    /// The errors of the row, if it is the contact.
     pub errors: Option<Errors>,
 }
 
-/// Enclosures of the distances to the truth.
+/// Enclosures of the errors of a row.
 #[derive(Clone, Debug)]
 pub struct Errors {
     /// \[time\]
@@ -33,14 +33,14 @@ pub struct Errors {
     pub velocity: Option<Enclosure>,
 }
 
-/// Where a list leaves the orbit.
+/// Where a list diverges from the orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Departure {
     /// The place among the findings.
     pub finding: usize,
-    /// The first impact of the truth that the list does not follow.
+    /// The first true impact that the list does not follow.
     pub impact: u64,
-    /// The first row that follows another orbit; `None` if there is none left.
+    /// The first row after that; `None` if there is none.
     pub row: Option<usize>,
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Judgement {
 }
 
 impl Judgement {
-    /// Judges the rows by what is certified up to the time `end`.
+    /// Compares the rows with the orbit certified up to the time `end`.
     pub fn new(truth: &Truth, rows: &[Listed], end: &BigRational, tolerance: &Tolerance) -> Self {
         let judge = Judge::new(truth, rows, tolerance);
         let candidates: Vec<Vec<usize>> = (0..rows.len()).map(|row| judge.candidates(row)).collect();
@@ -80,7 +80,7 @@ impl Judgement {
         Self { findings, departure }
     }
 
-    /// The first one that disagrees.
+    /// Returns the first one that disagrees.
     pub fn first_disagreement(&self) -> Option<&Finding> {
         self.findings.iter().find(|finding| finding.verdict.disagrees())
     }
@@ -279,7 +279,7 @@ impl<'a> Judge<'a> {
         time.inf() > self.truth.sites[site].time.sup() && is_before_its_end
     }
 
-    /// Whether a row lies in the chatter that ends in this rest: on its wall, no later than it by more than the tolerance,
+    /// Whether a row lies in the complete chatter in this rest: on its wall, no later than it by more than the tolerance,
     /// and with a velocity between that of the impact before and none.
     fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
         let first = &self.truth.sites[site];

@@ -1,4 +1,4 @@
-//! Another simulator's list of impacts, judged by the certified orbit.
+//! Comparison of another simulator's list of impacts with the certified orbit.
 //!
 //! ```
 //! use impact_pair::Scene;
@@ -49,16 +49,16 @@ use truth::Truth;
 /// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
 const BEYOND: u32 = 3;
 
-/// How a list is judged.
+/// The settings of an audit.
 #[derive(Clone, Debug)]
 pub struct Asked {
-    /// How far a time may be off, in periods `2 pi/W`, and a velocity, in `A W`.
+    /// Accepted difference of a time, in periods `2 pi/W`, and of a velocity, in `A W`.
     pub tolerance: Exact,
-    /// The time to judge up to \[time\]: later rows are left out; by default the last one listed.
+    /// The time up to which the list is compared \[time\]: later rows are ignored; by default the last one listed.
     pub until: Option<Exact>,
-    /// Digits that the certified orbit is enclosed to; by default three more than the tolerance has.
+    /// Digits of the certified orbit; by default three more than the tolerance has.
     pub digits: Option<u32>,
-    /// Bits that the certified orbit takes at most.
+    /// Maximum precision of the certified orbit, in bits.
     pub max_bits: u32,
 }
 
@@ -78,7 +78,7 @@ impl Asked {
         Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
     }
 
-    /// The digits asked for, or those that do for the tolerance.
+    /// The digits requested, or those that do for the tolerance.
     fn digits(&self) -> u32 {
         self.digits.unwrap_or_else(|| {
             let (_, size) = self.tolerance.enclose(64).to_f64_bounds();
@@ -89,33 +89,33 @@ impl Asked {
     }
 }
 
-/// A list and what is found of it.
+/// A list compared with the certified orbit.
 ///
 /// **Cost**: of a list of `n` rows the orbit is followed to its end, but not beyond `2 n + 1000` impacts: then the list lacks more
 /// impacts than it has rows, and the rows that come later are [not reached](Verdict::NotReached).
 pub struct Audit<'s> {
-    /// Whose impacts they should be.
+    /// The scene of the impacts.
     pub scene: &'s Scene,
-    /// The rows that are judged.
+    /// The rows that are compared.
     pub rows: Vec<Listed>,
-    /// Rows after the time to judge up to.
+    /// Number of rows after the end of the comparison.
     pub left_out: usize,
-    /// The time to judge up to: that asked for (an irrational one a little later), or the last one listed.
+    /// The end of the comparison: the requested time (an irrational one a little later), or the last one listed.
     end: BigRational,
     settings: Settings,
     tolerance: Tolerance,
     truth: Truth,
     judgement: Judgement,
-    /// Orbits in doubles, judged in the same way.
+    /// Orbits in doubles, compared in the same way.
     pub doubles: Doubles,
 }
 
 impl<'s> Audit<'s> {
-    /// Judges `rows` by the orbit of a scene, as far as the watch lets it be followed.
+    /// Compares `rows` with the certified orbit of a scene, until interrupted by the watch.
     ///
     /// # Errors
-    /// When there is no row, or an orbit cannot be followed to the time to judge up to ([`Error::is_list`], or the key
-    /// `until`); when the scene's values are beyond what an orbit takes.
+    /// If there is no row, or the time to compare up to is out of range ([`Error::is_list`], or the
+    /// key `until`), or the scene's values exceed the range of orbits.
     pub fn of(scene: &'s Scene, mut rows: Vec<Listed>, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
         let listed = rows.len();
         let end = match &asked.until {
@@ -142,72 +142,72 @@ impl<'s> Audit<'s> {
         Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, doubles })
     }
 
-    /// What tolerances are relative to.
+    /// Returns the units of the tolerance.
     pub fn scales(&self) -> &Scales {
         &self.tolerance.scales
     }
 
-    /// The tolerance, relative to them.
+    /// Returns the tolerance, relative to them.
     pub fn tolerance(&self) -> &Exact {
         &self.tolerance.relative
     }
 
-    /// Digits that the certified orbit is asked for.
+    /// Returns the requested digits of the certified orbit.
     pub fn digits(&self) -> u32 {
         self.settings.digits
     }
 
-    /// What is found, in the order of the list, with missed impacts in between.
+    /// Returns the findings, in the order of the list, with missed impacts in between.
     pub fn findings(&self) -> &[Finding] {
         &self.judgement.findings
     }
 
-    /// Where the list leaves the orbit, if it does.
+    /// Returns where the list diverges from the orbit, if it does.
     pub fn departure(&self) -> Option<Departure> {
         self.judgement.departure
     }
 
-    /// How many findings have a verdict.
+    /// Returns how many findings have a verdict.
     pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
         self.findings().iter().filter(|finding| is(finding.verdict)).count()
     }
 
-    /// The first one that disagrees.
+    /// Returns the first one that disagrees.
     pub fn first_disagreement(&self) -> Option<&Finding> {
         self.judgement.first_disagreement()
     }
 
-    /// The row that a finding is about.
+    /// Returns the row that a finding is about.
     pub fn row(&self, finding: &Finding) -> Option<&Listed> {
         finding.row.map(|row| &self.rows[row])
     }
 
-    /// The certified contact that a finding is about.
+    /// Returns the certified contact that a finding is about.
     pub fn site(&self, finding: &Finding) -> Option<&Site> {
         finding.site.map(|site| &self.truth.sites[site])
     }
 
-    /// The impact that a finding is about: of a false row the one that it is taken for or nearest to.
+    /// Returns the impact that a finding is about: for a false row the one that it matches or is nearest to.
     pub fn impact(&self, finding: &Finding) -> u64 {
         self.site(finding).map_or(0, |site| site.index)
     }
 
-    /// The first impact whose enclosure is wider than the digits asked for.
+    /// Returns the first impact whose enclosure is wider than the requested digits.
     pub fn first_wide(&self) -> Option<u64> {
         self.truth.wide
     }
 
-    /// Whether what is certified ends before the time to judge up to.
+    /// Returns whether the certified orbit ends before the end of the comparison.
     pub fn is_open(&self) -> bool {
         self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf().to_rational() <= self.end)
     }
 
-    /// Whether nothing disagrees and nothing is undecided.
+    /// Returns whether nothing disagrees and nothing is undecided.
     pub fn is_agreed(&self) -> bool {
         !self.is_open() && self.count(|verdict| verdict.disagrees() || verdict == Verdict::Undecided) == 0
     }
 
-    /// One line in words, with what else there is to try on the command line.
+    /// Returns the result in one line, with a hint for the command line.
     pub fn conclusion(&self) -> String {
         let open = self.is_open().then(|| self.truth.message());
         let mut said = match (self.count(Verdict::disagrees), open) {
@@ -239,7 +239,7 @@ impl<'s> Audit<'s> {
         let errors = first.errors.as_ref()?;
         let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.impact(first) <= 1;
         is_velocity
-            .then_some("velocities are asked for just before the impact; --no-velocity judges times and walls only")
+            .then_some("velocities are expected just before the impact; --no-velocity compares times and walls only")
     }
 }
 

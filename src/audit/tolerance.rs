@@ -6,7 +6,7 @@ use crate::scales::Scales;
 
 /// The tolerance of a scene.
 pub(super) struct Tolerance {
-    /// Relative, as it is asked for.
+    /// Relative, as it is requested.
     pub relative: Exact,
     pub scales: Scales,
     /// An upper bound of what a time may be off \[time\], and a velocity \[length/time\].
@@ -20,7 +20,7 @@ impl Tolerance {
     /// Bits beyond those of the digits: for large times, and so that roundings do not matter.
     pub const GUARD: u32 = 256;
 
-    /// The tolerance relative to the scene's period and velocity, for enclosures of so many digits.
+    /// Returns the tolerance relative to the scene's period and velocity, for enclosures of so many digits.
     pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Self {
         let scales = Scales::of(scene);
         let bits = digits.saturating_mul(10) / 3 + Self::GUARD; // proposes
@@ -35,17 +35,17 @@ impl Tolerance {
         Enclosure::new(difference.mig(), difference.mag()).expect("the least is at most the greatest")
     }
 
-    /// Whether a distance in time is proved to be greater than the tolerance.
+    /// Returns whether a distance in time is proved to be greater than the tolerance.
     pub fn is_outside_in_time(&self, distance: &Enclosure) -> bool {
         distance.inf() > &self.time
     }
 
-    /// The same for a velocity.
+    /// Returns the same for a velocity.
     pub fn is_outside_in_velocity(&self, distance: &Enclosure) -> bool {
         distance.inf() > &self.velocity
     }
 
-    /// The interval with what a time may be off on both sides.
+    /// Returns the interval with what a time may be off on both sides.
     pub fn around_time(&self, time: &Enclosure) -> Enclosure {
         let most = Enclosure::point(self.time.clone());
         time.add(&most.hull(&most.negated()), self.bits)

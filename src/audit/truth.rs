@@ -1,4 +1,4 @@
-//! What a list is judged by: the certified orbit, and its grazes, chatters and rests.
+//! The reference for a list: the certified orbit with its grazes, chatters and rests.
 
 use std::ops::ControlFlow;
 
@@ -17,10 +17,10 @@ const PER_ROW: usize = 2;
 /// ... and beyond those.
 const SPARE: usize = 1000;
 
-/// A contact that a list may have, in order of time.
+/// A certified contact that a list may have, in time order.
 #[derive(Clone, Debug)]
 pub struct Site {
-    /// What it is.
+    /// Its verdict.
     pub kind: SiteKind,
     /// The impact's number; for others that of the last impact.
     pub index: u64,
@@ -28,7 +28,7 @@ pub struct Site {
     pub wall: Wall,
     /// \[time\]
     pub time: Enclosure,
-    /// `y'` just before \[length/time\]; of a graze nothing is said.
+    /// `y'` just before \[length/time\]; `None` for a graze.
     pub velocity: Option<Enclosure>,
     /// The rest that comes next, before any other contact.
     pub rest: Option<Rest>,
@@ -66,14 +66,14 @@ pub struct Rest {
 /// The certified orbit, as far as it is needed.
 pub(super) struct Truth {
     pub sites: Vec<Site>,
-    /// From when on nothing is certified; `None` if all that was asked for is.
+    /// From when on nothing is certified; `None` if all that was requested is.
     pub doubtful_from: Option<Enclosure>,
     /// Whether the orbit was not followed further because the list lacks more impacts than it has rows.
     pub is_cut: bool,
     pub conclusion: Conclusion,
     /// What computed it, as the orbit JSON says it.
     pub computed: ArithmeticDocument,
-    /// The first impact whose enclosure is wider than the digits asked for.
+    /// The first impact whose enclosure is wider than the requested digits.
     pub wide: Option<u64>,
 }
 
@@ -131,7 +131,7 @@ impl Truth {
         })
     }
 
-    /// How the orbit ended, or why it was not followed further.
+    /// Returns the outcome of the orbit, or the reason why it was not followed further.
     pub fn message(&self) -> String {
         match self.sites.last() {
             Some(last) if self.is_cut => {
@@ -141,12 +141,12 @@ impl Truth {
         }
     }
 
-    /// The impact that a finding is about.
+    /// Returns the impact that a finding is about.
     pub fn impact(&self, finding: &Finding) -> u64 {
         finding.site.map_or(0, |site| self.sites[site].index)
     }
 
-    /// The times at which one contact stops being the nearest one and the next begins to be; a rest between is halved.
+    /// Returns the times at which one contact stops being the nearest one and the next begins to be; a rest between is halved.
     pub fn boundaries(&self) -> Vec<Dyadic> {
         let boundary = |pair: &[Site]| {
             let [one, next] = pair else { unreachable!("windows of two") };

@@ -1,26 +1,26 @@
-//! What is said of a row of the list, or of a certified impact.
+//! Verdicts on rows of the list and on certified impacts.
 
-/// What a row or a certified impact is.
+/// The verdict on a row or a certified impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Certified, and no farther from it than the tolerance.
+    /// Certified, within the tolerance.
     Inside,
-    /// Certified, and proved to be farther.
+    /// Certified, and proved to be outside the tolerance.
     Outside,
-    /// Certified, on no row.
+    /// Certified, but not listed.
     Missed,
-    /// On a row, and not certified.
+    /// Listed, and proved not to happen.
     False(Reason),
-    /// Among the infinitely many of a chatter.
+    /// Among the infinitely many impacts of a chatter.
     InChatter,
-    /// After the end of what is certified.
+    /// After the end of the certified orbit.
     Undecided,
     /// After the impact from which on the orbit was not followed: the list lacks more impacts than it has rows.
     NotReached,
 }
 
 impl Verdict {
-    /// The word of the audit JSON.
+    /// Returns the word of the audit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Inside => "inside",
@@ -33,13 +33,13 @@ impl Verdict {
         }
     }
 
-    /// Whether list and truth differ here, as far as is known.
+    /// Returns whether the list is proved to differ from the true orbit here.
     pub fn disagrees(self) -> bool {
         matches!(self, Self::Outside | Self::Missed | Self::False(_))
     }
 }
 
-/// Why a row is false.
+/// The reason why a row is false.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// Another row is this impact already.
@@ -55,7 +55,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// The word of the audit JSON.
+    /// Returns the word of the audit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Twice => "twice",

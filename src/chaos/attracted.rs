@@ -1,6 +1,6 @@
 //! Orbits that converge for all values of a parameter: sets of states that move with it. Lemma D15 of `docs/proofs.md`
 //!
-//! A set is followed from one impact to the next as a parallelogram about a middle that is told for each value of the parameters. What
+//! A set is followed from one impact to the next as a parallelogram about a middle that is given for each value of the parameters. What
 //! they move is no error then: where the motion contracts, the parallelograms become small, and one that lies in an earlier one is proved
 //! to be contracted to a periodic orbit.
 
@@ -41,7 +41,7 @@ struct Set {
     middle: State,
     sides: [State; 2],
     moved: [State; 2],
-    /// The wall of the impact, and the whole turns passed before the middle's.
+    /// The wall of the impact, and the whole forcing periods passed before the middle's.
     wall: Wall,
     turns: f64,
 }
@@ -56,7 +56,7 @@ fn coordinates([p, q]: [State; 2]) -> Option<[[Ball; 2]; 2]> {
 
 impl Set {
     fn of(first: &Visited) -> Self {
-        let turns = first.phase.mid().floor(); // exact: whole turns, told by themselves
+        let turns = first.phase.mid().floor(); // exact: whole turns, word_of by themselves
         Self {
             middle: [first.phase.mid() - turns, first.speed.mid()],
             // D15: what the middle is rounded by
@@ -78,7 +78,7 @@ impl Set {
     fn next(&self, law: &Law, guess: &Guess) -> Option<(Self, Side)> {
         let quad = self.quad();
         if !(quad.floor > 0.0 && self.sides.iter().all(|side| length(*side) < WIDEST)) {
-            return None; // exact: given up, nothing is claimed
+            return None; // exact: given up, nothing is certified
         }
         // proposes: where the images are, and how they lie there
         let image = guess.map(self.middle)?;
@@ -90,7 +90,7 @@ impl Set {
             [own[k][0] + u, own[k][1] + w]
         });
         let directions = directions(self.sides.map(|side| applied(image.jacobian, side)));
-        let turns = image.state[0].floor(); // exact: whole turns, told by themselves
+        let turns = image.state[0].floor(); // exact: whole turns, word_of by themselves
         let middle = [image.state[0] - turns, image.state[1]];
 
         let landing = Flights::moved(law, &quad, self.moved).land(image.side, arrival)?;
@@ -123,7 +123,7 @@ impl Set {
         Self { sides: self.sides.map(longer), ..self }
     }
 
-    /// By how many whole turns another one has to be shifted to lie in this one, for each value of the parameters with a margin; `None`
+    /// By how many whole forcing periods another one has to be shifted to lie in this one, for each value of the parameters with a margin; `None`
     /// where that is not proved. Lemma D15
     fn holds(&self, other: &Self) -> Option<f64> {
         let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
@@ -151,7 +151,7 @@ fn directions([p, q]: [State; 2]) -> [State; 2] {
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
 
-/// A periodic orbit that has a state in a set: so many impacts, and whole turns, after which it comes again.
+/// A periodic orbit that has a state in a set: so many impacts, and whole forcing periods, after which it comes again.
 struct Period {
     from: usize,
     impacts: usize,
@@ -196,7 +196,7 @@ fn converges(law: &Law, first: &Visited, room: f64, goes_on: &dyn Fn() -> bool) 
         }
     }
     let (Period { from, impacts, turns }, _) = found?;
-    told(sets[from].wall, &sides[from..from + impacts], turns)
+    word_of(sets[from].wall, &sides[from..from + impacts], turns)
 }
 
 impl Period {
@@ -208,10 +208,10 @@ impl Period {
     }
 }
 
-/// The word of so many flights from a wall, in whole turns of mirrored phases; twice where it ends on the other wall.
-fn told(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
+/// The word of so many flights from a wall, in whole forcing periods of mirrored phases; twice where it ends on the other wall.
+fn word_of(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
     let far = sides.iter().filter(|&&side| side == Side::Far).count();
-    let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is told half a turn later
+    let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is word_of half a turn later
     let rounds = if far.is_multiple_of(2) { 1 } else { 2 };
     let mut from = wall;
     let mut mappings = Vec::new();

@@ -1,4 +1,4 @@
-//! Bases, found from a floating orbit: parallelograms along the leaves of an attractor. What they lead to is proved.
+//! H-sets, found from a floating-point orbit: parallelograms along the leaves of an attractor. What they lead to is proved.
 //!
 //! Labels: proposes throughout.
 
@@ -32,7 +32,7 @@ const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
 /// Bundles of leaves are judged by words of so many impacts at most.
 const JUDGED_TO: usize = 20;
-/// Bases from everywhere are judged by words of so much of the depth: long ones are often seen where none are proved.
+/// H-sets from everywhere are judged by words of so much of the depth: long ones are often seen where none are proved.
 const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
@@ -40,15 +40,15 @@ const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 /// An orbit that expands less, an impact, is regular.
 const LEAST_EXPONENT: f64 = 1e-3;
 
-/// A floating orbit on what attracts it, phases modulo 1, with its expanding directions.
+/// A floating-point orbit on what attracts it, phases modulo 1, with its expanding directions.
 #[derive(Debug)]
 pub(crate) struct Seen {
     pub points: Vec<(State, State)>,
-    /// The Lyapunov exponent an impact.
+    /// The Lyapunov exponent per impact.
     pub exponent: f64,
 }
 
-/// The floating orbit from a state; `None` where it ends.
+/// The floating-point orbit from a state; `None` where it ends.
 pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
     let (mut state, mut direction, mut sum) = (start, [1.0 / TAU, 0.3], 0.0);
     let mut points = Vec::with_capacity(LOOKED_AT);
@@ -72,18 +72,18 @@ fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> 
     Some(growth)
 }
 
-/// How far apart two states are, phases less whole turns.
+/// How far apart two states are, phases less whole forcing periods.
 pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
     length([u - v - (u - v).round(), w - x])
 }
 
 impl Seen {
-    /// The orbit's states.
+    /// Returns the orbit's states.
     pub fn states(self) -> Vec<State> {
         self.points.into_iter().map(|(state, _)| state).collect()
     }
 
-    /// Whether neighbours part.
+    /// Returns whether neighbours part.
     pub fn is_chaotic(&self) -> bool {
         self.exponent > LEAST_EXPONENT
     }
@@ -137,7 +137,7 @@ impl Seen {
         found
     }
 
-    /// Bases along the leaves, those first that the orbit crosses most often.
+    /// H-sets along the leaves, those first that the orbit crosses most often.
     fn candidates(&self, guess: &Guess, making: Making) -> Vec<Base> {
         let mut scored: Vec<(f64, Base)> = Vec::new();
         for (centre, along) in self.centres() {
@@ -147,7 +147,7 @@ impl Seen {
                 continue;
             }
             // `(xi, eta)` and the leaf's slope there.
-            let told = |[u, w]: State| {
+            let in_coordinates = |[u, w]: State| {
                 [(u * across[1] - w * across[0]) / determinant, (along[0] * w - along[1] * u) / determinant]
             };
             let near: Vec<[f64; 3]> = self
@@ -155,8 +155,8 @@ impl Seen {
                 .iter()
                 .filter_map(|&([u, w], direction)| {
                     let phase = u - centre[0];
-                    let [xi, eta] = told([phase - phase.round(), w - centre[1]]);
-                    let [run, rise] = told(direction);
+                    let [xi, eta] = in_coordinates([phase - phase.round(), w - centre[1]]);
+                    let [run, rise] = in_coordinates(direction);
                     (xi.abs() < LENGTHS[0] && eta.abs() < LENGTHS[0] * 0.1).then(|| [xi, eta, rise / run])
                 })
                 .collect();
@@ -185,7 +185,7 @@ impl Seen {
         scored.into_iter().map(|(_, base)| base).filter(Base::is_convex).collect()
     }
 
-    /// The bases that lead to most entropy, of those tried: about bundles of leaves, or else along saddles, or else from everywhere.
+    /// Returns the h-sets that lead to most entropy, of those tried: about bundles of leaves, or else along saddles, or else from everywhere.
     pub fn bases(
         &self,
         law: &Law,
@@ -220,18 +220,18 @@ impl Seen {
 }
 
 impl Base {
-    /// Whether it has no state in common with another one, whole turns later or earlier either: an edge parts them. Lemma D9
+    /// Returns whether it has no state in common with another one, whole forcing periods later or earlier either: an edge parts them. Lemma D9
     pub fn is_apart(&self, other: &Self) -> bool {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
     }
 
-    /// Whether it has no state in common with itself whole turns later: an edge parts it from its translate by one turn, and so by
+    /// Returns whether it has no state in common with itself whole forcing periods later: an edge parts it from its translate by one forcing period, and so by
     /// more, as it is convex. Lemma D9
     pub fn is_apart_from_its_translates(&self) -> bool {
         self.is_parted(self, 1.0) || self.is_parted(self, -1.0)
     }
 
-    /// Whether its phases are from -1 to 2 and its speeds positive.
+    /// Returns whether its phases are from -1 to 2 and its speeds positive.
     pub fn is_near(&self) -> bool {
         let corners = [self.left.bottom, self.left.top, self.right.bottom, self.right.top];
         corners.iter().all(|&[phase, speed]| (-1.0..=2.0).contains(&phase) && speed > 0.0)

@@ -4,10 +4,10 @@ use super::words::Path;
 use crate::mapping::Mapping;
 use crate::pair::Wall;
 
-/// A way of the reduced map from one base across another, proved.
+/// A covering relation of the reduced map from one h-set to another, proved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Word {
-    /// The base it starts in.
+    /// The h-set it starts in.
     pub from: usize,
     /// The one it crosses.
     pub to: usize,
@@ -39,13 +39,13 @@ impl Word {
         names.join(" ")
     }
 
-    /// Its mappings and its half cycles, which name a block.
+    /// Returns its mappings and its half cycles, which name a block.
     pub fn as_block(&self) -> String {
         let unit = if self.half_cycles == 1 { "half cycle" } else { "half cycles" };
         format!("{} ({} {unit})", self.in_mappings(), self.half_cycles)
     }
 
-    /// Whether both are one block, between whatever h-sets: the same walls after as many half cycles. Lemma D9
+    /// Returns whether both are one block, between whatever h-sets: the same walls after as many half cycles. Lemma D9
     pub fn is_same_block(&self, other: &Self) -> bool {
         self.walls == other.walls && self.half_cycles == other.half_cycles
     }

@@ -1,4 +1,4 @@
-//! Where clusters of leaves make good bases: tried all over a floating orbit, moved as long as more is seen, parted further.
+//! Where clusters of leaves make good h-sets: tried all over a floating-point orbit, moved as long as more is seen, parted further.
 //!
 //! Labels: proposes throughout.
 
@@ -14,7 +14,7 @@ const APART: f64 = 0.004;
 const MIDDLES: usize = 80;
 /// The widest gap parts, or the widest two, or three, or none.
 const NESTED: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
-/// At most so many bases.
+/// At most so many h-sets.
 const MOST: u32 = 4;
 /// If they are not apart from one another they are made shorter.
 const SHORTER: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
@@ -35,7 +35,7 @@ pub(super) struct Place {
     pub cuts: u32,
 }
 
-/// Bases of one place, and how much entropy is seen of them.
+/// H-sets of one place, and how much entropy is seen of them.
 #[derive(Clone, Debug)]
 pub(super) struct Bundle {
     pub bases: Vec<Base>,
@@ -52,7 +52,7 @@ struct Sight<'s> {
 }
 
 impl Seen {
-    /// Bases about clusters of leaves, those first that most entropy is seen of. `goes_on` says whether to look further.
+    /// H-sets about clusters of leaves, those first that most entropy is seen of. `goes_on` says whether to look further.
     pub(super) fn bundles(&self, guess: &Guess, impacts: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Bundle> {
         let sight = Sight { orbit: self, guess, impacts };
         let of_one = |&middle: &(State, State)| if goes_on() { sight.about(middle) } else { Vec::new() };
@@ -118,7 +118,7 @@ impl Sight<'_> {
         self.bundle(&Window::new(self.orbit, self.guess, place.middle)?, place)
     }
 
-    /// The bases of a place, shorter if need be to be apart.
+    /// The h-sets of a place, shorter if need be to be apart.
     fn bundle(&self, window: &Window, place: Place) -> Option<Bundle> {
         let shorter = SHORTER.map(|part| Place { long: part * place.long, ..place });
         let (place, clusters, bases) = shorter.into_iter().find_map(|place| {
@@ -167,7 +167,7 @@ fn distinct(bundles: impl Iterator<Item = Bundle>) -> Vec<Bundle> {
     found
 }
 
-/// Whether they may be bases.
+/// Whether they may be h-sets.
 fn are_good(bases: &[Base]) -> bool {
     let is_apart = |(k, base): (usize, &Base)| bases[..k].iter().all(|other| base.is_apart(other));
     bases.iter().all(|base| base.is_convex() && base.is_near()) && bases.iter().enumerate().all(is_apart)

@@ -26,7 +26,7 @@ pub const MOST_CELLS: u32 = 1_000_000;
 /// The most times that a cell is halved.
 pub const MOST_HALVINGS: u32 = 24;
 
-/// What is asked.
+/// The settings of a search for horseshoes.
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// The parameter and its range.
@@ -61,7 +61,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The verdict in a word.
+    /// Returns the verdict in a word.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Horseshoe { .. } => "horseshoe",
@@ -82,7 +82,7 @@ impl Verdict {
     }
 }
 
-/// Neighbouring values of a parameter of which the same is proved, both ends among them.
+/// Neighbouring values of a parameter of which the same is proved, endpoints included.
 #[derive(Clone, Debug)]
 pub struct Stretch {
     /// The least value.
@@ -95,13 +95,13 @@ pub struct Stretch {
 
 /// The values of a parameter, by what is proved: without gaps, in their order.
 ///
-/// **Enclosure**: each verdict holds for every value in its stretch, both ends among them. Lemmas D11, D12, D14, D15
+/// **Enclosure**: each verdict holds for every value in its stretch, endpoints included. Lemmas D11, D12, D14, D15
 /// **Cost**: some seconds of a processor for a cell with a horseshoe; milliseconds for one that attracts, as often as it is halved.
 #[derive(Clone, Debug)]
 pub struct Cells {
     /// What is proved.
     pub stretches: Vec<Stretch>,
-    /// Whether it was told to stop; what was not looked at is undecided.
+    /// Whether it was stopped; what was not looked at is undecided.
     pub interrupted: bool,
 }
 
@@ -118,13 +118,13 @@ struct Work<'w> {
 }
 
 impl Cells {
-    /// What is proved of the pairs with each value of the parameter.
+    /// Returns what is proved of the pairs with each value of the parameter.
     ///
-    /// `goes_on` is told how many cells are done and says whether to go on; what is proved until then stays. The cells do not know of
+    /// `goes_on` receives the number of cells done and returns whether to continue; results proved so far are kept. The cells do not know of
     /// one another, so threads decide nothing.
     ///
     /// # Errors
-    /// Under several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
+    /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
     pub fn of(
         pair: &ImpactPair,
         start: &Start,
@@ -198,7 +198,7 @@ impl Work<'_> {
         Ok(stretches)
     }
 
-    /// Decides a cell, or its halves; `known` are bases that the last horseshoe was proved with.
+    /// Decides a cell, or its halves; `known` are h-sets that the last horseshoe was proved with.
     fn decide(
         &self,
         [low, high]: [Exact; 2],
@@ -228,12 +228,12 @@ impl Work<'_> {
         let first = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0);
         let law = Law::of(pair)?;
         Ok(match first.and_then(|first| attracted(&law, &first, self.goes_on)) {
-            Some((word, cycles)) => Verdict::Attracted { word: told_from_its_least(&word), cycles },
+            Some((word, cycles)) => Verdict::Attracted { word: rotated_to_its_least(&word), cycles },
             None => Verdict::Undecided,
         })
     }
 
-    /// Bases that are known, or else those that a floating orbit in the cell leads to, are tried for all of the cell.
+    /// H-sets that are known, or else those that a floating-point orbit in the cell leads to, are tried for all of the cell.
     fn horseshoe(&self, pair: &ImpactPair, values: [&Exact; 3], known: &mut Vec<Base>) -> Result<Verdict, Error> {
         let law = Law::of(pair)?;
         let mut chaotic = None;
@@ -264,10 +264,10 @@ impl Work<'_> {
     }
 }
 
-/// Impacts of a floating orbit after a transient, for pictures: nothing is proved of them. None where it ends.
+/// Impacts of a floating-point orbit after a transient, for pictures: nothing is proved of them. None where it ends.
 ///
 /// # Errors
-/// Under several harmonics, and when a value is beyond the range of flights.
+/// With several harmonics, and when a value is beyond the range of flights.
 pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usize; 2]) -> Result<Vec<State>, Error> {
     let guess = Guess::new(&Law::of(pair)?);
     let Some(first) = visited(pair, start, 1)?.last().map(Visited::middle) else { return Ok(Vec::new()) };
@@ -277,11 +277,11 @@ pub fn seen_impacts(pair: &ImpactPair, start: &Start, [transient, impacts]: [usi
 }
 
 /// A word from that impact on that makes it the first one in the alphabet of L and R.
-fn told_from_its_least(word: &Word) -> Word {
+fn rotated_to_its_least(word: &Word) -> Word {
     let mappings = word.mappings();
     let rotated = |shift: usize| mappings.iter().cycle().skip(shift).take(mappings.len()).copied();
     let is_right = |shift: &usize| rotated(*shift).map(|mapping| mapping.walls().0 == Wall::Right).collect::<Vec<_>>();
     let shift = (0..mappings.len()).min_by_key(is_right).unwrap_or(0); // exact: a word has impacts
     let mappings: Vec<Mapping> = rotated(shift).collect();
-    Word::new(mappings).expect("a closed word can be turned")
+    Word::new(mappings).expect("a closed word can be rotated")
 }

@@ -18,12 +18,12 @@ fn sums(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64, q: Ball) ->
     matrix
 }
 
-/// A lower bound of the entropy of all sequences of words, by what a word weighs: of impacts, or of half turns.
+/// A lower bound of the entropy of all sequences of words, by what a word weighs: of impacts, or of half periods.
 ///
 /// 0 where none is proved.
 pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64 + Copy) -> f64 {
     if words.iter().any(|word| weight(word) < 1) {
-        return 0.0; // exact: nothing is claimed
+        return 0.0; // exact: nothing is certified
     }
     let reached = |q: f64| is_reached(&sums(words, bases, weight, Ball::exact(q)));
     // proposes: the greatest sum is found by halving

@@ -1,5 +1,5 @@
-//! Bases from everywhere on a floating orbit, judged by how the orbit itself comes back across them: for slow expansion, where horseshoes
-//! are of long words, and saddles are not in the middle of their bases. What they lead to is proved.
+//! H-sets from everywhere on a floating-point orbit, selected by how the orbit itself returns across them: for slow expansion, where horseshoes
+//! are of long words, and saddles are not in the middle of their h-sets. What they lead to is proved.
 //!
 //! Labels: proposes throughout.
 
@@ -16,13 +16,13 @@ use super::words::{Base, Path};
 
 /// So many points of the orbit are judges.
 const JUDGES: usize = 40_000;
-/// Middles of bases are that far apart, and at most so many.
+/// Middles of h-sets are that far apart, and at most so many.
 const EVERYWHERE: f64 = 0.004;
 const MIDDLES: usize = 160;
 /// Half lengths, each shorter than the one before by a factor, and half widths relative to them.
 const SHORTER: (usize, f64) = (16, 0.8);
 const WIDTHS: [f64; 6] = [0.01, 0.02, 0.04, 0.08, 0.16, 0.3];
-/// In each base so many points are looked at; more than so many in a row make a crossing.
+/// In each h-set so many points are looked at; more than so many in a row make a crossing.
 const POINTS: usize = 1000;
 const IN_A_ROW: usize = 4;
 /// Images reach that far beyond the ends, and not beyond that much of the width.
@@ -43,7 +43,7 @@ impl Seen {
         found
     }
 
-    /// Bases that the orbit comes back across in several ways, those first that most entropy is seen of.
+    /// H-sets that the orbit comes back across in several ways, those first that most entropy is seen of.
     pub(super) fn crossed(&self, guess: &Guess, (making, depth): (Making, usize)) -> Vec<Base> {
         let points = &self.points[..self.points.len().min(JUDGES)];
         let of_one = |&(centre, along): &(State, State)| {
@@ -83,7 +83,7 @@ impl Seen {
     }
 }
 
-/// The base with a middle and a direction, its ends along the directions that are contracted there; `None` where these turn too much.
+/// The h-set with a middle and a direction, its ends along the directions that are contracted there; `None` where these turn too much.
 fn aligned(
     guess: &Guess,
     making: Making,
@@ -107,7 +107,7 @@ fn aligned(
     Some(Base { left: end(-1.0)?, right: end(1.0)? })
 }
 
-/// The words that an orbit's points in a base are seen to make, in coordinates of the base: in a row, across it, at one time.
+/// The words that an orbit's points in an h-set are seen to make, in coordinates of the h-set: in a row, across it, at one time.
 fn comes_back(all: &[[f64; 2]], inside: &[usize], [long, width]: [f64; 2], depth: usize) -> Vec<Path> {
     let mut taken = vec![false; inside.len()];
     let mut words = Vec::new();

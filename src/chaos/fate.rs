@@ -1,4 +1,4 @@
-//! What becomes of the scene's own orbit: whether a horseshoe is where it goes, or elsewhere.
+//! The scene's own orbit: whether it visits the horseshoe.
 
 use std::ops::ControlFlow;
 
@@ -9,26 +9,26 @@ use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
 use crate::pair::ImpactPair;
 use crate::periodic::Attractor;
 
-/// What is proved of the orbit of the scene's own start; where nothing is, it may still be so.
+/// The result for the orbit of the scene's own start; `None` means undecided.
 ///
-/// **Enclosure**: for every parameter of the pair the orbit converges to the one periodic orbit, or is in the region from the impact
-/// on that is told. Lemmas Q3, D5, D13
+/// **Enclosure**: for every parameter of the pair the orbit converges to the one periodic orbit, or is in the region from the
+/// given impact on. Lemmas Q3, D5, D13
 #[derive(Debug, Default)]
 pub struct Fate {
-    /// The stable periodic orbit that it converges to: what else is found is not what it tends to.
+    /// The stable periodic orbit that it converges to.
     pub attractor: Option<Box<Attractor>>,
-    /// A region that it enters.
+    /// A trapping region that it enters.
     pub region: Option<Entered>,
 }
 
-/// A region that the orbit of the scene's own start enters and does not leave.
+/// A trapping region that the orbit of the scene's own start enters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entered {
-    /// How many boxes it has.
+    /// Number of boxes.
     pub boxes: usize,
-    /// The impact from which on all are in it, 0 for the start.
+    /// The impact from which on all impacts are in it, 0 for the start.
     pub at_impact: u64,
-    /// Whether all bases are proved to lie in it: then the horseshoe does, with all its images.
+    /// Whether all h-sets, and so the horseshoe with all its images, are proved to lie in it.
     pub holds_bases: bool,
 }
 
@@ -36,7 +36,7 @@ pub struct Entered {
 const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
 impl Fate {
-    /// That of an orbit; the region is looked for where there are bases.
+    /// That of an orbit; the region is looked for where there are h-sets.
     pub(super) fn of(
         pair: &ImpactPair,
         start: &Start,

@@ -1,4 +1,4 @@
-//! All flights from a quadrilateral of states at once, told from its centre: Lemmas D1-D3, D12 and D15 of `docs/proofs.md`.
+//! All flights from a quadrilateral of states at once, measured from its centre: Lemmas D1-D3, D12 and D15 of `docs/proofs.md`.
 
 use std::array;
 use std::f64::consts::TAU;
@@ -55,7 +55,7 @@ pub(crate) struct Landing<const M: usize = 1> {
     /// The centre's image.
     pub phase: Ball,
     pub speed: Ball,
-    /// `dw/dth` at a fixed drift, over the bracket, in speeds a turn.
+    /// `dw/dth` at a fixed drift, over the bracket, in speeds per forcing period.
     slope: Ball,
     /// By side, and by parameter: the change of phase, and the change of speed at a fixed phase.
     along: [[Ball; 2]; 2],
@@ -123,7 +123,7 @@ impl<const M: usize> Flights<M> {
         [turn() * time, turn() * time.widened(self.radius)]
     }
 
-    /// Where all flights are at one phase after their starts. Lemma D1
+    /// Returns where all flights are at one phase after their starts. Lemma D1
     pub fn at(&self, phase: f64) -> View {
         let (sin, cos) = Ball::exact(phase).sin_cos();
         let [own, all] = self.ahead(phase);
@@ -141,7 +141,7 @@ impl<const M: usize> Flights<M> {
         is_positive(height) && is_positive(self.gap - height)
     }
 
-    /// The heights and velocities from one phase to another.
+    /// Returns the heights and velocities from one phase to another.
     pub fn over(&self, from: f64, to: f64) -> View {
         let middle = 0.5 * (from + to);
         let radius = up((middle - from).max(to - middle)); // D1: the farther end
@@ -153,7 +153,7 @@ impl<const M: usize> Flights<M> {
         view
     }
 
-    /// A phase up to which all flights are proved to be on their way between the walls, and away from the start. Lemma D2
+    /// Returns a phase up to which all flights are proved to be on their way between the walls, and away from the start. Lemma D2
     ///
     /// It is later than all starts; `None` where no such phase is proved.
     pub fn depart(&self) -> Option<f64> {
@@ -173,7 +173,7 @@ impl<const M: usize> Flights<M> {
         None
     }
 
-    /// Whether even a ball without velocity leaves, and stays away for that long: told from `z/x^2`.
+    /// Whether even a ball without velocity leaves, and stays away for that long: measured from `z/x^2`.
     fn leaves(&self, angle: f64) -> bool {
         let least = (self.sin.mid() - self.sin.rad()) * (0.5 - angle * angle / 24.0) * (1.0 - 4.0 * UNIT);
         least > up(self.cos.mag() * angle / 6.0)
@@ -194,14 +194,14 @@ impl<const M: usize> Flights<M> {
             } else {
                 step *= 0.5;
                 if step < 1e-7 {
-                    return false; // exact: given up, nothing is claimed
+                    return false; // exact: given up, nothing is certified
                 }
             }
         }
         true
     }
 
-    /// The first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma D3
+    /// Returns the first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma D3
     pub fn land(&self, side: Side, guess: f64) -> Option<Landing<M>> {
         let sign = side.sign();
         let (wall, loose) = match side {
@@ -263,7 +263,7 @@ impl<const M: usize> Flights<M> {
         self.gap
     }
 
-    /// Bounds of the times of flight, in turns, of what lands between two phases.
+    /// Returns bounds of the times of flight, in forcing periods, of what lands between two phases.
     pub fn times(&self, low: f64, high: f64) -> [f64; 2] {
         let [least, most] = [low - self.start - self.radius, high - self.start + self.radius];
         // D4: a phase is off by at most a unit, four times
@@ -271,8 +271,8 @@ impl<const M: usize> Flights<M> {
         [least - 2.0 * error, most + 2.0 * error]
     }
 
-    /// `z'` of all flights that are at this height between two phases, told from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
-    pub fn told_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
+    /// `z'` of all flights that are at this height between two phases, measured from both phases: `z' = (z + sin th1 - sin th0)/x - cos th1`. Lemma D4
+    pub fn velocity_by_phases(&self, height: Ball, low: f64, high: f64) -> Option<Ball> {
         let arrival = 0.5 * (low + high);
         let radius = up((arrival - low).max(high - arrival)); // D4: the farther end
         let [own, _] = self.ahead(arrival);
@@ -280,7 +280,7 @@ impl<const M: usize> Flights<M> {
         let (sin, cos) = Ball::exact(arrival).sin_cos();
         let centre = (height + sin - self.centre_sin).checked_div(own)? - cos;
         let (sins, coss) = Ball::new(arrival, radius).sin_cos();
-        // The drift told so, over all.
+        // The drift projected so, over all.
         let drift = (height + sins - self.sin).checked_div(all)?;
         let by_start = (drift - self.cos).checked_div(all)?;
         let by_arrival = (coss - drift).checked_div(all)? + sins;
@@ -291,20 +291,20 @@ impl<const M: usize> Flights<M> {
 impl<const M: usize> Landing<M> {
     /// Holds `n (x - p)` for all images `x`.
     pub fn along(&self, normal: [Ball; 2], point: [Ball; 2]) -> Ball {
-        self.told(normal, point, |_, change| change)
+        self.projected(normal, point, |_, change| change)
     }
 
-    /// The same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15
+    /// Returns the same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15
     pub fn beside(&self, [n, m]: [Ball; 2], point: [Ball; 2], moved: [State; M]) -> Ball {
         let from = |k: usize, change: Ball| {
             let [u, w] = moved[k].map(Ball::exact);
             change - n * u - m * w
         };
-        self.told([n, m], point, from)
+        self.projected([n, m], point, from)
     }
 
     /// `from` makes of what a parameter changes `n x` by what it changes `n (x - p)` by.
-    fn told(&self, [n, m]: [Ball; 2], point: [Ball; 2], from: impl Fn(usize, Ball) -> Ball) -> Ball {
+    fn projected(&self, [n, m]: [Ball; 2], point: [Ball; 2], from: impl Fn(usize, Ball) -> Ball) -> Ball {
         let centre = n * (self.phase - point[0]) + m * (self.speed - point[1]);
         let sheared = n + m * self.slope;
         let change = |[delay, speed]: [Ball; 2]| delay * sheared + m * speed;

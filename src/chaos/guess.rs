@@ -23,10 +23,10 @@ pub(crate) struct Guess {
 /// Where a state is mapped to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Image {
-    /// The phase goes on from that of the start; half a turn is added where the far wall is touched.
+    /// The phase goes on from that of the start; half a forcing period is added where the far wall is touched.
     pub state: State,
     pub side: Side,
-    /// Of phase in turns and speed over `A W`.
+    /// Of phase in forcing periods and speed over `A W`.
     pub jacobian: [[f64; 2]; 2],
     /// How far `D` and `e` move it, each by its radius.
     pub moved: [State; 2],
@@ -39,7 +39,7 @@ impl Guess {
         Self { pair, radii: [law.gap.rad(), law.restitution.rad()] }
     }
 
-    /// The next impact; `None` where none is found, or with no speed.
+    /// Returns the next impact; `None` where none is found, or with no speed.
     pub fn map(&self, [start, speed]: State) -> Option<Image> {
         let Reduced { beta, restitution, .. } = self.pair;
         let whole = start.floor();
@@ -64,7 +64,7 @@ impl Guess {
         Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]], moved })
     }
 
-    /// The direction that so many flights ahead contract most, of length 1 in radians and speeds, its speed not negative.
+    /// Returns the direction that so many flights ahead contract most, of length 1 in radians and speeds, its speed not negative.
     pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = state;

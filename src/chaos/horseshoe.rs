@@ -16,25 +16,25 @@ use crate::Scene;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
 
-/// The most impacts of a word that are accepted.
+/// Greatest accepted number of impacts of a word.
 pub const MOST_DEPTH: u32 = 64;
 
-/// What is asked.
+/// The settings of a search for horseshoes.
 #[derive(Clone, Debug)]
 pub struct Question {
-    /// The most impacts of a word.
+    /// Maximum number of impacts of a word.
     pub depth: usize,
-    /// The bases; found where there are none.
+    /// The h-sets; searched for if empty.
     pub bases: Vec<Base>,
 }
 
-/// Words of a scene's impact map: each sequence of them that fits together is that of a true motion.
+/// Proved covering relations of a scene's impact map, as words: each sequence of words that fits together is that of a true motion.
 ///
-/// **Enclosure**: for every parameter of the pair, and every sequence of words each of which starts in the base that the one
-/// before crosses, there is a motion with these impacts, no other contact between them; a periodic sequence has a periodic
+/// **Enclosure**: for every parameter of the pair, and every sequence of words each of which starts in the h-set that the
+/// one before covers, there is a motion with these impacts, no other contact between them; a periodic sequence has a periodic
 /// motion. Motions of different sequences are different. The topological entropy of the impact map on a compact invariant set
 /// without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
-/// **Cost**: about 10 microseconds a box; where no bases are given, some hundred thousand boxes to find them.
+/// **Cost**: about 10 microseconds per box; if no h-sets are given, some hundred thousand boxes to find them.
 ///
 /// ```
 /// use impact_pair::Scene;
@@ -68,16 +68,16 @@ pub struct Chaos {
     fate: Fate,
 }
 
-/// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
+/// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of parameters.
 const MAKINGS: [Making; 4] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
     Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 },
     Making { longest: 0.01, margin: 1.15, pad: 2e-5, shortest: 1e-6, ahead: 4 },
 ];
-/// Bases are tried with this one.
+/// H-sets are tried with this one.
 const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7, ahead: 4 };
-/// Where none of these leads to any entropy: finer ones, for slow expansion along thin leaves. Bases from everywhere are tried with the last.
+/// Where none of these leads to any entropy: finer ones, for slow expansion along thin leaves. H-sets from everywhere are tried with the last.
 const FINE: [Making; 2] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
@@ -87,13 +87,13 @@ const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
 
 impl Chaos {
-    /// The words of at most so many impacts.
+    /// Returns the words of at most so many impacts.
     ///
-    /// `goes_on` is told the depth and the number of boxes and says whether to go on: what is proved until then stays. Where
-    /// no bases are given and the floating orbit is regular there are none, and so no words.
+    /// `goes_on` receives the depth and the number of boxes, and returns whether to continue; results proved so far
+    /// are kept. If no h-sets are given and the floating-point orbit is regular, there are no words.
     ///
     /// # Errors
-    /// Under several harmonics, when bases overlap each other or their own translates or are not convex, and when a value is beyond the range of flights.
+    /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the range of flights.
     pub fn of(
         pair: &ImpactPair,
         start: &Start,
@@ -120,7 +120,7 @@ impl Chaos {
         Ok(Self { exponent, attractor: orbit.map_or_else(Vec::new, Seen::states), fate, ..proved })
     }
 
-    /// What these bases lead to.
+    /// What these h-sets lead to.
     pub(super) fn proved(
         law: &Law,
         bases: Vec<Base>,
@@ -145,7 +145,7 @@ impl Chaos {
         Self { bases, words, depth, boxes, entropy, exponent, attractor, tubes, fate }
     }
 
-    /// The same of a scene.
+    /// Returns the same of a scene.
     ///
     /// # Errors
     /// As [`Chaos::of`].
@@ -157,64 +157,64 @@ impl Chaos {
         Self::of(scene.pair(), scene.start(), question, goes_on)
     }
 
-    /// The bases, each disjoint from the others.
+    /// Returns the h-sets, each disjoint from the others.
     pub fn bases(&self) -> &[Base] {
         &self.bases
     }
 
-    /// All words that are proved.
+    /// Returns all words that are proved.
     pub fn words(&self) -> &[Word] {
         &self.words
     }
 
-    /// The most impacts of a word, as far as all were looked for.
+    /// Returns the number of impacts up to which all words were searched for.
     pub fn depth(&self) -> usize {
         self.depth
     }
 
-    /// How many boxes were proved to be mapped, or tried.
+    /// Returns the number of boxes mapped.
     pub fn boxes(&self) -> u64 {
         self.boxes
     }
 
-    /// A lower bound of the topological entropy an impact; 0 where none is proved.
+    /// Returns a lower bound of the topological entropy per impact; 0 if none is proved.
     pub fn entropy(&self) -> f64 {
         self.entropy[0]
     }
 
-    /// The same a cycle.
+    /// Returns a lower bound of the topological entropy per forcing period; 0 if none is proved.
     pub fn entropy_a_cycle(&self) -> f64 {
         self.entropy[1]
     }
 
-    /// The Lyapunov exponent of the floating orbit, an impact: seen, not proved.
+    /// Returns the Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub fn exponent(&self) -> Option<f64> {
         self.exponent
     }
 
-    /// The floating orbit.
+    /// Returns the floating-point orbit.
     pub fn attractor(&self) -> &[State] {
         &self.attractor
     }
 
-    /// The middles of the first tubes.
+    /// Returns the middles of the first chains of boxes.
     pub fn tubes(&self) -> &[Vec<State>] {
         &self.tubes
     }
 
-    /// Two blocks, each a sequence of walls and a number of half cycles, that follow one another in any order in the reduced map, with
-    /// as few impacts as there are. Each is written as it starts on the left wall; it is mirrored where it starts on the right one.
+    /// Returns the two blocks with the fewest impacts that can follow one another in any order in the reduced map. A block is a sequence
+    /// of walls and a number of half forcing periods, written as starting on the left wall, and mirrored where it starts on the right one.
     pub fn horseshoe(&self) -> Option<[&Word; 2]> {
         horseshoe(&self.words, self.bases.len())
     }
 
-    /// What is proved of the scene's own orbit: whether it is where the horseshoe is.
+    /// Returns the result for the scene's own orbit: whether it visits the horseshoe.
     pub fn fate(&self) -> &Fate {
         &self.fate
     }
 }
 
-/// Bases for the most entropy that so much effort finds.
+/// H-sets for the most entropy that so much effort finds.
 pub(super) fn bases(
     seen: &Seen,
     law: &Law,
@@ -268,18 +268,18 @@ fn by_impact(search: &Search<'_>) -> f64 {
     entropy(&search.words, search.bases.len(), |path| path.sides.len() as i64) // exact: a length
 }
 
-/// What is wrong with bases, if anything is. Lemma D9
+/// What is wrong with h-sets, if anything is. Lemma D9
 pub(super) fn problem(bases: &[Base]) -> Option<&'static str> {
     if !bases.iter().all(Base::is_convex) {
-        return Some("the bases are not all convex quadrilaterals with their tops on the left from left to right");
+        return Some("the h-sets are not all convex quadrilaterals with their tops on the left from left to right");
     }
     let apart = bases.iter().enumerate().all(|(k, base)| bases[..k].iter().all(|other| base.is_apart(other)));
     if !bases.iter().all(Base::is_apart_from_its_translates) {
         return Some(
-            "a base overlaps its own translate by a forcing period: its states have no phase modulo 2 pi of their own",
+            "an h-set overlaps its own translate by a forcing period: phases modulo 2 pi are not unique in it",
         );
     }
     let near = bases.iter().all(Base::is_near);
     (!(apart && near))
-        .then_some("the bases overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
+        .then_some("the h-sets overlap, or lie beyond phases from -1 to 2, or have speeds that are not positive")
 }

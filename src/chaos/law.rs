@@ -38,7 +38,7 @@ impl Side {
         }
     }
 
-    /// What is added to the phase of an impact on it, in turns.
+    /// What is added to the phase of an impact on it, in forcing periods.
     pub(super) fn shift(self) -> f64 {
         match self {
             Self::Near => 0.0,

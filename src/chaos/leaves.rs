@@ -1,5 +1,5 @@
-//! Bases about clusters of leaves, told from a floating orbit: where an attractor is of bundles of leaves with gaps between,
-//! one base for each bundle.
+//! H-sets about clusters of leaves, measured from a floating-point orbit: where an attractor is of bundles of leaves with gaps between,
+//! one h-set for each bundle.
 //!
 //! Labels: proposes throughout.
 
@@ -18,20 +18,20 @@ pub(super) const LENGTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.08, 0.05];
 pub(super) const BESIDE: [f64; 3] = [0.06, 0.02, 0.006];
 /// The greatest of these that a window sees.
 const SIGHT: [f64; 2] = [1.2 * LENGTHS[0], 2.0 * BESIDE[0]];
-/// Impacts ahead that the contracting direction is told from.
+/// Impacts ahead that the contracting direction is measured from.
 const AHEAD: usize = 12;
 /// So many points of the orbit are judges, and the impacts after them. Fewer leaves tell nothing.
 const JUDGES: usize = 60_000;
 const AFTER: usize = 64;
 const FEWEST: usize = 100;
-/// Leaves are told apart in this part of a base, where they lean no more than that; then they are followed to its ends.
+/// Leaves are distinguished in this part of an h-set, where they lean no more than that; then they are followed to its ends.
 const MIDST: f64 = 0.3;
 const LEAN: f64 = 0.3;
 const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
-/// As one bundle are followed the leaves that are so far in the gaps beside them; the base reaches so far into these.
+/// As one bundle are followed the leaves that are so far in the gaps beside them; the h-set reaches so far into these.
 const BAND: f64 = 0.2;
 const INTO: f64 = 0.1;
-/// In each base so many points are looked at. More than so many in a row make a crossing, if images of neighbours are that near; those
+/// In each h-set so many points are looked at. More than so many in a row make a crossing, if images of neighbours are that near; those
 /// that are so far away make none. A half length is 1.
 const POINTS: usize = 1200;
 const IN_A_ROW: usize = 4;
@@ -70,7 +70,7 @@ fn mean<T>(all: &[T], of: impl Fn(&T) -> f64) -> f64 {
 
 impl Cluster {
     /// Coordinates in which it is from -1 to 1.
-    fn told(&self, [xi, eta, _]: [f64; 3]) -> [f64; 2] {
+    fn in_coordinates(&self, [xi, eta, _]: [f64; 3]) -> [f64; 2] {
         [xi / self.long, (eta - self.middle - self.slope * xi) / self.width]
     }
 }
@@ -80,11 +80,11 @@ impl Window {
         let unit = |direction: State| direction.map(|x| x / length(direction));
         let (along, across) = (unit(along), unit(guess.contracting(centre, AHEAD)?));
         let sine = cross(along, across);
-        let told = |at| [cross(at, across) / sine, cross(along, at) / sine];
+        let in_coordinates = |at| [cross(at, across) / sine, cross(along, at) / sine];
         let point = |&([u, w], direction): &(State, State)| {
             let phase = u - centre[0];
-            let [xi, eta] = told([phase - phase.round(), w - centre[1]]);
-            let [run, rise] = told(direction);
+            let [xi, eta] = in_coordinates([phase - phase.round(), w - centre[1]]);
+            let [run, rise] = in_coordinates(direction);
             [xi, eta, rise / run]
         };
         let all: Vec<[f64; 3]> = seen.points.iter().take(JUDGES).map(point).collect();
@@ -94,29 +94,30 @@ impl Window {
         Some(Self { centre, along, across, all, near })
     }
 
-    /// The base of a cluster.
+    /// Returns the h-set of a cluster.
     pub fn base(&self, cluster: &Cluster) -> Base {
         let at = [0, 1].map(|i| self.centre[i] + cluster.middle * self.across[i]);
         let own = [0, 1].map(|i| cluster.long * (self.along[i] + cluster.slope * self.across[i]));
         Base::new(at, own, self.across.map(|x| x * cluster.width))
     }
 
-    /// The entropy of the words that are seen.
+    /// Returns the entropy of the words that are seen.
     pub fn entropy(&self, clusters: &[Cluster], impacts: usize) -> f64 {
         let words: Vec<Path> = (0..clusters.len()).flat_map(|from| self.words(clusters, from, impacts)).collect();
         entropy(&words, clusters.len(), |word| word.sides.len() as i64)
     }
 
-    /// The words that the orbit's points in one of them are seen to make: in a row, across a base, at one time.
+    /// The words that the orbit's points in one of them are seen to make: in a row, across an h-set, at one time.
     fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
-        let is_inside = |&k: &usize| clusters[from].told(self.all[k]).iter().all(|x| x.abs() < 1.0);
+        let is_inside = |&k: &usize| clusters[from].in_coordinates(self.all[k]).iter().all(|x| x.abs() < 1.0);
         let inside: Vec<usize> = self.near.iter().copied().filter(is_inside).collect();
         let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / POINTS + 1).collect();
         let mut taken = vec![false; inside.len()];
         let mut words = Vec::new();
         for time in 1..=impacts.min(AFTER) {
             for (to, cluster) in clusters.iter().enumerate() {
-                let images: Vec<[f64; 2]> = inside.iter().map(|&k| cluster.told(self.all[k + time])).collect();
+                let images: Vec<[f64; 2]> =
+                    inside.iter().map(|&k| cluster.in_coordinates(self.all[k + time])).collect();
                 for [first, last] in crossings(&images, &taken) {
                     taken[first..last].fill(true);
                     words.push(Path { from, to, sides: vec![Side::Far; time], half_turns: 1 });
@@ -275,7 +276,7 @@ mod tests {
         let (window, bundles): (_, [Vec<[f64; 3]>; 2]) = window();
         let place = |cuts| Place { middle: ([0.78, 1.22], [0.18, 0.08]), long: 0.3, beside: 0.02, cuts };
         let holds = |cluster: &Cluster, [xi, eta, slope]: [f64; 3]| {
-            xi.abs() > 0.3 || cluster.told([xi, eta, slope]).iter().all(|x| x.abs() < 1.0)
+            xi.abs() > 0.3 || cluster.in_coordinates([xi, eta, slope]).iter().all(|x| x.abs() < 1.0)
         };
         let whole = window.clusters(place(0b0)).expect("leaves");
         assert_eq!(whole.len(), 1);

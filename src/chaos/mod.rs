@@ -1,8 +1,8 @@
-//! Chaos, proved: regions that no motion leaves and all cycles in them, and horseshoes with a lower bound of their topological entropy.
+//! Chaos, proved: trapping regions with all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floats propose, in `bases`, `bundles`, `everywhere`, `guess`, `leaves`, `propose` and `trials`; intervals dispose, in `flights`,
+//! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `leaves`, `propose` and `trials`; intervals verify in `flights`,
 //! `tube`, `words`, `trap`, `cycles` and `attracted`.
-//! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in turns and
+//! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15 and D20-D23 of `docs/proofs.md`.
 
 mod attracted;

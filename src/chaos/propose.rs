@@ -1,4 +1,4 @@
-//! The next tube, proposed in doubles: the images of chords, refined where they are stretched and cut where the map jumps.
+//! The next chain of boxes, proposed in doubles: the images of chords, refined where they are stretched and cut where the map jumps.
 //!
 //! Labels: proposes throughout.
 
@@ -8,7 +8,7 @@ use super::quad::{Chord, State};
 use super::tube::{Part, Tube};
 use std::f64::consts::TAU;
 
-/// How tubes are made.
+/// How chains of boxes are made.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Making {
     /// Cells are about as long at most, phases in radians.
@@ -18,11 +18,11 @@ pub(crate) struct Making {
     pub pad: f64,
     /// Parts are not cut below this length.
     pub shortest: f64,
-    /// Impacts ahead that the contracting direction is told from.
+    /// Impacts ahead that the contracting direction is measured from.
     pub ahead: usize,
 }
 
-/// A tube where the image of a stretch may lie.
+/// A chain of boxes where the image of a stretch may lie.
 pub(crate) struct Proposal {
     pub parts: Vec<Part>,
     pub side: Side,
@@ -37,7 +37,7 @@ struct Sample {
     image: Option<Image>,
 }
 
-/// Fewer parts than that are not worth a tube.
+/// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;
 /// Parts of one image that are looked at: where the map contracts to a line (e = 0), none is short enough to be straight.
 const MOST: usize = 1 << 18;
@@ -53,7 +53,7 @@ fn radians([u, w]: State) -> State {
 }
 
 impl Making {
-    /// The tubes that hold the images of a tube, about.
+    /// Returns the chains of boxes that hold the images of a chain of boxes, about.
     pub fn images(&self, guess: &Guess, tube: &Tube) -> Vec<Proposal> {
         let mut parts = Parts { segments: vec![Vec::new()], seen: 0 };
         for cell in 0..tube.cells() {

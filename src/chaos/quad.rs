@@ -2,13 +2,13 @@
 
 use crate::number::{TINY, UNIT, up};
 
-/// A phase in turns, and the speed before the impact over `A W`.
+/// A phase in forcing periods, and the speed before the impact over `A W`.
 pub type State = [f64; 2];
 
-/// The segment across a tube, from its lower to its upper end.
+/// The segment across a chain of boxes, from its lower to its upper end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chord {
-    /// The end on the right, seen along the tube.
+    /// The end on the right, seen along the chain of boxes.
     pub bottom: State,
     /// The end on the left.
     pub top: State,
@@ -31,7 +31,7 @@ pub(super) fn each(f: impl Fn(usize) -> f64) -> State {
 }
 
 impl Quad {
-    /// The rectangle of these radii.
+    /// Returns the rectangle of these radii.
     pub fn rectangle(centre: State, radii: State, floor: f64) -> Self {
         Self { centre, sides: [[radii[0], 0.0], [0.0, radii[1]]], twist: [0.0; 2], slack: [0.0; 2], floor }
     }
@@ -62,7 +62,7 @@ impl Quad {
         }
     }
 
-    /// Bounds of the distances from the centre, if that moves by so much in one or two directions.
+    /// Returns bounds of the distances from the centre, if that moves by so much in one or two directions.
     pub fn radii(&self, moved: &[State]) -> State {
         let by = |i: usize| moved.iter().map(|by| by[i].abs()).sum::<f64>();
         each(|i| up(self.sides[0][i].abs() + self.sides[1][i].abs() + self.twist[i].abs() + self.slack[i] + by(i)))

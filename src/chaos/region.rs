@@ -20,7 +20,7 @@ use crate::pair::ImpactPair;
 ///
 /// **Enclosure**: a motion with one impact in the region has all its later ones there, without end. None comes to rest, none
 /// has infinitely many impacts in a finite time; each flight lasts as long and each impact is as fast as [`Trap::flight`] and
-/// [`Trap::speed`] say, in turns and over `A W`. At a graze both ways to go on are in it. Lemmas D4, D5
+/// [`Trap::speed`] say, in forcing periods and over `A W`. At a graze both continuations are in it. Lemmas D4, D5
 /// **Cost**: about 2 microseconds a box.
 ///
 /// ```
@@ -46,24 +46,24 @@ pub struct Trap {
 /// Why no region is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Untrapped {
-    /// In the finest grid a ball may come to rest, or bounce too little to be told from one that does.
+    /// In the finest grid a ball may come to rest, or bounce too little to be measured from one that does.
     Rest,
-    /// In the finest grid a flight may be longer than 64 turns.
+    /// In the finest grid a flight may be longer than 64 forcing periods.
     Long,
     /// The region still grew after millions of boxes.
     Boxes,
     /// The scene's orbit has no impact that is seen.
     NoImpact,
-    /// It was told to stop.
+    /// It was stopped.
     Interrupted,
 }
 
 impl Untrapped {
-    /// The reason in words.
+    /// Returns the reason in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Rest => "in the finest grid a ball may come to rest",
-            Self::Long => "in the finest grid a flight may last for more than 64 cycles",
+            Self::Long => "in the finest grid a flight may last for more than 64 forcing periods",
             Self::Boxes => "the region still grew after 4 million boxes",
             Self::NoImpact => "the orbit of the scene has no impacts",
             Self::Interrupted => "interrupted",
@@ -78,12 +78,12 @@ const DOUBLINGS: u32 = 7;
 const TRANSIENT: usize = 2000;
 
 impl Trap {
-    /// A region around what attracts the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
+    /// Returns a region around what attracts the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
     ///
-    /// `goes_on` is told the number of boxes and says whether to go on.
+    /// `goes_on` receives the number of boxes and returns whether to continue.
     ///
     /// # Errors
-    /// Under several harmonics, and when a value is beyond the range of double-precision flights.
+    /// With several harmonics, and when a value is beyond the range of double-precision flights.
     pub fn of(
         scene: &Scene,
         finer: u32,
@@ -92,7 +92,7 @@ impl Trap {
         Self::of_pair(scene.pair(), scene.start(), finer, goes_on)
     }
 
-    /// The same of a pair, for all its parameters at once.
+    /// Returns the same of a pair, for all its parameters at once.
     ///
     /// # Errors
     /// As [`Trap::of`].
@@ -146,35 +146,35 @@ impl Trap {
         &self.region
     }
 
-    /// How many boxes it has.
+    /// Returns how many boxes it has.
     pub fn boxes(&self) -> usize {
         self.region.cells.len()
     }
 
-    /// The columns of the grid in a turn, and its rows in a speed of `A W`.
+    /// Returns the columns of the grid in a forcing period, and its rows in a speed of `A W`.
     pub fn grid(&self) -> (i64, f64) {
         (self.region.grid.columns, self.region.grid.rows)
     }
 
-    /// Bounds of the times of all flights, in turns.
+    /// Returns bounds of the times of all flights, in forcing periods.
     pub fn flight(&self) -> [f64; 2] {
         self.flight
     }
 
-    /// Bounds of the speeds before all impacts, over `A W`.
+    /// Returns bounds of the speeds before all impacts, over `A W`.
     pub fn speed(&self) -> [f64; 2] {
         let rows = self.region.cells.keys().map(|&(_, row)| f64::from(row));
         let [low, high] = rows.fold([f64::INFINITY, 0.0], |[a, b], row| [a.min(row), b.max(row + 1.0)]); // D5: the outer ends
         [low / self.region.grid.rows, high / self.region.grid.rows] // exact: a power of two
     }
 
-    /// The impact of the scene's own orbit from which on all are in the region, 0 for its start; `None` if none of the first
+    /// Returns the impact of the scene's own orbit from which on all are in the region, 0 for its start; `None` if none of the first
     /// hundred is proved to be.
     pub fn entered(&self) -> Option<u64> {
         self.entered
     }
 
-    /// Whether all states of a base are proved to be in it. Lemma D13
+    /// Returns whether all states of an h-set are proved to be in it. Lemma D13
     pub fn holds(&self, base: &Base) -> bool {
         let Grid { columns, rows } = self.region.grid;
         let round = [base.left.bottom, base.right.bottom, base.right.top, base.left.top];
@@ -200,7 +200,7 @@ impl Trap {
         across.into_iter().all(|column| up.clone().all(|row| holds(column, row) || is_outside(column, row)))
     }
 
-    /// Its boxes: runs of rows, the first and the last one, by column.
+    /// Returns its boxes: runs of rows, the first and the last one, by column.
     pub fn columns(&self) -> BTreeMap<i32, Vec<(i32, i32)>> {
         let mut rows: BTreeMap<i32, Vec<i32>> = BTreeMap::new();
         for &(column, row) in self.region.cells.keys() {
@@ -243,7 +243,7 @@ impl Region {
     pub(super) fn holds(&self, phase: Ball, speed: Ball) -> Option<bool> {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {
-            // D5: the boxes of both ends, outward; where there are too many nothing is claimed
+            // D5: the boxes of both ends, outward; where there are too many nothing is certified
             let ends = [(x.mid() - x.rad()).next_down() * per, (x.mid() + x.rad()).next_up() * per];
             let [low, high] = ends.map(f64::floor); // D5: the box of an end
             (high - low < 1e3 && high.abs() < 1e15).then_some(low as i64..=high as i64) // exact: small whole numbers

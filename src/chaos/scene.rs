@@ -9,13 +9,13 @@ use crate::orbit::{Impact, Orbit, Place, Settings, Start};
 use crate::pair::{ImpactPair, Wall, within};
 
 /// What a region or a horseshoe is about.
-const WHAT: &str = "the impact map without units, that chaos is proved of";
+const WHAT: &str = "the reduced impact map";
 const RATIO: &str = "pair.gap / excitation.amplitude";
 /// Impacts of the scene's own orbit that are looked at.
 pub(super) const IMPACTS: u64 = 100;
 
 impl Law {
-    /// That of a pair under one harmonic.
+    /// That of a pair with one harmonic.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic(WHAT)?;
         let gap = within(RATIO, pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;

@@ -169,7 +169,7 @@ fn the_shortest_horseshoe_of_figure_14() {
     assert!(cycle <= std::f64::consts::LN_2 && cycle > std::f64::consts::LN_2 - 1e-9);
 }
 
-/// A base that is moved across the leaves, or turned, is crossed no more.
+/// An h-set that is moved across the leaves, or turned, is crossed no more.
 #[test]
 fn moved_bases_lead_to_less() {
     let entropy_of = |change: &dyn Fn(Base) -> Base| by_impact(&words(&figure_14(), &bases().map(change), 3), 3);
@@ -249,7 +249,7 @@ fn scene(amplitude: &str) -> Scene {
     Scene::parse(&changed.join("\n")).unwrap()
 }
 
-/// Lemma D12: one horseshoe for all gaps within a part in 10^4, as an independent trial found with these bases.
+/// Lemma D12: one horseshoe for all gaps within a part in 10^4, as an independent trial found with these h-sets.
 #[test]
 fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
     for part in [1e-6, 1e-5, 1e-4] {
@@ -260,7 +260,7 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
     }
 }
 
-/// Lemma D13: the scene's orbit and the bases are in one region; a base that is moved away is not.
+/// Lemma D13: the scene's orbit and the h-sets are in one region; an h-set that is moved away is not.
 #[test]
 fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
     let question = Question { depth: 3, bases: bases().to_vec() };
@@ -290,8 +290,8 @@ fn a_saddle_is_told_from_an_attractor() {
     assert!(chaos.entropy() > 0.0 && chaos.fate().region.is_none_or(|region| !region.holds_bases));
 }
 
-/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in a base, so entropy (log 2)/16, and none of fewer. No tube
-/// but the finest leads there, nor does any in a base that is moved off the leaves.
+/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No chain of boxes
+/// but the finest leads there, nor does any in an h-set that is moved off the leaves.
 #[test]
 fn slow_expansion_is_proved_by_fine_tubes() {
     let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();
@@ -311,7 +311,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
     assert_eq!([proved(15, 0.0), proved(16, 0.01)], [0.0, 0.0]);
 }
 
-/// D9: a state of a base wider than a turn has two phases there, and would follow two words that are one.
+/// D9: a state of an h-set wider than a forcing period has two phases there, and would follow two words that are one.
 #[test]
 fn r32_a_base_wider_than_a_turn() {
     let chaos = |right: f64| {
@@ -361,7 +361,7 @@ fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
 }
 
 /// Lemma D14: stretches follow one another from end to end, and what is proved of all holds of some: of single values, proved by
-/// themselves with the same bases, or by the orbit of each.
+/// themselves with the same h-sets, or by the orbit of each.
 #[test]
 fn what_holds_of_a_stretch_holds_of_its_values() {
     for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.08", 1, "horseshoe")] {
@@ -391,7 +391,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
     }
 }
 
-/// Where an orbit changes what it converges to, nothing is claimed of a cell that holds the change.
+/// Where an orbit changes what it converges to, nothing is certified of a cell that holds the change.
 #[test]
 fn a_cell_across_a_bifurcation_is_undecided() {
     // The equispaced orbit of two impacts in a cycle is stable at A = 1 and not at A = 9.

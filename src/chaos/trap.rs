@@ -1,4 +1,4 @@
-//! A region that the impact map does not leave, made of boxes: Lemmas D4, D5 of `docs/proofs.md`.
+//! A trapping region, made of boxes: Lemmas D4, D5 of `docs/proofs.md`.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
@@ -9,7 +9,7 @@ use super::law::{Law, Side};
 use super::quad::Quad;
 use crate::number::{Ball, Number};
 
-/// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in turns modulo 1 and speed over `A W`.
+/// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in forcing periods modulo 1 and speed over `A W`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
     /// `M`, even, and `R`.
@@ -23,7 +23,7 @@ pub(crate) type Cell = (i32, i32);
 /// What holds of all flights from a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
-    /// Bounds of the time of flight, in turns.
+    /// Bounds of the time of flight, in forcing periods.
     pub time: [f64; 2],
     /// Which walls may be touched: the near one, the far one.
     pub sides: [bool; 2],
@@ -42,25 +42,25 @@ pub(crate) struct Arrivals {
 /// Why a box is not proved to fly into others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Refusal {
-    /// A ball of the box may come to rest, or bounce too little to be told from one that does.
+    /// A ball of the box may come to rest, or bounce too little to be measured from one that does.
     Rest,
     /// A flight may be longer than is followed.
     Long,
 }
 
-/// Flights of more turns are not followed.
+/// Flights of more forcing periods are not followed.
 const LONGEST: f64 = 64.0;
-/// A box is cut so often to be told from rest.
+/// A box is cut so often to be measured from rest.
 const CUTS: u32 = 6;
 
 impl Grid {
-    /// The boxes that hold a state.
+    /// Returns the boxes that hold a state.
     pub fn cell(&self, phase: f64, speed: f64) -> Cell {
         let column = (phase * self.columns as f64).floor().rem_euclid(self.columns as f64); // proposes: where a region begins
         (column as i32, (speed * self.rows).floor() as i32) // proposes: where a region begins
     }
 
-    /// The rectangle of a box.
+    /// Returns the rectangle of a box.
     pub fn quad(&self, (column, row): Cell) -> Quad {
         let (column, row) = (f64::from(column), f64::from(row));
         // exact: columns and rows are powers of two
@@ -165,7 +165,7 @@ pub(crate) struct Region {
 const MOST: usize = 4_000_000;
 
 impl Region {
-    /// The least region of boxes of this grid that holds a box and is closed, as far as it is seen.
+    /// Returns the least region of boxes of this grid that holds a box and is closed, as far as it is seen.
     ///
     /// `Err` with the reason where it does not close.
     pub fn grow(
@@ -219,11 +219,11 @@ impl Flights {
         let sign = if far { 1.0 } else { -1.0 };
         let rate = view.rate.signed(sign);
         let mut bounds = [(rate.mid() - rate.rad()).next_down(), (rate.mid() + rate.rad()).next_up()];
-        if let Some(told) = self.told_by_phases(if far { self.gap() } else { Ball::exact(0.0) }, low, high) {
-            let told = told.signed(sign);
+        if let Some(velocity) = self.velocity_by_phases(if far { self.gap() } else { Ball::exact(0.0) }, low, high) {
+            let velocity = velocity.signed(sign);
             // D4: both hold the speeds
-            bounds[0] = bounds[0].max((told.mid() - told.rad()).next_down());
-            bounds[1] = bounds[1].min((told.mid() + told.rad()).next_up()); // D4: both hold them
+            bounds[0] = bounds[0].max((velocity.mid() - velocity.rad()).next_down());
+            bounds[1] = bounds[1].min((velocity.mid() + velocity.rad()).next_up()); // D4: both hold them
         }
         bounds[0] = bounds[0].max(0.0); // D4: who comes from inside
         (bounds[0] <= bounds[1]).then_some(bounds)

@@ -1,4 +1,4 @@
-//! What bases lead to, tried with few boxes.
+//! What h-sets lead to, tried with few boxes.
 //!
 //! Labels: proposes throughout.
 
@@ -11,14 +11,14 @@ use super::law::Law;
 use super::propose::Making;
 use super::words::{Base, Search, Tally};
 
-/// How much is tried to find bases.
+/// How much is tried to find h-sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
-    /// Trials: of so many bases, with so many boxes each; those that lead to most entropy stay.
+    /// Trials: of so many h-sets, with so many boxes each; those that lead to most entropy stay.
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
     last: (usize, u64),
-    /// The most bases.
+    /// The most h-sets.
     most: usize,
     /// Whether they are looked for everywhere where saddles lead to none.
     pub everywhere: bool,
@@ -29,17 +29,17 @@ pub(super) const THOROUGH: Effort =
     Effort { trials: &[(64, 2_500), (12, 10_000), (4, 40_000)], last: (12, 150_000), most: 3, everywhere: true };
 pub(super) const ANY: Effort =
     Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, everywhere: false };
-/// Of bases from everywhere.
+/// Of h-sets from everywhere.
 pub(super) const SLOW: Effort =
     Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };
 /// Words of more impacts are not tried.
 pub(super) const DEPTH: usize = 60;
-/// Trials of bundles: of so many, with so many boxes a base each.
+/// Trials of bundles: of so many, with so many boxes an h-set each.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
-/// What a base more has to add, as a factor.
+/// What an h-set more has to add, as a factor.
 const WORTH: f64 = 1.01;
 
-/// How bases are tried.
+/// How h-sets are tried.
 #[derive(Clone, Copy)]
 pub(super) struct Trials<'t> {
     pub law: &'t Law,
@@ -50,7 +50,7 @@ pub(super) struct Trials<'t> {
 }
 
 impl Trials<'_> {
-    /// The entropy that bases lead to with so many boxes.
+    /// The entropy that h-sets lead to with so many boxes.
     fn worth(&self, bases: &[Base], boxes: u64) -> f64 {
         let mut search = Search::new(self.law, bases, self.making);
         search.threads = 1;
@@ -63,7 +63,7 @@ impl Trials<'_> {
         entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
     }
 
-    /// The bases among these bundles that lead to most entropy, and among those that are parted otherwise, as long as they are better;
+    /// Returns the h-sets among these bundles that lead to most entropy, and among those that are parted otherwise, as long as they are better;
     /// `None` if none lead to any.
     pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<Base>> {
         let tried = |bundles: &[Bundle], boxes: u64| {
@@ -90,7 +90,7 @@ impl Trials<'_> {
         (worth > 0.0).then_some(best.bases)
     }
 
-    /// The base that leads with these ones to most entropy.
+    /// The h-set that leads with these ones to most entropy.
     fn one_more(&self, found: &[Base], candidates: &[Base]) -> Option<(f64, Base)> {
         let free = candidates.iter().filter(|base| found.iter().all(|other| base.is_apart(other)));
         let mut tried: Vec<(f64, Base)> = free.map(|&base| (0.0, base)).collect();
@@ -114,7 +114,7 @@ impl Trials<'_> {
         best
     }
 
-    /// The bases among these that lead to most entropy.
+    /// Returns the h-sets among these that lead to most entropy.
     pub fn best(&self, candidates: &[Base]) -> Vec<Base> {
         let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
         while best.1.len() < self.effort.most && (self.goes_on)() {

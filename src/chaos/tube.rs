@@ -17,7 +17,7 @@ pub(crate) struct Tube {
     embedded: Vec<bool>,
 }
 
-/// Normals of a cell's edges: of the bottom, inward; of the top, outward; of its first chord, against the tube.
+/// Normals of a cell's edges: of the bottom, inward; of the top, outward; of its first chord, against the chain of boxes.
 #[derive(Clone, Copy, Debug)]
 struct Normals {
     bottom: [Ball; 2],
@@ -25,7 +25,7 @@ struct Normals {
     chord: [Ball; 2],
 }
 
-/// A part of a cell, along the tube, with the cell of the next tube where its image is about.
+/// A part of a cell, along the chain of boxes, with the cell of the next chain of boxes where its image is about.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub cell: usize,
@@ -36,7 +36,7 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// Whether it begins where another ends, and its image is about in the same cell or in the next one. Lemma D7
+    /// Returns whether it begins where another ends, and its image is about in the same cell or in the next one. Lemma D7
     pub fn follows(&self, other: &Self) -> bool {
         let is_next = self.cell == other.cell + 1 && other.to == 1.0 && self.from == -1.0; // D7: the common chord
         let is_same = self.cell == other.cell && self.from == other.to; // D7: the common cut
@@ -81,7 +81,7 @@ pub(crate) fn edge(from: State, to: State) -> [Ball; 2] {
     [Ball::exact(to[0]) - Ball::exact(from[0]), Ball::exact(to[1]) - Ball::exact(from[1])]
 }
 
-/// The vector a quarter turn to the left.
+/// The vector a quarter period to the left.
 pub(crate) fn left([u, w]: [Ball; 2]) -> [Ball; 2] {
     [-w, u]
 }
@@ -90,7 +90,7 @@ fn dot([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
     a * c + b * d
 }
 
-/// On which side of a directed line a state lies, shifted by whole turns: positive to the left.
+/// On which side of a directed line a state lies, shifted by whole forcing periods: positive to the left.
 pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball {
     let [u, w] = edge(from, state);
     dot(left(edge(from, to)), [u - Ball::exact(turns), w])
@@ -128,7 +128,7 @@ impl Tube {
         self.normals.len()
     }
 
-    /// The chords from one to another as a tube of its own.
+    /// Returns the chords from one to another as a chain of boxes of its own.
     pub fn stretch(&self, from: usize, to: usize) -> Self {
         Self::new(self.chords[from..=to].to_vec())
     }
@@ -172,7 +172,7 @@ impl Tube {
         self.embedded.get(low..=high).is_some_and(|window| window.iter().all(|&is| is))
     }
 
-    /// Whether all states of a part are proved to fly to one wall, and to land around its place in the next tube.
+    /// Returns whether all states of a part are proved to fly to one wall, and to land around its place in the next chain of boxes.
     pub fn is_mapped(&self, law: &Law, guess: &Guess, part: &Part, side: Side, next: &Self) -> bool {
         if !part.is_forward() || !next.is_embedded(part.place) {
             return false;

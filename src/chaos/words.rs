@@ -1,4 +1,4 @@
-//! Words: returns of a base to the bases, proved along tubes. Lemmas D8, D9 of `docs/proofs.md`.
+//! Words: returns of an h-set to the h-sets, proved along chains of boxes. Lemmas D8, D9 of `docs/proofs.md`.
 
 use std::sync::Mutex;
 use std::thread;
@@ -19,18 +19,18 @@ pub struct Base {
     pub right: Chord,
 }
 
-/// A way from one base across another.
+/// A covering relation from one h-set to another.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Path {
     pub from: usize,
     pub to: usize,
     /// Where each flight ends.
     pub sides: Vec<Side>,
-    /// How many half turns it takes.
+    /// How many half periods it takes.
     pub half_turns: i64,
 }
 
-/// A stretch of a tube that has been followed so far.
+/// A stretch of a chain of boxes that has been followed so far.
 struct Run {
     from: usize,
     sides: Vec<Side>,
@@ -55,7 +55,7 @@ pub(crate) struct Search<'s> {
     pub tally: Tally,
     /// How many threads follow runs. With one, what a limit of boxes ends depends on nothing else.
     pub threads: usize,
-    /// The middles of the first tubes, for pictures.
+    /// The middles of the first chains of boxes, for pictures.
     pub shown: Vec<Vec<State>>,
     depth: usize,
 }
@@ -72,14 +72,14 @@ impl Base {
         Self { left: chord(-1.0, sign), right: chord(1.0, sign) }
     }
 
-    /// Whether it is a convex quadrilateral.
+    /// Returns whether it is a convex quadrilateral.
     pub fn is_convex(&self) -> bool {
         let Self { left, right } = self;
         let round = [left.bottom, right.bottom, right.top, left.top];
         (0..4).all(|i| is_positive(side_of(round[i], round[(i + 1) % 4], round[(i + 2) % 4], 0.0)))
     }
 
-    /// The stretches of a tube that cross the base so many turns later, each as two chords. Lemma D8
+    /// The stretches of a chain of boxes that cross the h-set so many forcing periods later, each as two chords. Lemma D8
     fn crossings(&self, tube: &Tube, turns: f64) -> Vec<(usize, usize)> {
         let Self { left, right } = self;
         let mut found = Vec::new();
@@ -127,7 +127,7 @@ impl<'s> Search<'s> {
         Self { law, guess: Guess::new(law), making, bases, runs, words, tally, threads, shown, depth: 0 }
     }
 
-    /// Follows all that is left over one impact more; false when told to stop.
+    /// Follows all that is left over one impact more; false when stopped.
     pub fn deepen(&mut self, goes_on: &(dyn Fn(Tally) -> bool + Sync)) -> bool {
         let queue = Mutex::new(self.runs.iter().enumerate());
         let done = Mutex::new(Vec::new());
@@ -161,7 +161,7 @@ impl<'s> Search<'s> {
         goes_on(self.tally)
     }
 
-    /// One run, one impact further: what crosses a base, and what is left.
+    /// One run, one impact further: what covers an h-set, and what is left.
     fn follow(&self, run: &Run, goes_on: &(dyn Fn() -> bool + Sync)) -> (Vec<Run>, Vec<Path>, Tally) {
         let (mut runs, mut words, mut tally) = (Vec::new(), Vec::new(), Tally::default());
         let mut used = None;

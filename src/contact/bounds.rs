@@ -21,7 +21,7 @@ pub(super) const HOP_SINE_ERROR: f64 = 2.0 * SIN_COS_ERROR + DEPARTURE_ERROR + 4
 /// How far the true start may lie from the doubles of a [`Flight`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Radii {
-    /// of the phase of the start, in turns
+    /// of the phase of the start, in forcing periods
     pub phase: f64,
     /// of `z'` at the start
     pub velocity: f64,
@@ -54,7 +54,7 @@ pub struct Margins {
 }
 
 impl Margins {
-    /// The margins of a pair.
+    /// Returns the margins of a pair.
     pub fn new(pair: &Reduced<Ball>) -> Self {
         let (alpha, beta) = (pair.alpha.mag(), pair.beta.mag());
         let hop = SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT;
@@ -100,14 +100,14 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         Self { flight, pair, radii, drift, tilt }
     }
 
-    /// Whether all the starts are on the wall: a start inside has a radius of its height, even where its double is 0.
+    /// Returns whether all the starts are on the wall: a start inside has a radius of its height, even where its double is 0.
     #[inline(always)]
     pub fn is_on_wall(&self) -> bool {
         // C6: it begins there, exactly; so do the hops of C1.
         self.flight.height == 0.0 && self.radii.height == 0.0
     }
 
-    /// The radius of the start's phase.
+    /// Returns the radius of the start's phase.
     #[inline(always)]
     pub fn phase_radius(&self) -> f64 {
         if WIDE { self.radii.phase } else { 0.0 }
@@ -131,7 +131,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         }
     }
 
-    /// Lemma C1: bounds `|z - computed z|` near the contact, for fixed phase; `time` has passed, `whole` of it whole turns.
+    /// Lemma C1: bounds `|z - computed z|` near the contact, for fixed phase; `time` has passed, `whole` of it whole forcing periods.
     #[inline(always)]
     pub fn height(&self, time: f64, whole: f64, sin: f64, residual: f64) -> f64 {
         let (flight, pair) = (self.flight, self.pair);
@@ -173,20 +173,20 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         SLACK * (terms * per_term + self.radii.velocity + UNIT * (self.speed() + 2.0 * velocity.abs()))
     }
 
-    /// The radius of `beta`.
+    /// Returns the radius of `beta`.
     #[inline(always)]
     pub fn beta_radius(&self) -> f64 {
         self.pair.beta_radius(self.flight.beta)
     }
 
-    /// Bounds `|c - computed c|` over all starts.
+    /// Returns bounds `|c - computed c|` over all starts.
     #[inline(always)]
     pub fn slope(&self) -> f64 {
         let spread = if WIDE { self.tilt * self.radii.phase } else { 0.0 };
         SLACK * (self.drift + self.radii.velocity + spread)
     }
 
-    /// Lemma C4: how far a true critical phase may lie from the computed one, in turns.
+    /// Lemma C4: how far a true critical phase may lie from the computed one, in forcing periods.
     #[inline(always)]
     pub fn critical_phase(&self) -> f64 {
         // |q - computed q| with q = c/beta, |q| <= 1.
@@ -195,7 +195,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         if ratio >= 0.0 { SLACK * (ACOS_ERROR + 0.354 * ratio.sqrt() + 16.0 * UNIT) } else { f64::INFINITY }
     }
 
-    /// Whether [`Bounds::critical_phase`] is below [`NARROW`], without its root and quotient.
+    /// Returns whether [`Bounds::critical_phase`] is below [`NARROW`], without its root and quotient.
     #[inline(always)]
     pub fn is_narrow(&self) -> bool {
         // beta's radius is below the slope; 0.354 sqrt(2^-25) < 2^-13.99, and the rest is below 2^-30.
@@ -203,7 +203,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
     }
 }
 
-/// A generous margin for critical phases, in turns, that most flights need not undercut.
+/// A generous margin for critical phases, in forcing periods, that most flights need not undercut.
 pub(super) const NARROW: f64 = 1.0 / 8192.0;
 
 #[cfg(test)]

@@ -15,11 +15,11 @@ use crate::number::{Ball, Kernel, UNIT, binade, up};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arrival {
     pub target: Target,
-    /// Whole turns.
+    /// Whole forcing periods.
     pub turns: f64,
-    /// Phase of arrival less the whole turns.
+    /// Phase of arrival less the whole forcing periods.
     pub phase: Ball,
-    /// Time since the start, in turns.
+    /// Time since the start, in forcing periods.
     pub time: Ball,
 }
 
@@ -46,7 +46,7 @@ pub(crate) enum Doubt {
     Location,
 }
 
-/// Flights from a wall up to this many turns are bracketed with the departure root divided out; it works to 1/8.
+/// Flights from a wall up to this many forcing periods are bracketed with the departure root divided out; it works to 1/8.
 pub(super) const SHORT: f64 = 0.124;
 
 /// Whether the kernel takes a time, of a flight that ends near its start (Lemma K2).
@@ -68,7 +68,7 @@ struct Root {
 }
 
 impl<const WIDE: bool> Bounds<'_, WIDE> {
-    /// A bracket around a proposed contact of a flight that is no hop (Lemma C3).
+    /// Returns a bracket around a proposed contact of a flight that is no hop (Lemma C3).
     #[inline(always)]
     pub fn bracket(&self, iterate: &Iterate) -> Option<Bracket> {
         let (flight, turns) = (self.flight, iterate.turns);
@@ -80,7 +80,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         is_proved.then_some(bracket)
     }
 
-    /// A bracket `elapsed` turns after the start.
+    /// Returns a bracket `elapsed` forcing periods after the start.
     #[inline(always)]
     pub fn long_bracket(&self, iterate: &Iterate, elapsed: f64) -> (Bracket, bool) {
         let (flight, turns) = (self.flight, iterate.turns);
@@ -98,7 +98,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 
     /// A bracket around the end of a short flight from a wall, `time` after its start.
     ///
-    /// The departure root divided out, the errors are relative to the flight and not to a whole turn.
+    /// The departure root divided out, the errors are relative to the flight and not to a whole forcing period.
     #[inline(never)]
     fn short_bracket(self, target: Target, time: f64) -> Option<Bracket> {
         if !is_near_time(time) {
@@ -108,14 +108,14 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         self.hop_bracket(&iterate, &departure)
     }
 
-    /// A bracket around the end of a hop (Lemma C3).
+    /// Returns a bracket around the end of a hop (Lemma C3).
     #[inline(always)]
     pub fn hop_bracket(&self, iterate: &Iterate, departure: &Departure) -> Option<Bracket> {
         let (bracket, is_proved) = self.near_bracket(iterate, departure);
         is_proved.then_some(bracket)
     }
 
-    /// The same, and whether it is proved.
+    /// Returns the same, and whether it is proved.
     #[inline(always)]
     pub fn near_bracket(&self, iterate: &Iterate, departure: &Departure) -> (Bracket, bool) {
         let Departure { versine, excess, sine } = *departure;
@@ -231,7 +231,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         self.is_on_first_piece(extrema, k, arrival, 0.0)
     }
 
-    /// The same where it is plain: no extremum has to be known more closely.
+    /// Returns the same where it is plain: no extremum has to be known more closely.
     #[inline(always)]
     pub fn is_plainly_first(&self, extrema: &Extrema, k: f64, arrival: &Arrival) -> bool {
         let is_on_piece = self.is_narrow() & self.is_between(extrema, k, arrival, NARROW);

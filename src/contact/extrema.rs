@@ -1,15 +1,15 @@
-//! Where a flight turns: its extrema in closed form.
+//! Where a flight forcing periods: its extrema in closed form.
 //!
 //! `z' = c - beta cos th` vanishes only where `cos th = q = c/beta`: minima at `th = +2 pi p`, maxima at
-//! `th = -2 pi p` modulo a turn, with `2 pi p = acos q`. Between them `z` is monotone, and from one turn to
+//! `th = -2 pi p` modulo a forcing period, with `2 pi p = acos q`. Between them `z` is monotone, and from one turn to
 //! the next both kinds move by the drift `c`. So the first maximum above 1 or minimum below 0 is found by
-//! one division, and a flight of 100,000 turns costs what a short one costs.
+//! one division, and a flight of 100,000 forcing periods costs what a short one costs.
 
 use crate::flight::Flight;
 use crate::number::Trigonometry;
 use crate::pair::Wall;
 
-/// The first maximum and the first minimum of a flight, times in turns after the start.
+/// The first maximum and the first minimum of a flight, times in forcing periods after the start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extrema {
     /// The critical phase `acos(q) / (2 pi)`, in `[0, 1/2]`.
@@ -36,7 +36,7 @@ pub(crate) enum Target {
 }
 
 impl Target {
-    /// The wall, for a flight measured from `near`.
+    /// Returns the wall, for a flight measured from `near`.
     #[inline(always)]
     pub fn wall(self, near: Wall) -> Wall {
         match self {
@@ -53,7 +53,7 @@ impl Target {
         }
     }
 
-    /// The sign of `z'` on arrival.
+    /// Returns the sign of `z'` on arrival.
     #[inline(always)]
     pub fn direction(self) -> f64 {
         match self {
@@ -72,7 +72,7 @@ pub(crate) struct Piece {
 }
 
 impl Extrema {
-    /// The extrema of `flight`, with `q` clamped into [-1, 1].
+    /// Returns the extrema of `flight`, with `q` clamped into [-1, 1].
     #[inline(always)]
     pub fn new<T: Trigonometry>(flight: &Flight<f64>) -> Self {
         let q = (flight.drift / flight.beta).clamp(-1.0, 1.0); // C4: beyond 1 only if nearly monotone
@@ -110,7 +110,7 @@ impl Extrema {
         self.min = (-flight.alpha).mul_add(self.sine, flight.drift.mul_add(self.first_min, base));
     }
 
-    /// The piece of the first contact, as far as floating point can tell; `None` when no wall is reached.
+    /// Returns the piece of the first contact, as far as floating point can tell; `None` when no wall is reached.
     #[inline(always)]
     pub fn first_piece(&self, drift: f64) -> Option<Piece> {
         let (far, near) = (self.max >= 1.0, self.min <= 0.0);
@@ -129,7 +129,7 @@ impl Extrema {
         }
     }
 
-    /// Whether an extremum that decides about `piece` lies within `margin` of its wall.
+    /// Returns whether an extremum that decides about `piece` lies within `margin` of its wall.
     #[inline(always)]
     pub fn is_close(&self, piece: &Piece, drift: f64, margin: f64) -> bool {
         let extremum = match piece.target {
@@ -144,7 +144,7 @@ impl Extrema {
             || self.min.abs() <= margin
     }
 
-    /// When extremum `k = 0` of the target's kind comes, and how long the monotone piece before it lasts.
+    /// Returns when extremum `k = 0` of the target's kind comes, and how long the monotone piece before it lasts.
     #[inline(always)]
     pub fn before(&self, target: Target) -> (f64, f64) {
         match target {

@@ -217,7 +217,7 @@ fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
     }
 }
 
-/// The wall of `target` may be touched with no velocity, at any later time.
+/// The wall of `target` may be touched with zero velocity, at any later time.
 #[cold]
 fn unbracketed(from: Wall, target: Target) -> Undecided {
     Undecided::graze(Some(target.wall(from)))

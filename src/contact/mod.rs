@@ -40,7 +40,7 @@ pub enum Verdict<T> {
 }
 
 impl<T> Verdict<T> {
-    /// What was proved, if it was.
+    /// Returns what was proved, if it was.
     pub fn certified(self) -> Option<T> {
         match self {
             Self::Certified(value) => Some(value),
@@ -52,18 +52,18 @@ impl<T> Verdict<T> {
 /// Why a question stayed open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
-    /// A wall may be touched with no velocity: a graze, or a ball that comes to rest.
+    /// A wall may be touched with zero velocity: a graze, or a ball that comes to rest.
     Graze,
-    /// The set of states has become too wide for one answer.
+    /// The set of states has become too wide to decide.
     Width,
-    /// The width asked for is beyond this arithmetic.
+    /// The width requested is beyond this arithmetic.
     Precision,
     /// The flight is longer than the solver follows, or has no end that it can prove.
     Budget,
 }
 
 impl Reason {
-    /// The word of the orbit JSON.
+    /// Returns the word of the orbit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Graze => "graze",
@@ -81,14 +81,14 @@ pub struct Undecided {
     pub reason: Reason,
     /// The wall that may be touched, when it is one.
     pub wall: Option<Wall>,
-    /// Encloses the first contact, in turns after the start of the flight, where it is proved but not narrowly enough.
+    /// Encloses the first contact, in forcing periods after the start of the flight, where it is proved but not narrowly enough.
     pub contact: Option<Ball>,
     /// No precision will decide it.
     pub(crate) lasting: bool,
 }
 
 impl Undecided {
-    /// A wall may be touched with no velocity: this one, if it is known.
+    /// A wall may be touched with zero velocity: this one, if it is known.
     pub(crate) fn graze(wall: Option<Wall>) -> Self {
         Self { reason: Reason::Graze, wall, contact: None, lasting: false }
     }
@@ -108,20 +108,20 @@ impl Undecided {
         Self { reason: Reason::Width, wall: Some(contact.wall), contact: Some(contact.time), lasting: false }
     }
 
-    /// More digits are asked for than `contact` is known to.
+    /// More digits are requested than `contact` is known to.
     pub(crate) fn precision(contact: &Contact<Ball>) -> Self {
         Self { reason: Reason::Precision, ..Self::width(contact) }
     }
 }
 
-/// A first contact; times in turns, velocities in gaps a turn.
+/// A first contact; times in forcing periods, velocities in gap widths per forcing period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<N> {
     /// The wall that is touched.
     pub wall: Wall,
-    /// Whole turns between the phase of the start and [`Contact::phase`].
+    /// Whole forcing periods between the phase of the start and [`Contact::phase`].
     pub turns: f64,
-    /// The phase on arrival, less the whole turns.
+    /// The phase on arrival, less the whole forcing periods.
     pub phase: N,
     /// `h`: the time since the start.
     pub time: N,
@@ -131,13 +131,13 @@ pub struct Contact<N> {
 
 /// A pair as the certificates of first contacts want it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Court {
+pub(crate) struct PairBounds {
     pub pair: Reduced<Ball>,
     pub centre: Reduced<f64>,
     pub margins: Margins,
 }
 
-impl Court {
+impl PairBounds {
     pub fn new(pair: Reduced<Ball>) -> Self {
         Self { pair, centre: pair.centre(), margins: Margins::new(&pair) }
     }
@@ -150,7 +150,7 @@ impl Court {
 /// was made for, the first contact is on the wall and inside the balls returned, it exists, and no wall is touched
 /// between start and contact. The flight's parameters must be the centres of the pair's.
 /// **Undecided when** the contact or an earlier extremum may be a graze, the departure's direction is not
-/// certain, the drift may be 0, the phase is not within 2 turns of 0, or the radii are too wide for one answer.
+/// certain, the drift may be 0, the phase is not within 2 turns of 0, or the radii are too wide to decide.
 /// **Cost**: one floating solve and about a hundred operations; no allocation.
 ///
 /// ```
@@ -185,7 +185,7 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
     }
 }
 
-/// The first contact of a flight in plain double precision: fast, and proved in no way.
+/// Returns the first contact of a flight in plain double precision: fast, and proved in no way.
 ///
 /// `T` is [`Kernel`] or [`crate::number::Std`]. `None` when no contact is found.
 #[inline]

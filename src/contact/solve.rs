@@ -19,12 +19,12 @@ const MOST_STEPS: u32 = 64;
 /// Newton steps to the end of a hop: each doubles the digits of a guess that is right for short ones.
 const MOST_HOP_STEPS: u32 = 8;
 
-/// Flights longer than this many turns are not followed: the phase kernel ends there.
+/// Flights longer than this many forcing periods are not followed: the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
 
 /// Whether a phase is within 2 turns of 0.
 ///
-/// Lemma C4: mirroring it rounds by at most 2 UNIT then; orbits count whole turns apart.
+/// Lemma C4: mirroring it rounds by at most 2 UNIT then; orbits count whole forcing periods apart.
 #[inline(always)]
 pub(super) fn is_phase(phase: f64) -> bool {
     phase.abs() < 2.0
@@ -34,9 +34,9 @@ pub(super) fn is_phase(phase: f64) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Iterate {
     pub target: Target,
-    /// Whole turns since the phase of the start.
+    /// Whole forcing periods since the phase of the start.
     pub turns: f64,
-    /// The phase of arrival less the whole turns; for a hop the time since the start.
+    /// The phase of arrival less the whole forcing periods; for a hop the time since the start.
     pub at: f64,
     /// `z - target` there.
     pub residual: f64,
@@ -69,7 +69,7 @@ pub(crate) trait Judge {
 pub(crate) enum NoProposal {
     /// The drift is 0: the motion repeats inside the gap for ever.
     NoDrift,
-    /// The ball starts with no velocity and is pressed against its wall.
+    /// The ball starts with zero velocity and is pressed against its wall.
     Rest,
     /// The flight would last longer than [`LONGEST_FLIGHT`].
     TooLong,
@@ -157,7 +157,7 @@ pub(super) fn on_monotone(flight: &Flight<f64>) -> (Search, f64) {
 }
 
 impl Search {
-    /// What is seen here, and whether the next step is as good as exact.
+    /// Returns what is seen here, and whether the next step is as good as exact.
     #[inline(always)]
     pub fn look<T: Trigonometry>(&self, flight: &Flight<f64>) -> (Iterate, bool) {
         let Self { target, turns, at, .. } = *self;
@@ -207,7 +207,7 @@ fn refine<T: Trigonometry>(flight: &Flight<f64>, mut search: Search) -> Iterate 
     }
 }
 
-/// The guess is right for short hops; one of up to a sixteenth of a turn is found from it.
+/// The guess is right for short hops; one of up to a sixteenth of a forcing period is found from it.
 const HOPS: RangeInclusive<f64> = 4.909093465297727e-91..=0.0625;
 
 /// How long a hop lasts if the acceleration stays what it is, where Newton steps from there lead to its end.
@@ -217,7 +217,7 @@ pub(super) fn hop_guess(flight: &Flight<f64>) -> Option<f64> {
     HOPS.contains(&guess).then_some(guess)
 }
 
-/// What is seen `at` turns after the start on a wall, at most an eighth: the departure root divided out.
+/// What is seen `at` forcing periods after the start on a wall, at most an eighth: the departure root divided out.
 #[inline(always)]
 pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, at: f64) -> (Iterate, Departure) {
     let departure = T::departure(at);
@@ -229,20 +229,20 @@ pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, a
 }
 
 impl Iterate {
-    /// Whether it is on a hop: falling, and pressed towards the wall.
+    /// Returns whether it is on a hop: falling, and pressed towards the wall.
     #[inline(always)]
     pub fn is_on_hop(&self) -> bool {
         (self.velocity < 0.0) & (self.sin < 0.0)
     }
 
-    /// Whether a hop's next Newton step is as good as exact: its error, relative to the time, is about `(step/time)^2`.
+    /// Returns whether a hop's next Newton step is as good as exact: its error, relative to the time, is about `(step/time)^2`.
     #[inline(always)]
     pub fn is_last_of_hop(&self) -> bool {
         self.step.abs() <= 2f64.powi(-28) * self.at
     }
 }
 
-/// A return to the wall within an eighth of a turn, while the wall-ward acceleration lasts.
+/// A return to the wall within an eighth of a forcing period, while the wall-ward acceleration lasts.
 #[inline(always)]
 fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, Departure)> {
     let mut at = hop_guess(flight)?;
@@ -268,7 +268,7 @@ pub(super) fn reaches_far(flight: &Flight<f64>, time: f64) -> bool {
     flight.velocity * time >= 1.0
 }
 
-/// The turns to take off a phase: none up to one turn, where the phase itself is as fine.
+/// The turns to take off a phase: none up to one forcing period, where the phase itself is as fine.
 #[inline(always)]
 fn whole_turns(phase: f64) -> f64 {
     if phase.abs() <= 1.0 { 0.0 } else { phase.round() }

@@ -21,7 +21,7 @@ use crate::number::interval::between;
 use crate::number::{Enclosing, Number, Wave};
 use crate::pair::Inward;
 
-/// The first piece, in turns; later ones are at least as long before they are halved.
+/// The first piece, in forcing periods; later ones are at least as long before they are halved.
 const PIECE: f64 = 0.125;
 /// No piece is shorter: the wall is then called grazed.
 const SHORTEST: f64 = 1.0 / (1_u128 << 100) as f64; // exact: a power of two
@@ -34,8 +34,8 @@ const NEWTON_STEPS: usize = 1_000;
 ///
 /// **Equation** (14), (A.2), (A.4), (A.6). **Enclosure**: for every flight with members of these intervals the first
 /// contact is on that wall and in the intervals returned, it exists, and no wall is touched before (Lemma I3).
-/// **Undecided when** a wall may be touched with no velocity ([`Reason::Graze`](super::Reason::Graze); also where the intervals are too wide for
-/// one answer, or the ball may not leave), or after 10,000 pieces ([`Reason::Budget`](super::Reason::Budget)).
+/// **Undecided when** a wall may be touched with zero velocity ([`Reason::Graze`](super::Reason::Graze); also where the intervals are too wide
+/// to decide, or the ball may not leave), or after 10,000 pieces ([`Reason::Budget`](super::Reason::Budget)).
 /// **Cost**: about forty times that of [`super::first_contact`], and more for longer flights.
 ///
 /// ```
@@ -179,7 +179,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A wall may be touched with no velocity, in the shortest piece from here on in which the ball may turn.
+    /// A wall may be touched with zero velocity, in the shortest piece from here on in which the ball may turn.
     fn graze(&self, begin: f64) -> Undecided {
         let (mut piece, mut length) = (between(begin, begin), PIECE);
         while length >= SHORTEST && self.velocity(between(begin, begin + length)).contains(0.0) {
@@ -249,7 +249,7 @@ mod tests {
         }
     }
 
-    /// From a wall: A/d over six decades, quarter turns among the phases, speeds down to a billionth of the box's, or none.
+    /// From a wall: A/d over six decades, quarter periods among the phases, speeds down to a billionth of the box's, or none.
     fn from_walls() -> impl Strategy<Value = Start> {
         let wall = prop_oneof![Just(Wall::Left), Just(Wall::Right)];
         let phase = prop_oneof![4 => -0.5..0.5f64, 1 => (-2..=2i32).prop_map(|k| f64::from(k) / 4.0)];
@@ -263,7 +263,7 @@ mod tests {
         })
     }
 
-    /// From inside, so that the far wall is all but grazed after `h` turns at a phase where the box turns: the height that
+    /// From inside, so that the far wall is all but grazed after `h` forcing periods at a phase where the box forcing periods: the height that
     /// is missed by goes down to nothing.
     fn towards_grazes() -> impl Strategy<Value = Start> {
         let miss = prop_oneof![
@@ -360,7 +360,7 @@ mod tests {
         assert!(Start { phase: 1e-9, ..start }.contact().certified().is_some());
     }
 
-    /// A box that swings by half a gap: a ball left behind at 1/4 touches the far wall half a turn later, with no velocity.
+    /// A box that swings by half a gap: a ball left behind at 1/4 touches the far wall half a forcing period later, with zero velocity.
     #[test]
     fn a_graze_is_named() {
         let start = Start { alpha: 0.5, wall: Wall::Left, height: None, phase: 0.25, velocity: 0.0 };

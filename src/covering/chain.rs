@@ -36,7 +36,7 @@ pub(crate) trait Covering: std::fmt::Debug + Send {
     fn expands(&self) -> bool;
 }
 
-/// A state on a wall: whole turns, the rest of the phase, and the velocity before the impact.
+/// A state on a wall: whole forcing periods, the rest of the phase, and the velocity before the impact.
 pub(crate) type OnWall = (Wall, i64, Ball, Ball);
 
 /// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
@@ -47,11 +47,11 @@ pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     /// The starts within `a`, in units of the curve's parameter.
     fn starts(&self, a: f64) -> Starts;
 
-    /// Proves that all of the starts within `a` come to one wall, so many turns later, transversally; the derivative is that by the
+    /// Proves that all of the starts within `a` come to one wall, so many forcing periods later, transversally; the derivative is that by the
     /// parameter.
     fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
 
-    /// The start on a wall itself, and its phases under several harmonics where they are known exactly.
+    /// The start on a wall itself, and its phases with several harmonics where they are known exactly.
     fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Chain<S: Flying, B> {
     /// The first one has been handed out, but for a chain that has not begun.
     points: Vec<Point>,
     is_begun: bool,
-    /// Nodes that are still asked for.
+    /// Nodes that are still requested.
     left: usize,
     /// Directions were seen to expand as far as was looked ahead, more or less.
     expands: bool,
@@ -72,7 +72,7 @@ pub(crate) struct Chain<S: Flying, B> {
 }
 
 impl<S: Flying> Chain<S, Segment<S::Waves<Ball>>> {
-    /// The chain from an origin, of as many nodes as are asked for; without end where none are told.
+    /// Returns the chain from an origin, of as many nodes as are requested; without end where none are given.
     pub fn from_origin(shaken: Arc<S>, origin: Origin<Ball>, nodes: Option<u64>) -> Self {
         let segment = Segment::new(&*shaken, origin);
         Self::new(shaken, segment, nodes)
@@ -80,7 +80,7 @@ impl<S: Flying> Chain<S, Segment<S::Waves<Ball>>> {
 }
 
 impl<S: Flying, B: Beginning<S>> Chain<S, B> {
-    /// The same from any beginning.
+    /// Returns the same from any beginning.
     pub fn new(shaken: Arc<S>, beginning: B, nodes: Option<u64>) -> Self {
         let left = nodes.and_then(|nodes| usize::try_from(nodes).ok()).unwrap_or(usize::MAX); // exact: more are not counted
         let mut chain = Self {
@@ -118,7 +118,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         Ok(Point::at(&landing, self.beginning.scale(), self.stretched(&landing)))
     }
 
-    /// What the chain begins with.
+    /// Returns what the chain begins with.
     #[cfg(feature = "multiprecision")]
     pub fn beginning(&self) -> &B {
         &self.beginning
@@ -130,7 +130,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         [phase, velocity / self.beginning.scale()]
     }
 
-    /// The number of the last point that this block hands out, and of the last one that it proves: all that is asked for, or a block.
+    /// The number of the last point that this block hands out, and of the last one that it proves: all that is requested, or a block.
     fn goals(&self) -> (usize, usize) {
         // The first point has been handed out, but for a chain that has not begun.
         let last = self.left.saturating_sub(usize::from(!self.is_begun)); // proposes: how far

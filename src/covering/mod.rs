@@ -31,11 +31,11 @@ pub struct Shadowed {
     pub index: u64,
     /// The wall.
     pub wall: Wall,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
-    /// The rest of the phase `(W t + tau) / (2 pi)`, in turns.
+    /// The rest of the phase `(W t + tau) / (2 pi)`, in forcing periods.
     pub phase: Ball,
-    /// The relative velocity `y'` just before the impact, in gaps a turn.
+    /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
     pub velocity: Ball,
 }
 
@@ -58,7 +58,7 @@ pub enum Ending {
 /// **Enclosure**: for all parameters of the scene and every start that it allows there is a start with the same time and place
 /// whose velocity lies in [`Shadow::start`] (with the same velocity and a time in there, where no velocity is left after the
 /// impact) and whose true orbit has the impacts listed, as its first ones and without another contact between: impact `i` is on
-/// that wall, so many turns later, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
+/// that wall, so many forcing periods later, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
 /// the orbit of the given start itself is another. Lemmas F1-F4
 /// **Cost**: two certified flights an impact, and about 2 MB.
 ///
@@ -88,7 +88,7 @@ pub struct Shadow {
 }
 
 impl Shadow {
-    /// The orbit of `pair` near the one from `start`.
+    /// Returns the orbit of `pair` near the one from `start`.
     ///
     /// # Errors
     /// When a value is beyond the range of double-precision flights.
@@ -104,7 +104,7 @@ impl Shadow {
         Ok(Self { clock, chain, nodes, listed: 0 })
     }
 
-    /// The orbit near that of a scene; what is wrong with it is told with its line.
+    /// Returns the orbit near that of a scene; errors have the line in the scene file.
     ///
     /// # Errors
     /// As [`Shadow::new`].
@@ -112,7 +112,7 @@ impl Shadow {
         Self::new(scene.pair(), scene.start()).map_err(|error| scene.located(error, &scene.settings()))
     }
 
-    /// Where the orbit starts: whole turns since the clock's origin, the rest of the phase, and the velocity in gaps a turn, before
+    /// Returns where the orbit starts: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap widths per forcing period, before
     /// the impact for a start on a wall.
     ///
     /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
@@ -121,12 +121,12 @@ impl Shadow {
         (turns, phase, velocity)
     }
 
-    /// Turns phases into times and reduced velocities into velocities.
+    /// Converts phases into times and reduced velocities into velocities.
     pub fn clock(&self) -> &Clock {
         &self.clock
     }
 
-    /// Why no impact follows; `None` while there are more.
+    /// Returns why no impact follows; `None` while there are more.
     pub fn ending(&self) -> Option<&Ending> {
         self.chain.ending().filter(|_| self.nodes.as_slice().is_empty())
     }

@@ -7,7 +7,7 @@ use crate::pair::Wall;
 use crate::shaken::{Flying, Leaving};
 use crate::turns;
 
-/// The directions of a parallelogram, in (phase in turns, velocity / scale).
+/// The directions of a parallelogram, in (phase in forcing periods, velocity / scale).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axes {
     /// The expanding direction.
@@ -32,7 +32,7 @@ pub(crate) struct Node {
     /// Whole turns of the centre and the rest, in `[-1/2, 1/2]`.
     pub turns: i64,
     pub phase: f64,
-    /// Before the impact, in gaps a turn.
+    /// Before the impact, in gap widths per forcing period.
     pub velocity: f64,
     pub axes: Axes,
     pub sides: [f64; 2],
@@ -42,7 +42,7 @@ pub(crate) struct Node {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Landing {
     pub wall: Wall,
-    /// Whole turns, those of a node whose image this may be.
+    /// Whole forcing periods, those of a node whose image this may be.
     pub turns: i64,
     /// The image of the centre: the phase within a radius, the velocity within another after the shear by the slope (Lemma S4).
     pub phase: Ball,
@@ -53,7 +53,7 @@ pub(crate) struct Landing {
 }
 
 impl Landing {
-    /// The landing of flights that left in the turn `from`.
+    /// Returns the landing of flights that left in the forcing period `from`.
     #[inline(always)]
     pub fn new(from: i64, image: &SetContact, jacobian: Sheared<Ball>) -> Result<Self, Undecided> {
         let Contact { wall, turns, .. } = image.all;
@@ -85,7 +85,7 @@ impl Node {
         self.sides[0] * unstable.abs() + self.sides[1] * stable.abs() + TINY
     }
 
-    /// Proves that all flights from the node land on one wall, so many turns later, transversally.
+    /// Proves that all flights from the node land on one wall, so many forcing periods later, transversally.
     #[inline(always)]
     pub fn land<S: Flying>(&self, shaken: &S) -> Result<Landing, Undecided> {
         let Self { wall, turns, .. } = *self;
@@ -116,7 +116,7 @@ fn least(x: Ball) -> f64 {
 }
 
 impl Link {
-    /// The link from a set with these axes that lands so, to a node; `None` on another wall or in another turn.
+    /// Returns the link from a set with these axes that lands so, to a node; `None` on another wall or in another forcing period.
     #[inline(always)]
     pub fn new(from: &Axes, landing: &Landing, to: &Node) -> Option<Self> {
         if (landing.wall, landing.turns) != (to.wall, to.turns) {
@@ -173,7 +173,7 @@ impl Link {
         up(self.tilt * a + self.squeeze * b + self.noise[1] + TINY)
     }
 
-    /// The narrowest node that is covered, about; none where the axes may be parallel.
+    /// Returns the narrowest node that is covered, about; none where the axes may be parallel.
     #[inline(always)]
     pub fn narrowest(&self, sides: [f64; 2]) -> f64 {
         self.width(sides) / self.determinant.0 * (1.0 + 16.0 * UNIT)

@@ -26,7 +26,7 @@ pub(crate) struct Point {
 }
 
 impl Point {
-    /// The point where flights land, the centre's flight coming from a point with this image of its unstable direction.
+    /// Returns the point where flights land, the centre's flight coming from a point with this image of its unstable direction.
     pub fn at(landing: &Landing, scale: f64, unstable: [f64; 2]) -> Self {
         let Landing { wall, turns, phase, velocity, slope, .. } = *landing;
         let [u1, u2] = normalised(unstable);
@@ -63,7 +63,7 @@ impl Point {
         Ok(Self { node, noise, jacobian: [[0.0; 2]; 2], growth: 1.0 })
     }
 
-    /// The same one unit in the last place faster: that counts as noise.
+    /// Returns the same one unit in the last place faster: that counts as noise.
     pub fn moved(&self) -> Self {
         let Node { velocity, axes, .. } = self.node;
         let moved = velocity * (1.0 + f64::EPSILON);

@@ -10,7 +10,7 @@ use crate::number::{Ball, Number};
 use crate::pair::Reduced;
 use crate::shaken::{Flying, Initial, Location, Origin};
 
-/// What starts differ in from the one asked for; all else is as it is asked for.
+/// What starts differ in from the one requested; all else is as it is requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Varied {
     Time,
@@ -18,13 +18,13 @@ pub(crate) enum Varied {
 }
 
 impl Varied {
-    /// The velocity; the time where no velocity is left after the impact. Lemma F3
+    /// Returns the velocity; the time where no velocity is left after the impact. Lemma F3
     pub fn of(pair: &Reduced<Ball>, initial: &Initial<Ball>) -> Self {
         let is_left = initial.place.wall().is_none() || pair.rebound_of(initial.velocity) != Ball::exact(0.0);
         if is_left { Self::Velocity } else { Self::Time }
     }
 
-    /// Its direction, in (phase, velocity).
+    /// Returns its direction, in (phase, velocity).
     #[cfg(feature = "multiprecision")]
     pub fn direction(self) -> [f64; 2] {
         match self {
@@ -34,7 +34,7 @@ impl Varied {
     }
 }
 
-/// Starts near the one asked for, for which it is known what they differ in.
+/// Starts near the one requested, for which it is known what they differ in.
 #[derive(Clone, Debug)]
 pub(crate) struct Starts {
     pub varied: Varied,
@@ -43,7 +43,7 @@ pub(crate) struct Starts {
 }
 
 impl Starts {
-    /// Those that differ by at most `apart`, in turns or in gaps a turn.
+    /// Those that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
     pub fn within(apart: f64, varied: Varied, asked: &Initial<Ball>) -> Self {
         let Initial { phase, velocity, .. } = *asked;
         let bounds = match varied {
@@ -57,7 +57,7 @@ impl Starts {
 /// Starts that differ from a given one in the velocity alone; in the time alone where no velocity is left after the impact.
 #[derive(Debug)]
 pub(crate) struct Segment<W> {
-    /// The start asked for.
+    /// The requested start.
     initial: Initial<Ball>,
     varied: Varied,
     /// The state that flights are followed from.
@@ -68,7 +68,7 @@ pub(crate) struct Segment<W> {
 }
 
 impl<W> Segment<W> {
-    /// The segment around the start of a motion that is followed from an origin.
+    /// Returns the segment around the start of a motion that is followed from an origin.
     pub fn new<S: Flying<Waves<Ball> = W>>(shaken: &S, origin: Origin<Ball>) -> Self {
         let initial = origin.initial();
         let varied = Varied::of(shaken.pair(), &initial);
@@ -78,7 +78,7 @@ impl<W> Segment<W> {
         Self { initial, varied, origin, waves, scale }
     }
 
-    /// `a` in turns, or in gaps a turn.
+    /// `a` in forcing periods, or in gap widths per forcing period.
     fn apart(&self, a: f64) -> f64 {
         match self.varied {
             Varied::Time => a,
@@ -168,7 +168,7 @@ mod tests {
     }
 
     /// By (11), `dt1/dv0 = -(t1 - t0)/v1` of the flight from `t0 = 1/3`, which mpmath has end at 0.62232607566923914 with
-    /// 21.460093619252802; by (12), `dv1/dv0 = 1` at a fixed time. A turn takes 2, so that a gap a turn is a velocity of `d/2`.
+    /// 21.460093619252802; by (12), `dv1/dv0 = 1` at a fixed time. A turn takes 2, so that a gap a forcing period is a velocity of `d/2`.
     #[test]
     fn r32_the_derivative_by_the_start_is_that_of_the_flight_from_the_time_of_the_scene() {
         let (one, origin) = followed();

@@ -14,7 +14,7 @@ use crate::periodic::bifurcation::{Branch, Diagram, End, Over, Point, Unproved};
 /// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
 ///
 /// # Errors
-/// When a value is beyond what exact expressions hold.
+/// If a value exceeds the range of exact expressions.
 pub fn bifurcations(
     start: &Start,
     (word, cycles): (&Word, u32),

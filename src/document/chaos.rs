@@ -1,4 +1,4 @@
-//! The JSON of regions that the motion does not leave, and of chaos.
+//! The JSON of trapping regions and of chaos.
 
 use std::f64::consts::TAU;
 use std::iter;
@@ -18,10 +18,10 @@ use crate::pair::{Wall, within};
 use crate::periodic::bifurcation::Over;
 use crate::{Error, Scene};
 
-/// Bits that bounds are told in.
+/// Bits that bounds are given in.
 const BITS: u32 = 96;
 
-/// What the bounds of a region are told in: the period \[time\] and the greatest speed of the box \[length/time\].
+/// What the bounds of a region are given in: the period \[time\] and the greatest speed of the box \[length/time\].
 fn units(scene: &Scene) -> Result<[Enclosure; 2], Error> {
     let reference = scene.pair().excitation().reference();
     let (amplitude, frequency) = (reference.amplitude(), reference.frequency());
@@ -31,14 +31,14 @@ fn units(scene: &Scene) -> Result<[Enclosure; 2], Error> {
     Ok([period, speed].map(|unit| unit.enclose(BITS)))
 }
 
-/// A region of a scene.
+/// Returns a region of a scene.
 ///
 /// # Errors
-/// When a value is beyond what exact expressions hold.
+/// If a value exceeds the range of exact expressions.
 pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
     let [period, fastest] = units(scene)?;
-    let told = |[low, high]: [f64; 2]| Enclosure::from_f64_bounds(low, high).expect("finite bounds in order");
-    let (flight, speed) = (told(trap.flight()), told(trap.speed()));
+    let bounds_text = |[low, high]: [f64; 2]| Enclosure::from_f64_bounds(low, high).expect("finite bounds in order");
+    let (flight, speed) = (bounds_text(trap.flight()), bounds_text(trap.speed()));
     let (columns, rows) = trap.grid();
     let runs = trap.columns().into_iter();
     Ok(TrapDocument {
@@ -62,12 +62,12 @@ pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
     })
 }
 
-/// The bounds of a document as text.
-pub fn told([low, high]: &[Decimal; 2]) -> String {
+/// Returns the bounds of a document as text.
+pub fn bounds_text([low, high]: &[Decimal; 2]) -> String {
     format!("{} to {}", low.text(), high.text())
 }
 
-/// What is proved of a scene's chaos, over a range of a parameter if one is given.
+/// Returns the chaos document of a scene, over a range of a parameter if given.
 pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Chaos) -> ChaosDocument {
     ChaosDocument {
         schema: CHAOS_SCHEMA.to_owned(),
@@ -126,7 +126,7 @@ fn period(word: &Word, cycles: u32) -> PeriodDocument {
     PeriodDocument { word: word.to_string(), impacts: word.mappings().len() as u32, cycles }
 }
 
-/// What is proved of each value of a parameter.
+/// Returns the verdicts over a range of a parameter.
 pub fn cells(scene: &Scene, asked: &Asked, cells: &Cells) -> ChaosCellsDocument {
     let width = |stretch: &Stretch| {
         let [low, high] = [&stretch.low, &stretch.high].map(|end| end.enclose(BITS).mid_rad().0);
@@ -209,7 +209,7 @@ fn base(base: &Base) -> BaseDocument {
     }
 }
 
-/// The bases of a document.
+/// Returns the h-sets of a document.
 pub fn bases(document: &[BaseDocument]) -> Vec<Base> {
     document.iter().map(of_document).collect()
 }

@@ -1,4 +1,4 @@
-//! How an orbit ended, as a document, whose line in words follows from its fields.
+//! Outcome of an orbit as a document, whose message follows from its fields.
 
 pub use impact_pair_document::counted;
 use impact_pair_document::{Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
@@ -18,7 +18,7 @@ pub struct Conclusion {
 }
 
 impl Conclusion {
-    /// The conclusion of an orbit that has ended; that of an interrupted one otherwise. `last` is its last event.
+    /// Returns the conclusion of an orbit that has ended; that of an interrupted one otherwise. `last` is its last event.
     pub fn of(orbit: &Orbit, start: &Start, last: Option<&Event>) -> Self {
         let plain = OutcomeDocument {
             kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
@@ -28,7 +28,7 @@ impl Conclusion {
             epsilon: orbit.shadow().and_then(|shadow| shadow.nearness).map(epsilon),
             ..OutcomeDocument::default()
         };
-        let decided = |document: OutcomeDocument| Self { document: document.told(), reason: None };
+        let decided = |document: OutcomeDocument| Self { document: document.with_message(), reason: None };
         match orbit.outcome() {
             Some(Outcome::ImpactsReached | Outcome::TimeReached | Outcome::NeverImpacts) => decided(plain),
             Some(Outcome::Periodic(period)) => decided(OutcomeDocument { period: Some(*period), ..plain }),
@@ -46,7 +46,7 @@ impl Conclusion {
             Some(Outcome::RestsForever(wall)) => decided(OutcomeDocument { wall: Some(*wall), ..plain }),
             Some(Outcome::Undecided { reason, wall, time }) => {
                 let document = undecided(plain, *reason, time);
-                Self { document: OutcomeDocument { wall: *wall, ..document }.told(), reason: Some(*reason) }
+                Self { document: OutcomeDocument { wall: *wall, ..document }.with_message(), reason: Some(*reason) }
             }
             None => {
                 let time = last.map_or_else(|| enclosed(start.time()), |event| event.time.enclosure().clone());
@@ -57,17 +57,17 @@ impl Conclusion {
         }
     }
 
-    /// One line in words.
+    /// Returns the message.
     pub fn message(&self) -> &str {
         &self.document.message
     }
 
-    /// Why it is undecided, if it is.
+    /// Returns why it is undecided, if it is.
     pub fn reason(&self) -> Option<Reason> {
         self.reason
     }
 
-    /// The `outcome` of the orbit JSON.
+    /// Returns the `outcome` of the orbit JSON.
     pub fn document(&self) -> OutcomeDocument {
         self.document.clone()
     }

@@ -9,10 +9,10 @@ use crate::chaos::{Cycle, Cycles, Untrapped};
 use crate::periodic::Region;
 use crate::{Error, Scene};
 
-/// The cycles of so many impacts that are proved of a scene, or why none is.
+/// Returns the cycles document of a scene, or the reason why no region is proved.
 ///
 /// # Errors
-/// When a value is beyond what exact expressions hold.
+/// If a value exceeds the range of exact expressions.
 pub fn cycles(
     scene: &Scene,
     asked: &RangeInclusive<u32>,

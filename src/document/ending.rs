@@ -1,4 +1,4 @@
-//! How a run ended, in one line for people, and whether that is all that was asked.
+//! The last line of a table: the outcome, and whether everything requested is certified.
 
 use std::fmt;
 
@@ -9,15 +9,15 @@ use super::orbit::{arithmetic, is_certified};
 use crate::contact::Reason;
 use crate::orbit::{Arithmetic, Orbit, Settings, VERDICT_BITS};
 
-/// The conclusion of an orbit, seen against what was asked.
+/// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
     /// How it ended.
     pub conclusion: Conclusion,
-    /// What computed the orbit, as the orbit JSON says it.
+    /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
-    /// The first impact whose enclosure is wider than the digits asked for.
+    /// The first impact whose enclosure is wider than the requested digits.
     pub wide: Option<u64>,
-    /// What was asked.
+    /// The request.
     pub settings: &'s Settings,
     /// The most bits that it was computed with.
     pub bits: u32,
@@ -30,7 +30,7 @@ impl<'s> Ending<'s> {
         Self { conclusion, computed, wide, settings, bits }
     }
 
-    /// Whether all that was asked is certified, or in `float`, where no proof is asked for, computed.
+    /// Returns whether everything requested is certified, or with `float` computed.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }
@@ -43,7 +43,7 @@ impl<'s> Ending<'s> {
                 Some("try fewer --digits or more --max-bits")
             }
             (Arithmetic::Auto, Some(Reason::Precision)) => {
-                Some("try fewer --digits, or --arithmetic interval, which goes on with wider enclosures")
+                Some("try fewer --digits, or --arithmetic interval, which continues with wider enclosures")
             }
             (Arithmetic::Bits(VERDICT_BITS..), _) => None,
             (Arithmetic::Interval | Arithmetic::Inari | Arithmetic::Bits(_), _)
@@ -58,7 +58,7 @@ impl<'s> Ending<'s> {
             }
             // Of intervals more bits were not tried.
             (Arithmetic::Auto, Some(Reason::Graze)) if self.bits >= VERDICT_BITS => {
-                Some("8192 bits do not tell; try --arithmetic with more, such as 65536")
+                Some("8192 bits do not decide; try --arithmetic with more, such as 65536")
             }
             (Arithmetic::Auto, None) if self.wide.is_some() => {
                 Some("try fewer --digits, or narrower intervals in the scene")

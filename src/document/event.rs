@@ -21,11 +21,11 @@ pub struct Event {
     pub wall: Wall,
     /// When \[time\].
     pub time: Bounds,
-    /// What happens.
+    /// Kind of an event.
     pub kind: Kind,
 }
 
-/// What happens at an event.
+/// The kind of an event, with its data.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// The ball hits the wall.
@@ -36,7 +36,7 @@ pub enum Kind {
         /// The relative velocity `y'` just before the impact \[length/time\].
         velocity: Bounds,
     },
-    /// The wall is touched with no velocity, or nearly so, or nearly touched.
+    /// The wall is touched with zero velocity, or nearly so, or nearly touched.
     Graze,
     /// The ball comes to rest on the wall.
     Rest {
@@ -48,7 +48,7 @@ pub enum Kind {
 }
 
 impl Event {
-    /// The event of an impact of `orbit`.
+    /// Returns the event of an impact of `orbit`.
     pub fn new(orbit: &Orbit, impact: &Impact) -> Self {
         let (time, velocity) = orbit.bounds(impact);
         let Impact { index, mapping, wall, .. } = *impact;
@@ -56,7 +56,7 @@ impl Event {
         Self { index, wall, time: Bounds::of(orbit, time), kind: Kind::Impact { mapping, velocity } }
     }
 
-    /// The event that `progress` of `orbit` is, after `index` impacts, if it is one.
+    /// Returns the event that `progress` of `orbit` is, after `index` impacts, if it is one.
     pub fn of(orbit: &Orbit, progress: &Progress, index: u64) -> Option<Self> {
         let (wall, time, kind) = match progress {
             Progress::Impact(impact) => return Some(Self::new(orbit, impact)),
@@ -70,7 +70,7 @@ impl Event {
         Some(Self { index, wall, time: Bounds::of(orbit, time), kind })
     }
 
-    /// The relative velocity `y'` just before the impact \[length/time\], if it is one.
+    /// Returns the relative velocity `y'` just before the impact \[length/time\], if it is one.
     pub fn velocity(&self) -> Option<&Bounds> {
         match &self.kind {
             Kind::Impact { velocity, .. } => Some(velocity),
@@ -78,7 +78,7 @@ impl Event {
         }
     }
 
-    /// The word of the orbit JSON.
+    /// Returns the word of the orbit JSON.
     pub fn name(&self) -> EventName {
         match self.kind {
             Kind::Impact { .. } => EventName::Impact,
@@ -117,9 +117,9 @@ pub struct Events<'o> {
 }
 
 impl Orbit {
-    /// The events that are still to come: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
+    /// Returns an iterator over the following events: impacts, grazes, rests, releases, each with its bounds in the units of the scene.
     ///
-    /// What they enclose, and what it costs, is that of the orbit; how it ended is told by [`Orbit::outcome`] afterwards.
+    /// Enclosures and costs are those of the orbit; afterwards [`Orbit::outcome`] has its outcome.
     ///
     /// ```
     /// use impact_pair::Scene;
@@ -182,12 +182,12 @@ impl From<&Event> for EventDocument {
     }
 }
 
-/// What is known of a number.
+/// A number: exact, enclosed, or computed.
 #[derive(Clone, Debug)]
 pub enum Bounds {
     /// It is proved to lie in here.
     Certified(Enclosure),
-    /// It was computed to be about this; nothing is claimed.
+    /// A computed approximation, not certified.
     Float(Enclosure),
 }
 
@@ -197,13 +197,13 @@ impl Bounds {
         if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
     }
 
-    /// What it is known by.
+    /// Returns the number.
     pub fn enclosure(&self) -> &Enclosure {
         let (Self::Certified(x) | Self::Float(x)) = self;
         x
     }
 
-    /// The lower and the upper bound, rounded outward; of a float, the shortest decimal of the double twice.
+    /// Returns the lower and the upper bound, rounded outward; of a float, the shortest decimal of the double twice.
     pub fn decimals(&self) -> [String; 2] {
         match self {
             Self::Certified(x) => decimal_bounds(x),

@@ -1,4 +1,4 @@
-//! What is computed, made into the documents of [`crate::json`], and into words.
+//! Results as documents of [`crate::json`], and as text.
 
 mod bifurcation;
 mod chaos;
@@ -11,7 +11,7 @@ mod periodic;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
-pub use chaos::{bases, cells, chaos, told, trap};
+pub use chaos::{bases, bounds_text, cells, chaos, trap};
 pub use conclusion::{Conclusion, counted};
 pub use cycles::cycles;
 pub use ending::Ending;

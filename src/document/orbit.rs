@@ -1,4 +1,4 @@
-//! The orbit JSON: whose orbit it is, what computed it, and whether that proves anything.
+//! The orbit JSON.
 
 use std::ops::ControlFlow;
 
@@ -10,7 +10,7 @@ use super::{Conclusion, Event};
 use crate::orbit::{Arithmetic, Orbit, Settings, Start};
 use crate::{Error, ImpactPair};
 
-/// The orbit of `pair` from `start`, followed to its end, as a document.
+/// Returns the orbit of `pair` from `start`, followed to its end, as a document.
 ///
 /// # Errors
 /// As [`Orbit::new`].
@@ -44,7 +44,7 @@ pub fn orbit(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Orb
     })
 }
 
-/// The orbit JSON without its outcome and its events: whose orbit it is, and what certifies it.
+/// Returns the head of the orbit JSON: scene, program and arithmetic.
 ///
 /// `computed` is what [`arithmetic`] says of it when it has ended, or [`ArithmeticDocument::asked`] before.
 pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: ArithmeticDocument) -> OrbitHead {
@@ -58,7 +58,7 @@ pub fn head(pair: &ImpactPair, start: &Start, arithmetic: Arithmetic, computed: 
     }
 }
 
-/// What computed an orbit: `float`, `interval` or `inari` with 53 bits, `multiprecision` with those of its first impact, or `shadow`.
+/// Returns the arithmetic of an orbit: `float`, `interval` or `inari` with 53 bits, `multiprecision` with those of its first impact, or `shadow`.
 pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
     let kind = match (orbit.arithmetic(), orbit.bits()) {
         (Arithmetic::Shadow, _) if orbit.shadow().is_some() => return ArithmeticDocument::shadow(),
@@ -70,7 +70,7 @@ pub fn arithmetic(orbit: &Orbit) -> ArithmeticDocument {
     ArithmeticDocument::computed(kind, orbit.bits())
 }
 
-/// Whether the arithmetic proves what it computes.
+/// Returns whether the arithmetic is rigorous.
 pub fn is_certified(arithmetic: Arithmetic) -> bool {
     match arithmetic {
         Arithmetic::Float => false,

@@ -13,7 +13,7 @@ use crate::periodic::{
 };
 use crate::{Error, turns};
 
-/// The units that periodic orbits are told in: those of a pair.
+/// The units that periodic orbits are given in: those of a pair.
 #[derive(Clone, Debug)]
 pub struct Units {
     /// `W d / (2 pi)`
@@ -21,10 +21,10 @@ pub struct Units {
 }
 
 impl Units {
-    /// The units of `pair`.
+    /// Returns the units of `pair`.
     ///
     /// # Errors
-    /// When `W d` is beyond what exact expressions hold.
+    /// If `W d` exceeds the range of exact expressions.
     pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
         let turn = Exact::pi() * Exact::from(2);
         let speed = pair
@@ -36,17 +36,17 @@ impl Units {
         Ok(Self { speed: within("pair.gap", pair.gap(), speed)? })
     }
 
-    /// A velocity \[length/time\] given in gaps a turn.
+    /// Returns a velocity \[length/time\] given in gap widths per forcing period.
     pub fn velocity(&self, velocity: &Enclosure, bits: u32) -> Enclosure {
         velocity.mul(&self.speed.enclose(bits + 64), bits + 64)
     }
 
-    /// An orbit in these units.
+    /// Returns an orbit in these units.
     pub fn measured(&self, orbit: &PeriodicOrbit) -> MeasuredOrbit {
         measured(orbit, |velocity| self.velocity(velocity, orbit.bits))
     }
 
-    /// The document of what is found of a problem; `start` only names the scene.
+    /// Returns the document of the orbits of a problem; `start` only names the scene.
     pub fn document(&self, problem: &Problem, start: &Start, census: &Census) -> PeriodicDocument {
         let region = |region: &Region| {
             let impact = |impact: &PeriodicImpact| PeriodicImpactDocument {
@@ -85,12 +85,12 @@ impl Units {
     }
 }
 
-/// The turn that an impact is in, where it is told: flights that differ by whole common periods differ in nothing else.
+/// The turn that an impact is in, where it is given: flights that differ by whole common periods differ in nothing else.
 fn cycle(problem: &Problem, impact: &PeriodicImpact) -> Option<i64> {
     (problem.chain().cycles() > problem.period()).then(|| impact.cycle())
 }
 
-/// An orbit in the units that `velocity` turns gaps a turn into.
+/// An orbit in the units that `velocity` forcing periods gap widths per forcing period into.
 pub(super) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> MeasuredOrbit {
     let impact = |impact: &PeriodicImpact| measured_impact(impact, (orbit.bits, orbit.period), &velocity);
     MeasuredOrbit {

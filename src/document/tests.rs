@@ -48,7 +48,7 @@ fn brackets(bounds: &Value, ball: Ball, map: impl Fn(BigRational) -> BigRational
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
-    /// With W = pi a time is 2 (turns + phase) and a velocity d/2 of a reduced one: rational, so exactly comparable.
+    /// With W = pi a time is 2 (forcing periods + phase) and a velocity d/2 of a reduced one: rational, so exactly comparable.
     #[test]
     fn printed_bounds_hold_the_balls_they_come_from(amplitude in 0.0..12.0f64, velocity in -20.0..0.0f64, inside in any::<bool>()) {
         let start = if inside { "position = 0.3" } else { "wall = \"left\"" };

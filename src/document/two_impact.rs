@@ -12,7 +12,7 @@ use crate::orbit::Start;
 use crate::pair::Wall;
 use crate::two_impact::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unknown};
 
-/// An answer, its impacts listed from `wall`; `start` only names the scene.
+/// Returns an answer, its impacts listed from `wall`; `start` only names the scene.
 pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocument {
     let question = answer.question();
     let unknown = question.unknown();
@@ -31,7 +31,7 @@ pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocume
     }
 }
 
-/// The word of the orbit whose listed impacts begin on this wall: its first mapping, the right-most, leads to it.
+/// Returns the word of the orbit whose listed impacts begin on this wall: its first mapping, the right-most, leads to it.
 ///
 /// Both words are the same motion.
 pub fn word(wall: Wall) -> &'static str {
@@ -47,7 +47,7 @@ fn orbit(orbit: &Orbit, unknown: &Unknown, wall: Wall) -> PeriodicOrbitDocument 
         sine: Some(orbit.sine.map(|sine| sign(sine).to_owned())),
         amplitude: matches!(unknown, Unknown::Amplitude(_)).then(|| bounds(&orbit.amplitude)),
         gap: matches!(unknown, Unknown::Gap(_)).then(|| bounds(&orbit.gap)),
-        ..periodic_orbit(&orbit.measured.told_from(wall))
+        ..periodic_orbit(&orbit.measured.listed_from(wall))
     }
 }
 
@@ -59,7 +59,7 @@ fn sign(of: Ordering) -> &'static str {
     }
 }
 
-/// The manifolds of one range, maybe `interrupted` before all were there; `start` only names the scene.
+/// Returns the parameter manifolds of one range, possibly `interrupted`; `start` only names the scene.
 pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold], interrupted: bool) -> ManifoldDocument {
     let axis = range.axis;
     let curve = |curve: &Manifold| CurveDocument {

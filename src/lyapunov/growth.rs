@@ -80,7 +80,7 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// The unit matrix.
+    /// Returns the unit matrix.
     ///
     /// Where `is_dead`, `e = 0`: every Jacobian maps the direction of the velocity to 0, as its second column is `-e`
     /// times something.
@@ -110,7 +110,7 @@ impl Growth {
         true
     }
 
-    /// How many matrices have been multiplied.
+    /// Returns how many matrices have been multiplied.
     pub fn matrices(&self) -> u64 {
         self.matrices
     }
@@ -141,7 +141,7 @@ mod tests {
     use super::*;
     use crate::tolerances::{NORM_OF_PRODUCT, NORM_OF_THOUSAND};
 
-    /// `ln` of the norm by floats.
+    /// `ln` of the norm by floating point.
     fn norm([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
         let (squares, determinant) = (a * a + b * b + c * c + d * d, a * d - b * c);
         (0.5 * (squares + (squares * squares - 4.0 * determinant * determinant).sqrt())).ln() / 2.0

@@ -17,9 +17,9 @@ pub use growth::Growth;
 pub enum Exponent {
     /// `ln |DP^n|` divided by the impacts, and by the cycles, that the `n` flights take. Lemma L3
     Finite {
-        /// For an impact.
+        /// Per impact.
         per_impact: Ball,
-        /// For a cycle of the excitation.
+        /// Per forcing period.
         per_cycle: Ball,
     },
     /// The ball comes to rest: all disturbances are forgotten, the derivative is 0, the exponent minus infinity.
@@ -35,14 +35,14 @@ pub enum Unknown {
     NoImpacts,
     /// At a graze the map has no derivative; it may have been a miss.
     Graze,
-    /// The ball rests where nothing presses it to the wall: some that start nearby leave.
+    /// The ball rests with zero contact force: some nearby motions leave.
     Unpressed,
     /// The states are known too coarsely.
     Width,
 }
 
 impl Unknown {
-    /// Whether there is none, proved; otherwise it could not be found.
+    /// Returns whether there is none, proved; otherwise it could not be found.
     pub fn is_definite(self) -> bool {
         match self {
             Self::NoImpacts | Self::Unpressed => true,
@@ -51,7 +51,7 @@ impl Unknown {
         }
     }
 
-    /// A word for it.
+    /// Returns its name in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoImpacts => "no-impacts",
@@ -74,17 +74,17 @@ pub struct Disturbance {
     rate: Option<[Ball; 2]>,
     /// The growth is not known any more: it will not matter if a rest follows.
     is_lost: bool,
-    /// What is known without the growth, once that is so.
+    /// The result that no longer depends on the growth, if any.
     settled: Option<Exponent>,
 }
 
 impl Disturbance {
-    /// A disturbance of the state at the orbit's start, or, in the gap, at its first impact; before it is advanced.
+    /// Returns a disturbance of the state at the orbit's start, or, in the gap, at its first impact; before it is advanced.
     pub fn of(orbit: &Orbit) -> Self {
         Self::new(orbit, orbit.start_impact())
     }
 
-    /// A disturbance of the state at an impact.
+    /// Returns a disturbance of the state at an impact.
     pub fn at(orbit: &Orbit, impact: Impact) -> Self {
         Self::new(orbit, Some(impact))
     }
@@ -95,8 +95,8 @@ impl Disturbance {
         Self { growth, restitution, last, turns: Ball::exact(0.0), rate: None, is_lost: false, settled: None }
     }
 
-    /// The same told in the turns of another harmonic, so many in one of the fastest: cycles are its turns, and (A.7) has times in turns
-    /// of it and velocities in gaps a turn of it. Before it is followed.
+    /// Returns the growth in periods of another harmonic, of which a given number are one period of the fastest: (A.7) then has times in these
+    /// of it and velocities in gap widths per forcing period of it. Before it is followed.
     #[must_use]
     pub fn in_turns_of(self, rate: Option<Ball>) -> Self {
         Self { rate: rate.map(|rate| [rate, rate * rate]), ..self }
@@ -120,7 +120,7 @@ impl Disturbance {
         let Some(last) = self.last.replace(impact.clone()) else { return };
         let turns = orbit.turns_between(&last, impact);
         self.turns = self.turns + self.rate.map_or(turns, |[rate, _]| turns * rate);
-        let Some(jacobian) = orbit.jacobian(&last, impact).and_then(|jacobian| self.told(jacobian)) else {
+        let Some(jacobian) = orbit.jacobian(&last, impact).and_then(|jacobian| self.in_reference(jacobian)) else {
             // It may be a graze as far as is known.
             self.settled = Some(Exponent::Unknown(Unknown::Width));
             return;
@@ -131,15 +131,15 @@ impl Disturbance {
         self.is_lost = !is_known;
     }
 
-    /// (A.7) in the units asked for: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
+    /// (A.7) in the units requested: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
     /// times what it is.
-    fn told(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
+    fn in_reference(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
         let Some([_, square]) = self.rate else { return Some(jacobian) };
         let [[tt, tv], [vt, vv]] = jacobian;
         Some([[tt, tv * square], [vt.checked_div(square)?, vv]])
     }
 
-    /// The exponent over the impacts so far. Lemma L3
+    /// Returns the exponent over the impacts so far. Lemma L3
     pub fn exponent(&self) -> Exponent {
         if let Some(settled) = self.settled {
             return settled;

@@ -39,7 +39,7 @@ impl Scaled {
         once.times(self.mantissa).times(self.mantissa)
     }
 
-    /// The mantissa in units of `2^exponent`, for an exponent that is not much smaller than its own.
+    /// Returns the mantissa in units of `2^exponent`, for an exponent that is not much smaller than its own.
     pub fn in_units_of(self, exponent: i64) -> Ball {
         let shift = self.exponent - exponent;
         if shift < -i64::from(FAR + 2 * LARGEST) {

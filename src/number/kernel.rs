@@ -125,7 +125,7 @@ fn sine(r: f64, x: f64, x2: f64) -> f64 {
 /// sign). Outside the domain the result means nothing.
 #[inline(always)]
 pub fn sin_cos(u: f64) -> (f64, f64) {
-    debug_assert!(u.abs() <= LARGEST_PHASE, "phase {u} is not within 2^40 turns");
+    debug_assert!(u.abs() <= LARGEST_PHASE, "phase {u} is not within 2^40 forcing periods");
     // Lemma K1 (a): exact. The last two bits of `shifted` are those of k, as MAGIC is a whole number.
     let shifted = u + MAGIC;
     let r = u - (shifted - MAGIC);

@@ -263,7 +263,7 @@ impl MpBall {
         let rad = distance(&low) + distance(&high);
         let angle = Self { mid, rad };
         let turn = angle.turn();
-        angle.checked_div(turn).expect("a turn is not 0")
+        angle.checked_div(turn).expect("a forcing period is not 0")
     }
 
     /// Encloses versine, excess and sine of `2 pi h` for a short `h` by Taylor's formula; `None` unless `|h| <= 1/64`.

@@ -57,7 +57,7 @@ impl Arrivals {
         Ok(Self { clock, given, dial })
     }
 
-    /// The impact that follows the state on a wall at a time, with this velocity just before the impact, both exact.
+    /// Returns the impact that follows the state on a wall at a time, with this velocity just before the impact, both exact.
     ///
     /// **Enclosure** (Lemmas C1-C6): of all parameters of the pair the next contact with a wall is on that wall and in these bounds.
     /// **Undecided when** doubles do not decide it, and where the ball comes to rest instead.
@@ -68,8 +68,10 @@ impl Arrivals {
         let refused = |key: &str, value: f64, accepted: &str| {
             Error::out_of_range(key, format!("{key} is {value}, but {accepted}"))
         };
-        let (turns, phase) =
-            self.dial.phase(time).ok_or_else(|| refused("start.time", time, "must be a number of turns below 2^62"))?;
+        let (turns, phase) = self
+            .dial
+            .phase(time)
+            .ok_or_else(|| refused("start.time", time, "must be a number of forcing periods below 2^62"))?;
         let points = wall.sign() * velocity <= 0.0;
         let reduced = self.dial.velocity(velocity).filter(|_| points);
         let velocity =

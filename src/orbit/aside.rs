@@ -1,4 +1,4 @@
-//! What an orbit does besides flying: it grazes, comes to rest, is released, repeats itself.
+//! Events of an orbit besides impacts: grazes, rests, releases, repetition.
 
 use super::Period;
 use super::attraction::Recent;
@@ -27,7 +27,7 @@ pub(super) struct Aside {
     /// Of a motion that hits no wall: grazes so far.
     pub grazes: u64,
     pub recurrence: Recurrence,
-    /// The time asked for has ended the list.
+    /// The requested time has ended the list.
     pub is_late: bool,
     /// The last impacts handed out.
     pub recent: Recent,
@@ -51,7 +51,7 @@ impl Orbit {
         self.aside.resting.take().map(|release| self.release(release))
     }
 
-    /// The next graze of a motion that only grazes, once a turn, or not even that.
+    /// The next graze of a motion that only grazes, once a forcing period, or not even that.
     #[cold]
     fn graze_again(&mut self, still: Still) -> Progress {
         let Cursor { turns, phase, .. } = self.cursor;
@@ -114,7 +114,7 @@ impl Orbit {
         self.rest(wall, &phase, time, is_still)
     }
 
-    /// The ball rests from `time` turns after the last contact on, at the latest.
+    /// The ball rests from `time` forcing periods after the last contact on, at the latest.
     #[cold]
     fn rest(&mut self, wall: Wall, now: &Enclosure, time: f64, for_ever: bool) -> Option<Progress> {
         let width = self.asked.widths[0];

@@ -36,7 +36,7 @@ impl Recent {
 }
 
 impl Orbit {
-    /// The stable periodic orbit that the motion is proved to converge to, once all that was asked for is listed. Lemma Q3
+    /// The stable periodic orbit that the motion is proved to converge to, once all that was requested is listed. Lemma Q3
     ///
     /// **Cost**: none to speak of for an orbit that has not come near one of its last 128 states, as most chaotic ones
     /// have not; milliseconds otherwise.

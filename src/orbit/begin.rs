@@ -21,11 +21,11 @@ use crate::shaken::Origin;
 use crate::{Error, Scene, rest};
 
 impl Orbit {
-    /// The orbit of `pair` from `start`.
+    /// Returns the orbit of `pair` from `start`.
     ///
     /// # Errors
     /// When a value is beyond the range of double-precision flights, or this build has no multiprecision and it is
-    /// asked for.
+    /// requested.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
         let shown = match settings.arithmetic {
             Arithmetic::Bits(bits) => bits,
@@ -61,7 +61,7 @@ impl Orbit {
         let cursor = Cursor { index: 0, wall: place.wall(), height: place.height(), turns, phase, velocity };
         let followed = Followed::new(cursor, near.is_none(), &given, &settings);
         let widths = [Width::new(settings.digits, 1.0), Width::new(settings.digits, speed)];
-        let patience = given.shaken.patience(widths[0].linear);
+        let max_reported_chatter = given.shaken.max_reported_chatter(widths[0].linear);
         let engine = Engine {
             given,
             pair: reduced,
@@ -71,8 +71,8 @@ impl Orbit {
             #[cfg(feature = "multiprecision")]
             raise: None,
             bits: 0,
-            haste: rest::haste(&reduced),
-            patience,
+            min_chatter_time_per_speed: rest::min_chatter_time_per_speed(&reduced),
+            max_reported_chatter,
         };
         let mut orbit = Self {
             clock,
@@ -90,7 +90,7 @@ impl Orbit {
         Ok(orbit)
     }
 
-    /// The orbit of a scene; what is wrong with it is told with its line.
+    /// Returns the orbit of a scene; errors have the line in the scene file.
     ///
     /// # Errors
     /// As [`Orbit::new`].

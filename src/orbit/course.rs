@@ -1,4 +1,4 @@
-//! Where the ball is between the events of an orbit: what figures draw.
+//! The motion between the events of an orbit, as drawn in figures.
 
 use super::event::finite;
 use super::{Impact, Orbit, Release};
@@ -9,10 +9,10 @@ use crate::shaken::{Initial, Location};
 
 /// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
 ///
-/// **Equations** (11), (12): `y = offset + c h - E`, `y' = c - E'`, `h` after the phase it is told from.
+/// **Equations** (11), (12): `y = offset + c h - E`, `y' = c - E'`, `h` after the phase it is measured from.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
-    /// Whole turns since the clock's origin where the flight is told from, and the rest of its phase.
+    /// Whole forcing periods since the clock's origin where the flight is measured from, and the rest of its phase.
     turns: i64,
     phase: Ball,
     offset: Ball,
@@ -54,7 +54,7 @@ fn on(wall: Wall) -> Ball {
 }
 
 impl Orbit {
-    /// The flight from the start asked for, or from those near by of a shadowed orbit, and its phase: whole turns and the rest.
+    /// Returns the flight from the requested start, or from those near by of a shadowed orbit, and its phase: whole forcing periods and the rest.
     pub fn first_course(&self) -> (Course, i64, Ball) {
         let Initial { turns, phase, velocity, .. } = self.initial;
         let course = match self.initial.place {
@@ -64,17 +64,17 @@ impl Orbit {
         (course, turns, phase)
     }
 
-    /// The flight that an impact begins. **Equation** (15)
+    /// Returns the flight that an impact begins. **Equation** (15)
     pub fn course_after(&self, impact: &Impact) -> Course {
         self.leaving(impact.wall, impact.turns, impact.phase, self.engine.pair.rebound_of(impact.velocity))
     }
 
-    /// The flight that ends with an impact, told backwards from it: it holds whatever a graze before it may have done.
+    /// Returns the flight that ends with an impact, measured backwards from it: it holds whatever a graze before it may have done.
     pub fn course_before(&self, impact: &Impact) -> Course {
         self.leaving(impact.wall, impact.turns, impact.phase, impact.velocity)
     }
 
-    /// The flight that begins with a release, with no velocity.
+    /// Returns the flight that begins with a release, with zero velocity.
     pub fn course_from(&self, release: &Release) -> Course {
         let (mid, rad) = release.phase.mid_rad();
         self.leaving(release.wall, release.turns, Ball::new(mid, rad), Ball::exact(0.0))
@@ -91,25 +91,25 @@ impl Orbit {
         Course { turns, phase, offset: height + shift, drift: velocity + speed }
     }
 
-    /// The point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
+    /// Returns the point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
     pub fn course_point(&self, course: &Course, turns: i64, phase: Ball) -> Option<CoursePoint> {
         let (displacement, velocity) = self.along(course, turns, phase);
         self.point((turns, phase), displacement, velocity, State::Flies)
     }
 
-    /// The ball on its wall, just before and just after an impact. **Equation** (15)
+    /// Returns the ball on its wall, just before and just after an impact. **Equation** (15)
     pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
         let Impact { wall, turns, phase, velocity, .. } = *impact;
         let on_wall = |velocity| self.point((turns, phase), on(wall), velocity, State::Flies);
         Some([on_wall(velocity)?, on_wall(self.engine.pair.rebound_of(velocity))?])
     }
 
-    /// The point of the motion at that phase while the ball rests on `wall`.
+    /// Returns the point of the motion at that phase while the ball rests on `wall`.
     pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
         self.point((turns, phase), on(wall), Ball::exact(0.0), State::Rests)
     }
 
-    /// From turns and gaps to the units of the scene.
+    /// From forcing periods and gaps to the units of the scene.
     fn point(
         &self,
         (turns, phase): (i64, Ball),
@@ -140,7 +140,7 @@ impl Orbit {
         self.clock.length(&finite(Ball::exact(0.5)))
     }
 
-    /// `y` in gaps and `y'` in gaps a turn, of the whole set of states. **Equations** (11), (12)
+    /// `y` in gaps and `y'` in gap widths per forcing period, of the whole set of states. **Equations** (11), (12)
     fn along(&self, course: &Course, turns: i64, phase: Ball) -> (Ball, Ball) {
         let Course { turns: from, phase: start, offset, drift } = *course;
         let (shift, speed) = self.shaking(turns, phase);

@@ -8,10 +8,10 @@ use crate::number::Ball;
 use crate::pair::Wall;
 use crate::turns;
 
-/// Bits in which a time becomes a phase: more than twice those of a double and of the turns up to 2^53.
+/// Bits in which a time becomes a phase: more than twice those of a double and of the forcing periods up to 2^53.
 const BITS: u32 = 192;
 
-/// A phase: whole turns since the clock's origin and the rest.
+/// A phase: whole forcing periods since the clock's origin and the rest.
 pub(super) type Phase = (i64, Ball);
 
 /// What the ball does between two events.
@@ -83,7 +83,7 @@ impl Dense {
         self.parts.push(((impact.turns, impact.phase), Part::Flight(course)));
     }
 
-    /// Bounds of `y` and `y'` at a time of the orbit, which has ended; `None` before its start, after what it lists, and while
+    /// Returns bounds of `y` and `y'` at a time of the orbit, which has ended; `None` before its start, after what it lists, and while
     /// infinitely many impacts pass or nothing is proved.
     ///
     /// Where an impact may come before or after the time, they hold the states of both flights.
@@ -136,7 +136,7 @@ fn lasts(orbit: &Orbit, time: &Exact) -> bool {
     }
 }
 
-/// Turns from a phase to another one.
+/// Forcing periods from a phase to another one.
 fn between(from: Phase, to: Phase) -> Ball {
     // Lemma N1: exact below 2^53; beyond, rounding keeps the sign.
     Ball::exact(to.0.saturating_sub(from.0) as f64) + (to.1 - from.1)
@@ -147,7 +147,7 @@ fn is_certain(ball: Ball) -> bool {
     ball.mid() > ball.rad()
 }
 
-/// Turns times into phases, and back.
+/// Converts times into phases, and back.
 #[derive(Debug)]
 pub(super) struct Dial {
     rate: Enclosure,
@@ -161,7 +161,7 @@ impl Dial {
         Self { rate, shift, slowness }
     }
 
-    /// The phase of a time.
+    /// Returns the phase of a time.
     pub fn phase(&self, time: f64) -> Option<Phase> {
         let since = Enclosure::from_f64_bounds(time, time)?.mul(&self.rate, BITS).add(&self.shift, BITS);
         let whole = since.mid_rad().0.round(); // proposes: any whole number
@@ -169,7 +169,7 @@ impl Dial {
         Some((turns::after(0, whole)?, ball(&rest)))
     }
 
-    /// A velocity in gaps a turn.
+    /// Returns a velocity in gap widths per forcing period.
     pub fn velocity(&self, velocity: f64) -> Option<Ball> {
         Some(ball(&Enclosure::from_f64_bounds(velocity, velocity)?.mul(&self.slowness, BITS)))
     }

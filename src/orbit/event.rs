@@ -1,4 +1,4 @@
-//! What an orbit consists of: its impacts, and how it ended.
+//! Events and outcomes of an orbit.
 
 use super::Period;
 use crate::contact::Reason;
@@ -19,18 +19,18 @@ pub struct Impact {
     pub mapping: Option<Mapping>,
     /// The wall.
     pub wall: Wall,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
-    /// The rest of the phase `(W t + tau) / (2 pi)`, in turns, in about `[-1/2, 1/2]`.
+    /// The rest of the phase `(W t + tau) / (2 pi)`, in forcing periods, in about `[-1/2, 1/2]`.
     pub phase: Ball,
-    /// The relative velocity `y'` just before the impact, in gaps a turn.
+    /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
     pub velocity: Ball,
-    /// Phase and velocity more narrowly than these balls, where that was asked for.
+    /// Phase and velocity more narrowly than these balls, where that was requested.
     pub precise: Option<Box<(Enclosure, Enclosure)>>,
 }
 
 impl Impact {
-    /// Phase less the whole turns, and velocity, as narrow as they are known.
+    /// Phase less the whole forcing periods, and velocity, as narrow as they are known.
     pub(super) fn enclosures(&self) -> (Enclosure, Enclosure) {
         match &self.precise {
             Some(precise) => (**precise).clone(),
@@ -39,14 +39,14 @@ impl Impact {
     }
 }
 
-/// A wall that is touched with no velocity, or is not: no precision tells.
+/// A wall that is touched with zero velocity, or not touched: undecided at any precision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Graze {
     /// The wall.
     pub wall: Wall,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
-    /// Encloses the rest of the phase, in turns.
+    /// Encloses the rest of the phase, in forcing periods.
     pub phase: Enclosure,
 }
 
@@ -55,31 +55,31 @@ pub struct Graze {
 pub struct Rest {
     /// The wall.
     pub wall: Wall,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
-    /// Encloses the rest of the phase when it does, in turns.
+    /// Encloses the rest of the phase when it does, in forcing periods.
     pub phase: Enclosure,
     /// Infinitely many impacts, each slower than the one before, come between the last one listed and the rest.
     pub is_accumulation: bool,
 }
 
-/// The ball leaves the wall that it rested on, where its acceleration turns inward.
+/// The ball leaves the wall on which it rested, where the contact force vanishes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
     /// The wall.
     pub wall: Wall,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
-    /// Encloses the rest of the phase, in turns; under one harmonic it is exactly 0 on the left wall, -1/2 on the right one.
+    /// Encloses the rest of the phase, in forcing periods; with one harmonic it is exactly 0 on the left wall, -1/2 on the right one.
     pub phase: Enclosure,
 }
 
-/// What [`Orbit::advance`](super::Orbit::advance) has done.
+/// Result of [`Orbit::advance`](super::Orbit::advance).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Progress {
     /// The next impact is certified.
     Impact(Impact),
-    /// A contact that may be tangential; the orbit goes on with both continuations enclosed.
+    /// A contact that may be tangential; the orbit continues with both continuations enclosed.
     Graze(Graze),
     /// The ball has come to rest, proved.
     Rest(Rest),
@@ -92,7 +92,7 @@ pub enum Progress {
 }
 
 impl Progress {
-    /// The same event so many periods later; `None` where turns are not counted any more.
+    /// The same event so many periods later; `None` where forcing periods are not counted any more.
     pub(super) fn after(&self, period: Period, rounds: u64) -> Option<Self> {
         let cycles = i64::try_from(period.cycles.checked_mul(rounds)?).ok()?;
         let mut event = self.clone();
@@ -116,16 +116,16 @@ impl Progress {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Outcome {
-    /// All the impacts asked for.
+    /// All the impacts requested.
     ImpactsReached,
-    /// All the impacts up to the time asked for.
+    /// All the impacts up to the requested time.
     TimeReached,
-    /// All that was asked for, and from a release on the motion is proved to repeat exactly, for ever.
+    /// All that was requested, and from a release on the motion is proved to repeat exactly, for ever.
     Periodic(Period),
-    /// All that was asked for, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only where
+    /// All that was requested, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only where
     /// [`Settings::attractor`](super::Settings::attractor) asks for it.
     Attracted(Box<Attractor>),
-    /// The ball rests on its wall for ever: nothing shakes the box.
+    /// The ball rests on its wall for ever: there is no excitation.
     RestsForever(Wall),
     /// No wall is ever touched again.
     NeverImpacts,
@@ -142,7 +142,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The word of the orbit JSON.
+    /// Returns the word of the orbit JSON.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::ImpactsReached => "impacts-reached",

@@ -23,19 +23,19 @@ use crate::shaken::{Either, Flying, Origin, Released, Shaken};
 #[derive(Clone, Debug)]
 pub(super) struct Given {
     pub pair: Arc<ImpactPair>,
-    /// The pair without units, under one harmonic or several.
+    /// The pair without units, with one harmonic or several.
     pub shaken: Arc<dyn Motions>,
     /// The start or a later state of its motion, or the last release.
     pub origin: Origin<Exact>,
 }
 
-/// The motions under what shakes the box: what follows is compiled for each kind of it.
+/// The motions under the excitation: what follows is compiled for each kind of it.
 pub(super) trait Motions: Shaken {
     /// In plain doubles.
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
     /// In doubles, certified.
     fn interval(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
-    /// Near the given one, for as many impacts as are told, and after how many it does not expand, if it does not; `None` where no
+    /// Near the given one, for as many impacts as are given, and after how many it does not expand, if it does not; `None` where no
     /// chain begins.
     fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
     /// The same after what is proved by precision.
@@ -71,7 +71,7 @@ impl<S: Flying> Motions for S {
 }
 
 impl Given {
-    /// What is given of `pair` from `start`, told by the clock.
+    /// Returns what is given of `pair` from `start`, given by the clock.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
         let either = Either::new(pair, clock)?;
         let origin = either.origin(pair, start, clock)?;
@@ -82,7 +82,7 @@ impl Given {
         Ok(Self { pair: Arc::new(pair.clone()), shaken, origin })
     }
 
-    /// The origin in doubles.
+    /// Returns the origin in doubles.
     pub fn origin_ball(&self) -> Result<Origin<Ball>, Error> {
         self.origin.map(ball)
     }
@@ -92,7 +92,7 @@ impl Given {
         self.origin = Origin::released(release);
     }
 
-    /// The first motion from the origin that is tried in an arithmetic; one near by is another's.
+    /// Returns the first motion from the origin that is tried in an arithmetic; one near by is another's.
     pub fn motion(&self, arithmetic: Arithmetic) -> Result<Box<dyn Motion>, Error> {
         let (shaken, origin) = (self.shaken.clone(), self.origin_ball()?);
         Ok(match arithmetic {
@@ -110,7 +110,7 @@ impl Given {
         })
     }
 
-    /// The motion from the origin in as many bits as planned.
+    /// Returns the motion from the origin in as many bits as planned.
     #[cfg(feature = "multiprecision")]
     pub fn precise(&self, plan: Plan) -> Box<dyn Motion> {
         self.shaken.clone().precise(&self.origin, plan)

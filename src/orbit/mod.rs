@@ -55,14 +55,14 @@ use motion::Motion;
 use raise::Raise;
 use width::Width;
 
-/// Bits beyond those of the digits asked for that `auto` spends on a decision: what they do not tell is a graze, or `Undecided`.
+/// Bits beyond those of the requested digits that `auto` spends on a decision: what they leave undecided is a graze, or `Undecided`.
 pub const VERDICT_BITS: u32 = 8192;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
 ///
 /// **Enclosure**: for every start and all parameters of the scene, impact `i` of the true orbit lies in the `i`-th
 /// item, on that wall, and no other wall contact comes between, but those of a rest or a graze: [`Orbit::advance`]
-/// tells of these, too. With [`Arithmetic::Float`] nothing is claimed.
+/// tells of these, too. With [`Arithmetic::Float`] nothing is certified.
 /// **Cost**: a certified flight, a second bracket and a Jacobian for each impact; memory does not grow.
 ///
 /// ```
@@ -86,7 +86,7 @@ pub struct Orbit {
     clock: Clock,
     asked: Asked,
     engine: Engine,
-    /// The start asked for; those near by, one of which has the orbit, of a shadowed one.
+    /// The requested start; those near by, one of which has the orbit, of a shadowed one.
     initial: Initial<Ball>,
     followed: Followed,
     /// Where the motion is.
@@ -98,12 +98,12 @@ pub struct Orbit {
     outcome: Option<Outcome>,
 }
 
-/// What is asked for.
+/// What is requested.
 #[derive(Debug)]
 struct Asked {
     settings: Settings,
     until: Option<Phase>,
-    /// Widths, of phases in turns and of velocities in gaps a turn.
+    /// Widths, of phases in forcing periods and of velocities in gap widths per forcing period.
     widths: [Width; 2],
     /// Bits of what is printed beyond doubles.
     shown: u32,
@@ -116,7 +116,7 @@ struct Engine {
     given: Given,
     pair: Reduced<Ball>,
     motion: Box<dyn Motion>,
-    /// What computes now: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
+    /// The current arithmetic: a shadow becomes [`Arithmetic::Auto`] at a release, [`Arithmetic::Interval`] where there is none.
     arithmetic: Arithmetic,
     /// No interval among the data: more precision makes every enclosure narrower.
     is_point: bool,
@@ -125,10 +125,10 @@ struct Engine {
     raise: Option<Raise>,
     /// The most bits of motions before the last release.
     bits: u32,
-    /// No chatter is shorter than the velocity before an impact times this, in turns.
-    haste: f64,
-    /// Nor is it told before it is as short as this, or ends before the pressure does.
-    patience: Option<f64>,
+    /// No chatter is shorter than the velocity before an impact times this, in forcing periods.
+    min_chatter_time_per_speed: f64,
+    /// Nor is it reported before it is as short as this, or ends before the contact force does.
+    max_reported_chatter: Option<f64>,
 }
 
 /// The state that the motion is followed from, and what is known of it: with another state all of it is another.
@@ -156,33 +156,33 @@ pub(super) struct Cursor {
 }
 
 impl Orbit {
-    /// Turns phases into times and reduced velocities into velocities.
+    /// Converts phases into times and reduced velocities into velocities.
     pub fn clock(&self) -> &Clock {
         &self.clock
     }
 
-    /// What computes.
+    /// Returns the arithmetic.
     pub fn arithmetic(&self) -> Arithmetic {
         self.asked.settings.arithmetic
     }
 
-    /// The most bits that an impact so far was computed with: 53 in double precision.
+    /// Returns the maximum precision of an impact so far, in bits: 53 in double precision.
     pub fn bits(&self) -> u32 {
         self.engine.bits.max(self.engine.motion.bits()) // shown
     }
 
-    /// The bits of each impact, once it is computed in multiprecision.
+    /// Returns the bits of each impact, once it is computed in multiprecision.
     #[cfg(feature = "multiprecision")]
     pub fn plan(&self) -> Option<&Plan> {
         self.engine.motion.plan()
     }
 
-    /// How the orbit ended; `None` while it goes on.
+    /// Returns the outcome of the orbit; `None` while it continues.
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()
     }
 
-    /// The first impact whose enclosure is wider than the digits asked for, if one is.
+    /// Returns the first impact whose enclosure is wider than the requested digits, if one is.
     pub fn first_wide(&self) -> Option<u64> {
         self.first_wide
     }
@@ -192,7 +192,7 @@ impl Orbit {
         self.listed
     }
 
-    /// Goes on: to the next event, or in more precision over an impact that was listed before.
+    /// Advances to the next event, or computes an impact listed before again in higher precision.
     ///
     /// For those who show progress or may stop; as an iterator the orbit does all this at once.
     pub fn advance(&mut self) -> Progress {
@@ -269,15 +269,15 @@ impl Orbit {
     #[inline]
     fn may_rest(&self) -> bool {
         let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
-        let shortest = (velocity.mid() * self.engine.haste).abs();
-        let most = self.engine.patience.unwrap_or_else(|| {
+        let shortest = (velocity.mid() * self.engine.min_chatter_time_per_speed).abs();
+        let most = self.engine.max_reported_chatter.unwrap_or_else(|| {
             let phase = phase.mid() + wall.mirror_phase();
             (phase.ceil() - phase).max(f64::EPSILON) // proposes
         });
         shortest <= most && index == self.listed
     }
 
-    /// All that was asked for is listed.
+    /// All that was requested is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
         self.aside.is_late = reached == Outcome::TimeReached;
@@ -288,13 +288,13 @@ impl Orbit {
         Progress::Ended
     }
 
-    /// The time asked for \[time\], if all events up to it are listed because it ended the list.
+    /// Returns the requested time \[time\], if all events up to it are listed because it ended the list.
     pub fn listed_until(&self) -> Option<&Exact> {
         self.asked.settings.until.as_ref().filter(|_| self.aside.is_late)
     }
 
     /// Whether an event certainly comes after the time to stop at: as its bounds say that are listed, `enclosed` its phase
-    /// without the whole turns.
+    /// without the whole forcing periods.
     fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
         self.asked.until.is_some_and(|until| {
             // Lemma N1: exact below 2^53; beyond, rounding keeps the sign, and the rest is at most 2.
@@ -315,7 +315,7 @@ impl Orbit {
         })
     }
 
-    /// The phase of the contact in hand as it is listed, without the whole turns.
+    /// The phase of the contact in hand as it is listed, without the whole forcing periods.
     fn enclosed(&self, phase: Ball) -> Enclosure {
         self.engine.motion.enclosures(self.asked.shown).map_or_else(|| finite(phase), |(phase, _)| phase)
     }

@@ -1,4 +1,4 @@
-//! One impact after another, in double precision: plain and certified, whatever shakes the box.
+//! One impact after another, in double precision: plain and certified, for any excitation.
 
 use std::sync::Arc;
 
@@ -23,11 +23,11 @@ pub(super) type StartBounds = (Enclosure, Enclosure);
 
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
-    /// Goes on to the next contact: its wall, phase and velocity, and the whole turns passed, which are to be counted
+    /// Goes on to the next contact: its wall, phase and velocity, and the whole forcing periods passed, which are to be counted
     /// (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
 
-    /// Starts, one of which has this motion, which then begins at that start; `None` where it is that of the start asked for.
+    /// Starts, one of which has this motion, which then begins at that start; `None` where it is that of the requested start.
     fn starts(&self) -> Option<Starts> {
         None
     }

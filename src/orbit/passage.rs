@@ -1,4 +1,4 @@
-//! What two impacts in a row say of the flight between them, and where an impact is in its cycle.
+//! The flight between two successive impacts, and the phase of an impact.
 
 use std::cmp::Ordering;
 
@@ -9,16 +9,16 @@ use crate::number::{Ball, Enclosing};
 use crate::shaken::Initial;
 use crate::turns::in_radians;
 
-/// Bits beyond those of a number of turns and of what is shown.
+/// Bits beyond those of a number of forcing periods and of what is shown.
 const SPARE_BITS: u32 = 64;
 
 impl Orbit {
-    /// The phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
+    /// Returns the phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
         in_radians(&impact.enclosures().0, self.asked.shown)
     }
 
-    /// The phase `(W t + tau)/(2 pi)` of an impact, whole turns included.
+    /// The phase `(W t + tau)/(2 pi)` of an impact, whole forcing periods included.
     pub(crate) fn turns_of(&self, impact: &Impact) -> Enclosure {
         let whole = self.clock.origin() + impact.turns;
         // X1: any number of bits encloses
@@ -35,12 +35,12 @@ impl Orbit {
         self.asked.shown
     }
 
-    /// The bounds of an impact's velocity \[length/time\], before it.
+    /// Returns the bounds of an impact's velocity \[length/time\], before it.
     pub fn velocity(&self, impact: &Impact) -> Enclosure {
         self.clock.velocity(&impact.enclosures().1)
     }
 
-    /// The turns from one impact to a later one.
+    /// Returns the forcing periods from one impact to a later one.
     pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
         // More than 2^53 turns are rounded, and then the ball of phases is not worth anything: it is widened by that.
         let whole = to.turns - from.turns;
@@ -49,14 +49,14 @@ impl Orbit {
         Ball::new(whole as f64, rounding.abs()) + (to.phase - from.phase) // N1
     }
 
-    /// The Jacobian (A.7) of the flight between two impacts in a row, times in turns, velocities in gaps a turn.
+    /// Returns the Jacobian (A.7) of the flight between two impacts in a row, times in forcing periods, velocities in gap widths per forcing period.
     ///
     /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later one may be a graze.
     pub fn jacobian(&self, from: &Impact, to: &Impact) -> Option<[[Ball; 2]; 2]> {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// The same in two parts, from an impact or from the start asked for; at inside starts only the column of the velocity is meant.
+    /// The same in two parts, from an impact or from the requested start; at inside starts only the column of the velocity is meant.
     #[cfg(feature = "multiprecision")]
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
@@ -76,7 +76,7 @@ impl Orbit {
         Sheared::between(restitution, self.turns_between(from, to), swings, [from.velocity, to.velocity])
     }
 
-    /// The start asked for as impact number 0, when it is on a wall.
+    /// Returns the requested start as impact number 0, when it is on a wall.
     pub fn start_impact(&self) -> Option<Impact> {
         let Initial { turns, phase, velocity, .. } = self.initial;
         let wall = self.initial.place.wall();

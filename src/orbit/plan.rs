@@ -1,10 +1,10 @@
 //! How many bits each impact of an orbit gets.
 //!
 //! Chaos eats bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
-//! the length of a tangent vector that the Jacobians (A.7) carry along. A floating run finds how much that is. It
+//! the length of a tangent vector that the Jacobians (A.7) carry along. A floating-point run finds how much that is. It
 //! leaves the true orbit after a hundred impacts of a chaotic one, but a neighbour's growth differs from the true one
 //! as sums of weakly dependent numbers do: by a few times the root of the number of impacts left. So impact `i` gets
-//! what was asked for, what the rest of the orbit will eat, and that much more; precision falls as the orbit goes on.
+//! what was requested, what the rest of the orbit will eat, and that much more; precision falls as the orbit goes on.
 //! A plan proves nothing. One that falls short is raised, by what was missing.
 
 // Labels: proposes throughout.
@@ -28,9 +28,9 @@ const BLOCK: usize = 32;
 /// The bits of each impact.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// What the rest of the orbit eats after impact `i`, by the floating run; nothing beyond its end.
+    /// What the rest of the orbit eats after impact `i`, by the floating-point run; nothing beyond its end.
     rest: Arc<[f32]>,
-    /// Impacts it looks ahead; the floating run may have ended before.
+    /// Impacts it looks ahead; the floating-point run may have ended before.
     horizon: u64,
     /// Bits at the last impact.
     last: f64,
@@ -40,7 +40,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The same bits for every impact.
+    /// Returns the same bits for every impact.
     pub fn constant(bits: u32) -> Self {
         let bits = bits.max(LEAST_BITS);
         Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
@@ -67,7 +67,7 @@ impl Plan {
         Self { rest: growth.into(), horizon, last, deviation, most: most.max(LEAST_BITS) }
     }
 
-    /// The bits of the state after `index` impacts.
+    /// Returns the bits of the state after `index` impacts.
     pub fn bits(&self, index: u64) -> u32 {
         let index = usize::try_from(index).unwrap_or(usize::MAX).saturating_sub(1);
         let left = self.rest.len().saturating_sub(index);
@@ -101,7 +101,7 @@ fn deviation(growth: &[f32]) -> f64 {
     (square / BLOCK as f64).sqrt()
 }
 
-/// A floating run that carries a tangent vector along: how many bits each impact eats.
+/// A floating-point run that carries a tangent vector along: how many bits each impact eats.
 #[derive(Debug)]
 pub(super) struct Growth {
     shaken: Arc<dyn Motions>,
@@ -109,7 +109,7 @@ pub(super) struct Growth {
     turns: i64,
     /// Velocity before the last impact, and the acceleration there; `None` inside the gap.
     last: Option<(f64, f64)>,
-    /// In turns, and in units of the scale.
+    /// In forcing periods, and in units of the scale.
     tangent: [f64; 2],
     scale: f64,
 }
@@ -124,7 +124,7 @@ impl Growth {
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
-    /// Goes on to the next impact: the bits it eats, and the turns that passed.
+    /// Goes on to the next impact: the bits it eats, and the forcing periods that passed.
     pub fn next_impact(&mut self) -> Option<(f64, f64)> {
         let contact = self.run.next_contact().ok()?;
         self.turns = turns::after(self.turns, contact.turns)?;

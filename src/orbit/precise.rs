@@ -1,4 +1,4 @@
-//! One impact after another in multiprecision, whatever shakes the box.
+//! One impact after another in multiprecision, for any excitation.
 //!
 //! The centre of the set is a pair of MPFR numbers and flies in balls; the set around it is the parallelogram of
 //! [`super::set`], in units of a power of two, since a chaotic orbit of 10,000 impacts starts with one of `2^-5800`.
@@ -55,7 +55,7 @@ pub(super) struct PreciseSet {
 }
 
 impl PreciseSet {
-    /// The box of all states within two balls.
+    /// Returns the box of all states within two balls.
     pub fn new(phase: &MpBall, velocity: &MpBall, scale: f64) -> Self {
         let unit = greatest_exponent(&[phase.rad(), velocity.rad()]);
         let shape = Shape::new(phase.rad().in_units_of(unit), velocity.rad().in_units_of(unit), scale);
@@ -69,7 +69,7 @@ impl PreciseSet {
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }
 
-    /// The same in doubles.
+    /// Returns the same in doubles.
     pub fn doubles(&self) -> [Ball; 2] {
         let (phase, velocity) = self.balls();
         [phase.to_ball(), velocity.to_ball()]
@@ -87,7 +87,7 @@ impl PreciseSet {
         Some((phase.enclosure_in(bits)?, velocity.enclosure_in(bits)?))
     }
 
-    /// The image of the shape, in a unit that suits it and the noise of the centre.
+    /// Returns the image of the shape, in a unit that suits it and the noise of the centre.
     pub fn image(&self, jacobian: &[[Ball; 2]; 2], phase: Magnitude, velocity: Magnitude, slope: Ball) -> (Shape, i64) {
         let edges = self.shape.edges().map(|edge| Magnitude::new(edge, self.unit));
         let unit = greatest_exponent(&[edges[0], edges[1], phase, velocity]);

@@ -26,12 +26,12 @@ const FARTHEST: u64 = 1 << 22;
 pub(super) struct Raise {
     given: Given,
     impacts: Option<u64>,
-    /// How long the orbit is to last, in turns.
+    /// How long the orbit is to last, in forcing periods.
     turns: f64,
-    /// Bits of the width asked for.
+    /// Bits of the requested width.
     asked: f64,
     most: u32,
-    /// How narrow a flight can become in any precision: as narrow as what shakes the box is given.
+    /// How narrow a flight can become in any precision: as narrow as the excitation is given.
     finest: f64,
     /// Bits that are left for decisions.
     verdict_bits: f64,
@@ -50,7 +50,7 @@ impl Raise {
         Self { given, impacts, turns, asked, most, finest, verdict_bits, plan: None, before: None }
     }
 
-    /// The motion from the start in more precision; `None` when that would not help.
+    /// Returns the motion from the start in more precision; `None` when that would not help.
     ///
     /// The motion fell short on the way to the impact after `index`, with a set of `accuracy` bits: the one before
     /// that impact where a verdict is missing, the one after it where it is too wide.
@@ -89,7 +89,7 @@ impl Raise {
         Some(self.given.precise(plan))
     }
 
-    /// Plans beyond impact `index` from a floating run.
+    /// Plans beyond impact `index` from a floating-point run.
     fn look_ahead(&mut self, index: u64) -> Option<Plan> {
         self.verdict_bits = f64::from(VERDICT_BITS);
         let run = || {
@@ -112,7 +112,7 @@ impl Raise {
     }
 }
 
-/// Bits to which the least exact of what shakes the box is given: infinitely many without intervals.
+/// Bits to which the least exact of the excitation is given: infinitely many without intervals.
 fn finest(pair: &ImpactPair) -> f64 {
     let terms = pair.excitation().terms().iter();
     let shaking = terms.flat_map(|term| [term.amplitude(), term.frequency(), term.phase()]);

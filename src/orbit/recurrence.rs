@@ -22,7 +22,7 @@ pub(super) struct Recurrence {
 }
 
 impl Recurrence {
-    /// The period, once it is proved.
+    /// Returns the period, once it is proved.
     pub fn period(&self) -> Option<Period> {
         self.period
     }
@@ -54,7 +54,7 @@ impl Recurrence {
         }
     }
 
-    /// The next event, repeated, when all of a period were kept.
+    /// Returns the next event, repeated, when all of a period were kept.
     pub fn repeat(&mut self) -> Option<Result<Progress, Undecided>> {
         let period = self.period.filter(|_| !self.events.is_empty())?;
         let event = self.events[self.next].after(period, self.rounds).ok_or(Undecided::endless());

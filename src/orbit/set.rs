@@ -12,7 +12,7 @@
 //! `c'_2 + g (phase - c'_1)`, `g` the acceleration on arrival: an error of the phase moves the velocity along. In S2
 //! `|R^-1| p` becomes `|R^-1 (1, g)| p + |R^-1 (0, 1)| q`.
 //!
-//! Coordinates are (phase in turns, velocity / scale), the scale a power of two near the velocities of the
+//! Coordinates are (phase in forcing periods, velocity / scale), the scale a power of two near the velocities of the
 //! orbit, so that a rotation mixes like with like.
 
 use crate::contact::SetContact;
@@ -43,7 +43,7 @@ pub struct Noise {
 }
 
 impl Shape {
-    /// The box of these radii; velocities are of the order of `scale`, a power of two.
+    /// Returns the box of these radii; velocities are of the order of `scale`, a power of two.
     pub fn new(phase: f64, velocity: f64, scale: f64) -> Self {
         // Lemma B1: nothing is exactly nothing; any other quotient may underflow.
         let unscaled = if velocity == 0.0 { 0.0 } else { up(velocity / scale + TINY) };
@@ -64,7 +64,7 @@ impl Shape {
         up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]))
     }
 
-    /// The image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
+    /// Returns the image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
     #[inline(always)]
     pub fn image(&self, jacobian: &[[Ball; 2]; 2], noise: &Noise) -> Self {
         let exact = Ball::exact;
@@ -92,7 +92,7 @@ impl Shape {
         Self { axis, edges, scale: self.scale }
     }
 
-    /// The unit of velocities.
+    /// Returns the unit of velocities.
     #[cfg(feature = "multiprecision")]
     pub fn scale(&self) -> f64 {
         self.scale
@@ -104,7 +104,7 @@ impl Shape {
         self.edges
     }
 
-    /// The same axes with other edges.
+    /// Returns the same axes with other edges.
     #[cfg(feature = "multiprecision")]
     pub fn with_edges(&self, edges: [f64; 2]) -> Self {
         Self { edges, ..*self }
@@ -116,9 +116,9 @@ impl Shape {
 /// The box is that of the contact's own enclosure: narrower where an error of the velocity would tilt into the phase.
 #[derive(Clone, Copy, Debug)]
 pub struct StateSet {
-    /// The phase of the centre, in turns.
+    /// The phase of the centre, in forcing periods.
     pub phase: f64,
-    /// The velocity of the centre, before the impact, in gaps a turn.
+    /// The velocity of the centre, before the impact, in gap widths per forcing period.
     pub velocity: f64,
     shape: Shape,
     /// The radii of the box, of phase and velocity.
@@ -126,7 +126,7 @@ pub struct StateSet {
 }
 
 impl StateSet {
-    /// The box of all states within the radii of `phase` and `velocity`.
+    /// Returns the box of all states within the radii of `phase` and `velocity`.
     pub fn new(phase: Ball, velocity: Ball, scale: f64) -> Self {
         Self {
             phase: phase.mid(),
@@ -148,7 +148,7 @@ impl StateSet {
         Ball::new(self.velocity, self.shape.velocity_radius().min(self.box_radii.1)) // S2: cut with the box of C3
     }
 
-    /// The image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.
+    /// Returns the image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.
     #[inline(always)]
     pub fn image(&self, centre: &SetContact, jacobian: &[[Ball; 2]; 2]) -> Self {
         debug_assert_eq!(centre.phase.mid(), centre.all.phase.mid(), "both enclosures have one middle");
@@ -162,7 +162,7 @@ impl StateSet {
         }
     }
 
-    /// The same set with its phases counted from elsewhere: `phase` is the centre's, exactly.
+    /// Returns the same set with its phases counted from elsewhere: `phase` is the centre's, exactly.
     #[inline(always)]
     pub fn at_phase(&self, phase: f64) -> Self {
         Self { phase, ..*self }

@@ -38,21 +38,21 @@ pub(super) struct ShadowMotion<S: Flying, B> {
     start_bounds: Option<StartBounds>,
     chain: Chain<S, B>,
     nodes: IntoIter<Node>,
-    /// The last node handed out; its turns and phase, or those of the starts.
+    /// The last node handed out; its forcing periods and phase, or those of the starts.
     last: Option<Node>,
     at: (i64, Ball),
     /// What goes on after the last node.
     set: Option<IntervalMotion<S>>,
 }
 
-/// What is claimed of a shadowed orbit.
+/// The claims of a shadowed orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shadowing {
     /// **Enclosure**: holds the time of the start that has the orbit \[time\].
     pub time: Enclosure,
     /// **Enclosure**: and its velocity \[length/time\]; one of the two is the scene's.
     pub velocity: Enclosure,
-    /// How far impacts are at most from the middles of their enclosures, in turns: half of them, and all; `None` without impacts.
+    /// How far impacts are at most from the middles of their enclosures, in forcing periods: half of them, and all; `None` without impacts.
     pub nearness: Option<[f64; 2]>,
 }
 
@@ -76,7 +76,7 @@ impl Orbit {
         }
     }
 
-    /// What is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
+    /// Returns what is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
     pub fn shadow(&self) -> Option<Shadowing> {
         let Near { time, velocity, nearness } = self.aside.near.as_ref()?;
         Some(Shadowing { time: time.clone(), velocity: velocity.clone(), nearness: nearness.median_and_most() })
@@ -92,7 +92,7 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// The starts of a motion near the one from `start`; either their time or their velocity is that of the start asked for.
+    /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
         let Starts { varied, bounds: Initial { turns, phase, velocity, .. } } = motion.starts()?;
         let in_doubles = || match varied {
@@ -105,7 +105,7 @@ impl Near {
 }
 
 impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
-    /// The motion from an origin, for as many impacts as are told, and how many impacts of it show that nothing expands any more, if
+    /// Returns the motion from an origin, for as many impacts as are given, and how many impacts of it show that nothing expands any more, if
     /// they do; `None` where no chain begins.
     pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
         let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
@@ -117,7 +117,7 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
 
 #[cfg(feature = "multiprecision")]
 impl<S: Flying> ShadowMotion<S, Splice> {
-    /// The same after impacts that are proved by precision.
+    /// Returns the same after impacts that are proved by precision.
     pub fn spliced(shaken: Arc<S>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
         let mut chain = Chain::new(shaken.clone(), splice, left);
         let nodes = chain.advance();
@@ -210,7 +210,7 @@ impl<S: Flying, B: Beginning<S>> Motion for ShadowMotion<S, B> {
     }
 }
 
-/// How near impacts are proved to be to where they are listed: radii of phases in turns, counted by their size.
+/// How near impacts are proved to be to where they are listed: radii of phases in forcing periods, counted by their size.
 #[derive(Debug)]
 pub(super) struct Nearness {
     counts: Vec<u64>,
@@ -218,7 +218,7 @@ pub(super) struct Nearness {
     most: f64,
 }
 
-/// Bits of a double's fraction that sizes are told by: to a thirty-second.
+/// Bits of a double's fraction that sizes are given by: to a thirty-second.
 const FRACTION: u32 = 5;
 const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - FRACTION;
 
@@ -235,7 +235,7 @@ impl Nearness {
         self.most = self.most.max(radius); // exact: one of the two
     }
 
-    /// The median and the greatest, rounded up; `None` without impacts.
+    /// Returns the median and the greatest, rounded up; `None` without impacts.
     pub fn median_and_most(&self) -> Option<[f64; 2]> {
         let mut left = self.impacts.div_ceil(2);
         let size = self.counts.iter().position(|count| {

@@ -16,14 +16,14 @@ const GRAZE_BITS: u32 = 4096;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
 pub(super) enum Shortfall {
-    /// So many bits of the width asked for.
+    /// So many bits of the requested width.
     Width(f64),
     /// A decision.
     Verdict,
 }
 
 impl Orbit {
-    /// How many bits a contact is wider than asked for; not positive if it is not.
+    /// How many bits a contact is wider than requested; not positive if it is not.
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.asked.widths;
@@ -78,7 +78,7 @@ impl Orbit {
         }
     }
 
-    /// A contact is wider than asked for by so many bits; `None` when it has to be taken as it is.
+    /// A contact is wider than requested by so many bits; `None` when it has to be taken as it is.
     #[cold]
     pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
         if self.engine.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {

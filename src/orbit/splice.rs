@@ -3,7 +3,7 @@
 //! **Lemma F6** (splicing). Let the set of all starts within `a` of a given one, along the velocity (or the time) as in Lemma F3, be flown
 //! through `m` impacts, each proved to be the first contact, on one wall, transversal, for all of them. Then `F^m` is differentiable
 //! there; by the chain rule its derivative along the segment is `J_m ... J_1 q`, with each `J_i` at the start's own impacts, so that the
-//! product of the balls that hold (A.7) over the sets holds it. `J_1` is (A.7) of the whole flight from the start asked for, at the
+//! product of the balls that hold (A.7) over the sets holds it. `J_1` is (A.7) of the whole flight from the requested start, at the
 //! scene's time, as in F3: where flights are followed from a later state of it (R3), that is where first contacts are searched for, and
 //! nothing else. With the product for the column of the first axis, and the image of the given
 //! start itself for `F(x)`, condition 2 of F1 says that the image of the segment crosses a node, and F2 goes on from there: the start
@@ -39,7 +39,7 @@ pub(super) struct Splice {
     pair: ImpactPair,
     start: Start,
     clock: Clock,
-    /// The start asked for in doubles.
+    /// The requested start in doubles.
     initial: Initial<Ball>,
     varied: Varied,
     bits: u32,
@@ -78,21 +78,21 @@ impl Splice {
         Ok(Self { pair, start, clock, initial, varied, bits, impacts, given, scale, curve: None })
     }
 
-    /// The impacts that cannot be spliced.
+    /// Returns the impacts that cannot be spliced.
     pub fn refused(impacts: u64) -> Error {
         let accepted = "but it must be a number of first impacts that are proved by precision, before a rest or a graze, and after \
                         which the motion goes on to expand";
         Error::out_of_range(Some("splice"), format!("splice is {impacts}, {accepted}"))
     }
 
-    /// The first impacts of all starts on the curve, but for the last one, and bounds of these starts; once a chain has begun.
+    /// Returns the first impacts of all starts on the curve, but for the last one, and bounds of these starts; once a chain has begun.
     pub fn proved(&self) -> Option<(&[Impact], &StartBounds)> {
         let (Flown { impacts, .. }, near) = self.curve.as_ref()?;
         let (_, before) = impacts.split_last()?;
         Some((before, near))
     }
 
-    /// The starts within `a`, as what an orbit is asked for, and their bounds.
+    /// The starts within `a`, as what an orbit is requested, and their bounds.
     fn starts_within(&self, a: f64) -> Option<(Start, StartBounds)> {
         let apart = BigRational::from_float(a)? * two_to(-self.given.exponent);
         let apart = Enclosure::from_rational(&apart, START_BITS);

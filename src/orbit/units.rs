@@ -1,4 +1,4 @@
-//! What an orbit says of its events in the units of the scene.
+//! Events of an orbit in the units of the scene.
 
 use inari::Interval;
 
@@ -10,13 +10,13 @@ use crate::number::interval::enclosing;
 use crate::switch_plane::{SwitchPoint, absolute};
 
 impl Orbit {
-    /// The bounds of an impact's time \[time\] and velocity \[length/time\].
+    /// Returns the bounds of an impact's time \[time\] and velocity \[length/time\].
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         let (phase, velocity) = impact.enclosures();
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
     }
 
-    /// The same bounds as intervals of doubles, for whoever computes with such.
+    /// Returns the same bounds as intervals of doubles.
     ///
     /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`](super::Arithmetic::Float).
     ///
@@ -44,7 +44,7 @@ impl Orbit {
         (enclosing(&time), enclosing(&velocity))
     }
 
-    /// The impact as a point of its switch-plane. **Equations** (18)-(23)
+    /// Returns the impact as a point of its switch-plane. **Equations** (18)-(23)
     pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
         let shaking = self.shaking(impact.turns, impact.phase);
         let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
@@ -58,23 +58,23 @@ impl Orbit {
         }
     }
 
-    /// `E/d` and `E'` in gaps a turn.
+    /// `E/d` and `E'` in gap widths per forcing period.
     pub(super) fn shaking(&self, turns: i64, phase: Ball) -> (Ball, Ball) {
         let [shift, speed, _] = self.engine.given.shaken.displacement(turns, phase);
         (shift, speed)
     }
 
-    /// When a rest begins \[time\].
+    /// Returns bounds of the beginning of a rest \[time\].
     pub fn rest_time(&self, rest: &Rest) -> Enclosure {
         self.clock.time(rest.turns, &rest.phase)
     }
 
-    /// When a wall may be grazed \[time\].
+    /// Returns bounds of the time of a graze \[time\].
     pub fn graze_time(&self, graze: &Graze) -> Enclosure {
         self.exact_time(graze.turns, &graze.phase)
     }
 
-    /// When a release happens \[time\], as exactly as it can be shown.
+    /// Returns bounds of the time of a release \[time\], exact if possible.
     pub fn release_time(&self, release: &Release) -> Enclosure {
         self.exact_time(release.turns, &release.phase)
     }

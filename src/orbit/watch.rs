@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 
 use super::{Impact, Orbit, Progress};
 
-/// Sees how far orbits have come, and says how long to go on.
+/// Observes the progress of an orbit, and decides whether to continue.
 ///
-/// A closure is one that says only whether to go on; `&|| true` follows orbits to their ends.
+/// A closure returns only whether to continue; `&|| true` follows orbits to their ends.
 pub trait Watch {
     /// Whether to go on; asked before each event.
     fn goes_on(&self) -> bool;
@@ -50,7 +50,7 @@ impl Orbit {
         ControlFlow::Continue(())
     }
 
-    /// The same for the impacts alone, to the end or the watch's.
+    /// Returns the same for the impacts alone, to the end or the watch's.
     pub fn follow_impacts(&mut self, watch: &dyn Watch, mut each: impl FnMut(&Self, Impact) -> ControlFlow<()>) {
         let _ = self.follow(watch, |orbit, step| match step {
             Progress::Impact(impact) => each(orbit, impact),

@@ -1,8 +1,8 @@
-//! Widths asked for.
+//! Widths requested.
 
 use crate::exact::log2_of_digits;
 
-/// A width asked for; below the range of doubles it is 0 there.
+/// A width requested; below the range of doubles it is 0 there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Width {
     pub linear: f64,

@@ -13,11 +13,11 @@ pub struct Passing {
     pub index: u64,
     /// The wall.
     pub wall: Wall,
-    /// Whole turns.
+    /// Whole forcing periods.
     pub turns: i64,
-    /// The rest of the phase in turns.
+    /// The rest of the phase in forcing periods.
     pub phase: Ball,
-    /// The velocity before the impact, in gaps a turn.
+    /// The velocity before the impact, in gap widths per forcing period.
     pub velocity: Ball,
 }
 
@@ -30,9 +30,9 @@ pub struct Attractor {
     pub cycles: u32,
     /// The orbit.
     pub orbit: PeriodicOrbit,
-    /// The first impact of those looked at whose states are proved to lie in a neighbourhood that the period contracts.
+    /// The first impact examined whose states are proved to lie in a neighbourhood that the map of a period contracts.
     pub from: u64,
-    /// What a period multiplies the distance from the orbit by at most, from there on, in that neighbourhood's norm.
+    /// Upper bound of the contraction rate of a period in that neighbourhood, in its norm.
     pub factor: f64,
 }
 
@@ -69,12 +69,12 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
 }
 
 impl Passing {
-    /// Turns since another one.
+    /// Forcing periods since another one.
     fn since(&self, before: &Self) -> f64 {
         (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid()) // proposes
     }
 
-    /// How far two states on one wall differ, in turns less whole ones and in parts of the velocities.
+    /// How far two states on one wall differ, in forcing periods less whole ones and in parts of the velocities.
     fn apart(&self, before: &Self) -> Option<f64> {
         let since = self.since(before);
         let (now, then) = (self.velocity.mid(), before.velocity.mid());
@@ -91,7 +91,7 @@ impl Guess<'_> {
         Word::new(mappings.collect()).ok()
     }
 
-    /// Phases in turns, from the turn on that began the common period of the first impact.
+    /// Phases in forcing periods, from the forcing period on that began the common period of the first impact.
     fn phases(&self, period: i64) -> Vec<f64> {
         let first = self.states[0].turns;
         let base = first - first.rem_euclid(period);

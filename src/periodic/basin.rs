@@ -23,9 +23,9 @@ use crate::pair::{Inward, Wall};
 #[derive(Clone, Debug)]
 pub struct Basin {
     wall: Wall,
-    /// Turns after which the excitation repeats.
+    /// Forcing periods after which the excitation repeats.
     period: f64,
-    /// The orbit's first state: phase in turns, less whole periods, and velocity before.
+    /// The orbit's first state: phase in forcing periods, less whole periods, and velocity before.
     centre: [Ball; 2],
     /// `T^-1`
     inverse: Matrix,
@@ -38,7 +38,7 @@ type Axes = [[f64; 2]; 2];
 /// Two vectors of phase and velocity.
 type Basis = [[f64; 2]; 2];
 
-/// The radii tried, each half of the one before, in turns; the second axis so many times shorter.
+/// The radii tried, each half of the one before, in forcing periods; the second axis so many times shorter.
 const LARGEST: f64 = 0.125;
 const HALVINGS: usize = 44;
 const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];
@@ -105,7 +105,7 @@ impl Problem {
     }
 
     /// The orbit's eigenvectors, that of the larger eigenvalue first, or the two parts of a complex one; and the first
-    /// with what is perpendicular to it, where they are nearly parallel. In floats: any invertible matrix will do.
+    /// with what is perpendicular to it, where they are nearly parallel. In floating point: any invertible matrix will do.
     fn bases(&self, orbit: &Finding<Ball>) -> Option<[Basis; 2]> {
         // proposes
         let speed = (0..self.chain().impacts()).map(|i| self.chain().before(&orbit.legs, i).mag()).fold(0.0, f64::max);
@@ -139,7 +139,7 @@ impl Problem {
 }
 
 impl Basin {
-    /// Whether all states of this phase (in turns, up to whole periods of the excitation) and velocity before an impact
+    /// Returns whether all states of this phase (in forcing periods, up to whole periods of the excitation) and velocity before an impact
     /// on `wall` are proved to lie inside.
     pub fn holds(&self, wall: Wall, phase: Ball, velocity: Ball) -> bool {
         let [phase0, velocity0] = self.centre;
@@ -150,18 +150,18 @@ impl Basin {
         wall == self.wall && length(s.map(Ball::mag)) < self.radius
     }
 
-    /// What a period multiplies distances by at most, less than 1.
+    /// Returns what a period multiplies distances by at most, less than 1.
     pub fn factor(&self) -> f64 {
         self.factor
     }
 
-    /// The ellipse's radius in turns, along the eigenvector of the larger eigenvalue, in units of its own.
+    /// Returns the ellipse's radius in forcing periods, along the eigenvector of the larger eigenvalue, in units of its own.
     pub fn radius(&self) -> f64 {
         self.radius
     }
 }
 
-/// The whole turns of a phase's middle, and the rest.
+/// The whole forcing periods of a phase's middle, and the rest.
 fn in_turn(phase: Ball) -> (f64, Ball) {
     let turns = phase.mid().floor(); // exact: any whole number is taken off
     (turns, phase - Ball::exact(turns))

@@ -1,4 +1,4 @@
-//! What is known of all the orbits of a word.
+//! The proved orbits of a word, and whether they are all.
 
 use super::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::contact::Reason;
@@ -17,20 +17,20 @@ pub struct Region {
 pub struct Census {
     /// Each once, in the order of their first phases.
     pub orbits: Vec<PeriodicOrbit>,
-    /// Proved: the word has no other orbit that is physical, in the whole state space (Lemma T9). Motions that rest are none of these (Lemma T12).
+    /// Whether it is proved that the word has no other admissible orbit in the whole state space (Lemma T9), apart from motions with sticking (Lemma T12).
     pub exhaustive: bool,
-    /// Where else orbits may be, if all of them were asked for.
+    /// Where else orbits may be, if all of them were requested.
     pub undecided: Vec<Region>,
-    /// Whether all of them were asked for.
+    /// Whether all of them were requested.
     pub is_search: bool,
     /// Proved: orbits come in a family, none of them isolated (Lemma T11), which is listed as undecided.
     pub is_family: bool,
-    /// Whether it ended before all was tried, as its caller wished.
+    /// Whether the search was interrupted.
     pub interrupted: bool,
 }
 
 impl Census {
-    /// Whether all that was asked is proved: something, or that there is nothing, and each orbit in all it is asked.
+    /// Returns whether everything requested is proved: existence or absence of orbits, and all properties of each.
     pub fn is_certified(&self) -> bool {
         let answers = if self.is_search { self.exhaustive } else { !self.orbits.is_empty() };
         answers && !self.interrupted && self.orbits.iter().all(|orbit| orbit.is_decided() && orbit.is_narrow)

@@ -1,9 +1,9 @@
 //! The equations of a closed chain of impacts, one unknown for each: its phase.
 //!
 //! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities; the
-//! impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
-//! floats find, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
-//! through the same lines; and in what shakes the box ([`Shaking`]).
+//! Newton's impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
+//! Floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
+//! through the same lines; and in the excitation ([`Shaking`]).
 
 use super::shaking::{Hop, Repetition, Shaking};
 use crate::Error;
@@ -11,9 +11,9 @@ use crate::mapping::{Word, jacobian_between};
 use crate::number::Number;
 use crate::pair::{Reduced, Wall};
 
-/// A closed word of `k` impacts that repeats after so many cycles. **Equations** (29), (33), (36), (52)-(56)
+/// A closed word of `k` impacts that repeats after `cycles` forcing periods. **Equations** (29), (33), (36), (52)-(56)
 ///
-/// Unknowns are the phases `u_0 < u_1 < ... < u_{k-1} < u_0 + cycles` in turns, in time order.
+/// Unknowns are the phases `u_0 < u_1 < ... < u_{k-1} < u_0 + cycles` in forcing periods, in time order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chain {
     walls: Vec<Wall>,
@@ -21,10 +21,10 @@ pub struct Chain {
     repetition: Repetition,
 }
 
-/// A flight of a chain; velocities in gaps a turn, to the right.
+/// A flight of a chain; velocities in gap widths per forcing period, to the right.
 #[derive(Clone, Copy, Debug)]
 pub struct Leg<N> {
-    /// `h`: how long it takes, in turns.
+    /// `h`: how long it takes, in forcing periods.
     pub time: N,
     /// `c`: the drift, that is the absolute velocity.
     pub drift: N,
@@ -51,7 +51,7 @@ pub struct Slopes<N>(pub Vec<[N; 3]>);
 pub const MOST_CYCLES: u32 = 1_000_000;
 
 impl Chain {
-    /// The chain of a word that closes after `cycles` cycles of one harmonic.
+    /// Returns the chain of a word that closes after `cycles` cycles of one harmonic.
     ///
     /// # Errors
     /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
@@ -59,7 +59,7 @@ impl Chain {
         Self::under(Repetition::TURN, word, cycles)
     }
 
-    /// The chain of a word that closes after `cycles` turns of the fastest harmonic.
+    /// Returns the chain of a word that closes after `cycles` turns of the fastest harmonic.
     ///
     /// # Errors
     /// When the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple
@@ -73,8 +73,9 @@ impl Chain {
         }
         if !cycles.is_multiple_of(repetition.turns) {
             let period = repetition.turns;
-            let accepted = format!("must be a multiple of {period}: only after {period} turns of the fastest harmonic");
-            return Err(not_so_many(cycles, &format!("{accepted} are all phases what they were")));
+            let accepted =
+                format!("must be a multiple of {period}: only after {period} periods of the fastest harmonic");
+            return Err(not_so_many(cycles, &format!("{accepted} do all phases repeat")));
         }
         Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles, repetition })
     }
@@ -87,43 +88,43 @@ impl Chain {
         Self::under(self.repetition, word, cycles)
     }
 
-    /// The wall of each impact, in time order.
+    /// Returns the wall of each impact, in time order.
     pub fn walls(&self) -> &[Wall] {
         &self.walls
     }
 
-    /// How many turns the chain takes.
+    /// Returns how many forcing periods the chain takes.
     pub fn cycles(&self) -> u32 {
         self.cycles
     }
 
-    /// The turns after which the excitation repeats: 1 under one harmonic.
+    /// Returns the forcing periods after which the excitation repeats: 1 with one harmonic.
     pub fn period(&self) -> u32 {
         self.repetition.turns
     }
 
-    /// The turns after which the mirrored motion is one as well: half a period, where the harmonics are odd. Lemma T6
+    /// Returns the forcing periods after which the mirrored motion is one as well: half a period, where the harmonics are odd. Lemma T6
     pub fn mirror(&self) -> Option<f64> {
         self.repetition.is_odd.then(|| f64::from(self.repetition.turns) / 2.0)
     }
 
-    /// How many impacts it has.
+    /// Returns how many impacts it has.
     pub fn impacts(&self) -> usize {
         self.walls.len()
     }
 
-    /// Whether both walls are hit.
+    /// Returns whether both walls are hit.
     pub fn crosses(&self) -> bool {
         self.walls.iter().any(|&wall| wall != self.walls[0])
     }
 
-    /// The impact after impact `i`.
+    /// Returns the impact after impact `i`.
     #[inline(always)]
     pub fn next(&self, i: usize) -> usize {
         if i + 1 == self.walls.len() { 0 } else { i + 1 }
     }
 
-    /// The impact before impact `i`.
+    /// Returns the impact before impact `i`.
     #[inline(always)]
     pub fn previous(&self, i: usize) -> usize {
         if i == 0 { self.walls.len() - 1 } else { i - 1 }
@@ -135,7 +136,7 @@ impl Chain {
         (self.walls[i].sign() - self.walls[self.next(i)].sign()) / 2.0
     }
 
-    /// The flights through these phases, each where it has to arrive; `None` where a flight may take no time.
+    /// Returns the flights through these phases, each where it has to arrive; `None` where a flight may take no time.
     pub fn legs<N: Number, S: Shaking<N>>(&self, shaking: &S, phases: &[N]) -> Option<Legs<N, S::Moment>> {
         let waves: Vec<S::Moment> = phases.iter().map(|phase| shaking.moment(0.0, phase)).collect();
         let leg = |i: usize| {
@@ -170,14 +171,14 @@ impl Chain {
         &legs[self.previous(i)].before
     }
 
-    /// What the impact law misses at each impact: `v+ + e v-`, zero at an orbit. **Equation** (15), Lemma T1
+    /// Returns what Newton's impact law misses at each impact: `v+ + e v-`, zero at an orbit. **Equation** (15), Lemma T1
     pub fn residual<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Vec<N> {
         let e = shaking.restitution();
         let miss = |i: usize| e.clone().mul_add(self.before(&legs.legs, i).clone(), legs.legs[i].after.clone());
         (0..self.impacts()).map(miss).collect()
     }
 
-    /// The derivatives of [`Chain::residual`] by the phases. Lemma T2
+    /// Returns the derivatives of [`Chain::residual`] by the phases. Lemma T2
     pub fn slopes<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<Slopes<N>> {
         let e = shaking.restitution();
         let both = e.clone() + N::from_f64(1.0);
@@ -195,7 +196,7 @@ impl Chain {
         (0..self.impacts()).map(row).collect::<Option<_>>().map(Slopes)
     }
 
-    /// The derivatives of [`Chain::residual`] by `alpha = A/d`. Lemma T2
+    /// Returns the derivatives of [`Chain::residual`] by `alpha = A/d`. Lemma T2
     pub fn by_alpha<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<Vec<N>> {
         let wave = |i: usize| {
             let sines = legs.waves[self.next(i)].0.clone() - legs.waves[i].0.clone();
@@ -210,12 +211,12 @@ impl Chain {
         (0..self.impacts()).map(row).collect()
     }
 
-    /// The derivatives of [`Chain::residual`] by `e`: the velocities before the impacts. Lemma T2
+    /// Returns the derivatives of [`Chain::residual`] by `e`: the velocities before the impacts. Lemma T2
     pub fn by_restitution<N: Number>(&self, legs: &Legs<N>) -> Vec<N> {
         (0..self.impacts()).map(|i| self.before(&legs.legs, i).clone()).collect()
     }
 
-    /// The product of the Jacobians (A.7) over the period, from impact 0 on. **Equations** (31), (37), (53)
+    /// Returns the product of the Jacobians (A.7) over the period, from impact 0 on. **Equations** (31), (37), (53)
     ///
     /// `None` when an arrival may be a graze.
     pub fn monodromy<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<[[N; 2]; 2]> {
@@ -251,7 +252,7 @@ pub(super) fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] 
 }
 
 impl<N> Slopes<N> {
-    /// The matrix of the derivatives, entry by entry: row, column, value. Two may fall on one place.
+    /// Returns the matrix of the derivatives, entry by entry: row, column, value. Two may fall on one place.
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
         let count = self.0.len();
         self.0.iter().enumerate().flat_map(move |(i, row)| {

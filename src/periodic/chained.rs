@@ -1,4 +1,4 @@
-//! A pair whose chains are proved, whatever shakes its box.
+//! A pair whose chains are proved, for any excitation.
 
 use super::chain::{Chain, Legs};
 use super::physical;
@@ -13,7 +13,7 @@ use crate::pair::{Wall, rebound};
 use crate::shaken::Flying;
 pub(super) use crate::shaken::One;
 
-/// An impact of a floating motion: wall, phase in turns, velocity before.
+/// An impact of a floating-point motion: wall, phase in forcing periods, velocity before.
 pub(super) type Passing = (Wall, f64, f64);
 
 /// What an arithmetic knows of the box at a time.
@@ -31,7 +31,7 @@ pub(super) struct Step {
 
 /// A harmonic as searches see it.
 pub(super) struct Rate {
-    /// Its greatest speed, in gaps a turn.
+    /// Its greatest speed, in gap widths per forcing period.
     pub beta: Ball,
     /// `W_k/W` and its phase at turn 0, but for the one that turns are counted of.
     pub own: Option<[Ball; 2]>,
@@ -39,7 +39,7 @@ pub(super) struct Rate {
 
 /// What proofs of chains need of a pair.
 pub(super) trait Chained: Flying {
-    /// The box's greatest speed in gaps a turn, about.
+    /// The box's greatest speed in gap widths per forcing period, about.
     fn speed(&self) -> f64 {
         self.pair().beta.mid()
     }
@@ -47,7 +47,7 @@ pub(super) trait Chained: Flying {
     /// All harmonics, the fastest first.
     fn rates(&self) -> Vec<Rate>;
 
-    /// The impact after one of a floating motion.
+    /// The impact after one of a floating-point motion.
     fn next(&self, (wall, phase, velocity): Passing) -> Option<Passing> {
         let after = rebound(&self.pair().restitution.mid(), velocity);
         // The whole turns are kept apart.
@@ -56,7 +56,7 @@ pub(super) trait Chained: Flying {
         Some((contact.wall, whole + contact.turns + contact.phase, contact.velocity))
     }
 
-    /// The first contact of all flights that start with an impact in a box of phases, so many whole turns on, and of
+    /// The first contact of all flights that start with an impact in a box of phases, so many whole forcing periods on, and of
     /// velocities before; `None` where it is not proved.
     fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<Step> {
         // H11: whole, polished phases are below 2^40
@@ -80,11 +80,11 @@ pub(super) trait Chained: Flying {
 
 impl Chained for One {
     fn rates(&self) -> Vec<Rate> {
-        vec![Rate { beta: self.court.pair.beta, own: None }]
+        vec![Rate { beta: self.bounds_of_pair.pair.beta, own: None }]
     }
 
     fn is_physical(&self, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
-        physical::is_physical(&self.court, chain, phases, legs)
+        physical::is_physical(&self.bounds_of_pair, chain, phases, legs)
     }
 
     #[cfg(feature = "multiprecision")]
@@ -95,6 +95,6 @@ impl Chained for One {
         phases: &[MpBall],
         legs: &Legs<MpBall>,
     ) -> Option<bool> {
-        physical::is_physical_precisely(&self.court, pair, chain, phases, legs)
+        physical::is_physical_precisely(&self.bounds_of_pair, pair, chain, phases, legs)
     }
 }

@@ -1,4 +1,4 @@
-//! Where orbits may be: from floating motions that nearly close, and from phases spread evenly. Nothing is proved.
+//! Where orbits may be: from floating-point motions that nearly close, and from phases spread evenly. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -42,7 +42,7 @@ pub(super) fn guesses<S: Chained>(
         .map(|guess| into_first_period(chain, guess))
 }
 
-/// The floating motion of a start; nothing where that is beyond doubles.
+/// The floating-point motion of a start; nothing where that is beyond doubles.
 fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<Passing> {
     let first = || -> Option<Passing> {
         let clock = Clock::new(pair, start.time(), f64::MANTISSA_DIGITS).ok()?;
@@ -55,7 +55,7 @@ fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &S
     first().map_or_else(Vec::new, |first| motion_from(shaken, first, OWN_IMPACTS))
 }
 
-/// The floating motion from a state on a wall.
+/// The floating-point motion from a state on a wall.
 fn motion_from<S: Chained>(shaken: &S, start: Passing, impacts: usize) -> Vec<Passing> {
     std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(impacts).collect()
 }
@@ -92,7 +92,7 @@ fn even(n: usize, i: usize, count: usize) -> f64 {
     (0.5 + (n as f64 + 1.0) * root.powi(-(i as i32 + 1))).fract()
 }
 
-/// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a turn.
+/// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a forcing period.
 fn spread_state<S: Chained>(chain: &Chain, shaken: &S, n: usize) -> Passing {
     let wall = chain.walls()[0];
     let speed = 2.0 * (shaken.speed() + 1.0) * even(n, 1, 2);
@@ -108,7 +108,7 @@ fn spread_phases(chain: &Chain, n: usize) -> Vec<f64> {
     std::iter::once(first).chain(rest).collect()
 }
 
-/// The same phases with the first one in the first common period: in `[0, 1)` under one harmonic.
+/// The same phases with the first one in the first common period: in `[0, 1)` with one harmonic.
 fn into_first_period(chain: &Chain, mut phases: Vec<f64>) -> Vec<f64> {
     let period = f64::from(chain.period());
     let whole = (phases[0] / period).floor() * period;

@@ -7,7 +7,7 @@ use super::krawczyk::{Proved, is_inside};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// The same motion told from another impact on, or of the mirrored ball.
+/// The same motion measured from another impact on, or of the mirrored ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct View {
     /// Impacts later.
@@ -16,7 +16,7 @@ pub(super) struct View {
 }
 
 impl View {
-    /// All views of a chain that have its own word; mirrored ones only where the excitation has one.
+    /// Returns all views of a chain that have its own word; mirrored ones only where the excitation has one.
     pub fn of(chain: &Chain, mirrored: bool) -> impl Iterator<Item = Self> {
         let walls = chain.walls();
         let seen = move |wall: Wall| if mirrored { wall.other() } else { wall };
@@ -42,7 +42,7 @@ impl View {
         (0..count).map(|i| moved(i) - turns.clone()).collect()
     }
 
-    /// Whether `one`, seen so, is the orbit `other`. Lemma T6
+    /// Returns whether `one`, seen so, is the orbit `other`. Lemma T6
     pub fn is_same<N: Enclosing>(self, chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
         let seen = self.phases(chain, &one.at, &other.at);
         if is_inside(&seen, &other.domain) {
@@ -76,12 +76,12 @@ impl Identity {
     }
 }
 
-/// Whether `one` is the orbit `other`, told from whichever impact.
+/// Whether `one` is the orbit `other`, measured from whichever impact.
 pub(super) fn is_one_orbit<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(View::of(chain, false).map(|view| view.is_same(chain, one, other)))
 }
 
-/// Whether `one` is the orbit `other` or its mirror image, told from whichever impact.
+/// Whether `one` is the orbit `other` or its mirror image, measured from whichever impact.
 pub(super) fn is_one_reduced<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(views(chain).map(|view| view.is_same(chain, one, other)))
 }

@@ -51,13 +51,13 @@ pub struct Effort {
     pub largest: f64,
     /// How many are tried.
     pub domains: u32,
-    /// Images that narrow the zero: where nothing is rounded (at quarter turns) they would do so for ever.
+    /// Images that narrow the zero: where nothing is rounded (at quarter periods) they would do so for ever.
     pub images: u32,
     /// How many of them may take less than a quarter of a bit off it.
     pub slow: u32,
 }
 
-/// `2^-5`, the largest radius that is of use, in turns, and the factor from one domain to the next.
+/// `2^-5`, the largest radius that is of use, in forcing periods, and the factor from one domain to the next.
 pub(super) const LARGEST: f64 = 0.031_25;
 const FINER: f64 = 0.125;
 /// An image that takes so many bits off an enclosure is not slow.

@@ -1,4 +1,4 @@
-//! A periodic orbit in the units of the scene: what tables and the periodic JSON show, of any word and of two impacts alike.
+//! A periodic orbit in the units of the scene: as shown in tables and the periodic JSON, for any word.
 
 use super::stability::{Eigenvalue, Stability};
 use crate::exact::Enclosure;
@@ -11,7 +11,7 @@ pub struct MeasuredImpact {
     pub wall: Wall,
     /// `W t + tau` of the fastest harmonic in `[0, 2 pi)` \[rad\]; bounds that hold 0 reach beyond one end.
     pub phase: Enclosure,
-    /// The turn of that harmonic that the phase is told from, less whole common periods: 0 under one harmonic.
+    /// The forcing period of the phase within the common period: 0 with one harmonic.
     pub turn: u32,
     /// The relative velocity `y'` just before the impact \[length/time\].
     pub velocity: Enclosure,
@@ -19,10 +19,10 @@ pub struct MeasuredImpact {
 
 /// A periodic orbit in the units of the scene, with all that is proved of it.
 ///
-/// **Enclosure**: for every choice of the parameters, one orbit lies within the bounds, and what is enclosed is enclosed for it.
+/// **Enclosure**: for every choice of the parameters, exactly one orbit lies within the bounds, and all enclosures are of it.
 #[derive(Clone, Debug)]
 pub struct MeasuredOrbit {
-    /// Turns of the fastest harmonic after which the excitation repeats: 1 under one harmonic.
+    /// Forcing periods of the fastest harmonic after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
     /// In time order.
     pub impacts: Vec<MeasuredImpact>,
@@ -43,11 +43,11 @@ pub struct MeasuredOrbit {
 }
 
 impl MeasuredOrbit {
-    /// The same, told from the first impact on this wall; as it is where there is none.
-    pub fn told_from(&self, wall: Wall) -> Self {
+    /// Returns the orbit listed from the first impact on this wall; unchanged if there is none.
+    pub fn listed_from(&self, wall: Wall) -> Self {
         let first = self.impacts.iter().position(|impact| impact.wall == wall);
-        let mut told = self.clone();
-        told.impacts.rotate_left(first.unwrap_or(0)); // shown
-        told
+        let mut listed = self.clone();
+        listed.impacts.rotate_left(first.unwrap_or(0)); // shown
+        listed
     }
 }

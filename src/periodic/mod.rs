@@ -1,11 +1,11 @@
 //! Periodic orbits of any word, proved: sections 3 and 4 of the paper.
 //!
 //! A [`Problem`] is a pair, a closed word and a number of cycles. Its unknowns are the phases of the impacts, its
-//! equations the impact law at each ([`chain`]); Newton's iteration in floats proposes ([`newton`]), Krawczyk's operator
-//! disposes ([`krawczyk`]), in doubles first and in as many bits as asked after that. Then each flight is proved to
+//! equations Newton's impact law at each ([`chain`]); Newton's iteration in floating point approximates ([`newton`]), Krawczyk's
+//! operator verifies ([`krawczyk`]), first in doubles and then at the requested precision. Then each flight is proved to
 //! end at its first contact, and trace, determinant and eigenvalues of the period's Jacobian are enclosed (38).
-//! [`Problem::find_all`] searches the whole state space, so that what it lists is all there is. Under several harmonics
-//! with a common period ([`Problem::period`]) all that is the same. Lemmas T1-T12, H10-H12 and H14 are in
+//! [`Problem::find_all`] searches the whole state space, so that its list is complete. With several harmonics
+//! with a common period ([`Problem::period`]) the same methods apply. Lemmas T1-T12, H10-H12 and H14 are in
 //! `docs/proofs.md`.
 
 mod attractor;
@@ -55,10 +55,10 @@ pub use search::{Budget, Searched};
 use several::repetition;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
-/// How narrow the enclosures of an orbit are asked to be.
+/// Requested widths of the enclosures of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Precision {
-    /// At most `10^-digits` wide: phases in turns, velocities in `A W`.
+    /// At most `10^-digits` wide: phases in forcing periods, velocities in `A W`.
     pub digits: u32,
     /// Bits to take at most.
     pub max_bits: u32,
@@ -71,25 +71,25 @@ impl Default for Precision {
 }
 
 impl Precision {
-    /// `log2` of the width asked for: a hundredth of a digit is for printing.
+    /// `log2` of the requested width: a hundredth of a digit is for printing.
     fn log2_width(self) -> f64 {
         -log2_of_digits(f64::from(self.digits) + 0.01)
     }
 }
 
-/// Digits that orbits are told apart by, where those asked for do not do.
+/// Digits that orbits are distinguished by, where those requested do not do.
 const FINE_DIGITS: u32 = 14;
 
-/// What shakes the box.
+/// The excitation.
 #[derive(Clone, Debug)]
 enum Pair {
     One(Box<One>),
     Several(Box<Several>),
 }
 
-/// The periodic orbits of a word in so many cycles, as a question.
+/// The problem of finding the periodic orbits of a word with a given number of forcing periods.
 ///
-/// A cycle is a turn of the fastest harmonic; under several harmonics an orbit takes whole common periods of theirs.
+/// A cycle is a period of the fastest harmonic; with several harmonics an orbit takes whole common periods.
 ///
 /// ```
 /// use impact_pair::{Harmonic, ImpactPair};
@@ -116,7 +116,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// The orbits of `pair` with this word and so many cycles.
+    /// Returns the problem for `pair` with this word and this number of cycles.
     ///
     /// # Errors
     /// When the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles. Under several
@@ -144,30 +144,30 @@ impl Problem {
         })
     }
 
-    /// The pair.
+    /// Returns the pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.impact_pair
     }
 
-    /// The word.
+    /// Returns the word.
     pub fn word(&self) -> &Word {
         &self.word
     }
 
-    /// The equations.
+    /// Returns the equations.
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// The parameters in doubles; `None` under several harmonics.
+    /// Returns the parameters in doubles; `None` with several harmonics.
     pub fn reduced(&self) -> Option<&Reduced<Ball>> {
         match &self.pair {
-            Pair::One(one) => Some(&one.court.pair),
+            Pair::One(one) => Some(&one.bounds_of_pair.pair),
             Pair::Several(_) => None,
         }
     }
 
-    /// The common period of all harmonics, in turns of the fastest: 1 of one harmonic.
+    /// Returns the common period of all harmonics, in periods of the fastest: 1 for one harmonic.
     pub fn period(&self) -> u32 {
         self.chain.period()
     }
@@ -179,7 +179,7 @@ impl Problem {
         self.find_while(start, precision, || true)
     }
 
-    /// The same while `goes_on`, which is asked between guesses; those that it ends before are not tried.
+    /// Finds orbits while `goes_on` returns true; it is called between guesses.
     pub fn find_while(&self, start: &Start, precision: Precision, goes_on: impl Fn() -> bool) -> Census {
         if let Some(census) = self.settled() {
             return census;
@@ -245,7 +245,7 @@ impl Problem {
         Some((problem, phases))
     }
 
-    /// The orbit near a guess, and whether it is one of those known: what the digits asked for do not tell apart is proved to
+    /// The orbit near a guess, and whether it is one of those known: what the requested digits do not tell apart is proved to
     /// more. Lemma T6
     fn prove_beside<'o>(
         &self,

@@ -1,4 +1,4 @@
-//! Floating point proposes: Newton's iteration on a chain's equations. Nothing here is proved.
+//! Newton's iteration on a chain's equations in floating point: non-rigorous.
 
 use super::chain::{Chain, Leg, Legs};
 use super::precondition::Preconditioner;
@@ -7,7 +7,7 @@ use crate::pair::Inward;
 
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;
-/// Phases beyond so many turns have lost the orbit.
+/// Phases beyond so many forcing periods have lost the orbit.
 const FARTHEST: f64 = 1e9;
 /// The least part of a flight's time that one step leaves.
 const KEPT: f64 = 0.2;
@@ -70,7 +70,7 @@ fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     (0..step.len()).map(room).fold(1.0, f64::min) // proposes
 }
 
-/// Whether these phases are in order and each impact comes from inside the gap, as far as doubles can tell.
+/// Returns whether these phases are in order and each impact comes from inside the gap, as far as doubles can tell.
 pub fn is_plausible<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64]) -> bool {
     chain.legs(shaking, phases).is_some_and(|legs| {
         let arrives = |i: usize| chain.walls()[i].inward(*chain.before(&legs.legs, i)) < 0.0;
@@ -78,7 +78,7 @@ pub fn is_plausible<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64])
     })
 }
 
-/// The preconditioner at these phases.
+/// Returns the preconditioner at these phases.
 pub fn precondition<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64]) -> Option<Preconditioner> {
     Preconditioner::new(&chain.slopes(shaking, &chain.legs(shaking, phases)?)?)
 }

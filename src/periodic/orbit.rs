@@ -1,4 +1,4 @@
-//! A proved periodic orbit as it is handed on: intervals, and what is proved of them.
+//! A proved periodic orbit: its enclosures and proved properties.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -12,33 +12,33 @@ use crate::exact::{Enclosure, Exact};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// An impact of a periodic orbit in turns and gaps; in the units of the scene it is a [`MeasuredImpact`](super::MeasuredImpact).
+/// An impact of a periodic orbit in forcing periods and gaps; in the units of the scene it is a [`MeasuredImpact`](super::MeasuredImpact).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicImpact {
     /// The wall.
     pub wall: Wall,
-    /// The phase in turns since the first impact's turn began, which is turn 0; under several harmonics since the common
+    /// The phase in forcing periods, counted from the beginning of the period of the first impact; with several harmonics since the common
     /// period began that it is in.
     pub phase: Enclosure,
-    /// The relative velocity `y'` just before the impact, in gaps a turn.
+    /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
     pub velocity: Enclosure,
 }
 
 impl PeriodicImpact {
-    /// The turn that its phase `W t + tau` is told from, counted from that of the first impact.
+    /// Returns the forcing period of its phase `W t + tau`, counted from that of the first impact.
     pub fn cycle(&self) -> i64 {
         let turn = self.phase.inf().to_rational().floor().to_integer(); // exact: a whole number
-        turn.to_i64().expect("turns of a chain")
+        turn.to_i64().expect("forcing periods of a chain")
     }
 }
 
 /// A periodic orbit of a word, proved; in the units of the scene it is a [`MeasuredOrbit`](super::MeasuredOrbit).
 ///
 /// **Enclosure**: for all parameters of the pair there is exactly one orbit of the word with its impacts in these
-/// bounds (Lemma T3), and what is enclosed here is enclosed for it.
+/// bounds (Lemma T3), and all enclosures are of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicOrbit {
-    /// Turns after which the excitation repeats: 1 under one harmonic.
+    /// Forcing periods after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
     /// In time order, starting on the wall that the word starts on.
     pub impacts: Vec<PeriodicImpact>,
@@ -58,29 +58,29 @@ pub struct PeriodicOrbit {
     pub stability: Stability,
     /// The bits it was proved with: 53 in double precision.
     pub bits: u32,
-    /// Whether the enclosures are as narrow as asked.
+    /// Whether the enclosures are as narrow as requested.
     pub is_narrow: bool,
     /// The phases and the box in which there is no other orbit.
     pub(super) proved: Proved<Ball>,
 }
 
 impl PeriodicOrbit {
-    /// The phases in turns, impact by impact, in doubles.
+    /// Returns the phases in forcing periods, impact by impact, in doubles.
     pub fn phases(&self) -> &[Ball] {
         &self.proved.at
     }
 
-    /// The box of phases in which there is no other orbit of the word, in doubles.
+    /// Returns the box of phases in which there is no other orbit of the word, in doubles.
     pub fn domain(&self) -> &[Ball] {
         &self.proved.domain
     }
 
-    /// Whether all that is said of it is proved one way or the other.
+    /// Returns whether all its properties are decided.
     pub fn is_decided(&self) -> bool {
         self.is_placed() && self.stability != Stability::Undecided
     }
 
-    /// Whether it is proved that linear theory does not tell its stability: `e = 1`, and both eigenvalues lie on the unit circle,
+    /// Returns whether it is proved that linear theory does not decide its stability: `e = 1`, and both eigenvalues lie on the unit circle,
     /// apart (Lemma T4).
     pub fn is_neutral(&self) -> bool {
         is_neutral(&self.trace, &self.determinant)
@@ -181,7 +181,7 @@ impl<N: Enclosing> Finding<N> {
     }
 }
 
-/// The turns up to the common period in which the first impact is.
+/// The forcing periods up to the common period in which the first impact is.
 pub(super) fn whole_periods(chain: &Chain, first: &Enclosure, bits: u32) -> Enclosure {
     let period = BigRational::from_integer(chain.period().into());
     let turns = (first.inf().to_rational() / &period).floor() * period; // exact: a whole number

@@ -6,7 +6,7 @@ use super::chain::{Chain, Leg, Legs};
 use super::shaking::Shaking;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Start, isolate_first};
-use crate::contact::{Court, Radii, Verdict, first_contact};
+use crate::contact::{PairBounds, Radii, Verdict, first_contact};
 use crate::flight::Flight;
 #[cfg(feature = "multiprecision")]
 use crate::number::MpBall;
@@ -21,7 +21,7 @@ use crate::pair::Wall;
 pub(super) struct Claim<N> {
     pub from: Wall,
     to: Wall,
-    /// Whole turns and the rest of the phase, and velocity before the impact it starts with.
+    /// Whole forcing periods and the rest of the phase, and velocity before the impact it starts with.
     pub turns: f64,
     pub start: N,
     pub before: N,
@@ -30,7 +30,7 @@ pub(super) struct Claim<N> {
     leg: Leg<N>,
 }
 
-/// A first contact: its wall, its whole turns since those of the start, and the rest of its phase.
+/// A first contact: its wall, its whole forcing periods since those of the start, and the rest of its phase.
 pub(super) struct Found<N> {
     pub wall: Wall,
     pub turns: f64,
@@ -38,20 +38,25 @@ pub(super) struct Found<N> {
 }
 
 /// `Some(true)` when every flight is proved to touch no wall before it ends, `Some(false)` when one is proved to.
-pub(super) fn is_physical(court: &Court, chain: &Chain, phases: &[Ball], legs: &Legs<Ball>) -> Option<bool> {
-    all_first(chain, phases, &legs.legs, |claim| first_in_doubles(court, claim))
+pub(super) fn is_physical(
+    bounds_of_pair: &PairBounds,
+    chain: &Chain,
+    phases: &[Ball],
+    legs: &Legs<Ball>,
+) -> Option<bool> {
+    all_first(chain, phases, &legs.legs, |claim| first_in_doubles(bounds_of_pair, claim))
 }
 
 /// The same in balls, where doubles leave it open.
 #[cfg(feature = "multiprecision")]
 pub(super) fn is_physical_precisely(
-    court: &Court,
+    bounds_of_pair: &PairBounds,
     pair: &Reduced<MpBall>,
     chain: &Chain,
     phases: &[MpBall],
     legs: &Legs<MpBall>,
 ) -> Option<bool> {
-    all_first(chain, phases, &legs.legs, |claim| first_in_balls(court, pair, claim))
+    all_first(chain, phases, &legs.legs, |claim| first_in_balls(bounds_of_pair, pair, claim))
 }
 
 /// The conjunction over all flights.
@@ -79,7 +84,7 @@ pub(super) fn all_first<N: Enclosing>(
 }
 
 impl<N: Enclosing> Claim<N> {
-    /// Whether the ball comes to the first impact from inside the gap.
+    /// Returns whether the ball comes to the first impact from inside the gap.
     pub fn arrives(&self) -> Option<bool> {
         match self.from.inward(self.before.clone()).certain_sign()? {
             Ordering::Less => Some(true),
@@ -94,7 +99,7 @@ impl<N: Enclosing> Claim<N> {
         after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
     }
 
-    /// Whether a first contact that is proved is the end of the flight. Lemma T5
+    /// Returns whether a first contact that is proved is the end of the flight. Lemma T5
     pub fn is_at<S: Shaking<N>>(&self, shaking: &S, found: Found<N>) -> Option<bool> {
         if found.wall != self.to {
             return Some(false);
@@ -111,27 +116,27 @@ impl<N: Enclosing> Claim<N> {
     }
 }
 
-fn first_in_doubles(court: &Court, claim: &Claim<Ball>) -> Option<bool> {
+fn first_in_doubles(bounds_of_pair: &PairBounds, claim: &Claim<Ball>) -> Option<bool> {
     if !claim.arrives()? {
         return Some(false);
     }
-    let after = claim.from.inward(court.pair.rebound_of(claim.before));
+    let after = claim.from.inward(bounds_of_pair.pair.rebound_of(claim.before));
     if claim.sticks(&after) {
         return Some(false);
     }
     let phase = claim.start.mid();
-    let flight = Flight::from_wall(&court.centre, claim.from, phase, after.mid(), kernel::sin_cos(phase));
+    let flight = Flight::from_wall(&bounds_of_pair.centre, claim.from, phase, after.mid(), kernel::sin_cos(phase));
     let radii = Radii { phase: claim.start.rad(), velocity: after.rad(), height: 0.0 };
-    match first_contact(&flight, &court.margins, radii) {
+    match first_contact(&flight, &bounds_of_pair.margins, radii) {
         Verdict::Certified(contact) => {
-            claim.is_at(&court.pair, Found { wall: contact.wall, turns: contact.turns, phase: contact.phase })
+            claim.is_at(&bounds_of_pair.pair, Found { wall: contact.wall, turns: contact.turns, phase: contact.phase })
         }
         Verdict::Undecided(_) => None,
     }
 }
 
 #[cfg(feature = "multiprecision")]
-fn first_in_balls(court: &Court, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
+fn first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
     if !claim.arrives()? {
         return Some(false);
     }
@@ -151,7 +156,7 @@ fn first_in_balls(court: &Court, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) 
         phase: claim.start.to_ball(),
         velocity: after.to_ball(),
     };
-    let isolated = isolate_first(court, &start, || all, &centre).ok()?;
+    let isolated = isolate_first(bounds_of_pair, &start, || all, &centre).ok()?;
     let wall = isolated.target.wall(claim.from);
     let phase = MpBall::new(isolated.at.clone(), isolated.reach).rounded(claim.start.bits());
     claim.is_at(pair, Found { wall, turns: isolated.turns, phase })

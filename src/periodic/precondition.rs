@@ -12,7 +12,7 @@ pub struct Preconditioner {
 }
 
 impl Preconditioner {
-    /// The inverse of this matrix; `None` when it has none in doubles.
+    /// Returns the inverse of this matrix; `None` when it has none in doubles.
     pub fn new(jacobian: &impl Jacobian<f64>) -> Option<Self> {
         let mut matrix = DMatrix::<f64>::zeros(jacobian.size(), jacobian.size());
         for (i, j, value) in jacobian.entries() {

@@ -1,4 +1,4 @@
-//! The proof of one orbit: floats propose, doubles prove, more bits where those do not suffice. Lemmas T3-T5
+//! The proof of one orbit: floating point approximates, doubles prove, more bits where those do not suffice. Lemmas T3-T5
 
 use super::chain::Legs;
 use super::chained::Chained;
@@ -31,7 +31,7 @@ fn effort(bits: u32) -> Effort {
 }
 
 impl Problem {
-    /// Proves the orbit near these phases (in turns, in time order) in doubles. Lemmas T3-T5
+    /// Proves the orbit near these phases (in forcing periods, in time order) in doubles. Lemmas T3-T5
     ///
     /// `None` where that is not proved.
     pub fn prove_in_doubles(&self, guess: &[f64]) -> Option<Finding<Ball>> {
@@ -63,7 +63,7 @@ impl Problem {
         Finding::new(&self.chain, shaking, proved, is_physical)
     }
 
-    /// Phases nearer to an orbit's, by Newton's iteration in floats.
+    /// Phases nearer to an orbit's, by Newton's iteration in floating point.
     pub(super) fn polished(&self, guess: &[f64]) -> Option<Vec<f64>> {
         match &self.pair {
             Pair::One(one) => newton::polish(&self.chain, one.floats(), guess.to_vec()),
@@ -71,10 +71,10 @@ impl Problem {
         }
     }
 
-    /// Proves the orbit near these phases (in turns, in time order), as narrowly as asked.
+    /// Proves the orbit near these phases (in forcing periods, in time order), to the requested width.
     ///
     /// In doubles first; in more and more bits where they do not prove, decide or narrow enough. `None` where no orbit
-    /// could be proved; one that is may be wider than asked, where the bits allowed end or parameters are intervals.
+    /// could be proved; an orbit may be wider than requested, if the allowed bits end or parameters are intervals.
     pub fn prove(&self, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
         match &self.pair {
             Pair::One(one) => self.prove_under(&**one, guess, precision),
@@ -151,7 +151,7 @@ impl Problem {
     }
 
     /// Whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
-    /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floats comes no nearer than to many points.
+    /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floating point comes no nearer than to many points.
     #[cfg(feature = "multiprecision")]
     pub(super) fn settles_on_known<S: Chained>(&self, shaken: &S, guess: &[f64], known: &[PeriodicOrbit]) -> bool {
         const BITS: u32 = 128;
@@ -187,7 +187,7 @@ impl Problem {
     }
 }
 
-/// Whether the widths are those asked for.
+/// Whether the widths are those requested.
 fn is_narrow<N: Enclosing>(shaken: &impl Chained, finding: &Finding<N>, precision: Precision) -> bool {
     let asked = precision.log2_width();
     let speed = shaken.speed().log2();

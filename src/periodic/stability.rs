@@ -17,7 +17,7 @@ pub enum Stability {
 }
 
 impl Stability {
-    /// The word of the periodic JSON.
+    /// Returns the word of the periodic JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Stable => "stable",
@@ -26,7 +26,7 @@ impl Stability {
         }
     }
 
-    /// What trace and determinant say: Jury's conditions, with the signs of (39) and (40). Lemma T4
+    /// Returns the stability from trace and determinant: Jury's conditions, with the signs of (39) and (40). Lemma T4
     pub fn of<N: Enclosing>(trace: &N, determinant: &N) -> Self {
         let one = || N::from_f64(1.0);
         let sum = one() + determinant.clone();
@@ -54,7 +54,7 @@ pub fn determinant<N: Number>(restitution: &N, impacts: usize) -> N {
     (1..impacts).fold(square.clone(), |power, _| power * square.clone())
 }
 
-/// Whether the determinant is 1 and the trace is proved to lie between -2 and 2: both eigenvalues lie on the unit circle, apart.
+/// Returns whether the determinant is 1 and the trace is proved to lie between -2 and 2: both eigenvalues lie on the unit circle, apart.
 /// Lemma T4
 pub fn is_neutral(trace: &Enclosure, determinant: &Enclosure) -> bool {
     trace.mag() < Dyadic::power_of_two(1) && *determinant == Enclosure::point(Dyadic::power_of_two(0))

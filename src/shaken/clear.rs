@@ -10,7 +10,7 @@ use crate::pair::{Inward, Wall};
 use crate::several::Phased;
 use crate::turns::{self, LONGEST_FLIGHT};
 
-/// The longest and the shortest steps, in turns.
+/// The longest and the shortest steps, in forcing periods.
 const LONGEST: f64 = 0.0625;
 const SHORTEST: f64 = 1.0 / (1_u64 << 50) as f64; // exact: a power of two
 /// Steps that are taken at most.
@@ -20,10 +20,10 @@ const PART: f64 = 0.25;
 /// Far more than the rounding of the lengths of all steps.
 const CERTAIN: f64 = 1.0 / (1_u64 << 30) as f64; // exact: a power of two
 
-/// A time since the start of a flight, in turns.
+/// A time since the start of a flight, in forcing periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Since {
-    /// Whole turns, ...
+    /// Whole forcing periods, ...
     pub whole: f64,
     /// ... and the rest, from 0 to 1.
     pub rest: f64,
@@ -128,7 +128,7 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
         is_fine.then(|| heights.map(|distance| (distance - spread).next_down())) // C7: rounded down
     }
 
-    /// Whole turns for which the flights repeat what was seen, moved by the drift, without coming to a wall. Lemma C7 (c), (d)
+    /// Whole forcing periods for which the flights repeat what was seen, moved by the drift, without coming to a wall. Lemma C7 (c), (d)
     fn repeated(&self, seen: &mut Seen, at: Since) -> f64 {
         let (distances, period) = match self.shaken.period() {
             Some(period) if seen.length >= f64::from(period) => (seen.distances, f64::from(period)),

@@ -1,8 +1,8 @@
-//! What shakes the box, as motions see it: one harmonic, equation (9), or several, equation (1).
+//! The excitation, as motions see it: one harmonic, equation (9), or several, equation (1).
 //!
 //! How first contacts are proved are two theorems in two places, the closed form of [`crate::contact`] and the scan of
 //! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
-//! Times are in turns of the fastest harmonic, told as whole turns and the rest, lengths in gaps.
+//! Times are in turns of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
 
 mod clear;
 mod later;
@@ -43,34 +43,34 @@ pub(crate) use sum::Sum;
 
 /// The box, and a ball that lies on its walls.
 pub(crate) trait Shaken: Debug + Send + Sync {
-    /// What is left of the pair without units; under several harmonics `alpha` and `beta` are the sums of theirs.
+    /// What is left of the pair without units; with several harmonics `alpha` and `beta` are the sums of theirs.
     fn pair(&self) -> &Reduced<Ball>;
 
-    /// Turns after which all phases are the same, where that is proved to happen.
+    /// Forcing periods after which all phases are the same, where that is proved to happen.
     fn period(&self) -> Option<u32>;
 
-    /// `E/d`, `E'` in gaps a turn and `y''` in gaps a turn squared. **Equations** (1), (9), (10)
+    /// `E/d`, `E'` in gap widths per forcing period and `y''` in gap widths per forcing period squared. **Equations** (1), (9), (10)
     fn displacement(&self, turns: i64, phase: Ball) -> [Ball; 3];
 
-    /// An upper bound of `|y''|` at all times, in gaps a turn squared.
+    /// An upper bound of `|y''|` at all times, in gap widths per forcing period squared.
     fn steepest(&self) -> f64;
 
     /// `y''` in plain doubles.
     #[cfg(feature = "multiprecision")]
     fn swing(&self, turns: i64, phase: f64) -> f64;
 
-    /// Chatter of how many turns may be told, if widths of `least` turns are; `None`: any that ends before the pressure does, half
-    /// a turn after it began at the latest. It proposes.
-    fn patience(&self, least: f64) -> Option<f64>;
+    /// Chatter of how many forcing periods may be reported, if widths of `least` forcing periods are; `None`: any that ends before the contact force does, half
+    /// a forcing period after it began at the latest. It proposes.
+    fn max_reported_chatter(&self, least: f64) -> Option<f64>;
 
-    /// How long, in turns, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
+    /// How long, in forcing periods, chatter can last that begins with a bounce with this velocity, that after the impact; 0 for a ball
     /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
     fn accumulation(&self, wall: Wall, turns: i64, phase: &Enclosure, after: Ball, phases: &[Exact]) -> Option<f64>;
 
     /// When a ball that rests on a wall since a phase is released, shown in so many bits. Lemmas Z2, H8
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released>;
 
-    /// Whether the pressure on a wall may be 0 at a phase.
+    /// Whether the contact force on a wall may be 0 at a phase.
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool;
 
     /// The motion from an origin that is proved never to hit a wall again. Lemma Z4
@@ -93,7 +93,7 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
     /// Those at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
     fn waves<N: Phased>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
 
-    /// The first contact of a floating flight, proved in no way.
+    /// The first contact of a floating-point flight, proved in no way.
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided>;
 
     /// The first contact of all the flights that start so, and `y''` at their start and there.
@@ -156,7 +156,7 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         bits: u32,
     ) -> Result<Arrival<Self::Waves<MpBall>>, Undecided>;
 
-    /// The first contacts of all flights from inside the gap, to so many bits: in doubles, phase less the whole turns, velocity.
+    /// The first contacts of all flights from inside the gap, to so many bits: in doubles, phase less the whole forcing periods, velocity.
     #[cfg(feature = "multiprecision")]
     fn arrive_from_inside(
         &self,
@@ -174,7 +174,7 @@ pub(crate) enum Either {
 }
 
 impl Either {
-    /// What shakes `pair`, phases told by the clock.
+    /// Returns the excitation of `pair`, phases given by the clock.
     ///
     /// # Errors
     /// When a value is beyond what exact expressions or doubles hold.
@@ -185,7 +185,7 @@ impl Either {
         })
     }
 
-    /// The state that the motion of `pair` from `start` is followed from.
+    /// Returns the state that the motion of `pair` from `start` is followed from.
     pub fn origin(&self, pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Origin<Exact>, Error> {
         Origin::new(pair, start, clock, |start| match self {
             Self::One(_) => Ok(Vec::new()),
@@ -224,7 +224,7 @@ pub(crate) struct Arrival<W> {
     pub contact: Contact<Ball>,
     /// Encloses `y''` of all of them, at the start and at the contact.
     pub swings: [Ball; 2],
-    /// The contact of the centre is within `error` of this phase, less the whole turns.
+    /// The contact of the centre is within `error` of this phase, less the whole forcing periods.
     pub phase: Float,
     pub error: Magnitude,
     /// Its velocity at this phase; at the contact the slope times the distance is added.
@@ -234,7 +234,7 @@ pub(crate) struct Arrival<W> {
     pub waves: Option<W>,
 }
 
-/// Encloses the first contacts of all flights of a set: in doubles, and phase less the whole turns and velocity in balls, with
+/// Encloses the first contacts of all flights of a set: in doubles, and phase less the whole forcing periods and velocity in balls, with
 /// the sines and cosines at the middle of the phases, where they are known.
 #[cfg(feature = "multiprecision")]
 pub(crate) type Precisely<W> = (Contact<Ball>, [MpBall; 2], Option<W>);

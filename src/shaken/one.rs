@@ -8,7 +8,8 @@ use crate::Error;
 #[cfg(feature = "multiprecision")]
 use crate::contact::multiprecision::{Passed, Refined, Start, isolate_first, pass};
 use crate::contact::{
-    Contact, Court, Radii, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts, swings,
+    Contact, PairBounds, Radii, SetContact, Undecided, Verdict, first_contact, first_contact_f64, first_contacts,
+    swings,
 };
 use crate::exact::{Enclosure, Exact};
 use crate::excitation::displacement_velocity_acceleration;
@@ -27,15 +28,15 @@ use crate::turns;
 #[derive(Clone, Debug)]
 pub(crate) struct One {
     pub exact: Reduced<Exact>,
-    pub court: Court,
+    pub bounds_of_pair: PairBounds,
 }
 
 impl One {
     pub fn new(exact: Reduced<Exact>, pair: Reduced<Ball>) -> Self {
-        Self { exact, court: Court::new(pair) }
+        Self { exact, bounds_of_pair: PairBounds::new(pair) }
     }
 
-    /// What shakes a pair of one harmonic.
+    /// Returns what shakes a pair of one harmonic.
     ///
     /// # Errors
     /// When a value is beyond what exact expressions or doubles hold, or there are several harmonics.
@@ -45,7 +46,7 @@ impl One {
         Ok(Self::new(exact, reduced))
     }
 
-    /// Whether no parameter is an interval of values.
+    /// Returns whether no parameter is an interval of values.
     #[cfg(feature = "multiprecision")]
     pub fn is_point(&self) -> bool {
         [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
@@ -54,7 +55,7 @@ impl One {
 
 impl Shaken for One {
     fn pair(&self) -> &Reduced<Ball> {
-        &self.court.pair
+        &self.bounds_of_pair.pair
     }
 
     fn period(&self) -> Option<u32> {
@@ -62,28 +63,28 @@ impl Shaken for One {
     }
 
     fn displacement(&self, _: i64, phase: Ball) -> [Ball; 3] {
-        let Reduced { alpha, beta, .. } = self.court.pair;
+        let Reduced { alpha, beta, .. } = self.bounds_of_pair.pair;
         let sin_cos = phase.sin_cos();
         let (shift, speed, _) = displacement_velocity_acceleration(alpha, sin_cos);
         [shift, speed, beta.turn() * beta * sin_cos.0]
     }
 
     fn steepest(&self) -> f64 {
-        up(ABOVE_TURN * self.court.pair.beta.mag())
+        up(ABOVE_TURN * self.bounds_of_pair.pair.beta.mag())
     }
 
     #[cfg(feature = "multiprecision")]
     fn swing(&self, _: i64, phase: f64) -> f64 {
-        let beta = self.court.centre.beta;
+        let beta = self.bounds_of_pair.centre.beta;
         beta.turn() * beta * kernel::sin_cos(phase).0
     }
 
-    fn patience(&self, _: f64) -> Option<f64> {
+    fn max_reported_chatter(&self, _: f64) -> Option<f64> {
         None
     }
 
     fn accumulation(&self, wall: Wall, _: i64, phase: &Enclosure, after: Ball, _: &[Exact]) -> Option<f64> {
-        accumulation(&self.court.pair, &Pressed::on(wall, phase)?, after)
+        accumulation(&self.bounds_of_pair.pair, &Pressed::on(wall, phase)?, after)
     }
 
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, _: u32) -> Option<Released> {
@@ -107,11 +108,11 @@ impl Flying for One {
     type Waves<N: Phased> = (N, N);
 
     fn floats(&self) -> &Reduced<f64> {
-        &self.court.centre
+        &self.bounds_of_pair.centre
     }
 
     fn balls(&self) -> &Reduced<Ball> {
-        &self.court.pair
+        &self.bounds_of_pair.pair
     }
 
     fn waves<N: Phased>(&self, _: &[Exact], phase: &N, _: u32) -> Option<(N, N)> {
@@ -120,7 +121,7 @@ impl Flying for One {
 
     #[inline(always)]
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided> {
-        let flight = Flight::of(&self.court.centre, launch.clone(), kernel::sin_cos(launch.phase));
+        let flight = Flight::of(&self.bounds_of_pair.centre, launch.clone(), kernel::sin_cos(launch.phase));
         first_contact_f64::<Kernel>(&flight).ok_or(Undecided::endless())
     }
 
@@ -132,7 +133,7 @@ impl Flying for One {
         let (flight, sin_cos) = (all.map(|x| x.mid()), kernel::sin_cos(all.phase.mid()));
         let height = if all.wall.is_none() { all.height.rad() + UNIT } else { 0.0 };
         let radii = Radii { phase: all.phase.rad(), velocity: all.velocity.rad(), height };
-        let Court { pair, centre, margins } = &self.court;
+        let PairBounds { pair, centre, margins } = &self.bounds_of_pair;
         match first_contact(&Flight::of(centre, flight, sin_cos), margins, radii) {
             Verdict::Certified(contact) => {
                 Ok((contact, [all.phase, contact.phase].map(|phase| pair.swing(&phase.wave()))))
@@ -148,7 +149,7 @@ impl Flying for One {
         centre: Launch<Ball>,
         _: Option<&(Ball, Ball)>,
     ) -> Result<(SetContact, [Ball; 2]), Undecided> {
-        let Court { pair, centre: parameters, margins } = &self.court;
+        let PairBounds { pair, centre: parameters, margins } = &self.bounds_of_pair;
         let sin_cos = kernel::sin_cos(centre.phase.mid());
         let flight = Flight::of(parameters, centre.map(|x| x.mid()), sin_cos);
         let point = Radii { velocity: centre.velocity.rad(), ..Radii::default() };
@@ -164,7 +165,7 @@ impl Flying for One {
 
     #[cfg(feature = "multiprecision")]
     fn widened(&self, bits: u32) -> Reduced<MpBall> {
-        self.court.pair.map(|x| MpBall::from_ball(*x).rounded(bits))
+        self.bounds_of_pair.pair.map(|x| MpBall::from_ball(*x).rounded(bits))
     }
 
     #[cfg(feature = "multiprecision")]
@@ -188,7 +189,7 @@ impl Flying for One {
         Flights { all, centre, wall, phase, before, waves }: Flights<'_, (MpBall, MpBall)>,
         bits: u32,
     ) -> Result<Arrival<(MpBall, MpBall)>, Undecided> {
-        let doubles = &self.court.pair;
+        let doubles = &self.bounds_of_pair.pair;
         let own = pair.restitution.bits();
         let rounded = |(sin, cos): &(MpBall, MpBall)| (sin.rounded(own), cos.rounded(own));
         let sin_cos = waves.map_or_else(|| rounded(&centre.phase.sin_cos()), rounded);
@@ -204,7 +205,7 @@ impl Flying for One {
             let sin_cos = around(&sin_cos, &all.phase);
             Flight::of(pair, all, sin_cos)
         };
-        let isolated = isolate_first(&self.court, &start, all, &centre)?;
+        let isolated = isolate_first(&self.bounds_of_pair, &start, all, &centre)?;
         let contact = isolated.contact(wall);
         let narrow = Undecided::precision(&contact);
         let Refined { at, error, velocity, sin_cos: arrival } = isolated.refine(&centre, bits).ok_or(narrow)?;
@@ -235,7 +236,7 @@ impl Flying for One {
         let start = Start { wall: None, height, phase, velocity };
         let sin_cos = all.phase.sin_cos();
         let all = Flight::of(pair, all, sin_cos);
-        let isolated = isolate_first(&self.court, &start, || all.clone(), &all.map(Phased::centre_of))?;
+        let isolated = isolate_first(&self.bounds_of_pair, &start, || all.clone(), &all.map(Phased::centre_of))?;
         let contact = isolated.contact(all.wall);
         let narrow = Undecided::precision(&contact);
         let Refined { at, error, velocity, sin_cos } = isolated.refine(&all, bits).ok_or(narrow)?;

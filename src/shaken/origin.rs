@@ -13,22 +13,22 @@ use crate::number::{Ball, Enclosing};
 use crate::pair::{ImpactPair, Wall, rebound, within};
 use crate::several::Zero;
 
-/// The start asked for, in turns and gaps: at the scene's time and place; the phase is in `[-1/2, 1/2]` (about).
+/// The requested start, in forcing periods and gaps: at the scene's time and place; the phase is in `[-1/2, 1/2]` (about).
 #[derive(Clone, Debug)]
 pub(crate) struct Initial<N> {
     pub place: Location<N>,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
     pub phase: N,
     /// Before the impact for a start on a wall.
     pub velocity: N,
 }
 
-/// A state that a motion is followed from, in turns and gaps, and what is known of it; the phase is in `[-1/2, 1/2]` (about).
+/// A state that a motion is followed from, in forcing periods and gaps, and what is known of it; the phase is in `[-1/2, 1/2]` (about).
 #[derive(Clone, Debug)]
 pub(crate) struct Origin<N> {
     pub place: Location<N>,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
     pub phase: N,
     /// Before the impact for a state on a wall.
@@ -41,9 +41,9 @@ pub(crate) struct Origin<N> {
 /// What leads to a state that a motion is followed from.
 #[derive(Clone, Debug)]
 pub(crate) enum Past<N> {
-    /// Nothing: it is the start asked for, or stands for itself.
+    /// Nothing: it is the requested start, or stands for itself.
     Nothing,
-    /// A flight that touches no wall, from the start asked for. Lemma R3
+    /// A flight that touches no wall, from the requested start. Lemma R3
     Flight(Initial<N>),
     /// A rest, which ends with this release.
     Rest(Released),
@@ -58,7 +58,7 @@ pub(crate) enum Location<N> {
 }
 
 impl<N> Location<N> {
-    /// The wall, on one.
+    /// Returns the wall, on one.
     pub fn wall(&self) -> Option<Wall> {
         match self {
             Self::Wall(wall) => Some(*wall),
@@ -66,7 +66,7 @@ impl<N> Location<N> {
         }
     }
 
-    /// The height, inside the gap.
+    /// Returns the height, inside the gap.
     pub fn height(self) -> Option<N> {
         match self {
             Self::Wall(_) => None,
@@ -91,12 +91,12 @@ impl<N> Initial<N> {
 }
 
 impl<N> Origin<N> {
-    /// The wall it is on, if it is on one.
+    /// Returns the wall it is on, if it is on one.
     pub fn wall(&self) -> Option<Wall> {
         self.place.wall()
     }
 
-    /// The release that it is, if it is one.
+    /// Returns the release that it is, if it is one.
     pub fn release(&self) -> Option<&Released> {
         match &self.past {
             Past::Rest(release) => Some(release),
@@ -104,7 +104,7 @@ impl<N> Origin<N> {
         }
     }
 
-    /// The same state in another arithmetic; `f` also gets the key of what it reads.
+    /// Returns the same state in another arithmetic; `f` also gets the key of what it reads.
     pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Origin<M>, E> {
         let past = match &self.past {
             Past::Nothing => Past::Nothing,
@@ -117,7 +117,7 @@ impl<N> Origin<N> {
 }
 
 impl<N: Clone> Origin<N> {
-    /// The start asked for, where this is that start or a later state of its motion; else itself.
+    /// Returns the requested start, where this is that start or a later state of its motion; else itself.
     pub fn initial(&self) -> Initial<N> {
         match &self.past {
             Past::Flight(initial) => initial.clone(),
@@ -130,7 +130,7 @@ impl<N: Clone> Origin<N> {
 }
 
 impl Origin<Exact> {
-    /// The state that the motion of `pair` from `start` is followed from: a little later where its direction is not certain (Lemma
+    /// Returns the state that the motion of `pair` from `start` is followed from: a little later where its direction is not certain (Lemma
     /// R3); `phases` are those of several harmonics at a time.
     pub fn new(
         pair: &ImpactPair,
@@ -143,7 +143,7 @@ impl Origin<Exact> {
         Ok(Self { past: Past::Flight(asked.initial()), ..Self::at(pair, &later, clock, phases(&later)?)? })
     }
 
-    /// The state itself, told by the clock.
+    /// Returns the state itself, given by the clock.
     pub fn at(pair: &ImpactPair, start: &Start, clock: &Clock, phases: Vec<Exact>) -> Result<Self, Error> {
         let (turns, phase) = clock.split("start.time", start.time())?;
         let velocity = clock.reduced_velocity(start.velocity())?;
@@ -159,7 +159,7 @@ impl Origin<Exact> {
         Ok(Self { place, turns, phase, velocity, phases, past: Past::Nothing })
     }
 
-    /// A release: no velocity, and the phase as exactly as it can be shown.
+    /// Returns a release: no velocity, and the phase as exactly as it can be shown.
     pub fn released(release: Released) -> Self {
         let [lo, hi] = [release.phase.inf(), release.phase.sup()].map(|end| Exact::from_rational(end.to_rational()));
         Self {
@@ -174,7 +174,7 @@ impl Origin<Exact> {
 }
 
 impl Origin<Ball> {
-    /// The flight from the middle of the start, in floats.
+    /// Returns the flight from the middle of the start, in floating point.
     pub fn launch(&self, restitution: f64) -> Launch<f64> {
         let (turns, phase, velocity) = (self.turns, self.phase.mid(), self.velocity.mid());
         match self.place {
@@ -185,14 +185,14 @@ impl Origin<Ball> {
         }
     }
 
-    /// The turns since the start asked for: exactly 0 where it is that start.
+    /// Returns the forcing periods since the requested start: exactly 0 where it is that start.
     pub fn delay(&self) -> Ball {
         let Past::Flight(initial) = &self.past else { return Ball::exact(0.0) };
         // Lemma N1: the two are less than a turn apart (R3).
         Ball::exact((self.turns - initial.turns) as f64) + (self.phase - initial.phase)
     }
 
-    /// The place after starts that are up to `apart` gaps a turn faster or slower than the one asked for; `None` where one of them
+    /// Returns the place after starts that are up to `apart` gap widths per forcing period faster or slower than the one requested; `None` where one of them
     /// may touch a wall before. Lemma R3
     pub fn place_after(&self, apart: f64) -> Option<Location<Ball>> {
         let (Past::Flight(initial), Location::Inside(height)) = (&self.past, &self.place) else {
@@ -211,16 +211,16 @@ impl Origin<Ball> {
 #[derive(Clone, Debug)]
 pub(crate) struct Released {
     pub wall: Wall,
-    /// Whole turns since the clock's origin.
+    /// Whole forcing periods since the clock's origin.
     pub turns: i64,
     /// Encloses the rest of the phase.
     pub phase: Enclosure,
-    /// The zero of the pressure that it is, under several harmonics; one harmonic has it at an exact phase.
+    /// The zero of the contact force that it is, with several harmonics; one harmonic has it at an exact phase.
     pub zero: Option<Zero>,
 }
 
 impl Released {
-    /// The turns of `later`, told as those of `self` are, if the motion is the same from both on (Lemmas Z3, H9).
+    /// Returns the turns of `later`, expressed as those of `self` are, if the motion is the same from both on (Lemmas Z3, H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         match (&self.zero, &later.zero) {
             (Some(zero), Some(other)) => zero.turns_of_same(other),

@@ -38,7 +38,7 @@ pub(crate) struct Several {
 }
 
 impl Several {
-    /// The harmonics of `pair`, phases counted from the turn `origin`; `None` of a single one.
+    /// Returns the harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
     ///
     /// # Errors
     /// When a value is beyond what exact expressions or doubles hold.
@@ -64,7 +64,7 @@ impl Several {
         Reach::new(&self.band, &self.balls.harmonics)
     }
 
-    /// The first contact of all the flights that start so. Lemmas H2-H6
+    /// Returns the first contact of all the flights that start so. Lemmas H2-H6
     pub fn first<N: Phased>(&self, harmonics: &Harmonics<N>, all: Launch<N>) -> Result<Found<N>, Doubt<N>> {
         let centre = SumFlight::new(harmonics, all.map(Phased::centre_of), None);
         Scan::new(&SumFlight::new(harmonics, all, None), &centre).first(&mut self.reach())
@@ -84,7 +84,7 @@ impl Several {
         })
     }
 
-    /// Whether a ball that lies on a wall at an origin, where the pressure is exactly 0, is proved to be pressed from then on.
+    /// Whether a ball that lies on a wall at an origin, where the contact force is exactly 0, is proved to be pressed from then on.
     fn is_pressed_from(&self, wall: Wall, phases: &[Exact]) -> bool {
         let zero = Ball::exact(0.0);
         let launch = Launch::from_wall(wall, 0, zero, zero, false);
@@ -95,7 +95,7 @@ impl Several {
     }
 }
 
-/// Sines and cosines of phases, exact at quarter turns; `None` of none.
+/// Sines and cosines of phases, exact at quarter periods; `None` of none.
 fn waves<N: Phased>(phases: &[Exact], bits: u32) -> Option<Vec<(N, N)>> {
     let wave = |phase: &Exact| match quarter_turn(phase) {
         Some((sin, cos)) => (N::enclose(&sin, bits), N::enclose(&cos, bits)),
@@ -127,7 +127,7 @@ impl Shaken for Several {
         self.floats.harmonics.sums(turns, &phase).swing
     }
 
-    fn patience(&self, least: f64) -> Option<f64> {
+    fn max_reported_chatter(&self, least: f64) -> Option<f64> {
         // A rest is told once the chatter left is shorter than the digits show.
         Some(least.max(f64::MIN_POSITIVE)) // proposes: Z1 is proved where it says so
     }
@@ -236,7 +236,7 @@ impl Flying for Several {
     ) -> Result<Arrival<Vec<(MpBall, MpBall)>>, Undecided> {
         let centre = SumFlight::new(&sum.harmonics, centre, waves);
         let (isolated, at) = self.isolated(sum, &all(), &centre, waves, bits)?;
-        let (phase, error, velocity) = isolated.told_at(&centre, &at, bits);
+        let (phase, error, velocity) = isolated.evaluated_near(&centre, &at, bits);
         let precise::Isolated { contact, swings, .. } = isolated;
         Ok(Arrival { contact, swings, phase, error, velocity, slope: swings[1], waves: None })
     }
@@ -252,7 +252,7 @@ impl Flying for Several {
         let centre = SumFlight::new(&sum.harmonics, all.map(Phased::centre_of), waves);
         let (isolated, at) = self.isolated(sum, &all, &centre, waves, bits)?;
         let all = SumFlight::new(&sum.harmonics, all, waves);
-        let (phase, error, velocity) = isolated.told_at(&all, &at, bits);
+        let (phase, error, velocity) = isolated.evaluated_near(&all, &at, bits);
         let velocity = velocity.widened(error * Magnitude::new(sum.harmonics.rates.second, 0));
         Ok((isolated.contact, [MpBall::new(phase, error), velocity], None))
     }

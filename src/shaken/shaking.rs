@@ -1,4 +1,4 @@
-//! What shakes the box, as chains of impacts see it: one harmonic, equation (9), or several, equation (1).
+//! The excitation, as chains of impacts see it: one harmonic, equation (9), or several, equation (1).
 //!
 //! The equations of a chain ([`crate::periodic::chain`]) are the same for both; here stand the terms in which they differ.
 
@@ -7,14 +7,14 @@ use crate::number::kernel::Departure;
 use crate::number::{Number, Wave};
 use crate::pair::Reduced;
 
-/// The motion of the box and the restitution, in gaps and turns.
+/// The motion of the box and the restitution, in gaps and forcing periods.
 pub trait Shaking<N: Number> {
     /// What is known of the box at one time.
     type Moment: Clone;
 
     /// `e`
     fn restitution(&self) -> &N;
-    /// The box a phase `rest` after so many whole turns.
+    /// The box a phase `rest` after so many whole forcing periods.
     fn moment(&self, turns: f64, rest: &N) -> Self::Moment;
     /// `D + E_1 - E_0`: how far the ball goes in space, if it goes `displacement` in the box. **Equation** (11)
     fn way(&self, from: &Self::Moment, to: &Self::Moment, displacement: f64) -> N;

@@ -13,7 +13,7 @@ use crate::several::Spectrum;
 /// A motion without drift that stays between the walls for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Still {
-    /// It touches the left wall, with no velocity, at phase 1/4 of every turn.
+    /// It touches the left wall, with zero velocity, at phase 1/4 of every forcing period.
     pub grazes_left: bool,
     /// It touches the right wall at phase 3/4.
     pub grazes_right: bool,
@@ -23,10 +23,10 @@ impl Still {
     /// It touches none.
     const UNTOUCHED: Self = Self { grazes_left: false, grazes_right: false };
 
-    /// Whether the motion from an origin is proved to stay between the walls for ever, under one harmonic (Lemma Z4).
+    /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
     ///
     /// Where there is a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided where the
-    /// box stands still, and at quarter turns, where sine and cosine are exact.
+    /// box stands still, and at quarter periods, where sine and cosine are exact.
     pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
         let (height, on_wall) = match &origin.place {
@@ -60,7 +60,7 @@ impl Still {
         Ok((inside(room_below) && inside(room_above)).then_some(Self { grazes_left, grazes_right }))
     }
 
-    /// The same under several harmonics, where there is room for all of them.
+    /// Returns the same with several harmonics, where there is room for all of them.
     pub fn under_several(spectrum: &Spectrum, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let Location::Inside(height) = &origin.place else { return Ok(None) };
         let waves: Option<Vec<_>> = origin.phases.iter().map(quarter_turn).collect();
@@ -79,7 +79,7 @@ impl Still {
         Ok((drift.sign() == Some(Ordering::Equal) && is_inside).then_some(Self::UNTOUCHED))
     }
 
-    /// The first graze after `phase`, or the next one after another: its wall, whole turns and phase.
+    /// Returns the first graze after `phase`, or the next one after another: its wall, whole forcing periods and phase.
     pub fn graze_after(self, turns: i64, phase: f64) -> Option<(Wall, i64, f64)> {
         let candidates = [(Wall::Left, 0.25, self.grazes_left), (Wall::Right, -0.25, self.grazes_right)];
         let next = candidates.into_iter().filter(|(.., grazes)| *grazes).map(|(wall, at, _)| {
@@ -90,7 +90,7 @@ impl Still {
     }
 }
 
-/// Sine and cosine of a phase that is exactly a number of quarter turns.
+/// Sine and cosine of a phase that is exactly a number of quarter periods.
 pub(super) fn quarter_turn(phase: &Exact) -> Option<(Exact, Exact)> {
     let quarters = phase.as_rational()? * BigInt::from(4);
     let quarter = quarters.is_integer().then(|| quarters.to_integer())?;

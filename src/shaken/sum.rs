@@ -1,4 +1,4 @@
-//! The box under several harmonics at one time, as chains of impacts see it: Lemmas H10, H11 of `docs/proofs.md`.
+//! The box with several harmonics at one time, as chains of impacts see it: Lemmas H10, H11 of `docs/proofs.md`.
 
 use super::shaking::{Hop, Shaking};
 use crate::several::{Harmonics, Sums, Turning};
@@ -69,7 +69,7 @@ mod tests {
         Several::new(&pair, &0.into()).unwrap().unwrap().balls
     }
 
-    /// (1) and its derivatives at a phase of the fastest, in gaps and turns.
+    /// (1) and its derivatives at a phase of the fastest, in gaps and forcing periods.
     fn shaking(u: f64) -> [f64; 3] {
         let tau = std::f64::consts::TAU;
         let time = (tau * u - std::f64::consts::PI / 5.0) / (3.0 * std::f64::consts::PI);

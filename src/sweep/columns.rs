@@ -68,7 +68,7 @@ const SAID: [(&str, Kind); 14] = [
     ("attracted_from", Kind::Whole),
 ];
 
-/// The columns of a table, in order.
+/// Returns the columns of a table, in order.
 pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     let named = |&(name, kind): &(&str, Kind)| (name.to_owned(), kind);
     let mut columns = vec![("point".to_owned(), Kind::Whole)];
@@ -84,7 +84,7 @@ pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     columns
 }
 
-/// The rows of a point in a table: its states, then what is said of it all.
+/// Returns the rows of a point in a table: its states, then what is said of it all.
 pub fn rows<'r>(
     head: &SweepHead,
     table: Table,
@@ -141,7 +141,7 @@ fn said(record: &SweepRecord) -> [Cell<'_>; SAID.len()] {
     ]
 }
 
-/// The names of a table's columns as a line of CSV.
+/// Returns the names of a table's columns as a line of CSV.
 pub fn csv_head(head: &SweepHead, table: Table) -> String {
     let names = columns(head, table).into_iter().map(|(name, kind)| match kind {
         Kind::Bounds => format!("{name}_lower,{name}_upper"),
@@ -150,7 +150,7 @@ pub fn csv_head(head: &SweepHead, table: Table) -> String {
     names.collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// The rows of a point in a table as lines of CSV.
+/// Returns the rows of a point in a table as lines of CSV.
 pub fn csv_rows(head: &SweepHead, table: Table, record: &SweepRecord) -> String {
     let kinds: Vec<Kind> = columns(head, table).into_iter().map(|(_, kind)| kind).collect();
     let line = |row: Vec<Cell<'_>>| {
@@ -167,7 +167,7 @@ pub fn csv_rows(head: &SweepHead, table: Table, record: &SweepRecord) -> String 
     rows(head, table, record).map(line).collect()
 }
 
-/// The doubles next to an exact number as written, below and above it.
+/// Returns the doubles next to an exact number as written, below and above it.
 ///
 /// # Errors
 /// When it is none.

@@ -14,7 +14,7 @@ use crate::orbit::{Arithmetic, Outcome, Period};
 use crate::scene::Key;
 use crate::{Error, Scene};
 
-/// What a sweep is about; a shard is told by its number and of how many.
+/// Returns what a sweep is about; a shard is given by its number and of how many.
 pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) -> SweepHead {
     let over = |axis: &Axis| SweepAxis {
         key: axis.key.to_string(),
@@ -41,7 +41,7 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) 
     }
 }
 
-/// The grid that a head tells of.
+/// Returns the grid that a head tells of.
 ///
 /// # Errors
 /// When it is none, or has another number of points.
@@ -55,7 +55,7 @@ pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
     Ok(grid)
 }
 
-/// What is certified at the point of this number and these values.
+/// Returns what is certified at the point of this number and these values.
 pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
     // Chaos is never claimed: what is not proved to be attracted is only that.
     let outcome = match &point.outcome {
@@ -112,12 +112,12 @@ fn message(point: &Point) -> String {
         let every = if cycles == 1 { "every cycle".to_owned() } else { format!("every {cycles} cycles") };
         return own.message.replacen(&every, "in each period", 1);
     };
-    let told = OutcomeDocument {
+    let outcome = OutcomeDocument {
         cycles: own.cycles.and_then(|_| u32::try_from(cycles).ok()),
         period: own.period.map(|period| Period { cycles, ..period }),
         ..own.clone()
     };
-    told.words().unwrap_or(own.message)
+    outcome.words().unwrap_or(own.message)
 }
 
 fn impact(state: &State) -> SweepImpact {

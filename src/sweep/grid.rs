@@ -12,7 +12,7 @@ pub const MOST_POINTS: u64 = 100_000_000;
 
 const ACCEPTED: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
 
-/// Evenly spread exact values of a key: `KEY=LO..HI:COUNT`, both ends among them.
+/// Evenly spread exact values of a key: `KEY=LO..HI:COUNT`, endpoints included.
 ///
 /// ```
 /// use impact_pair::sweep::Axis;
@@ -38,7 +38,7 @@ impl Axis {
     /// Value number `index` from 0.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold.
+    /// If it exceeds the range of exact expressions.
     pub fn value(&self, index: u64) -> Result<Exact, ExactError> {
         // The ends as they are written.
         if index == 0 {
@@ -88,7 +88,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid of these axes.
+    /// Returns the grid of these axes.
     ///
     /// # Errors
     /// When there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
@@ -108,17 +108,17 @@ impl Grid {
         Ok(Self { axes })
     }
 
-    /// The axes.
+    /// Returns the axes.
     pub fn axes(&self) -> &[Axis] {
         &self.axes
     }
 
-    /// How many points it has.
+    /// Returns how many points it has.
     pub fn points(&self) -> u64 {
         self.axes.iter().map(|axis| axis.count).product()
     }
 
-    /// The points at the ends of all axes.
+    /// Returns the points at the ends of all axes.
     ///
     /// Where they are scenes all points are: what a key accepts is an interval, and what two keys accept together, as `|y| < d/2`,
     /// convex.
@@ -131,7 +131,7 @@ impl Grid {
         }
     }
 
-    /// Where a point lies on each axis, the numbers from 0.
+    /// Returns where a point lies on each axis, the numbers from 0.
     pub fn places(&self, point: u64) -> Vec<u64> {
         match &self.axes[..] {
             [slow, fast] => vec![(point / fast.count) % slow.count, point % fast.count],
@@ -139,11 +139,11 @@ impl Grid {
         }
     }
 
-    /// The number, from 0, of the term whose cycles are the unit of the sweep of a scene: one for all its points. `None` where the
+    /// Returns the number, from 0, of the term whose period is the unit of the sweep of a scene: the same for all its points. `None` where the
     /// excitation has a single term.
     ///
     /// It is the fastest of the terms that move the box where all axes are at their upper ends: so of terms whose amplitudes vary from
-    /// 0 as well. Phases `W t + tau`, cycles and what is said a cycle are told of this term at every point, also where another term is
+    /// 0 as well. Phases `W t + tau` and forcing periods refer to this term at every point, also where another term is
     /// faster there, or where this one does not move the box.
     ///
     /// # Errors
@@ -169,7 +169,7 @@ impl Grid {
         Ok((excitation.terms().len() > 1).then(|| excitation.reference_term()))
     }
 
-    /// The scene of a point: with these values in the place of its own, `start.phase` told of the sweep's [reference](Self::reference).
+    /// Returns the scene of a point: with these values in the place of its own, `start.phase` relative to the sweep's [reference](Self::reference).
     ///
     /// # Errors
     /// As of [`Scene::with`].
@@ -184,10 +184,10 @@ impl Grid {
         varied.with(&[(Key::StartTime, time)])
     }
 
-    /// The values of a point, an axis each.
+    /// Returns the values of a point, one per axis.
     ///
     /// # Errors
-    /// When one is beyond what exact expressions hold.
+    /// If one is beyond the range of exact expressions.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
         let value = |(axis, place): (&Axis, u64)| {
             let value =

@@ -1,4 +1,4 @@
-//! One point of a sweep: an orbit, followed past a transient, and what is proved of it.
+//! One point of a sweep: an orbit, followed past a transient, and its certified results.
 
 use std::ops::ControlFlow;
 
@@ -16,17 +16,17 @@ use crate::turns::in_radians;
 
 use super::unit::{Lasting, Unit};
 
-/// Impacts that can be asked for at a point.
+/// Impacts that can be requested at a point.
 pub const MOST_IMPACTS: u64 = 1_000_000_000;
 
-/// What is asked at each point.
+/// The settings of each point.
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// Impacts that are certified and passed over first.
     pub transient: u64,
-    /// Impacts after them that are looked at.
+    /// Number of impacts after the transient.
     pub impacts: u64,
-    /// Only what is said of them all: they are not told one by one.
+    /// Whether the impacts are not listed, only their summary.
     pub summary: bool,
     /// The number, from 0, of the term whose cycles are the unit, as [`Grid::reference`](super::Grid::reference) says; without it the
     /// fastest that moves the box.
@@ -48,7 +48,7 @@ pub struct State {
     pub velocity: Enclosure,
 }
 
-/// The stable periodic orbit that an orbit is proved to converge to, told from one of its impacts on.
+/// The stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
 ///
 /// That impact makes the word the first one in the alphabet of L and R; of several, the earliest in its cycle. So two
 /// orbits that converge to the same one have the same word, and bounds that overlap.
@@ -62,28 +62,28 @@ pub struct Attraction {
     pub from: u64,
 }
 
-/// What is certified at a point.
+/// The certified results of a point.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// The impacts after the transient; none in a summary.
     pub states: Vec<State>,
     /// All impacts that are certified, those of the transient among them.
     pub impacts: u64,
-    /// Impacts a cycle after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
+    /// Impacts per forcing period after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
     pub impacts_per_cycle: Option<Ball>,
     /// How a small disturbance grows after the transient.
     pub exponent: Exponent,
-    /// What the orbit converges to, where that is proved.
+    /// The orbit that it is proved to converge to, if any.
     pub attraction: Option<Attraction>,
-    /// What it converges to, or repeats exactly, is periodic after so long.
+    /// Period of that orbit, or of the exact repetition.
     pub lasting: Option<Lasting>,
     /// How it ended.
     pub outcome: Outcome,
-    /// The same in words.
+    /// The outcome in words.
     pub conclusion: Conclusion,
     /// Where the start is whose orbit it is, if that is not the exact one.
     pub shadow: Option<Shadowing>,
-    /// The first impact that is wider than asked for.
+    /// The first impact that is wider than requested.
     pub first_wide: Option<u64>,
     /// The most bits that an impact took.
     pub bits: u32,
@@ -210,16 +210,16 @@ impl<'u> Window<'u> {
     }
 }
 
-/// The attractor told from the impact that [`Attraction`] names.
+/// The attractor measured from the impact that [`Attraction`] names.
 fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
-    let told = |impact: &PeriodicImpact| unit.recurring(&impact.phase, periodic.bits);
+    let in_reference = |impact: &PeriodicImpact| unit.recurring(&impact.phase, periodic.bits);
     let own = |impact: &PeriodicImpact| in_radians(&impact.phase, periodic.bits);
     let is_right = |shift| rotated(shift).map(|impact| impact.wall == Wall::Right).collect::<Vec<_>>();
     let earlier = |a: &usize, b: &usize| {
-        let phase = |shift: usize| told(&impacts[shift]).unwrap_or_else(|| own(&impacts[shift])).mid_rad().0;
+        let phase = |shift: usize| in_reference(&impacts[shift]).unwrap_or_else(|| own(&impacts[shift])).mid_rad().0;
         is_right(*a).cmp(&is_right(*b)).then_with(|| phase(*a).total_cmp(&phase(*b)))
     };
     let shift = (0..impacts.len()).min_by(earlier).expect("a word has impacts");
@@ -228,8 +228,8 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
     let first = &impacts[shift];
     let velocity = orbit.clock().velocity(&first.velocity);
     Attraction {
-        word: Word::new(mappings).expect("a closed word can be turned"),
-        first: told(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
+        word: Word::new(mappings).expect("a closed word can be rotated"),
+        first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
     }
 }
@@ -309,7 +309,7 @@ mod tests {
         assert!(high - low > 0.1 && found.iter().map(phase).all(|x| x - low < 1e-4 || high - x < 1e-4));
     }
 
-    /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floats does (0.399 an impact).
+    /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floating point does (0.399 an impact).
     #[test]
     fn what_is_chaotic_is_shadowed_and_nothing_else() {
         let follow = |name: &str, impacts: u64| {

@@ -1,9 +1,9 @@
 //! The unit of a sweep: the cycles of one term of the excitation, at all its points.
 //!
-//! An orbit is told in turns of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, that
+//! An orbit is given in periods of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, that
 //! is not the same term at all points. With `W`, `tau` of the point's own fastest harmonic and `W'`, `tau'` of the sweep's reference,
-//! `u = (W t + tau)/(2 pi)` becomes `u' = (W' t + tau')/(2 pi) = r (u - tau/(2 pi)) + tau'/(2 pi)`, `r = W'/W`: times in turns are `r`
-//! times, velocities in gaps a turn `1/r` times what they are.
+//! `u = (W t + tau)/(2 pi)` becomes `u' = (W' t + tau')/(2 pi) = r (u - tau/(2 pi)) + tau'/(2 pi)`, `r = W'/W`: times in forcing periods are `r`
+//! times, velocities in gap widths per forcing period `1/r` times what they are.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -47,7 +47,7 @@ struct Other {
     ball: Ball,
     /// `tau/(2 pi)` and `tau'/(2 pi)`
     delays: [Exact; 2],
-    /// The own turns after which all that moves the box recurs; `None` where it never does.
+    /// The own forcing periods after which all that moves the box recurs; `None` where it never does.
     common: Option<u32>,
 }
 
@@ -82,7 +82,7 @@ impl Unit {
         self.other.as_ref().map(|other| other.ball)
     }
 
-    /// The phase `W' t + tau'` of an impact \[rad\], its lower bound in `[0, 2 pi)`.
+    /// Returns the phase `W' t + tau'` of an impact \[rad\], its lower bound in `[0, 2 pi)`.
     pub fn phase(&self, orbit: &Orbit, impact: &Impact) -> Enclosure {
         match &self.other {
             None => orbit.phase(impact),
@@ -90,7 +90,7 @@ impl Unit {
         }
     }
 
-    /// The same of an impact that recurs after whole common periods of all that moves the box, from its phase less such; `None` where
+    /// Returns the same of an impact that recurs after whole common periods of all that moves the box, from its phase less such; `None` where
     /// it is another one each time.
     pub fn recurring(&self, turns: &Enclosure, bits: u32) -> Option<Enclosure> {
         let Some(other) = &self.other else { return Some(in_radians(turns, bits)) };
@@ -98,7 +98,7 @@ impl Unit {
         passed.is_integer().then(|| in_radians(&other.turns(turns, bits), bits))
     }
 
-    /// How long so many own cycles are.
+    /// Returns how long so many own cycles are.
     pub fn lasting(&self, cycles: u64) -> Lasting {
         let Some(other) = &self.other else { return Lasting { cycles: Some(cycles), time: None } };
         let passed = other.fraction.as_ref().map(|fraction| fraction * BigRational::from_integer(cycles.into()));

@@ -1,4 +1,4 @@
-//! The trade JSON: what is measured, as a document.
+//! The trade JSON.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use impact_pair_document::{
 use super::{Crossing, Departure, Extent, Judgement, Largest, Measured, Rung, Trade};
 
 impl Trade<'_> {
-    /// The trade JSON.
+    /// Returns the trade JSON.
     pub fn document(&self) -> TradeDocument {
         let Self { scene, asked, units, interrupted, .. } = self;
         TradeDocument {

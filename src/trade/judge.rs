@@ -1,8 +1,8 @@
-//! Judges an orbit that proves nothing by one that is certified, impact by impact.
+//! Comparison of a non-rigorous orbit with a certified one, impact by impact.
 //!
-//! An error is known between two bounds, the least and the greatest distance to the enclosure of the truth. It is said
-//! to exceed a threshold where the least does, and to keep within it where the greatest does. Impacts are matched by
-//! their number as long as all walls agree; where one does not, the orbit has left the true word and is judged no more.
+//! An error is enclosed by the least and the greatest distance to the enclosure of the true value.
+//! It exceeds a threshold if the least does, and is within it if the greatest is. Impacts are matched by
+//! their number as long as all walls agree; after the first wall that disagrees, the orbit has departed from the true word and is not compared further.
 
 use std::ops::ControlFlow;
 
@@ -35,12 +35,12 @@ impl Reading {
     }
 }
 
-/// The true errors of an orbit, as far as they were judged.
+/// The true errors of an orbit, as far as it was compared.
 #[derive(Clone, Debug)]
 pub struct Judgement {
-    /// What they are measured in.
+    /// Units of the errors.
     pub units: Units,
-    /// Impacts on the true word that were compared.
+    /// Number of impacts compared, on the true word.
     pub judged: u64,
     /// The largest error of a time.
     pub time: Largest,
@@ -48,7 +48,7 @@ pub struct Judgement {
     pub velocity: Largest,
     /// Where errors of times exceed the thresholds.
     pub crossings: Vec<Crossing>,
-    /// Where the orbit leaves the true word, if it does.
+    /// Where the orbit departs from the true word, if it does.
     pub departure: Option<Departure>,
 }
 
@@ -85,14 +85,14 @@ pub struct Crossing {
     pub exceeded: Option<u64>,
 }
 
-/// Where the orbit leaves the true word.
+/// Where the orbit departs from the true word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Departure {
     /// The first impact that is another one.
     pub impact: u64,
     /// Its true wall.
     pub truth: Wall,
-    /// `None` if there the orbit ends.
+    /// `None` if the orbit ends there.
     pub judged: Option<Wall>,
 }
 

@@ -1,15 +1,15 @@
-//! The rungs: which arithmetics are measured, and when more bits are no use.
+//! The arithmetics that are measured, and when more bits do not help.
 
 use std::fmt;
 
 use crate::orbit::{Arithmetic, BITS, Settings};
 
-/// Digits that `auto` is asked for.
+/// Digits that `auto` is requested.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
 /// Rungs of fixed bits that bring no further impact before the ladder gives up: the first may just miss one.
 const PATIENCE: u32 = 2;
 
-/// An arithmetic, and what is asked of it.
+/// An arithmetic with its precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rung {
     /// Plain doubles.
@@ -20,9 +20,9 @@ pub enum Rung {
     Inari,
     /// Of one true orbit near the given one.
     Shadow,
-    /// Certified in so many bits.
+    /// Certified with this number of bits.
     Bits(u32),
-    /// Certified to so many digits.
+    /// Certified to this number of digits.
     Auto(u32),
 }
 
@@ -61,7 +61,7 @@ pub(super) struct Ladder {
     max_bits: u32,
     /// Whether the textbook's method is one: it is known of one harmonic only.
     textbook: bool,
-    /// The most impacts that a rung of fixed bits has reached, and how many rungs in a row brought none.
+    /// The greatest number of impacts reached with fixed bits, and the number of steps since without progress.
     reached: u64,
     idle: u32,
 }
@@ -71,12 +71,12 @@ impl Ladder {
         Self { next: Some(Rung::Float), max_bits, textbook, reached: 0, idle: 0 }
     }
 
-    /// The rung to measure.
+    /// Returns the arithmetic to measure.
     pub fn rung(&self) -> Option<Rung> {
         self.next
     }
 
-    /// Goes on, when the rung has reached so many impacts, or all of them.
+    /// Advances after an arithmetic has reached this number of impacts, or all of them.
     pub fn climb(&mut self, impacts: u64, all: bool) {
         let auto = Some(Rung::Auto(DIGITS[0]));
         self.next = match self.next {

@@ -1,4 +1,4 @@
-//! One rung: how far it comes, how wide its enclosures are, and how long it takes.
+//! Measurement of one arithmetic: its reach, widths and times.
 
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -21,12 +21,12 @@ const LONG: Duration = Duration::from_secs(1);
 /// ... and than this an impact: looking at the clock three times takes less than 1 % of it.
 const SLOW: Duration = Duration::from_micros(20);
 
-/// A rung that has been measured.
+/// The measurements of one arithmetic.
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// What it is.
     pub rung: Rung,
-    /// What computed it, as the orbit JSON says it.
+    /// The arithmetic, as in the orbit JSON.
     pub computed: ArithmeticDocument,
     /// The most bits that an impact took.
     pub bits: u32,
@@ -36,19 +36,19 @@ pub struct Measured {
     pub is_certified: bool,
     /// How it ended.
     pub conclusion: Conclusion,
-    /// The guaranteed widths; `None` where nothing is guaranteed.
+    /// The guaranteed widths; `None` if non-rigorous.
     pub widths: Option<Widths>,
     /// How long it takes.
     pub times: Times,
 }
 
 impl Measured {
-    /// Whether all the impacts asked for are there.
+    /// Returns whether all requested impacts are reached.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none()
     }
 
-    /// The digits of the widest enclosure of a time or a velocity.
+    /// Returns the digits of the widest enclosure of a time or a velocity.
     pub fn digits(&self) -> Option<f64> {
         self.widths.map(|Widths { time, velocity }| time.greatest.max(velocity.greatest).digits())
     }
@@ -85,10 +85,10 @@ impl Extent {
     }
 }
 
-/// How long a rung takes from the orbit's first impact to its end: medians.
+/// Median times from the orbit's first impact to its end.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
-    /// The impacts with phases and velocities enclosed, in turns and gaps.
+    /// The impacts with phases and velocities enclosed, in forcing periods and gaps.
     pub orbit: Duration,
     /// These, and their bounds in the units of the scene; `None` where there are none.
     pub with_bounds: Option<Duration>,
@@ -160,7 +160,7 @@ fn observe(orbit: &mut Orbit, units: &Units, watch: &dyn Watch) -> Seen {
     }
 }
 
-/// Repeats the run for a while, in turns without and, where they are certified, with bounds; `None` if interrupted.
+/// Repeats the run for a while, in forcing periods without and, where they are certified, with bounds; `None` if interrupted.
 fn repeat(
     begin: impl Fn() -> Result<Orbit, Error>,
     is_certified: bool,

@@ -1,4 +1,4 @@
-//! What accuracy costs on a scene: the speed, the reach and the widths of each arithmetic, and the true errors of floats.
+//! The cost of accuracy on a scene: the speed, the reach and the widths of each arithmetic, and the true errors of floating point.
 
 mod document;
 mod judge;
@@ -16,28 +16,28 @@ use crate::{Error, Scene};
 use ladder::Ladder;
 use measure::measure;
 
-/// What has been measured on a scene.
+/// The measurements on a scene.
 #[derive(Clone, Debug)]
 pub struct Trade<'s> {
     /// The scene.
     pub scene: &'s Scene,
-    /// How far each rung is asked to go.
+    /// The requested length of the orbit for each arithmetic.
     pub asked: Settings,
-    /// What widths and errors are measured in.
+    /// Units of widths and errors.
     pub units: Units,
-    /// The rungs, in the order in which they were measured.
+    /// The measured arithmetics, in order.
     pub rungs: Vec<Measured>,
     /// The true errors of `float`.
     pub judgement: Option<Judgement>,
-    /// The rung that the watch ended.
+    /// The arithmetic that the watch interrupted.
     pub interrupted: Option<Rung>,
 }
 
 impl<'s> Trade<'s> {
-    /// Measures rung after rung, and judges the first one.
+    /// Measures each arithmetic, and compares `float` with a certified orbit.
     ///
     /// # Errors
-    /// When the scene's values are beyond what an orbit takes.
+    /// If the scene's values exceed the range of orbits.
     pub fn of(scene: &'s Scene, asked: Settings, watch: &dyn Watch) -> Result<Self, Error> {
         let units = Units::of(scene);
         let one_harmonic = scene.pair().excitation().only().is_some();
@@ -59,15 +59,15 @@ impl<'s> Trade<'s> {
         Ok(trade)
     }
 
-    /// What judges `float`, in words.
+    /// Returns the reference for `float`, in words.
     pub fn judge(&self) -> String {
         judge::name(&judge::truth(&self.asked))
     }
 
-    /// How far each rung is asked to go, in words.
+    /// Returns the requested length of the orbits, in words.
     ///
     /// # Panics
-    /// When neither impacts nor a time are asked for: no orbit goes on for ever.
+    /// When neither impacts nor a time are requested: no orbit goes on for ever.
     pub fn goal(&self) -> String {
         let impacts = self.asked.impacts.map(|impacts| counted(impacts, "impact"));
         let until = self.asked.until.as_ref().map(|until| format!("t = {until}"));

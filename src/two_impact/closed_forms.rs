@@ -76,7 +76,7 @@ pub fn amplitude((sin, cos): &(Real, Real)) -> Real {
     (sin.square() + cos.square()).sqrt().expect("a sum of squares")
 }
 
-/// `th_g(e)`, `0 < e < 1`: with `sin th0 < 0` an equispaced motion is physical if and only if `|th0| < th_g` (Lemma W3).
+/// `th_g(e)`, `0 < e < 1`: with `sin th0 < 0` an equispaced motion is admissible if and only if `|th0| < th_g` (Lemma W3).
 ///
 /// `None` if `e` may be 0 or is too wide.
 pub fn grazing_angle(e: &Real) -> Option<Real> {

@@ -37,7 +37,7 @@ const RATIO: &str = "pair.gap / excitation.amplitude";
 
 impl Data {
     /// # Errors
-    /// When e is neither 1 nor proved to be below 1, or `d/A` beyond what exact expressions hold.
+    /// When e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
     pub fn new(pair: &ImpactPair, cycles: u32) -> Result<Self, Error> {
         let e = pair.restitution();
         let is_elastic = match e.compare(&Exact::from(1)) {
@@ -99,7 +99,7 @@ impl Data {
         Parameters { cycles: self.cycles, restitution: Real::of(e, ratio.bits()), ratio, is_dead }
     }
 
-    /// All motions for `A` and `d`.
+    /// Returns all motions for `A` and `d`.
     pub fn motions(&self, bits: u32) -> Found {
         let exact = self.ratio().expect("proved to exist by `new`");
         let parameters = self.parameters(Real::of(&exact, bits));
@@ -126,7 +126,7 @@ impl Data {
         Real::of(speed, bits).over(&Real::of(self.frequency(), bits)).expect("W > 0")
     }
 
-    /// The equispaced motion for `d` and `|v|`, with its `A_N` (68); none for N even, where e < 1 (65).
+    /// Returns the equispaced motion for `d` and `|v|`, with its `A_N` (68); none for N even, where e < 1 (65).
     pub fn with_amplitude(&self, speed: &Exact, bits: u32) -> Found {
         if !self.is_odd() {
             return Found::none();
@@ -160,7 +160,7 @@ impl Data {
         sides().is_ok_and(|(gap, travel)| gap.compare(&travel) == Some(Ordering::Equal))
     }
 
-    /// The equispaced motions for `A` and `|v|`, each with its `d` (67); none for N even, where e < 1 (65).
+    /// Returns the equispaced motions for `A` and `|v|`, each with its `d` (67); none for N even, where e < 1 (65).
     pub fn with_gaps(&self, speed: &Exact, bits: u32) -> Found {
         let length = self.length(speed, bits);
         let amplitude = Real::of(self.pair.excitation().reference().amplitude(), bits);

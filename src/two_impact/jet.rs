@@ -1,6 +1,6 @@
 //! A number and its derivative: one formula gives the enclosures of a function and of its slope.
 //!
-//! Not in intervals of doubles: zeros are isolated as far as half of the bits of the digits asked for, near folds more (Lemma W6).
+//! Not in intervals of doubles: zeros are isolated as far as half of the bits of the requested digits, near folds more (Lemma W6).
 
 use std::ops::{Add, Mul, Sub};
 
@@ -18,12 +18,12 @@ pub(super) struct Jet {
 }
 
 impl Jet {
-    /// The argument itself.
+    /// Returns the argument itself.
     pub fn argument(x: &Real) -> Self {
         Self { value: x.clone(), slope: Real::int(1, x.bits()) }
     }
 
-    /// A number that does not depend on it.
+    /// Returns a number that does not depend on it.
     pub fn constant(x: &Real) -> Self {
         Self { value: x.clone(), slope: Real::int(0, x.bits()) }
     }
@@ -32,7 +32,7 @@ impl Jet {
         Self { value: self.value.square(), slope: &self.value * &self.slope * 2 }
     }
 
-    /// The square root; `None` where it may be 0, so that it has no slope.
+    /// Returns the square root; `None` where it may be 0, so that it has no slope.
     pub fn sqrt(&self) -> Option<Self> {
         let value = self.value.sqrt()?;
         let slope = self.slope.half().over(&value)?;
@@ -62,7 +62,7 @@ impl Jet {
         Some(Self { value, slope: slope * &self.slope })
     }
 
-    /// The values over `x` by the mean value theorem too, from `f` at the middle.
+    /// Returns the values over `x` by the mean value theorem too, from `f` at the middle.
     pub fn cut(self, x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> Self {
         let middle = x.middle();
         if x.wid() == Dyadic::zero() {

@@ -1,8 +1,8 @@
-//! The curves of figures 10 and 11: `A_N` over W or over v, with the parts that are physical and those that are stable.
+//! The curves of figures 10 and 11: `A_N` over W or over v, with the parts that are admissible and those that are stable.
 //!
 //! On all of them `sin th0`, first contacts and stability depend on `x = d W/|v|` alone (Lemma W8), so the marks between
-//! which they do not change are known, and what is said of a part holds for every point of it. Bounds are in the bits of the
-//! digits asked for, as doubles are not.
+//! which they do not change are known, and the properties of a part hold for every point of it. Bounds are in the bits of the
+//! requested digits, as doubles are not.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -17,7 +17,7 @@ use super::question::{ONE_HARMONIC, SHOWN};
 use crate::exact::Real;
 use crate::periodic::Stability;
 
-/// What a curve runs over.
+/// The parameter of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// The angular frequency W: figure 10.
@@ -39,7 +39,7 @@ impl Axis {
 /// Where something changes along a curve, in the order of rising `d W/|v|`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// The near wall is grazed: physical beyond.
+    /// The near wall is grazed: admissible beyond.
     Graze,
     /// The pitchfork (40): stable from here to the fold.
     Pitchfork,
@@ -50,7 +50,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// The word of the manifold JSON.
+    /// Returns the word of the manifold JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Graze => "graze",
@@ -61,7 +61,7 @@ impl Mark {
     }
 }
 
-/// What holds at every point between one listed point of a curve and the next.
+/// The properties proved at every point between one listed point of a curve and the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     /// Whether `sin th0 > 0`: solid in the figures; else it is negative.
@@ -79,9 +79,9 @@ pub struct Point {
     pub at: Enclosure,
     /// `A_N` \[length\]
     pub amplitude: Enclosure,
-    /// What changes here; `None` for a point of the grid.
+    /// The change at this point; `None` for a point of the grid.
     pub mark: Option<Mark>,
-    /// What holds from here to the next point; `None` for the last one.
+    /// The properties from here to the next point; `None` for the last one.
     pub after: Option<Part>,
 }
 
@@ -96,24 +96,24 @@ pub struct Manifold {
     pub points: Vec<Point>,
 }
 
-/// What the curves are of: `d` and `e` of a pair, and the range.
+/// The data of the curves: `d` and `e` of a pair, and the range.
 #[derive(Clone, Debug)]
 pub struct Range<'p> {
     /// Its amplitude is not used; its frequency only over v.
     pub pair: &'p ImpactPair,
     /// `|v|`; not used over v.
     pub speed: Exact,
-    /// What the curves run over.
+    /// The parameter of the curves.
     pub axis: Axis,
     /// From here ...
     pub from: Exact,
     /// ... to here.
     pub to: Exact,
-    /// So many points at equal distances, both ends among them.
+    /// Number of equidistant points, endpoints included.
     pub count: usize,
 }
 
-/// The points of a grid that can be asked for.
+/// The points of a grid that can be requested.
 pub const COUNTS: std::ops::RangeInclusive<usize> = 2..=100_000;
 
 /// A point of a curve, by `x = d W/|v|`.
@@ -124,9 +124,9 @@ struct Place {
 }
 
 impl Range<'_> {
-    /// The manifolds of some `N`, for as long as `goes_on` says so, and whether it said so to the end; none is empty.
+    /// Returns the parameter manifolds of some `N`, computed while `goes_on` returns true, and whether it did to the end; none is empty.
     ///
-    /// Even `N` have no equispaced motion (65): of a range the odd ones are told.
+    /// Even `N` have no equispaced motion (65): of a range the odd ones are given.
     ///
     /// # Errors
     /// As [`Range::manifold`].
@@ -151,11 +151,11 @@ impl Range<'_> {
         Ok((curves, went_on.get()))
     }
 
-    /// The curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
+    /// Returns the curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
     ///
     /// # Errors
     /// When there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
-    /// holds 0, or two marks cannot be told apart.
+    /// holds 0, or two marks cannot be distinguished.
     pub fn manifold(&self, cycles: u32, digits: u32, goes_on: impl Fn() -> bool) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);
@@ -197,7 +197,11 @@ impl Range<'_> {
         self.pair.harmonic(ONE_HARMONIC)?;
         let (gap, e) = (self.pair.gap(), self.pair.restitution());
         if e.compare(&Exact::from(1)) != Some(Ordering::Less) {
-            return Err(Error::range("pair.restitution", e, "must be below 1 for the manifolds of figures 10 and 11"));
+            return Err(Error::range(
+                "pair.restitution",
+                e,
+                "must be below 1 for the parameter manifolds of figures 10 and 11",
+            ));
         }
         if cycles.is_multiple_of(2) {
             let accepted = "must be odd: with N even and e < 1 no equispaced motion exists (65)";
@@ -258,7 +262,7 @@ impl Range<'_> {
             marks.iter().enumerate().all(|(i, (_, x))| marks[..i].iter().all(|(_, other)| order(x, other).is_some()))
         };
         marks.filter(are_apart).ok_or_else(|| {
-            let accepted = "its marks cannot be told apart with the digits asked for";
+            let accepted = "its marks cannot be distinguished at the requested digits";
             Error::range("pair.restitution", self.pair.restitution(), accepted)
         })
     }

@@ -1,7 +1,7 @@
-//! Periodic motions with two impacts in N cycles: the closed forms (61)-(73), and what has none, with proofs.
+//! Periodic motions with two impacts in N cycles: by the closed forms (61)-(73), or isolated with proof where there are none.
 //!
-//! The paper's section 4 gives the equispaced motions; whether a wall is touched earlier, whether they are stable, which
-//! others there are, it leaves open. Here each is enclosed, and all that is said of it is proved (`docs/proofs.md`, W).
+//! The paper's section 4 gives the equispaced motions, but not whether they are admissible or stable, nor the other motions.
+//! Here each is enclosed, with its proved properties (`docs/proofs.md`, W).
 //!
 //! | equation | what | item |
 //! |---|---|---|
@@ -15,8 +15,8 @@
 //! | figs 10, 11 | `A_N` over W and v | [`Manifold`] |
 //! | beyond the paper | first contacts | `motion`, [`MeasuredOrbit::physical`] |
 //!
-//! In reading order: `real` and `jet` (numbers, and numbers with their derivatives), `isolate` (all zeros of a function),
-//! `motion`, `stability`, `closed_forms`, `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`, `document`.
+//! Modules, in reading order: `jet` (numbers with their derivatives), `isolate` (all zeros of a function), `angle`, `motion`,
+//! `stability`, [`closed_forms`], `equispaced`, `elastic`, `unequispaced`, `data`, `orbit`, `question`, `manifold`.
 //!
 //! ```
 //! use impact_pair::two_impact::{Question, Stability, Unknown};

@@ -30,7 +30,7 @@ impl Parameters {
     }
 }
 
-/// A motion of two impacts in N cycles, told from its impact on the left wall. Lengths in `A`, phases in radians,
+/// A motion of two impacts in N cycles, measured from its impact on the left wall. Lengths in `A`, phases in radians,
 /// velocities in `A W` (Lemma W1).
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
@@ -50,14 +50,14 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    /// The motion that is equispaced (64) for N odd, with this sine and cosine of `th0`.
+    /// Returns the motion that is equispaced (64) for N odd, with this sine and cosine of `th0`.
     pub fn symmetric(parameters: Parameters, (sin, cos): (Real, Real), speed: Real) -> Option<Self> {
         let (theta0, spacing) = (angle(&sin, &cos)?, parameters.half_period());
         let right = (-&sin, -&cos);
         Some(Self { parameters, left: (sin, cos), right, theta0, spacing, speed, is_symmetric: true })
     }
 
-    /// The motion with these phases, which is not its own mirror image.
+    /// Returns the motion with these phases, which is not its own mirror image.
     pub fn unsymmetric(parameters: Parameters, theta0: Real, spacing: Real, speed: Real) -> Self {
         let theta1 = &theta0 + &spacing;
         let (left, right) = ((theta0.sin(), theta0.cos()), (theta1.sin(), theta1.cos()));
@@ -74,7 +74,7 @@ impl Motion {
         self.parameters.half_period() * 2 - &self.spacing
     }
 
-    /// The mirror image, begun at its own impact on the left wall (Lemma R2).
+    /// Returns the mirror image, begun at its own impact on the left wall (Lemma R2).
     pub fn mirrored(&self) -> Self {
         let turned = |(sin, cos): &(Real, Real)| (-sin, -cos);
         Self {
@@ -86,7 +86,7 @@ impl Motion {
         }
     }
 
-    /// Whether no wall is touched before the impacts: `false` if an earlier contact is proved.
+    /// Returns whether the motion is admissible: `false` if an earlier contact is proved.
     pub fn is_physical(&self) -> Option<bool> {
         if self.is_symmetric && !self.is_elastic() {
             return self.is_physical_equispaced();

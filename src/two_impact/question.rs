@@ -1,4 +1,4 @@
-//! Which two-impact motions there are: the question, and its answer with as many digits as asked.
+//! The search for two-impact motions, to the requested digits.
 
 use std::ops::RangeInclusive;
 
@@ -18,17 +18,17 @@ use super::unequispaced::Spacing;
 use crate::exact::Real;
 use crate::periodic::{MeasuredOrbit, Stability};
 
-/// The cycles that can be asked for: each has an equation of its own to solve.
+/// The cycles that can be requested: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
-/// Bits of the bounds that are handed on, beyond the whole bits of the digits asked for.
+/// Bits of the bounds that are handed on, beyond the whole bits of the requested digits.
 pub(super) const SHOWN: u32 = 11;
 /// What is not known of several harmonics, and what is.
 pub(super) const ONE_HARMONIC: &str =
-    "the closed form of two impacts (periodic --word RL --cycles N --all finds them under several)";
+    "the closed form of two impacts (for several, use periodic --word RL --cycles N --all)";
 /// The precision is doubled so often at most.
 const ROUNDS: u32 = 4;
 
-/// What of (66)-(68) is not given.
+/// The quantity of (66)-(68) to solve for.
 #[derive(Clone, Debug)]
 pub enum Unknown {
     /// The motion itself: all motions for the pair's `A` and `d`, equispaced or not.
@@ -57,7 +57,7 @@ pub struct Question {
     unknown: Unknown,
 }
 
-/// The motions, and what is not decided.
+/// The motions, and the undecided parts.
 #[derive(Clone, Debug)]
 pub struct Answer {
     question: Question,
@@ -67,11 +67,11 @@ pub struct Answer {
     pub undecided: Vec<Enclosure>,
     /// Whether there are proved to be no others with two impacts in N cycles that never rest (Lemma T12).
     pub is_exhaustive: bool,
-    /// Whether nothing is left open: of each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the digits asked for.
+    /// Whether everything is decided: for each orbit uniqueness, first contacts, stability (with e = 1 a neutral one counts), and the requested digits.
     pub is_complete: bool,
 }
 
-/// The speed before the impact that a scene starts with \[length/time\].
+/// Returns the speed before the impact that a scene starts with \[length/time\].
 ///
 /// # Errors
 /// When it starts inside the gap.
@@ -81,14 +81,14 @@ pub fn speed(scene: &Scene) -> Result<Exact, Error> {
         Place::Wall(Wall::Left) => within(key, start.velocity(), start.velocity().checked_neg()),
         Place::Wall(Wall::Right) => Ok(start.velocity().clone()),
         Place::Inside(_) => {
-            let message = "start.wall is missing, but the velocity asked for is that before an impact";
+            let message = "start.wall is missing, but the velocity to solve for is that before an impact";
             Err(Error::out_of_range("start.wall", message.to_owned()))
         }
     }
 }
 
 impl Question {
-    /// A question about `pair`.
+    /// Returns the search for `pair`.
     ///
     /// # Errors
     /// When a given number is not greater than 0, e is neither 1 nor proved to be below 1, N is not among [`CYCLES`], there are
@@ -109,13 +109,13 @@ impl Question {
         let data = Data::new(pair, cycles)?;
         // W7 (b): |v| = d W/(N pi), whatever A is.
         if matches!(unknown, Unknown::Amplitude(_)) && data.is_elastic() && cycles.is_multiple_of(2) {
-            let accepted = "must be odd: with e = 1 and N even the speed is d W/(N pi) for every amplitude, so none follows from it";
+            let accepted = "must be odd: with e = 1 and N even the speed is d W/(N pi) for every amplitude, so the amplitude is not determined";
             return Err(Error::range("cycles", &Exact::from(i64::from(cycles)), accepted));
         }
         Ok(Self { data, unknown })
     }
 
-    /// Answers it, with each enclosure of a phase at most `10^-digits` of a turn wide and of a velocity `10^-digits` of
+    /// Answers it, with each enclosure of a phase at most `10^-digits` of a forcing period wide and of a velocity `10^-digits` of
     /// `A W`, where the data are points and nothing is undecided for want of bits.
     ///
     /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
@@ -132,7 +132,7 @@ impl Question {
         answer
     }
 
-    /// The pair.
+    /// Returns the pair.
     pub fn pair(&self) -> &ImpactPair {
         self.data.pair()
     }
@@ -142,7 +142,7 @@ impl Question {
         self.data.cycles()
     }
 
-    /// What is not given.
+    /// Returns the quantity to solve for.
     pub fn unknown(&self) -> &Unknown {
         &self.unknown
     }
@@ -189,7 +189,7 @@ impl Question {
 }
 
 impl Answer {
-    /// What it answers.
+    /// Returns its answer.
     pub fn question(&self) -> &Question {
         &self.question
     }

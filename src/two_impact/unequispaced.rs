@@ -78,7 +78,7 @@ impl<'p> Spacing<'p> {
         Self { parameters, lambda, room }
     }
 
-    /// All motions that are not equispaced, mirror images included, and the parts of `th1 - th0` that are not decided.
+    /// Returns all motions that are not equispaced, mirror images included, and the parts of `th1 - th0` that are not decided.
     pub fn solve(&self) -> (Vec<Motion>, Vec<Real>) {
         let (mut motions, mut doubts) = (Vec::new(), Vec::new());
         for quarter in 0..self.parameters.cycles {
@@ -93,7 +93,7 @@ impl<'p> Spacing<'p> {
         (motions, doubts)
     }
 
-    /// Whether there is none with `th1 - th0` within `2 reach` of `N pi`, N odd, but for that one.
+    /// Returns whether there is none with `th1 - th0` within `2 reach` of `N pi`, N odd, but for that one.
     pub fn is_alone(&self, reach: &Real) -> bool {
         let eps = Real::int(0, reach.bits()).hull(reach);
         let piece = Piece { cycles: self.parameters.cycles, quarter: 0 };

@@ -19,45 +19,49 @@ Examples:
   impact-pair run scenes/figure-14.toml --arithmetic float --format json |
     impact-pair audit scenes/figure-14.toml - --format json --output audit.json
 
-The list: text with commas, semicolons, tabs or blanks between columns, with a header, with one in a comment (# or %), or with \
-none: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object of arrays, JSON Lines, the orbit JSON. \
-Walls are left and right, L and R, -1 and +1, or positions near -d/2 and +d/2. Velocities are y' just before the impact, \
-with their sign. Numbers are read exactly. The certified orbit goes as far as the list, whatever [run] says.
+The list: text with commas, semicolons, tabs or blanks between columns, with a header, with a header in a comment (# \
+or %), or without one: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object \
+of arrays, JSON Lines, or the orbit JSON. Walls are left and right, L and R, -1 and +1, or positions near -d/2 and \
++d/2. Velocities are y' just before the impact, with their sign. Numbers are read exactly. The certified orbit goes \
+as far as the list, whatever [run] says.
 
-What is said of a row, or of a certified impact that is on none:
-  inside          certified, and in time and velocity no farther from the bounds than the tolerance
-  outside         certified, and in one of them proved to be farther
-  missed          certified before the end of the list, and on no row
+Verdicts on a row, or on a certified impact without a row:
+  inside          certified; time and velocity are within the tolerance of the bounds
+  outside         certified; time or velocity is proved to be farther away than that
+  missed          certified before the end of the list, but not listed
   false           proved not to happen
-  in the chatter  on its wall, no faster, and after the last impact of a chatter that can be told from its end to the
-                  tolerance: infinitely many impacts lie there, and none of them is asked for
+  in the chatter  on its wall, no faster, and after the last impact of a chatter that is farther
+                  than the tolerance from its end: infinitely many impacts lie there, and none of
+                  them has to be listed
   undecided       after the last impact that could be certified
-  not reached     later than that; the list lacks more impacts than it has rows, and the orbit is followed no further
-The start and grazes may be listed or not; of a graze wall and time are judged.
+  not reached     later than that; the list lacks more impacts than it has rows, and the orbit is
+                  not followed further
+The start and grazes may be listed or not; of a graze, wall and time are compared.
 
-A row may be an impact if it lies on its wall, and nearest to it of all impacts or within the tolerance. As many rows as \
-possible are matched, in the order of the list; of several rows for one impact the nearest in time is taken. The list has \
-left the orbit at the first missed or false impact from which on, counted to any later one, fewer than half are inside, \
-if both kinds come then. What follows is another orbit.
+A row may be an impact if it lies on the same wall, and is nearest to it among all impacts or within the tolerance. \
+As many rows as possible are matched, in the order of the list; of several rows for one impact the nearest in time \
+is taken. The list diverges from the orbit at the first missed or false impact from which on, counted to any later \
+one, fewer than half are inside, if both kinds occur after it.
 
-Double precision, judged in the same way. Exact from rounded data: the certified orbit of the scene with each number \
-rounded to the nearest double; from where it is outside, no simulator that reads the scene in doubles is right but by \
-chance, however well it computes. --arithmetic float: impact-pair's own orbit in plain doubles; of others it proves nothing.
+Double precision is compared in the same way. Exact from rounded data: the certified orbit of the scene with each \
+number rounded to the nearest double; once it is outside, any simulator that reads the scene in doubles is right \
+only by chance, however accurate. --arithmetic float: impact-pair's own orbit in plain doubles; it proves nothing \
+about other programs.
 
-Exit code: 0 all agree (all rows are inside or in the chatter, nothing is missed); 1 something disagrees or is \
+Exit code: 0 all agree (all rows are inside or in the chatter, none is missed); 1 something disagrees or is \
 undecided; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct AuditArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// The list to judge (CSV, TSV, other text, or JSON), or - for stdin
+    /// The list to compare (CSV, TSV, other text, or JSON), or - for stdin
     pub events: PathBuf,
-    /// How far a time may be off, in periods 2 pi/W, and a velocity, in A W; from 0 to 1
+    /// Accepted difference of a time, in periods 2 pi/W, and of a velocity, in A W; from 0 to 1
     #[arg(long, value_name = "X", default_value = "1e-9", value_parser = tolerance)]
     tolerance: Exact,
-    /// Judge up to this time: what is listed later is left out, what is certified before is asked for [default: the last
-    /// time listed]
+    /// Compare up to this time: later rows are ignored, and every impact certified before it is expected in the list [default:
+    /// the last time listed]
     #[arg(long, value_name = "T", value_parser = crate::arguments::point, allow_hyphen_values = true)]
     until: Option<Exact>,
     /// The column of times, by its name or its number from 1 [default: time or t, or the first one]
@@ -69,19 +73,19 @@ pub struct AuditArguments {
     /// The column of velocities [default: velocity or v, or the third one, if there is one]
     #[arg(long, value_name = "NAME|N")]
     velocity_column: Option<String>,
-    /// Judge times and walls only
+    /// Compare times and walls only
     #[arg(long, conflicts_with = "velocity_column")]
     no_velocity: bool,
-    /// Digits that the certified orbit is enclosed to, relative as --tolerance [default: three more than the tolerance has]
+    /// Digits of the certified orbit, relative as --tolerance [default: three more than the tolerance has]
     #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
     digits: Option<u32>,
-    /// Bits that the certified orbit takes at most
+    /// Maximum precision of the certified orbit, in bits
     #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::arguments::bits())]
     max_bits: u32,
-    /// How the judgement is written
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: AuditFormat,
-    /// The table lists every event, not only the first ones that disagree
+    /// List every event in the table, not only the first ones that disagree
     #[arg(long)]
     pub all: bool,
     #[command(flatten)]
@@ -91,7 +95,7 @@ pub struct AuditArguments {
 /// How an audit is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum AuditFormat {
-    /// For people: the first disagreements, and a summary
+    /// Human-readable: the first disagreements, and a summary
     #[default]
     Table,
     /// One document with every event, schema impact-pair/audit/1
@@ -108,7 +112,7 @@ impl AuditArguments {
         }
     }
 
-    /// How the list is judged.
+    /// Returns the settings of the audit.
     pub fn asked(&self) -> Asked {
         let (tolerance, until) = (self.tolerance.clone(), self.until.clone());
         Asked { tolerance, until, digits: self.digits, max_bits: self.max_bits }

@@ -1,4 +1,4 @@
-//! `impact-pair audit SCENE EVENTS`: another simulator's list of impacts, judged by the certified orbit.
+//! `impact-pair audit SCENE EVENTS`: another simulator's list of impacts, compared with the certified orbit.
 
 pub mod arguments;
 mod table;
@@ -15,7 +15,7 @@ use arguments::{AuditArguments, AuditFormat};
 
 pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     if arguments.scene.as_os_str() == "-" && arguments.events.as_os_str() == "-" {
-        bail!("scene and events are both -, but stdin is only one of them");
+        bail!("scene and events are both -, but stdin can only be one of them");
     }
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.events);

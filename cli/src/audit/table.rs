@@ -28,7 +28,7 @@ pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
         lines.extend(shown.iter().map(|finding| finding.map_or("     ...".into(), |finding| line(finding, audit))));
         let count = audit.count(Verdict::disagrees);
         if count > shown.iter().flatten().filter(|finding| finding.verdict.disagrees()).count() {
-            lines.push(format!("     ... {count} disagree in all (--all or --format json lists them)"));
+            lines.push(format!("     ... {count} disagree in total (--all or --format json lists them)"));
         }
         lines.push(String::new());
     }
@@ -45,7 +45,7 @@ fn listed(audit: &Audit<'_>) -> String {
     };
     let left_out = match audit.left_out {
         0 => String::new(),
-        n => format!("; {n} later ones left out"),
+        n => format!("; {n} later ones ignored"),
     };
     format!("{}, {with}{left_out}", counted(audit.rows.len(), "row"))
 }
@@ -154,7 +154,7 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
     }
     if let Some(departure) = audit.departure() {
         let place = departure.row.map_or(String::new(), |row| format!(" ({})", audit.rows[row].place));
-        lines.push(format!("another orbit from impact {} on{place}", departure.impact));
+        lines.push(format!("diverges from the true orbit at impact {}{place}", departure.impact));
     }
     for (name, parting) in
         [("exact from rounded data", &audit.doubles.data), ("--arithmetic float", &audit.doubles.float)]
@@ -164,15 +164,18 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
         }
     }
     if let Some(index) = audit.first_wide() {
-        lines.push(format!("impact {index} is the first one certified in bounds wider than {} digits", audit.digits()));
+        lines.push(format!(
+            "impact {index} is the first one whose certified bounds are wider than {} digits",
+            audit.digits()
+        ));
     }
     lines.push(format!("\n{}", audit.conclusion()));
     lines
 }
 
-/// Where an orbit in doubles parts from the truth.
+/// Returns where an orbit in doubles differs from the truth.
 fn parted(Parting { disagrees, leaves }: &Parting, is_open: bool) -> String {
-    let leaves = leaves.map_or(String::new(), |impact| format!(", another orbit from impact {impact} on"));
+    let leaves = leaves.map_or(String::new(), |impact| format!(", diverges at impact {impact}"));
     match disagrees {
         Some((impact, verdict)) => format!("impact {impact} is {}{leaves}", verdict.name()),
         None if is_open => "agrees as far as that is certified".into(),

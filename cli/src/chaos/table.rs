@@ -16,9 +16,10 @@ pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt:
     let words = found.words().len();
     writeln!(
         out,
-        "\n{} bases, {words} words of at most {} impacts, {} boxes",
-        document.bases.len(),
-        document.depth,
+        "\n{}, {} of at most {}, {} boxes",
+        counted(document.bases.len() as u32, "h-set"),
+        counted(words as u32, "word"),
+        counted(document.depth, "impact"),
         document.boxes
     )?;
     if let Some([a, b]) = found.horseshoe() {
@@ -28,12 +29,12 @@ pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt:
         let mirrored = if mirrored { " (mirrored where it starts on the right wall)" } else { "" };
         writeln!(
             out,
-            "for every sequence of these two blocks{mirrored} there is a motion, for a periodic one a periodic motion:"
+            "for every sequence of these two blocks{mirrored} there is a motion, for every periodic sequence a periodic one:"
         )?;
         writeln!(out, "  {}\n  {}", blocks[0], blocks[1])?;
     }
     if let Some(exponent) = document.exponent_seen {
-        writeln!(out, "Lyapunov exponent of the floating orbit: {exponent:.3} an impact (seen, not proved)")?;
+        writeln!(out, "Lyapunov exponent of the floating-point orbit: {exponent:.3} per impact (non-rigorous)")?;
     }
     for line in fate(document) {
         writeln!(out, "{line}")?;
@@ -50,7 +51,7 @@ fn fate(document: &ChaosDocument) -> Vec<String> {
     if let Some(period) = attracted {
         let (impacts, cycles) = (counted(period.impacts, "impact"), counted(period.cycles, "cycle"));
         let beside = if document.certified {
-            ";\n  the horseshoe is not what it tends to, only transients can see it"
+            ";\n  it does not tend to the horseshoe, only transients can visit it"
         } else {
             ""
         };
@@ -70,9 +71,7 @@ fn fate(document: &ChaosDocument) -> Vec<String> {
             "undecided whether the horseshoe lies in the region of {} boxes in which the scene's own orbit stays",
             region.boxes
         ),
-        None if attracted.is_none() => {
-            "undecided whether the scene's own orbit comes where the horseshoe is".to_owned()
-        }
+        None if attracted.is_none() => "undecided whether the scene's own orbit visits the horseshoe".to_owned(),
         None => return lines,
     });
     lines
@@ -84,11 +83,11 @@ pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
     if document.certified {
         let [impact, cycle] = [&document.entropy.per_impact, &document.entropy.per_cycle].map(Decimal::text);
         return format!(
-            "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} an impact, {cycle} a cycle"
+            "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} per impact, {cycle} per forcing period"
         );
     }
     if found.bases().is_empty() && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
-        return "undecided: the floating orbit is regular, and transients lead to no horseshoe; one may be there"
+        return "undecided: the floating-point orbit is regular, and its transients show no horseshoe; there may be one"
             .to_owned();
     }
     let hint = if document.over.is_some() { "; try a narrower --over" } else { "; try more --depth" };
@@ -104,7 +103,7 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
         let [low, high] = [&stretch.low, &stretch.high].map(|end| end.0.text());
         let what = match (&stretch.entropy, &stretch.period) {
             (Some(entropy), _) => format!(
-                "entropy at least {} an impact, {} a cycle",
+                "entropy at least {} per impact, {} per forcing period",
                 entropy.per_impact.text(),
                 entropy.per_cycle.text()
             ),
@@ -126,7 +125,7 @@ pub fn shares(document: &ChaosCellsDocument) -> String {
     let said = if document.certified { "certified" } else { "not all certified" };
     let stopped = if document.interrupted { "interrupted: " } else { "" };
     format!(
-        "{stopped}{said}: of the range {} hold a horseshoe, over {} the scene's own orbit is attracted, {} undecided",
+        "{stopped}{said}: of the range, {} hold a horseshoe, over {} the scene's own orbit is attracted, {} are undecided",
         percent(horseshoe),
         percent(attracted),
         percent(undecided)

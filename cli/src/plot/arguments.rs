@@ -17,69 +17,71 @@ Examples:
   impact-pair plot scenes/figure-13.toml --panel c --transient 10 --output figure-13.svg
   impact-pair plot scenes/chatter.toml --panel a --zoom 0.2..0.5 --theme dark --output chatter.svg
 
-Panels are those of the paper's figures 12-17; their letters a to h name them, too. Between impacts the motion is drawn by \
-its closed form, (11) and (12), as cubic Bézier segments of a twenty-fourth of a turn, which miss it by less than A/80,000. All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a \
-band or a box around its middle. From where nothing is proved on, time panels are hatched. A float run is drawn in \
-another colour, and says that nothing is certified.
+The panels are those of the paper's figures 12-17; their letters a to h are accepted as names, too. Between impacts \
+the motion is drawn from its closed form, (11) and (12), as cubic Bézier segments of a twenty-fourth of a forcing \
+period, which deviate from it by less than A/80,000. All of it is enclosed; an enclosure wider than a pixel is drawn \
+as a band or a box around its middle. Where nothing is proved, time panels are hatched. A float run is drawn in \
+another colour, with a note that nothing is certified.
 
-Exit code: 0 all that is drawn is certified (or float, which certifies nothing); 1 the orbit became undecided, was \
-interrupted, or is wider than --digits (the picture holds all that is certified, and says so); 2 usage, bad input, I/O.";
+Exit code: 0 everything drawn is certified (or float, which certifies nothing); 1 the orbit is undecided from some \
+impact on, was interrupted, or is wider than --digits (the picture holds what is certified, and says so); 2 usage, \
+bad input, I/O.";
 
 #[derive(Args, Debug)]
 #[command(group(ArgGroup::new("shown").required(true).args(["panels", "all"])))]
 pub struct PlotArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// A panel to draw; several times for a sheet of them
+    /// A panel to draw; repeat the option for several panels on one sheet
     #[arg(long = "panel", value_enum, value_name = "NAME")]
     panels: Vec<Panel>,
     /// All eight panels on one sheet, as in the paper
     #[arg(long)]
     all: bool,
-    /// Excitation cycles that the time panels show
+    /// Number of forcing periods shown in the time panels
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     cycles: u32,
-    /// Excitation cycles that the phase planes show
+    /// Number of forcing periods shown in the phase planes
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     orbit_cycles: u32,
-    /// So many impacts are the transient: they and the motion up to them are drawn grey
+    /// Number of impacts in the transient, drawn grey together with the motion up to them
     #[arg(long, value_name = "N", default_value_t = 0)]
     transient: usize,
     /// Show the time panels again between these two times
     #[arg(long, value_name = "T0..T1", value_parser = window, allow_hyphen_values = true)]
     zoom: Option<[f64; 2]>,
-    /// Stop after so many impacts [default: 4000 for switch-planes and sections, else as many as the cycles need]
+    /// Stop after N impacts [default: 4000 for switch-planes and sections, else as many as the forcing periods need]
     #[arg(long, value_name = "N", value_parser = crate::arguments::count(0..=u64::MAX))]
     impacts: Option<u64>,
     /// Stop at this time, a number or an expression such as 100*pi
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
     until: Option<Exact>,
-    /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W
+    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W
     /// [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// What computes: as in run
+    /// The arithmetic, as in run
     #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
     arithmetic: Arithmetic,
-    /// With --arithmetic shadow: prove the first M impacts by precision, so that the start is nearer to the given one
+    /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
     #[arg(long, value_name = "M", default_value_t = 0)]
     splice: u64,
-    /// Bits that auto takes at most
+    /// Maximum precision of auto, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// The picture, which appears whole or not at all; its ending says what it is
+    /// The picture, written atomically; the extension selects the format
     #[arg(long, short, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub output: PathBuf,
-    /// What the picture stands on
+    /// Colours of the picture
     #[arg(long, value_enum, default_value_t, value_name = "light|dark")]
     pub theme: Theme,
-    /// No notes and no progress on stderr
+    /// Print no notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,
 }
 
 impl PlotArguments {
-    /// What is drawn: the panels asked for, each once, in the order of the paper if all are.
+    /// Returns the panels requested, each once, in the order of the paper if all are.
     pub fn figure(&self) -> Figure {
         let mut panels = if self.all { Panel::ALL.to_vec() } else { Vec::new() };
         for &panel in &self.panels {

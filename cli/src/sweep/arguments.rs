@@ -12,8 +12,8 @@ use impact_pair_plot::sweep::Show;
 use crate::arguments::Destination;
 
 pub const EXIT_CODES: &str = "\
-Exit code: 0 all that was asked is certified at every point; 1 at some points it is not, or the sweep was interrupted; \
-2 usage, bad input, I/O";
+Exit code: 0 everything requested is certified at every point; 1 at some points it is not, or the sweep was \
+interrupted; 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
 Examples:
@@ -23,23 +23,24 @@ Examples:
 
 Shards become one by sweep --merge one.jsonl two.jsonl three.jsonl --output diagram.csv
 
-KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or start.velocity. Of \
-several terms amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, from 1. Phases and cycles \
-are at all points those of one of them, the head's reference: the fastest of those that move the box where all that varies is \
-greatest. Points are exact and evenly spread, both ends among them; of two axes the second one runs through \
-faster.
+KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or \
+start.velocity. With several terms, amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, \
+counted from 1. Phases and forcing periods refer to the same term at all points, the head's reference: the fastest \
+of those that move the box where all that varies is greatest. Points are exact and evenly spaced, endpoints \
+included; of two axes the second one varies faster.
 
-Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly from a release \
-on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved of the future (it may be chaotic, \
-it may be slow); undecided, with the reason and all that was certified before. Exponent: the logarithm of the \
-spectral norm of the derivative over the impacts after the transient, in turns and gaps a turn, for each of them and for each cycle; -inf \
-after a rest.
+Outcome of a point: attracted, proved to converge to a stable periodic orbit; periodic, proved to repeat exactly \
+from a release on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved \
+about the future (it may be chaotic or slow); undecided, with the reason and everything certified before. Exponent: \
+the logarithm of the spectral norm of the derivative over the impacts after the transient, in forcing periods and \
+gap widths per period, per impact and per forcing period; -inf after sticking.
 
-With --output FILE all finished points are in FILE.partial until FILE appears; after Ctrl-C or a crash --resume goes on from \
-there. The output has the same bytes for any number of threads, interrupted or not, in shards or not.
+With --output FILE all finished points are kept in FILE.partial until FILE is written; after Ctrl-C or a crash \
+--resume continues from there. The output has the same bytes for any number of threads, interrupted or not, in \
+shards or not.
 
-Exit code: 0 all that was asked is certified at every point; 1 at some points it is not, or the sweep was interrupted; 2 usage, \
-bad input, I/O.";
+Exit code: 0 everything requested is certified at every point; 1 at some points it is not, or the sweep was \
+interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct SweepArguments {
@@ -49,71 +50,71 @@ pub struct SweepArguments {
     /// What varies, one key or two
     #[arg(long, value_name = "KEY=LO..HI:COUNT", required_unless_present = "merge", allow_hyphen_values = true)]
     pub over: Vec<Axis>,
-    /// Impacts that are passed over first, certified as well
+    /// Number of impacts in the transient, which are certified but not written
     #[arg(long, value_name = "N", default_value_t = 500, value_parser = crate::arguments::count(0..=MOST_IMPACTS))]
     pub transient: u64,
-    /// Impacts after them
+    /// Number of impacts after the transient
     #[arg(long, value_name = "M", default_value_t = 300, value_parser = crate::arguments::count(1..=MOST_IMPACTS))]
     pub impacts: u64,
-    /// Enclosures are asked to be at most 10^-D wide: of times relative to 2 pi/W, of velocities relative to A W; finer than
-    /// any picture
+    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W: finer
+    /// than any picture
     #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::arguments::digits())]
     pub digits: u32,
-    /// What computes: as in run; in a shadow only those points whose exact orbits doubles do not certify [default: auto, with
+    /// The arithmetic, as in run; shadow is used only at points whose exact orbits doubles do not certify [default: auto, with
     /// --plot shadow]
     #[arg(long, value_name = crate::arguments::ARITHMETICS)]
     pub arithmetic: Option<Arithmetic>,
-    /// Bits that auto takes at most; more than 100,000 chaotic impacts need, and no point takes minutes to stay undecided
+    /// Maximum precision of auto, in bits; enough for 100,000 chaotic impacts, and low enough that no point takes minutes to end undecided
     #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::arguments::bits())]
     pub max_bits: u32,
-    /// Write no impacts, only what is said of each point
+    /// Write no impacts, only the result of each point
     #[arg(long)]
     pub summary: bool,
-    /// Write the impacts into a table of their own, csv or parquet; the output then has only what is said of each point, and the
-    /// column point joins both
+    /// Write the impacts into a separate table, csv or parquet; the output then has one row per point, and the
+    /// column point joins the two
     #[arg(long, value_name = "FILE")]
     pub states: Option<PathBuf>,
-    /// Threads that compute [default: as many as there are processors]
+    /// Number of threads [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
     /// Compute only the points of shard I of N; written as jsonl
     #[arg(long, value_name = "I/N", conflicts_with = "plot")]
     pub shard: Option<Shard>,
-    /// Put shards together
+    /// Merge shards
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = MADE_ANEW)]
     pub merge: Vec<PathBuf>,
-    /// Go on with what is in FILE.partial, if there is one
+    /// Continue from FILE.partial, if it exists
     #[arg(long, requires = "output")]
     pub resume: bool,
-    /// How the points are written [default: csv, of a shard jsonl]
+    /// Output format [default: csv; jsonl for a shard]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
-    /// Draw the bifurcation diagram, or of two keys the map of outcomes
+    /// Draw the bifurcation diagram, or for two keys the map of outcomes
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
-    /// What the picture stands on
+    /// Colours of the picture
     #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
     pub theme: Theme,
-    /// What the diagram shows over the parameter
+    /// Quantity on the vertical axis of the diagram
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,
-    /// Of a diagram only this range of the vertical axis
+    /// Range of the vertical axis of the diagram
     #[arg(long, value_name = "LO..HI", value_parser = crate::arguments::window, requires = "plot", allow_hyphen_values = true)]
     pub within: Option<[f64; 2]>,
     #[command(flatten)]
     pub destination: Destination,
 }
 
-/// What shards have been told already.
+/// The options that shards have fixed already.
 const MADE_ANEW: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
 
 /// How the points of a sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SweepFormat {
-    /// A line an impact and a line a point, bounds in columns
+    /// One line per impact and one per point, bounds in columns
     Csv,
-    /// JSON Lines, schema impact-pair/sweep/1: the head, a point a line
+    /// JSON Lines, schema impact-pair/sweep/1: the head, one point per line
     Jsonl,
     /// Apache Parquet: the columns of csv, bounds as doubles rounded outward (a build with --features parquet)
     Parquet,

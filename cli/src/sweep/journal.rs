@@ -20,11 +20,11 @@ const SEAL: usize = 9;
 /// The text of a line, if it is what was written.
 fn unsealed(line: &[u8]) -> Result<&[u8]> {
     if line.starts_with(b"{") {
-        bail!("it has no checksum: an earlier version began this sweep; remove the file to begin anew");
+        bail!("it has no checksum: an earlier version started this sweep; remove the file to start again");
     }
     let text = line.get(SEAL..).unwrap_or_default();
     if line.get(..SEAL) != Some(format!("{:08x} ", crc32fast::hash(text)).as_bytes()) {
-        bail!("it is damaged: its checksum is not that of what it says");
+        bail!("it is corrupted: its checksum does not match its content");
     }
     Ok(text)
 }
@@ -68,7 +68,7 @@ impl Journal {
         let shown = path.display().to_string();
         if path.exists() {
             if !resume {
-                bail!("{shown} holds an unfinished sweep: go on with it by --resume, or remove it");
+                bail!("{shown} holds an unfinished sweep: continue it with --resume, or remove the file");
             }
             let file = OpenOptions::new().read(true).write(true).open(&path);
             let file = file.with_context(|| format!("cannot open {shown}"))?;
@@ -93,9 +93,9 @@ impl Journal {
         }
         let found = Self::scan(file, true)?;
         if found.head != head {
-            bail!("it is of another sweep, or of another version: {}", difference(&found.head, &head));
+            bail!("it belongs to another sweep or another version: {}", difference(&found.head, &head));
         }
-        found.file.set_len(found.end).context("cannot cut off what is torn")?;
+        found.file.set_len(found.end).context("cannot remove the incomplete last line")?;
         Ok(Self { path: Some(path), ..found })
     }
 
@@ -127,12 +127,12 @@ impl Journal {
                 head = Some(read_head(text)?);
                 continue;
             };
-            let record = read_record(text).with_context(|| format!("line {number} is no record of a point"))?;
+            let record = read_record(text).with_context(|| format!("line {number} is not the record of a point"))?;
             if !is_own(head, record.point) || record.values.len() != head.over.len() {
-                bail!("line {number}: point {} is none of this sweep, or of this shard", record.point);
+                bail!("line {number}: point {} does not belong to this sweep or shard", record.point);
             }
             if places.insert(record.point, place).is_some() {
-                bail!("line {number}: point {} is there twice", record.point);
+                bail!("line {number}: point {} occurs twice", record.point);
             }
         }
         let head = head.context("line 1 is missing")?;
@@ -203,5 +203,5 @@ pub fn difference(one: &SweepHead, other: &SweepHead) -> String {
     let null = serde_json::Value::Null;
     let get = |entries: &serde_json::Map<_, _>, key: &String| entries.get(key).unwrap_or(&null).clone();
     let differ = keys.map(|key| (key, get(&one, key), get(&other, key))).find(|(_, a, b)| a != b);
-    differ.map_or_else(String::new, |(key, a, b)| format!("{key} is {a} in the one and {b} in the other"))
+    differ.map_or_else(String::new, |(key, a, b)| format!("{key} is {a} in one and {b} in the other"))
 }

@@ -32,7 +32,7 @@ use work::Work;
 use write::Sweep;
 
 /// Parquet is left out of a build that does not ask for it.
-const NO_PARQUET: &str = "--format is parquet, but this build has no Parquet: build with --features parquet";
+const NO_PARQUET: &str = "--format is parquet, but this build lacks Parquet: build with --features parquet";
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
     keep_files_apart(arguments)?;
@@ -53,7 +53,7 @@ fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
     scene::differ(("--output", output), named)?;
     scene::differ(("--plot", plot), named)?;
     if scene::is_stdio(states) && output.is_none_or(scene::is_stdio) {
-        bail!("--output and --states both are stdout, but each is a table of its own");
+        bail!("--output and --states are both stdout, but are separate tables");
     }
     if output.and_then(journal::beside).is_some_and(|partial| scene::is_same_file(&partial, states)) {
         bail!("cannot write {}: finished points are kept there until --output appears", states.display());
@@ -67,10 +67,10 @@ fn keep_states(arguments: &SweepArguments, format: SweepFormat, is_summary: bool
         return Ok(());
     }
     if arguments.shard.is_some() {
-        bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
+        bail!("--states writes a table, but a shard is written as jsonl: request the states from --merge");
     }
     if format == SweepFormat::Jsonl {
-        bail!("--states writes a table, but a line of jsonl holds a point and its states: ask for csv or parquet");
+        bail!("--states writes a table, but a line of jsonl holds a point with its states: use csv or parquet");
     }
     if is_summary {
         bail!("--states writes the impacts, but a sweep with --summary has none");
@@ -78,12 +78,12 @@ fn keep_states(arguments: &SweepArguments, format: SweepFormat, is_summary: bool
     Ok(())
 }
 
-/// The format asked for, or the one that suits.
+/// Returns the requested format, or the default.
 fn format(arguments: &SweepArguments) -> Result<SweepFormat> {
     let usual = if arguments.shard.is_some() { SweepFormat::Jsonl } else { SweepFormat::Csv };
     let format = arguments.format.unwrap_or(usual);
     if arguments.shard.is_some() && format != SweepFormat::Jsonl {
-        bail!("--format is not jsonl, but a shard is written as jsonl, to be put together by --merge");
+        bail!("--format is not jsonl, but shards are written as jsonl, to be merged by --merge");
     }
     if format == SweepFormat::Parquet && cfg!(not(feature = "parquet")) {
         bail!(NO_PARQUET);
@@ -150,7 +150,7 @@ fn merge(arguments: &SweepArguments) -> Result<Answer> {
     let head = whole(&journals[0]);
     let mut seen = Vec::new();
     for (i, journal) in journals.iter().enumerate() {
-        let Some([number, of]) = journal.head.shard else { bail!("{} is no shard but a whole sweep", name(i)) };
+        let Some([number, of]) = journal.head.shard else { bail!("{} is a whole sweep, not a shard", name(i)) };
         if whole(journal) != head {
             let difference = difference(&journal.head, &SweepHead { shard: journal.head.shard, ..head });
             bail!("{} and {} are of different sweeps: {difference}", name(i), name(0));
@@ -160,7 +160,7 @@ fn merge(arguments: &SweepArguments) -> Result<Answer> {
             bail!("{} is one of {of} shards, but {} is one of {parts}", name(i), name(0));
         }
         if seen.contains(&number) {
-            bail!("{} is shard {number}/{of}, which is there already", name(i));
+            bail!("{} is shard {number}/{of}, which is given twice", name(i));
         }
         if let Some(point) = journal.missing().first() {
             bail!("{} lacks point {point}: the shard is not finished", name(i));

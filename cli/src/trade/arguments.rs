@@ -11,7 +11,7 @@ use impact_pair_plot::picture::Theme;
 use crate::arguments::Destination;
 
 pub const EXIT_CODES: &str = "\
-Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
+Exit code: 0 every row was measured (an undecided one is a result); 1 interrupted (the output holds what was \
 measured); 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
@@ -19,38 +19,39 @@ Examples:
   impact-pair trade scenes/figure-14.toml --impacts 200
   impact-pair trade scenes/figure-12.toml --impacts 100 --format json --plot trade.svg
 
-The rungs: float; interval; inari, the textbook's method, of one harmonic; 64, 128, 256, ... bits until one reaches all the impacts, two more bring none, or --max-bits; \
-auto to 3, 9, 15, 30 and 100 digits. A build without multiprecision has no rungs of bits.
+The rows: float; interval; inari, the textbook method, for one harmonic; 64, 128, 256, ... bits until one reaches \
+all the impacts, two more bring no progress, or --max-bits; auto to 3, 9, 15, 30 and 100 digits. A build without \
+multiprecision has no rows of bits.
 
-Times are medians of 301 runs after a first one, or of as many as fit into 0.2 s. Orbit: impacts, their phases and velocities enclosed \
-in turns and gaps; with bounds: also their times and velocities in the units of the scene, as exact bounds. Reading \
-the scene and printing are not counted.
+Times are medians of 301 runs after a first one, or of as many as fit into 0.2 s. Orbit: impacts with phase and \
+velocity enclosed in reduced units; with bounds: also their times and velocities in the units of the scene, as exact \
+bounds. Reading the scene and printing are not included.
 
-Widths are guaranteed: of times in periods 2 pi/W, of velocities in A W (in gaps a turn if A may be 0), rounded up. \
-Certified digits: -log10 of the greatest of both. Errors of float are judged by certified enclosures (auto at 30 \
-digits; a build without multiprecision: interval), as long as its walls are the true ones; an error is said to exceed \
-a threshold only where that is proved.
+Widths are guaranteed: of times in periods 2 pi/W, of velocities in A W (in gap widths per period if A may be 0), \
+rounded up. Certified digits: -log10 of the larger width. The errors of float are measured against certified \
+enclosures (auto at 30 digits; a build without multiprecision: interval), as long as its walls are the true ones; an \
+error is reported to exceed a threshold only where that is proved.
 
-Exit code: 0 all rungs were measured (an undecided one is a result); 1 interrupted (the output holds what was \
+Exit code: 0 every row was measured (an undecided one is a result); 1 interrupted (the output holds what was \
 measured); 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct TradeArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// Stop each rung after so many impacts [default: that of the scene; 100 if it has no time to stop at either]
+    /// Stop each row after N impacts [default: that of the scene; 100 if the scene has no stop time either]
     #[arg(long, value_name = "N", value_parser = crate::arguments::count(1..=u64::MAX))]
     impacts: Option<u64>,
-    /// Bits that a rung takes at most
+    /// Maximum precision of a row, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::arguments::bits())]
     pub max_bits: u32,
-    /// How the rungs are written
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: TradeFormat,
-    /// Draw the rungs: the time of an impact over the certified digits
+    /// Draw the time per impact over the certified digits
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
-    /// What the picture stands on
+    /// Colours of the picture
     #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
     pub theme: Theme,
     #[command(flatten)]
@@ -58,17 +59,17 @@ pub struct TradeArguments {
 }
 
 impl TradeArguments {
-    /// How far each rung is followed.
+    /// Returns how far each row is followed.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let run = Run { impacts: self.impacts, ..Run::default() };
         Settings { max_bits: self.max_bits, ..scene.settings_asked(run, Arithmetic::Auto) }
     }
 }
 
-/// How the rungs of a trade are written.
+/// The output formats of `trade`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum TradeFormat {
-    /// For people: a line a rung
+    /// Human-readable: one line per row
     #[default]
     Table,
     /// One document, schema impact-pair/trade/1

@@ -18,7 +18,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let scene = scene::read(&arguments.scene)?;
     let asked = arguments.settings(&scene);
     if asked.impacts == Some(0) {
-        bail!("{}: run.impacts is 0, there is nothing to measure (try --impacts)", scene::name(&arguments.scene));
+        bail!("{}: run.impacts is 0: no impacts to measure (try --impacts)", scene::name(&arguments.scene));
     }
     Orbit::of(&scene, asked.clone()).with_context(|| scene::name(&arguments.scene))?;
     let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
@@ -36,7 +36,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
         TradeFormat::Table => table::table(&trade),
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
     };
-    let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in rung {rung}"));
+    let open = trade.interrupted.as_ref().map(|rung| format!("interrupted in row {rung}"));
     let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
     if let (Some(picture), Some(path)) = (picture, plot) {
         picture.draw(path, arguments.theme, || impact_pair_plot::trade::svg(&trade))?;

@@ -5,11 +5,10 @@ use impact_pair::trade::{Crossing, Extent, Judgement, Largest, Measured, Trade};
 
 use crate::heading::heading;
 
-const TIMES: &str =
-    "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: and their exact bounds in the units of the scene";
+const TIMES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
 
 pub fn table(trade: &Trade<'_>) -> String {
-    let mut lines = vec![format!("{}asked for: {}\n", heading(trade.scene), trade.goal()), names()];
+    let mut lines = vec![format!("{}requested: {}\n", heading(trade.scene), trade.goal()), names()];
     lines.extend(trade.rungs.iter().map(row));
     lines.push(format!("\n{TIMES}"));
     let speed = trade.units.speed;
@@ -19,14 +18,14 @@ pub fn table(trade: &Trade<'_>) -> String {
         lines.extend(verdict(judgement, &trade.judge(), impacts));
     }
     if let Some(rung) = trade.interrupted {
-        lines.push(format!("\ninterrupted in rung {rung}"));
+        lines.push(format!("\ninterrupted in row {rung}"));
     }
     lines.join("\n") + "\n"
 }
 
 /// The names of the columns, in two lines.
 fn names() -> String {
-    let (cost, greatest) = ("us an impact", "greatest width");
+    let (cost, greatest) = ("us per impact", "greatest width");
     let upper = format!("{:32}{cost:>16}{:10}{greatest:>19}", "", "");
     let columns = ["bits", "impacts", "orbit", "bounds", "impacts/s", "time", "velocity"];
     upper + "\n" + &line("arithmetic", columns.map(str::to_owned), "end")
@@ -71,10 +70,10 @@ fn significant(x: f64) -> String {
     format!("{x:.*}", places as usize)
 }
 
-/// What is known of the errors of `float` and its so many impacts.
+/// Returns the errors of `float` and the number of its impacts.
 fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
     let mut lines = vec![format!(
-        "\ntrue errors of float, judged by {truth} on {} of {}:",
+        "\ntrue errors of float, compared with {truth} on {} of {}:",
         judgement.judged,
         counted(impacts, "impact")
     )];
@@ -94,7 +93,7 @@ fn verdict(judgement: &Judgement, truth: &str, impacts: u64) -> Vec<String> {
         let float = departure.judged.map_or("float ends".to_owned(), |wall| format!("float on the {}", wall.name()));
         format!("at impact {}: the truth is on the {} wall, {float}", departure.impact, departure.truth.name())
     });
-    say("leaves the true word", departure.unwrap_or(on_the_word));
+    say("departs from the true word", departure.unwrap_or(on_the_word));
     lines
 }
 

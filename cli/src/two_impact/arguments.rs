@@ -14,8 +14,8 @@ use impact_pair_plot::two_impact::Window;
 use crate::arguments::Destination;
 
 pub const EXIT_CODES: &str = "\
-Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
-(the output holds all that is proved until then); 2 usage, bad input, I/O";
+Exit code: 0 everything is decided; 1 something is undecided (the output lists it, and all that is proved), or \
+Ctrl-C ended a parameter manifold (the output holds what is proved so far); 2 usage, bad input, I/O";
 
 pub const HELP: &str = "\
 Examples:
@@ -23,21 +23,22 @@ Examples:
   impact-pair two-impact scenes/figure-13.toml --solve-for amplitude --format json
   impact-pair two-impact scenes/figure-10.toml --manifold frequency=5..60:400 --plot figure-10.svg
 
-Two of A, d and |v| are given, by --solve-for. velocity: A and d are the scene's, and all motions with two impacts in N \
-cycles are found in which the ball never rests on a wall, equispaced by (66), (67) or (70), (71), and the others, N odd or even, through (62), (63), isolated \
-with proof. amplitude: d and the start's v are the scene's, and A_N is that of (68); gap: A and the start's v are, and d is that of (67); \
-these two are equispaced, so for N odd.
+Two of A, d and |v| are given, by --solve-for. velocity: A and d are those of the scene, and all motions without \
+sticking with two impacts in N cycles are found, equispaced by (66), (67) or (70), (71), and the others, N odd or \
+even, by (62), (63), isolated with proof. amplitude: d and the start's v are those of the scene, and A_N is that of \
+(68). gap: A and the start's v are, and d is that of (67). These two are equispaced, so N is odd.
 
-Under several harmonics there is no closed form: periodic --word RL --cycles N --all finds such motions.
+With several harmonics there is no closed form: periodic --word RL --cycles N --all finds such motions.
 
-Of each motion: whether no wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable or \
-called undecided: neutral ones are beyond linear theory.
+For each motion: whether a wall is touched earlier, and stability by (38). With e = 1 a motion is proved unstable or \
+undecided: neutral ones are beyond linear theory.
 
-Manifold: A_N (68) over W for the scene's d, e and start velocity, or over v for the scene's d, e and W; points of the grid and those where \
-first contact, stability or the sign of sin th0 change, and what is proved between each point and the next.
+Parameter manifold: A_N (68) over W for the scene's d, e and start velocity, or over v for the scene's d, e and W. \
+The output has the points of the grid, the points where first contact, stability or the sign of sin th0 change, and \
+what is proved between each point and the next.
 
-Exit code: 0 nothing is left open; 1 something is undecided (the output lists it, and all that is proved), or Ctrl-C ended a manifold \
-(the output holds all that is proved until then); 2 usage, bad input, I/O.";
+Exit code: 0 everything is decided; 1 something is undecided (the output lists it, and all that is proved), or \
+Ctrl-C ended a parameter manifold (the output holds what is proved so far); 2 usage, bad input, I/O.";
 
 /// Reads two ranges, one for each axis.
 fn window(text: &str) -> Result<Window, String> {
@@ -50,32 +51,32 @@ fn window(text: &str) -> Result<Window, String> {
 pub struct TwoImpactArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// N, or a range of them such as 1..5, both ends among them
+    /// N, or a range such as 1..5, endpoints included
     #[arg(long, value_name = "N|LO..HI", default_value = "1")]
     pub cycles: Cycles,
     /// The wall whose impact is listed first
     #[arg(long, value_enum, default_value_t)]
     pub wall: Side,
-    /// Which of |v|, A and d the other two give
+    /// Which of |v|, A and d to compute from the other two
     #[arg(long, value_enum, default_value_t, value_name = "velocity|amplitude|gap", conflicts_with = "manifold")]
     pub solve_for: SolveFor,
     /// A_N over a range: frequency=LO..HI:COUNT (figure 10) or velocity=LO..HI:COUNT (figure 11)
     #[arg(long, value_name = "KEY=LO..HI:COUNT")]
     pub manifold: Option<ManifoldRange>,
-    /// Enclosures are at most 10^-D wide: of phases relative to 2 pi, of velocities relative to A W [default: that of the
+    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the
     /// scene, or 9]
     #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
     pub digits: Option<u32>,
-    /// How the answer is written
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     pub format: TwoImpactFormat,
-    /// Draw the manifold
+    /// Draw the parameter manifold
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
-    /// Show this window of the picture again, magnified
+    /// Magnify this window of the picture in an inset
     #[arg(long, value_name = "X0..X1:Y0..Y1", value_parser = window, allow_hyphen_values = true, requires = "plot")]
     pub inset: Option<Window>,
-    /// What the picture stands on
+    /// Colours of the picture
     #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
     pub theme: Theme,
     #[command(flatten)]
@@ -85,12 +86,12 @@ pub struct TwoImpactArguments {
 /// How the answer of `two-impact` is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum TwoImpactFormat {
-    /// For people; of a manifold the points where something changes
+    /// Human-readable; for a parameter manifold the points where something changes
     #[default]
     Table,
-    /// Schema impact-pair/periodic/1, a list of documents for a range of N; of a manifold impact-pair/manifold/1
+    /// Schema impact-pair/periodic/1, a list of documents for a range of N; for a parameter manifold impact-pair/manifold/1
     Json,
-    /// Of a manifold: a line a point, bounds in columns
+    /// For a parameter manifold: one point per line, bounds in columns
     Csv,
 }
 
@@ -116,7 +117,7 @@ impl Side {
 /// What is not given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum SolveFor {
-    /// The motion, |v| among it, from A and d
+    /// The motion, with its |v|, from A and d
     #[default]
     Velocity,
     /// A_N (68), from d and the start's velocity
@@ -145,14 +146,14 @@ impl FromStr for Cycles {
     }
 }
 
-/// What a manifold runs over.
+/// The parameter of a parameter manifold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
     Frequency,
     Velocity,
 }
 
-/// A range of a manifold.
+/// The range of a parameter manifold.
 #[derive(Clone, Debug)]
 pub struct ManifoldRange {
     pub over: Over,

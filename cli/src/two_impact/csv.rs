@@ -1,9 +1,9 @@
-//! A manifold as a table for programs.
+//! A parameter manifold as a table for programs.
 
 use impact_pair::exact::decimal_bounds;
 use impact_pair::two_impact::{Axis, Manifold, Part};
 
-/// A line a point; the last three columns hold from there to the next point of the same N.
+/// One line per point; the last three columns hold from there to the next point of the same N.
 pub fn csv(axis: Axis, curves: &[Manifold]) -> String {
     let key = axis.name();
     let mut text =

@@ -1,4 +1,4 @@
-//! `impact-pair two-impact SCENE`: motions with two impacts in N cycles, and the manifolds of figures 10 and 11.
+//! `impact-pair two-impact SCENE`: motions with two impacts in N cycles, and the parameter manifolds of figures 10 and 11.
 
 pub mod arguments;
 mod csv;
@@ -57,7 +57,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
         }
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
-    let open = "not all that was asked is decided: see what is undecided or null in the output";
+    let open = "not everything requested is decided: see what is undecided or null in the output";
     let open = answers.iter().any(|answer| !answer.is_complete).then(|| open.to_owned());
     let is_table = arguments.format == TwoImpactFormat::Table;
     Output::open(arguments.destination.output.as_deref())?.answer(&text, open, (arguments.destination.quiet, is_table))
@@ -75,7 +75,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     // From here on Ctrl-C keeps what is proved.
     interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
-    let progress = Progress::of("drawing manifolds", !arguments.destination.quiet);
+    let progress = Progress::of("computing parameter manifolds", !arguments.destination.quiet);
     let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, goes_on)?;
     progress.clear();
     let interrupted = !went_on;
@@ -87,7 +87,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
         }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
-    let open = interrupted.then(|| "interrupted: all points that are there are proved, others are left".to_owned());
+    let open = interrupted.then(|| "interrupted: the points written are proved, others are missing".to_owned());
     let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
     if let Some(path) = arguments.plot.as_ref().filter(|_| !curves.is_empty()) {
         Output::open(Some(path))?

@@ -1,4 +1,4 @@
-//! Two-impact motions and manifolds for people.
+//! Human-readable tables of two-impact motions and parameter manifolds.
 
 use impact_pair::Scene;
 use impact_pair::document::word;
@@ -17,7 +17,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
     lines.push(scene.parameters_in_words());
     match unknown {
         Unknown::Velocity => {
-            lines.push("given A and d: all motions with two impacts in N cycles that never rest".into())
+            lines.push("given A and d: all motions with two impacts in N cycles, without sticking".into())
         }
         Unknown::Amplitude(speed) => lines.push(format!("given d and |v| = {speed}: A_N (68), equispaced")),
         Unknown::Gap(speed) => lines.push(format!("given A and |v| = {speed}: d (67), equispaced")),
@@ -37,7 +37,7 @@ pub fn motions(scene: &Scene, unknown: &Unknown, answers: &[Answer], wall: Wall)
 /// How many there are, and whether these are all but those that rest.
 fn said(answer: &Answer) -> String {
     let count = orbits(answer.orbits.len());
-    if answer.is_exhaustive { format!("{count}, proved to be all without a rest") } else { count }
+    if answer.is_exhaustive { format!("{count}, proved to be all without sticking") } else { count }
 }
 
 fn orbit(index: usize, orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Vec<String> {
@@ -47,7 +47,7 @@ fn orbit(index: usize, orbit: &Orbit, unknown: &Unknown, wall: Wall) -> Vec<Stri
         Unknown::Amplitude(_) => lines.push(format!("     A = {}", decimal_digits(&orbit.amplitude))),
         Unknown::Gap(_) => lines.push(format!("     d = {}", decimal_digits(&orbit.gap))),
     }
-    for impact in &orbit.measured.told_from(wall).impacts {
+    for impact in &orbit.measured.listed_from(wall).impacts {
         let (phase, velocity) = (decimal_digits(&impact.phase), decimal_digits(&impact.velocity));
         lines.push(format!("     {:5}  W t + tau = {phase:24} v = {velocity}", impact.wall.name()));
     }
@@ -60,7 +60,7 @@ fn kind(orbit: &MeasuredOrbit) -> String {
         if orbit.symmetric == Some(true) { "equispaced, its own mirror image" } else { "not its own mirror image" };
     let contacts = match orbit.physical {
         Some(true) => "no earlier contact",
-        Some(false) => "NOT PHYSICAL: a wall is touched earlier",
+        Some(false) => "VIRTUAL: a wall is touched earlier",
         None => "earlier contact undecided",
     };
     let stability = match orbit.stability {
@@ -82,7 +82,7 @@ fn eigenvalues(orbit: &MeasuredOrbit) -> String {
     }
 }
 
-/// Where something changes along the manifolds.
+/// The changes along the parameter manifolds.
 pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
     let mut lines: Vec<String> = scene.title().map(str::to_owned).into_iter().collect();
     let name = match axis {
@@ -110,6 +110,6 @@ pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
 
 fn part(Part { is_solid, is_physical, stability }: Part) -> String {
     let sine = if is_solid { "sin th0 > 0" } else { "sin th0 < 0" };
-    let contacts = if is_physical { "no earlier contact" } else { "not physical" };
+    let contacts = if is_physical { "no earlier contact" } else { "virtual" };
     format!("{sine}, {contacts}, {}", stability.name())
 }

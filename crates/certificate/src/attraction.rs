@@ -47,9 +47,9 @@ pub(super) enum Stability {
 #[derive(Clone, Debug)]
 pub(super) struct Passage {
     pub wall: Wall,
-    /// Whole turns of the common period of all harmonics before the phase; told where that is longer than a turn.
+    /// Whole turns of the common period of all harmonics before the phase; given where that is longer than a forcing period.
     pub turn: Option<u64>,
-    /// The whole turns before the phase since that which the first one is in; told where a period takes several common ones.
+    /// The whole forcing periods before the phase since that which the first one is in; given where a period takes several common ones.
     pub cycle: Option<i64>,
     pub phase: Bounds,
     pub velocity: Bounds,
@@ -59,7 +59,7 @@ pub(super) struct Passage {
 pub(super) type Bounds = [BigRational; 2];
 
 impl Attraction {
-    /// What an outcome claims, if it has an `orbit`; it stands at `place`.
+    /// Returns what an outcome claims, if it has an `orbit`; it stands at `place`.
     pub fn of(outcome: &OutcomeDocument, place: &Place<'_>) -> Result<Option<Self>, Error> {
         let Some(orbit) = &outcome.orbit else { return Ok(None) };
         if orbit.spacing.is_some() || orbit.sine.is_some() || orbit.amplitude.is_some() || orbit.gap.is_some() {
@@ -73,7 +73,7 @@ impl Attraction {
         }))
     }
 
-    /// Whether its orbit is claimed to be the only one in its box, physical and stable, and nothing of it is left open.
+    /// Returns whether its orbit is claimed to be the only one in its box, admissible and stable, and nothing of it is left open.
     pub fn is_attractor(&self) -> bool {
         let ClaimedOrbit { unique, physical, stability, numbers, symmetric, .. } = &self.orbit;
         *unique
@@ -85,7 +85,7 @@ impl Attraction {
 }
 
 impl ClaimedOrbit {
-    /// What a document claims; it stands at `place`.
+    /// Returns what a document claims; it stands at `place`.
     pub fn of(orbit: &PeriodicOrbitDocument, place: &Place<'_>) -> Result<Self, Error> {
         let impact = |impact: &PeriodicImpactDocument| Passage {
             wall: impact.wall,
@@ -119,7 +119,7 @@ impl ClaimedOrbit {
         })
     }
 
-    /// Whether nothing that is asked of it is left open.
+    /// Returns whether nothing that is asked of it is left open.
     pub fn is_decided(&self) -> bool {
         self.physical.is_some() && self.symmetric.is_some() && self.stability != Stability::Undecided
     }

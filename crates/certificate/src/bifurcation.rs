@@ -144,17 +144,17 @@ impl BifurcationCertificate {
         self.contradiction.as_deref()
     }
 
-    /// How many bifurcations it claims.
+    /// Returns how many bifurcations it claims.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// How many of them are checked: those that are no grazes.
+    /// Returns how many of them are checked: those that are no grazes.
     pub fn checked(&self) -> usize {
         self.points.iter().filter(|point| point.kind != Kind::Graze).count()
     }
 
-    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -167,17 +167,17 @@ fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Res
     let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
     let is_open = |point: &ClaimedPoint| point.kind != Kind::Graze && point.orbit.physical.is_none();
     if *certified && (!undecided.is_empty() || is_lost || points.iter().any(is_open)) {
-        return Ok(Some("certified: not all is proved that was found".to_owned()));
+        return Ok(Some("certified: not everything found is proved".to_owned()));
     }
-    for (i, (point, told)) in points.iter().zip(&document.points).enumerate() {
+    for (i, (point, claimed)) in points.iter().zip(&document.points).enumerate() {
         // The orbit at which a doubling comes is the one before it.
-        let doublings = told.doublings.saturating_sub((point.kind == Kind::PeriodDoubling).into());
+        let doublings = claimed.doublings.saturating_sub((point.kind == Kind::PeriodDoubling).into());
         let times = |count: u64| count.checked_mul(1u64.checked_shl(doublings)?);
         let repeated = asked.mappings().iter().cycle().take(point.word.mappings().len());
         let fits = times(asked.mappings().len() as u64) == Some(point.word.mappings().len() as u64)
             && times((*cycles).into()) == Some(point.cycles);
         if !fits || !repeated.eq(point.word.mappings()) {
-            return Ok(Some(format!("points[{i}]: its word is not the asked one, doubled so often")));
+            return Ok(Some(format!("points[{i}]: its word is not the requested one, doubled that number of times")));
         }
         if point.parameter[0] > point.parameter[1] {
             return Ok(Some(format!("points[{i}]: a lower bound is above the upper one")));

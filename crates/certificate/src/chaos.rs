@@ -73,12 +73,12 @@ impl ChaosCertificate {
         &self.document.bases
     }
 
-    /// How many words it claims.
+    /// Returns how many words it claims.
     pub fn count(&self) -> usize {
         self.document.words.len()
     }
 
-    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

@@ -33,7 +33,7 @@ pub enum Claims {
     Trap(Box<TrapCertificate>),
     /// Several documents in a list: one by one.
     List(Vec<Claims>),
-    /// Nothing of it is checked, for the reason told.
+    /// Not checked, for the given reason.
     Unchecked(&'static str),
 }
 
@@ -60,14 +60,14 @@ impl Claims {
             Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
             Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
             Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
-            Some(MANIFOLD_SCHEMA) => Self::Unchecked("manifolds: that their points solve (66)-(69)"),
+            Some(MANIFOLD_SCHEMA) => Self::Unchecked("parameter manifolds: that their points solve (66)-(69)"),
             Some(CHAOS_CELLS_SCHEMA) => {
-                Self::Unchecked("stretches of a parameter: horseshoes and attracted orbits in each")
+                Self::Unchecked("subintervals of a parameter: horseshoes and attracted orbits in each")
             }
             Some(AUDIT_SCHEMA) => {
                 Self::Unchecked("comparisons with another program's list: what is inside, missed or false")
             }
-            Some(TRADE_SCHEMA) => Self::Unchecked("measurements of what accuracy costs"),
+            Some(TRADE_SCHEMA) => Self::Unchecked("measurements of the cost of accuracy"),
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
             Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
@@ -115,11 +115,11 @@ impl Claims {
         Ok(Judged { verdict, confirmed: before })
     }
 
-    /// Proves every claim again, or says which one is not true or not proved, until `stop` is set, if there is one. `progress` is told
+    /// Proves every claim again, or returns the first one refuted or undecided, until `stop` is set, if given. `progress` receives
     /// the claims confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -133,7 +133,7 @@ impl Claims {
     /// [`document`](Self::document) tells of each of them.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn judge(
         &self,
         effort: &Effort,
@@ -177,7 +177,7 @@ impl Claims {
         Judged { verdict, confirmed }
     }
 
-    /// How many claims come one after another: events, orbits.
+    /// Returns how many claims come one after another: events, orbits.
     pub fn count(&self) -> usize {
         match self {
             Self::Orbit(certificate) => certificate.events().len(),
@@ -193,7 +193,7 @@ impl Claims {
         }
     }
 
-    /// What of it is not judged: keys, or words.
+    /// Returns what of it is not judged: keys, or words.
     pub fn unjudged(&self) -> Vec<String> {
         match self {
             Self::Orbit(certificate) => certificate.unjudged().to_vec(),
@@ -213,7 +213,7 @@ impl Claims {
         }
     }
 
-    /// The first claims, in words.
+    /// Returns the first claims, in words.
     pub fn first(&self, count: usize) -> String {
         match self {
             Self::Orbit(certificate) => {
@@ -240,7 +240,7 @@ impl Claims {
         }
     }
 
-    /// All claims, in words.
+    /// Returns all claims, in words.
     pub fn all(&self) -> String {
         match self {
             Self::Orbit(certificate) => {
@@ -253,7 +253,7 @@ impl Claims {
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
             }
-            Self::Trap(certificate) => format!("a closed region of {} and its bounds", boxes(certificate.count())),
+            Self::Trap(certificate) => format!("a trapping region of {} and its bounds", boxes(certificate.count())),
             Self::List(documents) => {
                 let each: Vec<_> = documents.iter().map(Self::all).collect();
                 format!("{}: {}", counted(documents.len(), "document"), each.join(", "))

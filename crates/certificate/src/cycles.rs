@@ -28,7 +28,7 @@ impl CyclesCertificate {
         Ok(Self { orbits, contradiction })
     }
 
-    /// Its orbits, as those of a periodic JSON.
+    /// Returns its orbits, as those of a periodic JSON.
     pub fn orbits(&self) -> &PeriodicCertificate {
         &self.orbits
     }
@@ -49,7 +49,7 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
         return Some("impacts: the least number is above the greatest".to_owned());
     }
     if *certified && !exhaustive {
-        return Some("certified: it says itself that there may be others".to_owned());
+        return Some("certified: by its own statement there may be others".to_owned());
     }
     if *exhaustive && (*least..=*most).any(|impacts| !fixed_points.contains_key(&impacts)) {
         return Some("exhaustive: the fixed points of some number of impacts are not counted".to_owned());
@@ -59,15 +59,15 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
         return Some("no_attractor: a cycle is not unstable, or there may be others".to_owned());
     }
     for (i, (cycle, orbit)) in document.orbits.iter().zip(orbits).enumerate() {
-        let (told, impacts) = (u64::from(cycle.reduced_impacts), orbit.orbit.impacts.len() as u64); // exact: a length
+        let (claimed, impacts) = (u64::from(cycle.reduced_impacts), orbit.orbit.impacts.len() as u64); // exact: a length
         // Lemma D23: an orbit that is its own mirror image is that after half of its impacts.
         let is_least = match orbit.orbit.symmetric {
-            Some(true) => 2 * told == impacts,
-            Some(false) => told == impacts,
-            None => told == impacts || 2 * told == impacts,
+            Some(true) => 2 * claimed == impacts,
+            Some(false) => claimed == impacts,
+            None => claimed == impacts || 2 * claimed == impacts,
         };
-        if told == 0 || !is_least {
-            return Some(format!("orbits[{i}].reduced_impacts: its impacts and its symmetry say otherwise"));
+        if claimed == 0 || !is_least {
+            return Some(format!("orbits[{i}].reduced_impacts: contradicts its impacts and its symmetry"));
         }
     }
     let mut by_impacts: BTreeMap<u32, u64> = BTreeMap::new();
@@ -79,7 +79,10 @@ fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String
     let listed = |impacts: u32| {
         by_impacts.iter().filter(|(least, _)| impacts.is_multiple_of(**least)).map(|(_, n)| n).sum::<u64>()
     };
-    let wrong = fixed_points.iter().find(|(impacts, told)| **impacts == 0 || listed(**impacts) != **told)?;
-    let (impacts, told) = wrong;
-    Some(format!("fixed_points: {told} of {impacts} impacts, but those of the listed orbits are {}", listed(*impacts)))
+    let wrong = fixed_points.iter().find(|(impacts, claimed)| **impacts == 0 || listed(**impacts) != **claimed)?;
+    let (impacts, claimed) = wrong;
+    Some(format!(
+        "fixed_points: {claimed} of {impacts} impacts, but those of the listed orbits are {}",
+        listed(*impacts)
+    ))
 }

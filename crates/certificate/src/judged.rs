@@ -17,7 +17,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// The verdict on all claims together.
+    /// Returns the verdict on all claims together.
     pub fn name(&self) -> VerdictName {
         match self.verdict {
             Verdict::Confirmed { .. } => VerdictName::Confirmed,
@@ -46,7 +46,7 @@ struct Part<'c> {
 }
 
 impl Claims {
-    /// How many of the claims that were told to be confirmed, one after another, are so for all data, whatever becomes of the others.
+    /// Number of the claims reported as confirmed, one after another, are so for all data, whatever becomes of the others.
     pub(super) fn certain(&self, reached: usize) -> usize {
         match self {
             Self::Orbit(certificate) if certificate.confirms_one_by_one() => reached,
@@ -67,7 +67,7 @@ impl Claims {
         }
     }
 
-    /// Each claim of the text that this was read from, with its verdict.
+    /// Returns each claim of the text that this was read from, with its verdict.
     ///
     /// # Panics
     /// When it was read from another text.
@@ -92,7 +92,7 @@ impl Claims {
         }
     }
 
-    /// The verdict in words.
+    /// Returns the verdict in words.
     pub fn said(&self, verdict: &Verdict) -> String {
         match verdict {
             Verdict::Confirmed { bits, pieces } => {

@@ -133,7 +133,7 @@ impl PeriodicCertificate {
         Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one, unjudged })
     }
 
-    /// The impact pair.
+    /// Returns the impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair
     }
@@ -146,7 +146,7 @@ impl PeriodicCertificate {
         &self.orbits
     }
 
-    /// How many orbits it claims.
+    /// Returns how many orbits it claims.
     pub fn count(&self) -> usize {
         self.orbits.len()
     }
@@ -166,7 +166,7 @@ impl PeriodicCertificate {
         self.mirrors_are_one
     }
 
-    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

@@ -49,7 +49,7 @@ pub enum ClaimKind {
         /// The bounds of `y'` just before \[length/time\].
         velocity: [BigRational; 2],
     },
-    /// The wall is touched, or nearly touched, with no velocity or nearly none.
+    /// The wall is touched, or nearly touched, with zero velocity or nearly none.
     Graze,
     /// The ball comes to rest.
     Rest {
@@ -120,12 +120,12 @@ impl Certificate {
         Self { pair, start, claim, events, ended, attraction: None, unjudged: Vec::new() }
     }
 
-    /// The impact pair.
+    /// Returns the impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair
     }
 
-    /// Where the orbit starts.
+    /// Returns where the orbit starts.
     pub fn start(&self) -> &Start {
         &self.start
     }
@@ -135,12 +135,12 @@ impl Certificate {
         self.claim
     }
 
-    /// The events, in order of time.
+    /// Returns the events, in order of time.
     pub fn events(&self) -> &[Claim] {
         &self.events
     }
 
-    /// The word for how the orbit ended, such as `impacts-reached`.
+    /// Returns the word for how the orbit ended, such as `impacts-reached`.
     pub fn outcome(&self) -> &str {
         &self.ended.kind
     }
@@ -150,7 +150,7 @@ impl Certificate {
         &self.ended
     }
 
-    /// The keys of the document that claim nothing which [`check`](Self::check) judges: what computed it, and all that this
+    /// Returns the keys of the document that claim nothing which [`check`](Self::check) judges: what computed it, and all that this
     /// version does not know.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
@@ -161,7 +161,7 @@ impl Certificate {
         self.attraction.as_ref()
     }
 
-    /// The period of a motion that is claimed to be `periodic`.
+    /// Returns the period of a motion that is claimed to be `periodic`.
     pub fn period(&self) -> Option<Period> {
         self.ended.period
     }

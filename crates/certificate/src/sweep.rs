@@ -23,7 +23,7 @@ pub struct SweepCertificate {
 pub(super) struct ClaimedOrbit {
     pub pair: ImpactPair,
     pub start: Start,
-    /// The term that phases are told of, where that is not the fastest one that moves the box.
+    /// The term that phases are relative to, where that is not the fastest one that moves the box.
     pub reference: Option<Harmonic>,
     /// How many impacts are certified.
     pub impacts: u64,
@@ -104,12 +104,12 @@ impl SweepCertificate {
         &self.points
     }
 
-    /// How many points it has.
+    /// Returns how many points it has.
     pub fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -118,9 +118,9 @@ impl SweepCertificate {
 /// What varies.
 struct Axes {
     keys: Vec<Key>,
-    /// The number, from 0, of the term whose cycles are the unit; at each point the fastest where none is told.
+    /// The number, from 0, of the term whose cycles are the unit; at each point the fastest where none is given.
     reference: Option<usize>,
-    /// Whether the axes have as many points together as are told.
+    /// Whether the axes have as many points together as are given.
     are_all: bool,
 }
 
@@ -205,13 +205,13 @@ impl ClaimedOrbit {
             None => !head.summary && record.impacts > head.transient,
         };
         let contradiction = if !axes.are_all {
-            Some("the axes have another number of points than told")
+            Some("the axes have another number of points than given")
         } else if !follow || is_cut {
             Some("its impacts are not all those after the transient")
         } else if all
             .is_none_or(|all| record.impacts > all || record.outcome == "not-attracted" && record.impacts < all)
         {
-            Some("it has another number of impacts than asked for")
+            Some("it has another number of impacts than requested")
         } else {
             None
         };

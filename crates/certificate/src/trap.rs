@@ -47,14 +47,14 @@ impl TrapCertificate {
         &self.document
     }
 
-    /// How many boxes its region has.
+    /// Returns how many boxes its region has.
     pub fn count(&self) -> usize {
         // exact: no run is longer than an integer of 32 bits
         let boxes = |&[_, first, last]: &[i32; 3]| usize::try_from(i64::from(last) - i64::from(first) + 1).unwrap_or(0);
         self.document.region.iter().map(boxes).sum()
     }
 
-    /// The keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

@@ -14,45 +14,45 @@ use super::scene::SceneDocument;
 /// The schema of the audit JSON.
 pub const AUDIT_SCHEMA: &str = "impact-pair/audit/1";
 
-/// A list of impacts, judged.
+/// An audit: a list of impacts compared with the certified orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct AuditDocument {
     /// [`AUDIT_SCHEMA`]
     pub schema: String,
-    /// What judged.
+    /// The program that made the comparison.
     pub program: String,
-    /// Whose impacts they should be.
+    /// The scene of the impacts.
     pub scene: SceneDocument,
-    /// In periods, and in `A W`.
+    /// Tolerance of times in periods `2 pi/W`, and of velocities in `A W`.
     pub tolerance: Written,
     /// The units of the tolerance.
     pub units: Units,
-    /// The time judged up to \[time\].
+    /// The time up to which the list is compared \[time\].
     pub until: Bounds,
-    /// The digits asked for.
+    /// Requested digits.
     pub digits: u32,
-    /// What computed the certified orbit.
+    /// The arithmetic of the certified orbit.
     pub arithmetic: ArithmeticDocument,
-    /// How the certified orbit ended.
+    /// Outcome of the certified orbit.
     pub outcome: OutcomeDocument,
-    /// Whether list and truth agree.
+    /// Whether the list agrees with the certified orbit.
     pub agreed: bool,
-    /// The same in words.
+    /// The verdict in words.
     pub message: String,
-    /// How many of each verdict.
+    /// Number of rows and impacts with each verdict.
     pub counts: Counts,
     /// The first row or impact that differs.
     pub first_disagreement: Option<Disagreement>,
-    /// From where on the list follows another orbit.
+    /// Where the list diverges from the true orbit.
     pub another_orbit: Option<Departure>,
-    /// How plain doubles do.
+    /// The same comparison for plain doubles.
     pub double_precision: DoublePrecision,
-    /// Every row, and every impact that is on none.
+    /// Every row, and every impact without a row.
     pub events: Vec<AuditEvent>,
 }
 
-/// Bounds of units.
+/// Bounds of the units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Units {
@@ -62,26 +62,26 @@ pub struct Units {
     pub velocity: Bounds,
 }
 
-/// How many of each verdict.
+/// Number of rows and impacts with each verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Counts {
-    /// Rows judged.
+    /// Rows compared.
     pub listed: usize,
-    /// Rows that are no impacts.
+    /// Rows that are not impacts.
     pub left_out: usize,
-    /// Certified, and no farther from it than the tolerance.
+    /// Certified, within the tolerance.
     pub inside: usize,
-    /// Certified, and proved to be farther.
+    /// Certified, and proved to be outside the tolerance.
     pub outside: usize,
-    /// Certified, on no row.
+    /// Certified, but not listed.
     pub missed: usize,
-    /// On a row, and not certified.
+    /// Listed, and proved not to happen.
     #[serde(rename = "false")]
     pub false_: usize,
-    /// Among the infinitely many of a chatter.
+    /// Among the infinitely many impacts of a chatter.
     pub chatter: usize,
-    /// After the end of what is certified.
+    /// After the end of the certified orbit.
     pub undecided: usize,
     /// After the impact beyond which the orbit was not followed: the list lacks more impacts than it has rows.
     #[serde(skip_serializing_if = "is_zero", default)]
@@ -92,19 +92,19 @@ fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
-/// Where list and truth differ.
+/// Where the list and the certified orbit differ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Disagreement {
     /// The certified impact.
     pub impact: u64,
-    /// What is said of it.
+    /// Its verdict.
     pub verdict: String,
     /// The row, from 1.
     pub row: Option<usize>,
 }
 
-/// From where on a list follows another orbit.
+/// Where a list diverges from the true orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Departure {
@@ -118,29 +118,29 @@ pub struct Departure {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct DoublePrecision {
-    /// The exact motion of data that are rounded to doubles.
+    /// The exact motion from data rounded to doubles.
     pub rounded_data: Option<Parting>,
     /// The motion in doubles.
     pub float: Option<Parting>,
 }
 
-/// Where a motion parts from the true one.
+/// Where a motion differs from the true one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Parting {
     /// The first impact that is outside the tolerance.
     pub first_disagreement: Option<ImpactVerdict>,
-    /// From where on it is another orbit.
+    /// Where it diverges from the true orbit.
     pub another_orbit: Option<ImpactNumber>,
 }
 
-/// What is said of an impact.
+/// An impact with its verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ImpactVerdict {
     /// Its number.
     pub impact: u64,
-    /// What is said of it.
+    /// Its verdict.
     pub verdict: String,
 }
 
@@ -152,43 +152,43 @@ pub struct ImpactNumber {
     pub impact: u64,
 }
 
-/// A row of the list, or an impact that is on none.
+/// A row of the list, or an impact without a row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct AuditEvent {
-    /// What is said of it.
+    /// Its verdict.
     pub verdict: String,
-    /// Why it is false.
+    /// The reason why it is false.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
     /// The row, from 1.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub row: Option<usize>,
-    /// What the row says.
+    /// The row as listed.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub listed: Option<ListedRow>,
-    /// The certified contact that it is.
+    /// The matching certified contact.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub certified: Option<CertifiedContact>,
-    /// The certified contact that is nearest to it.
+    /// The nearest certified contact.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub nearest: Option<CertifiedContact>,
-    /// How far it is away.
+    /// Bounds of its errors.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub error: Option<ListedError>,
 }
 
-/// A row of the list, as it is written.
+/// A row of the list, as written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ListedRow {
-    /// Where it stands in the list.
+    /// Its position in the list.
     pub place: String,
     /// Its wall.
     pub wall: Wall,
     /// Its time.
     pub time: String,
-    /// Its velocity, if it says one.
+    /// Its velocity, if listed.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub velocity: Option<String>,
 }
@@ -203,20 +203,20 @@ pub struct CertifiedContact {
     pub index: Option<u64>,
     /// The wall.
     pub wall: Wall,
-    /// When \[time\].
+    /// Its time \[time\].
     pub time: Bounds,
     /// `y'` before it \[length/time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub velocity: Option<Bounds>,
 }
 
-/// How far a row is from the truth.
+/// Bounds of the errors of a row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ListedError {
-    /// In time \[time\].
+    /// Error in time \[time\].
     pub time: Bounds,
-    /// In velocity \[length/time\].
+    /// Error in velocity \[length/time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub velocity: Option<Bounds>,
 }

@@ -15,28 +15,28 @@ pub const BIFURCATION_SCHEMA: &str = "impact-pair/bifurcations/1";
 pub struct BifurcationDocument {
     /// [`BIFURCATION_SCHEMA`]
     pub schema: String,
-    /// What proved them.
+    /// The program that proved them.
     pub program: String,
-    /// Whose they are; the parameter's own value in it only names the scene.
+    /// The scene; its own value of the parameter is not used.
     pub scene: SceneDocument,
-    /// The word asked for.
+    /// The requested word.
     pub word: String,
-    /// Its cycles.
+    /// Forcing periods of the orbit.
     pub cycles: u32,
     /// The parameter and its range.
     pub over: ParameterRange,
-    /// Never: each point is proved, that there are no others is not.
+    /// Always false: each point is proved, completeness is not.
     pub exhaustive: bool,
-    /// Whether all points that were found are proved.
+    /// Whether all points found are proved.
     pub certified: bool,
-    /// Whether it ended before all was followed and proved: others are left.
+    /// Whether the run was interrupted before all branches were followed and all points proved.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
     /// The bifurcations.
     pub points: Vec<BifurcationPointDocument>,
-    /// The branches as they were followed, in floats.
+    /// The branches, followed in floating point.
     pub branches: Vec<BranchDocument>,
-    /// What was found and is not proved.
+    /// Bifurcations found but undecided.
     pub undecided: Vec<UnprovedDocument>,
 }
 
@@ -44,7 +44,7 @@ pub struct BifurcationDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ParameterRange {
-    /// `excitation.amplitude`, of several terms with a number, `excitation.frequency`, `pair.gap` or `pair.restitution`.
+    /// `excitation.amplitude`, with several terms followed by a number, `excitation.frequency`, `pair.gap` or `pair.restitution`.
     pub key: String,
     /// Its lower end.
     pub low: Written,
@@ -56,45 +56,45 @@ pub struct ParameterRange {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BifurcationPointDocument {
-    /// What happens here.
+    /// Kind of the bifurcation.
     pub kind: String,
     /// The value of the parameter.
     pub parameter: Bounds,
     /// The word of the orbit.
     pub word: String,
-    /// Its cycles.
+    /// Forcing periods of the orbit.
     pub cycles: u32,
-    /// How often the word asked for was doubled.
+    /// Number of doublings of the requested word.
     pub doublings: u32,
     /// The orbit.
     pub orbit: PeriodicOrbitDocument,
 }
 
-/// A branch: certified is no more of it than that it is one curve, if `proved`.
+/// A branch. Only that it is one curve is certified, if `proved`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BranchDocument {
     /// The word of its orbits.
     pub word: String,
-    /// Their cycles.
+    /// Forcing periods of its orbits.
     pub cycles: u32,
     /// Whether they are their own mirror images.
     pub symmetric: bool,
-    /// From where to where.
+    /// The range of the parameter on it.
     pub parameter: [f64; 2],
-    /// Why it ends.
+    /// The reasons why it ends.
     pub ends: [String; 2],
     /// Whether it is proved to be one curve.
     pub proved: bool,
 }
 
-/// A bifurcation that is not proved.
+/// An undecided bifurcation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct UnprovedDocument {
-    /// What may happen.
+    /// Its possible kind.
     pub kind: String,
-    /// About where.
+    /// Approximate value of the parameter.
     pub near: f64,
     /// The word of the orbit.
     pub word: String,

@@ -1,4 +1,4 @@
-//! The JSON of regions and of chaos, schemas `impact-pair/trap/1`, `impact-pair/chaos/1` and `impact-pair/chaos-cells/1`.
+//! The JSON of trapping regions and of chaos, schemas `impact-pair/trap/1`, `impact-pair/chaos/1` and `impact-pair/chaos-cells/1`.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,96 +6,96 @@ use super::bifurcation::ParameterRange;
 use super::number::{Bounds, Decimal, Written};
 use super::scene::SceneDocument;
 
-/// The schema of a region.
+/// The schema of a trapping region.
 pub const TRAP_SCHEMA: &str = "impact-pair/trap/1";
 /// The schema of words and entropy.
 pub const CHAOS_SCHEMA: &str = "impact-pair/chaos/1";
-/// The schema of what is proved of each value of a parameter.
+/// The schema of verdicts over a range of a parameter.
 pub const CHAOS_CELLS_SCHEMA: &str = "impact-pair/chaos-cells/1";
 
-/// A region that the impact map does not leave; every impact is mirrored to the left wall.
+/// A trapping region: forward invariant under the impact map, with every impact mirrored to the left wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TrapDocument {
     /// [`TRAP_SCHEMA`]
     pub schema: String,
-    /// What proved it.
+    /// The program that proved it.
     pub program: String,
-    /// A region that is told is proved.
+    /// Always true: a region that is written is proved.
     pub certified: bool,
-    /// Whose it is.
+    /// The scene.
     pub scene: SceneDocument,
-    /// How many boxes it has.
+    /// Number of boxes.
     pub boxes: u64,
-    /// The number, as `run` lists it, of the impact of the scene's own orbit from which on all are in the region; 0 is its start. `null`
-    /// if none is proved to be.
+    /// Number, as `run` lists it, of the impact of the scene's own orbit from which on all impacts are in the region; 0 is its start.
+    /// `null` if none is proved to be.
     pub entered_at_impact: Option<u64>,
-    /// No motion in it comes to rest, or has chatter that ends.
+    /// Whether no motion in it sticks or has complete chatter.
     pub no_rest: bool,
-    /// The longest flight \[cycles\], rounded up.
+    /// The longest flight \[forcing periods\], rounded up.
     pub longest_flight: Decimal,
-    /// The speed before any impact, over `A W`, bounds.
+    /// Bounds of the speed before any impact, over `A W`.
     pub speed: Bounds,
-    /// Columns in a turn of the phase: column `i` holds the phases from `i` to `i + 1` of so many parts of a turn.
+    /// Number `n` of columns per forcing period: column `i` holds the phases from `i/n` to `(i + 1)/n` of a period.
     pub columns: u32,
-    /// Rows in a speed of `A W`, likewise.
+    /// Number `m` of rows per speed `A W`: row `j` holds the speeds from `j/m` to `(j + 1)/m` of `A W`.
     pub rows: u32,
-    /// The time of any flight \[cycles\], bounds.
+    /// Bounds of the duration of any flight \[forcing periods\].
     pub flight: Bounds,
-    /// The same \[time\].
+    /// Bounds of the duration of any flight \[time\].
     pub flight_time: Bounds,
-    /// The speed before any impact \[length/time\], bounds.
+    /// Bounds of the speed before any impact \[length/time\].
     pub speed_before: Bounds,
     /// Runs of boxes: a column, the first row and the last one.
     pub region: Vec<[i32; 3]>,
 }
 
-/// Words of the impact map that may follow one another, and what they say of entropy.
+/// Words of the impact map, which h-sets they connect, and the entropy that follows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ChaosDocument {
     /// [`CHAOS_SCHEMA`]
     pub schema: String,
-    /// What proved them.
+    /// The program that proved them.
     pub program: String,
-    /// Whether a bound of entropy is proved.
+    /// Whether a positive lower bound of the entropy is proved.
     pub certified: bool,
-    /// Whose they are.
+    /// The scene.
     pub scene: SceneDocument,
-    /// The parameter over whose whole range all is proved; its own value in the scene is one of no account.
+    /// The parameter over whose whole range everything is proved; its own value in the scene is not used.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub over: Option<ParameterRange>,
-    /// The most impacts of a word, as far as all were looked for.
+    /// The greatest number of impacts up to which all words were searched for.
     pub depth: u32,
-    /// How many boxes were mapped.
+    /// Number of boxes mapped.
     pub boxes: u64,
     /// Lower bounds of the topological entropy; 0 where none is proved.
     pub entropy: EntropyDocument,
-    /// The two blocks with the fewest impacts that follow one another in any order in the map mirrored to one wall. A block is a
-    /// sequence of walls and a number of half cycles; it is written as it starts on the left wall, and mirrored where it starts on the
-    /// right one. The time between the impacts at its ends is these half cycles and what the phases of the two h-sets differ by.
+    /// The two blocks with the fewest impacts that can follow one another in any order in the map mirrored to one wall. A block is a
+    /// sequence of walls and a number of half forcing periods; it is written as starting on the left wall, and mirrored where it starts
+    /// on the right one. The time between the impacts at its ends is these half cycles plus the difference of the phases of the two h-sets.
     pub horseshoe: Option<String>,
-    /// What is proved of the orbit of the scene's own start.
+    /// The result for the orbit of the scene's own start.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub scene_orbit: Option<SceneOrbitDocument>,
-    /// Whether it was stopped before the depth that was asked for.
+    /// Whether it was stopped before the requested depth.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
-    /// The bases, disjoint from each other and from their own translates by whole forcing periods.
+    /// The h-sets, disjoint from each other and from their own translates by whole forcing periods.
     pub bases: Vec<BaseDocument>,
     /// The words.
     pub words: Vec<WordDocument>,
-    /// The Lyapunov exponent of the floating orbit, an impact: seen, not proved.
+    /// The Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub exponent_seen: Option<f64>,
 }
 
-/// What is proved of the orbit of the scene's own start: whether it is where the horseshoe is. Where nothing is proved it may be so all the same.
+/// The result for the orbit of the scene's own start: whether it visits the horseshoe. Absent keys mean undecided.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SceneOrbitDocument {
-    /// The stable periodic orbit that it converges to: then only its transient sees the horseshoe, a chaotic saddle to it.
+    /// The stable periodic orbit that it converges to: then only its transient visits the horseshoe, a chaotic saddle.
     pub attracted: Option<PeriodDocument>,
-    /// A region that it enters and does not leave.
+    /// A trapping region that it enters.
     pub region: Option<EnteredDocument>,
 }
 
@@ -105,67 +105,67 @@ pub struct SceneOrbitDocument {
 pub struct PeriodDocument {
     /// Its word, the right-most mapping first in time.
     pub word: String,
-    /// How many impacts it has.
+    /// Number of impacts.
     pub impacts: u32,
-    /// How many cycles it takes.
+    /// Number of forcing periods.
     pub cycles: u32,
 }
 
-/// A region that an orbit enters and does not leave, as `trap` proves it.
+/// A trapping region that an orbit enters, as `trap` proves it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EnteredDocument {
-    /// How many boxes it has.
+    /// Number of boxes.
     pub boxes: u64,
-    /// The number, as `run` lists it, of the impact from which on all are in it; 0 is the start. Impacts of a chatter that are not
+    /// Number, as `run` lists it, of the impact from which on all impacts are in it; 0 is the start. Impacts of a chatter that are not
     /// listed have none.
     pub entered_at_impact: u64,
-    /// Whether all bases are proved to lie in it, and so the horseshoe.
+    /// Whether all h-sets, and so the horseshoe, are proved to lie in it.
     pub holds_bases: bool,
 }
 
-/// Of each value of a parameter what is proved.
+/// Verdicts for all values of a parameter in a range.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ChaosCellsDocument {
     /// [`CHAOS_CELLS_SCHEMA`]
     pub schema: String,
-    /// What proved it.
+    /// The program that proved it.
     pub program: String,
     /// Whether no value is undecided.
     pub certified: bool,
-    /// Whose it is; the parameter's own value in it only names the scene.
+    /// The scene; its own value of the parameter is not used.
     pub scene: SceneDocument,
     /// The parameter and its range.
     pub over: ParameterRange,
-    /// Cells that the range is cut into.
+    /// Number of cells of the range.
     pub cells: u32,
-    /// How often a cell is halved at most.
+    /// Maximum number of bisections of a cell.
     pub halvings: u32,
-    /// The most impacts of a horseshoe's words.
+    /// Maximum number of impacts of a word.
     pub depth: u32,
-    /// Whether it was stopped: what was not looked at is undecided.
+    /// Whether it was stopped: the remaining cells are undecided.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
-    /// How much of the range is proved, about, in parts of it.
+    /// Approximate fractions of the range with each verdict.
     pub shares: SharesDocument,
-    /// The stretches of the range, without gaps and in their order; each verdict holds for both ends, too.
+    /// The subintervals of the range, in order and without gaps; each verdict includes both endpoints.
     pub stretches: Vec<StretchDocument>,
 }
 
-/// Parts of a range, about; together 1.
+/// Approximate fractions of a range; their sum is 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SharesDocument {
-    /// With a horseshoe.
+    /// Fraction with a horseshoe.
     pub horseshoe: f64,
-    /// Where the scene's own orbit converges to a stable periodic orbit.
+    /// Fraction where the scene's own orbit converges to a stable periodic orbit.
     pub attracted: f64,
-    /// Of which nothing is proved.
+    /// Undecided fraction.
     pub undecided: f64,
 }
 
-/// A stretch of a parameter.
+/// A subinterval of a range of a parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct StretchDocument {
@@ -175,10 +175,10 @@ pub struct StretchDocument {
     pub high: Written,
     /// `horseshoe`, `attracted` (of the orbit of the scene's own start) or `undecided`.
     pub verdict: String,
-    /// Of a horseshoe, lower bounds of the topological entropy.
+    /// For a horseshoe, lower bounds of the topological entropy.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub entropy: Option<EntropyDocument>,
-    /// Of a horseshoe, its bases: `chaos --bases` takes them.
+    /// For a horseshoe, its h-sets, as `chaos --bases` reads them.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub bases: Vec<BaseDocument>,
     /// The stable periodic orbit that attracts.
@@ -190,34 +190,34 @@ pub struct StretchDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EntropyDocument {
-    /// An impact.
+    /// Entropy per impact.
     pub per_impact: Decimal,
-    /// A cycle.
+    /// Entropy per forcing period.
     pub per_cycle: Decimal,
 }
 
-/// A base: a quadrilateral of states, about a parallelogram.
+/// An h-set: a quadrilateral of states, nearly a parallelogram.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BaseDocument {
-    /// Its middle, about: `W t + tau` \[rad\].
+    /// Approximate phase `W t + tau` of its middle \[rad\].
     pub phase: Decimal,
-    /// The speed there over `A W`, about.
+    /// Approximate speed of its middle over `A W`.
     pub speed: Decimal,
     /// From the middle to that of the right edge: \[rad\], and a speed over `A W`.
     pub expanding: [Decimal; 2],
     /// From the middle to that of the upper edge.
     pub contracting: [Decimal; 2],
-    /// What it is exactly; without it it is the parallelogram.
+    /// Its exact corners; without them it is the parallelogram.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub corners: Option<CornersDocument>,
 }
 
-/// The corners of a base: each a phase in turns and a speed over `A W`, exactly these doubles.
+/// The corners of an h-set: each a phase in forcing periods and a speed over `A W`, exactly these doubles.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CornersDocument {
-    /// The left edge, from below to above.
+    /// The left edge, from bottom to top.
     pub left: [[f64; 2]; 2],
     /// The right edge, likewise.
     pub right: [[f64; 2]; 2],
@@ -227,14 +227,14 @@ pub struct CornersDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct WordDocument {
-    /// The base it starts in, counted from 0.
+    /// The h-set it starts in, counted from 0.
     pub from: u32,
-    /// The base it crosses.
+    /// The h-set that it covers.
     pub to: u32,
-    /// How many impacts it has.
+    /// Number of impacts.
     pub impacts: u32,
-    /// Half cycles from its start to its end, less what the phases of the two bases differ by.
+    /// Half forcing periods from its start to its end, less the difference of the phases of the two h-sets.
     pub half_cycles: i64,
-    /// Its flights in order of time: `F` to the far wall, `N` back to the near one.
+    /// Its flights in time order: `F` to the far wall, `N` back to the near one.
     pub flights: String,
 }

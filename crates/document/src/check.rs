@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 /// The schema of a check.
 pub const CHECK_SCHEMA: &str = "impact-pair/check/1";
 
-/// What a check finds of a document. A path such as `events[0].time` leads to a value of the document; in a list of documents it
+/// The result of a check of a document. A path such as `events[0].time` leads to a value of the document; in a list of documents it
 /// begins with the position in the list, `[0].events[0].time`; the lines of a sweep after its head are `points[0]`, `points[1]`, ...
 ///
 /// Every value of the document stands in `claims`, by its own path or, in a list of plain values, by that of the list, or it stands in
@@ -15,30 +15,30 @@ pub const CHECK_SCHEMA: &str = "impact-pair/check/1";
 pub struct CheckDocument {
     /// [`CHECK_SCHEMA`]
     pub schema: String,
-    /// On all claims together: a check that is interrupted leaves them undecided.
+    /// Verdict on all claims together: undecided if the check is interrupted.
     pub verdict: VerdictName,
-    /// One line in words.
+    /// The verdict in one line.
     pub message: String,
-    /// What is compared with what the check finds.
+    /// The values that the check compares with its own.
     pub claims: Vec<JudgedClaim>,
-    /// What is not: it claims nothing, or no lemma of the check is about it.
+    /// The values that are not compared: they claim nothing, or no lemma of the check covers them.
     pub not_checked: Vec<String>,
 }
 
-/// A claim and what is found of it.
+/// A claim and its verdict.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct JudgedClaim {
-    /// Where it stands.
+    /// Path of the claim.
     pub path: String,
-    /// What is found; claims after the first one that is not confirmed are undecided.
+    /// Its verdict; claims after the first one that is not confirmed are undecided.
     pub verdict: VerdictName,
-    /// Why it is not confirmed: of the claim that decides.
+    /// The reason why it is not confirmed, at the deciding claim.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
 }
 
-/// What a check finds.
+/// Verdict of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
@@ -47,12 +47,12 @@ pub enum VerdictName {
     Confirmed,
     /// Proved to be false.
     Refuted,
-    /// Neither.
+    /// Neither proved nor refuted.
     Undecided,
 }
 
 impl VerdictName {
-    /// The word of the JSON.
+    /// Returns the word of the JSON.
     pub fn text(self) -> &'static str {
         match self {
             Self::Confirmed => "confirmed",

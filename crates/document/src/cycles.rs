@@ -1,4 +1,4 @@
-//! The JSON of all cycles of a region, schema `impact-pair/cycles/1`.
+//! The JSON of all cycles of a trapping region, schema `impact-pair/cycles/1`.
 
 use std::collections::BTreeMap;
 
@@ -10,54 +10,54 @@ use super::scene::SceneDocument;
 /// The schema of cycles.
 pub const CYCLES_SCHEMA: &str = "impact-pair/cycles/1";
 
-/// All periodic motions of a region with so many impacts; every impact is mirrored to the left wall: the reduced map.
+/// All periodic orbits of period n of the reduced impact map in a trapping region; the reduced map mirrors every impact to the left wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CyclesDocument {
     /// [`CYCLES_SCHEMA`]
     pub schema: String,
-    /// What proved them.
+    /// The program that proved them.
     pub program: String,
-    /// Whether all that was asked is proved.
+    /// Whether everything requested is proved.
     pub certified: bool,
-    /// Whether there are no others in the region.
+    /// Whether the list is complete in the region.
     pub exhaustive: bool,
-    /// Whose they are.
+    /// The scene.
     pub scene: SceneDocument,
-    /// Why there is no region, if none is proved.
+    /// The reason why no region is proved, if so.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
-    /// How many boxes the region has.
+    /// Number of boxes of the region.
     pub boxes: u64,
-    /// The least and the greatest number of impacts asked for.
+    /// The least and the greatest requested number of impacts.
     pub impacts: [u32; 2],
-    /// By the number of impacts: how many states of the region come again after so many; only where that is proved.
+    /// By the number n of impacts: the number of fixed points of the n-th iterate in the region; only where that is proved.
     pub fixed_points: BTreeMap<u32, u64>,
-    /// Whether it is proved that none of the cycles asked for attracts.
+    /// Whether it is proved that none of the requested cycles attracts.
     pub no_attractor: bool,
     /// The cycles, each once.
     pub orbits: Vec<CycleDocument>,
-    /// Where there may be others.
+    /// Where others are not excluded.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub undecided: Vec<OpenCycleDocument>,
 }
 
-/// A cycle of the reduced map: a periodic motion, and its mirror image.
+/// A cycle of the reduced map: a periodic orbit, and its mirror image.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CycleDocument {
-    /// The least number of impacts after which it is what it was, or its mirror image.
+    /// Its least period under the reduced map.
     pub reduced_impacts: u32,
     /// Mappings, the first one right-most.
     pub word: String,
-    /// The cycles of the word.
+    /// Forcing periods of the orbit.
     pub cycles: u32,
-    /// The motion.
+    /// The periodic orbit.
     #[serde(flatten)]
     pub orbit: PeriodicOrbitDocument,
 }
 
-/// Boxes that may hold a cycle.
+/// Boxes that may contain a cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OpenCycleDocument {
@@ -65,6 +65,6 @@ pub struct OpenCycleDocument {
     pub reduced_impacts: u32,
     /// Bounds of its first impacts.
     pub impacts: Vec<PeriodicImpactDocument>,
-    /// Why it is undecided.
+    /// The reason.
     pub reason: String,
 }

@@ -1,4 +1,4 @@
-//! How documents are laid out: an entry a line, and an item a line of the lists that are long.
+//! Layout of documents: one entry per line, and in long lists one item per line.
 
 use std::io::{self, Write};
 
@@ -8,10 +8,10 @@ use serde_json::{Map, Value};
 use super::orbit::{EventDocument, OrbitHead};
 use super::outcome::OutcomeDocument;
 
-/// A document as text, an entry a line; of the lists of these names, an item a line.
+/// Returns a document as text, one entry per line; in the lists with these names, one item per line.
 ///
 /// # Panics
-/// When the document is no struct: never for those of this crate.
+/// If the document is not a struct: never for those of this crate.
 pub fn one_a_line(document: &impl Serialize, lists: &[&str]) -> String {
     let Ok(Value::Object(entries)) = serde_json::to_value(document) else { panic!("a document is an object") };
     format!("{{{}}}", broken(&entries, lists).join(",\n "))
@@ -32,7 +32,7 @@ fn broken(entries: &Map<String, Value>, lists: &[&str]) -> Vec<String> {
     entries.iter().map(entry).collect()
 }
 
-/// Writes the orbit JSON, an entry a line and an event a line, as the events come.
+/// Writes the orbit JSON, one entry or event per line, as the events arrive.
 ///
 /// # Errors
 /// Those of `out`.

@@ -1,7 +1,7 @@
-//! The documents: what is handed on as JSON, a struct each, which writes it and reads it back.
+//! The JSON documents of impact-pair: one struct per document, which writes and reads it.
 //!
-//! Bounds are decimal strings rounded outward: the truth lies in `[lower, upper]`. Fields are written in the order in which
-//! they stand here. Each kind has a schema, named in its first field; `docs/schemas` holds them as JSON Schemas.
+//! Bounds are decimal strings rounded outward: the true value lies in `[lower, upper]`. Fields are written in the order of
+//! their declaration. Each document names its schema in its first field; `docs/schemas` holds the JSON Schemas.
 
 mod audit;
 mod bifurcation;
@@ -34,5 +34,5 @@ pub use scene::{ExcitationDocument, SceneDocument, StartDocument};
 pub use sweep::*;
 pub use trade::*;
 
-/// The program that certifies.
+/// Returns name and version of this program.
 pub const PROGRAM: &str = concat!("impact-pair ", env!("CARGO_PKG_VERSION"));

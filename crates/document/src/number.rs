@@ -1,4 +1,4 @@
-//! Numbers of documents: decimals, and what the user wrote.
+//! Numbers of documents: decimals, and texts of the user.
 
 use impact_pair_exact::{Enclosure, Exact, decimal_bounds};
 use num_rational::BigRational;
@@ -13,26 +13,26 @@ pub struct Decimal(String);
 /// A lower and an upper bound, rounded outward.
 pub type Bounds = [Decimal; 2];
 
-/// The bounds of an enclosure.
+/// Returns the bounds of an enclosure.
 pub fn bounds(x: &Enclosure) -> Bounds {
     decimal_bounds(x).map(Decimal)
 }
 
 impl Decimal {
-    /// A decimal that this project has printed.
+    /// Returns a decimal that this project has printed.
     pub fn printed(text: String) -> Self {
         Self(text)
     }
 
-    /// Its text.
+    /// Returns its text.
     pub fn text(&self) -> &str {
         &self.0
     }
 
-    /// Its value.
+    /// Returns its value.
     ///
     /// # Panics
-    /// Never of a decimal that was read, or that a number was printed as.
+    /// Never for a decimal that was read or printed.
     pub fn value(&self) -> BigRational {
         value(&self.0).expect("a decimal")
     }
@@ -51,7 +51,7 @@ impl TryFrom<String> for Decimal {
     }
 }
 
-/// An exact number in its user's words.
+/// An exact number as the user wrote it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(try_from = "String")]
 pub struct Written(pub Exact);

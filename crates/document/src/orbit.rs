@@ -1,4 +1,4 @@
-//! The orbit JSON, schema `impact-pair/orbit/1`: one object, or JSON Lines: the head, an event a line, and at last the outcome.
+//! The orbit JSON, schema `impact-pair/orbit/1`: one object, or JSON Lines: the head, one event per line, and last the outcome.
 
 use impact_pair_model::{Arithmetic, Mapping, Settings, Wall};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -14,12 +14,12 @@ pub const ORBIT_SCHEMA: &str = "impact-pair/orbit/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitDocument {
-    /// Whose orbit it is, and what certifies it.
+    /// Scene, program and arithmetic.
     #[serde(flatten)]
     pub head: OrbitHead,
-    /// How it ended.
+    /// Outcome of the orbit.
     pub outcome: OutcomeDocument,
-    /// What happens, in order of time.
+    /// Events in time order.
     pub events: Vec<EventDocument>,
 }
 
@@ -29,34 +29,34 @@ pub struct OrbitDocument {
 pub struct OrbitHead {
     /// [`ORBIT_SCHEMA`]
     pub schema: String,
-    /// What computed it.
+    /// The program that computed it.
     pub program: String,
-    /// Whose orbit it is.
+    /// The scene.
     pub scene: SceneDocument,
-    /// Whether anything is claimed; in `float` nothing is, and both bounds are the double itself.
+    /// Whether the bounds are certified; with `float` they are not, and both bounds are the double itself.
     pub certified: bool,
-    /// Of which start the orbit is; older documents do not say.
+    /// The start that the claims are about; absent in older documents.
     #[serde(default)]
     pub claim: ClaimName,
-    /// What computes it, or has computed it.
+    /// The arithmetic.
     pub arithmetic: ArithmeticDocument,
 }
 
-/// Of which start an orbit is.
+/// The start that an orbit belongs to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub enum ClaimName {
-    /// Of every start that the scene allows.
+    /// Every start that the scene allows.
     #[default]
     #[serde(rename = "exact start")]
     ExactStart,
-    /// Of one start within the bounds of the outcome.
+    /// One start within the bounds of the outcome.
     #[serde(rename = "shadowed")]
     Shadowed,
 }
 
 impl ClaimName {
-    /// The word of the JSON.
+    /// Returns the word of the JSON.
     pub fn text(self) -> &'static str {
         match self {
             Self::ExactStart => "exact start",
@@ -69,29 +69,29 @@ impl ClaimName {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitEnd {
-    /// How it ended.
+    /// Outcome of the orbit.
     pub outcome: OutcomeDocument,
-    /// What has computed it.
+    /// The arithmetic.
     pub arithmetic: ArithmeticDocument,
 }
 
-/// What computes: `float`, `interval` or `inari` in 53 bits, `multiprecision` in those of the first impact, `auto` with the most bits it may
-/// take, `shadow` without bits.
+/// The arithmetic: `float`, `interval` or `inari` in 53 bits, `multiprecision` with the bits of the first impact, `auto` with its maximum number
+/// of bits, `shadow` without bits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ArithmeticDocument {
     /// Its name.
     pub kind: String,
-    /// The bits.
+    /// Its precision in bits.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bits: Option<u32>,
-    /// The bits at most, of what is not computed yet.
+    /// Maximum precision in bits, before the computation.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub max_bits: Option<u32>,
 }
 
 impl ArithmeticDocument {
-    /// What is asked for: `auto` does not know its bits yet.
+    /// Returns the requested arithmetic: `auto` does not know its precision yet.
     pub fn asked(settings: &Settings) -> Self {
         match settings.arithmetic {
             Arithmetic::Auto => Self { kind: "auto".to_owned(), bits: None, max_bits: Some(settings.max_bits) },
@@ -103,34 +103,34 @@ impl ArithmeticDocument {
         }
     }
 
-    /// What has computed a shadowed orbit.
+    /// Returns the arithmetic of a shadowed orbit.
     pub fn shadow() -> Self {
         Self { kind: "shadow".to_owned(), bits: None, max_bits: None }
     }
 
-    /// What has computed an orbit.
+    /// Returns the arithmetic of an orbit.
     pub fn computed(kind: &str, bits: u32) -> Self {
         Self { kind: kind.to_owned(), bits: Some(bits), max_bits: None }
     }
 }
 
-/// What happens.
+/// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum EventName {
     /// The ball hits the wall.
     Impact,
-    /// The wall is touched, or nearly touched, with no velocity or nearly none.
+    /// The wall is touched, or nearly touched, with zero or nearly zero velocity.
     Graze,
-    /// The ball comes to rest.
+    /// The ball comes to rest on a wall (sticking).
     Rest,
-    /// The ball leaves the wall that it rested on.
+    /// The ball leaves the wall on which it rested.
     Release,
 }
 
 impl EventName {
-    /// The word of the orbit JSON.
+    /// Returns the word of the orbit JSON.
     pub fn text(self) -> &'static str {
         match self {
             Self::Impact => "impact",
@@ -141,7 +141,7 @@ impl EventName {
     }
 }
 
-/// What is left out of a list.
+/// Impacts omitted from a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
@@ -150,26 +150,26 @@ pub enum Skipped {
     Infinite,
 }
 
-/// An event of an orbit. An impact has an index, a mapping or null, and a velocity; the others have none.
+/// An event of an orbit. An impact has an index, a mapping or null, and a velocity; other events have none of these.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EventDocument {
-    /// What happens.
+    /// Kind of an event.
     pub event: EventName,
-    /// Counts the impacts from 1.
+    /// Number of the impact, from 1.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub index: Option<u64>,
-    /// The mapping that led here; null where there is none, or more than one is possible.
+    /// The mapping that ends here; null if there is none, or more than one is possible.
     #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "there")]
     pub mapping: Option<Option<Mapping>>,
-    /// Where.
+    /// The wall.
     pub wall: Wall,
-    /// When \[time\].
+    /// Its time \[time\].
     pub time: Bounds,
     /// The relative velocity `y'` just before the impact \[length/time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub velocity: Option<Bounds>,
-    /// The impacts before a rest that are not listed.
+    /// The impacts before a rest that are omitted.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub skipped: Option<Skipped>,
 }

@@ -1,4 +1,4 @@
-//! How an orbit ended: what is claimed beyond the events, in fields, and in words that follow from the fields.
+//! Outcome of an orbit: the claims beyond the events, as fields, and in words that follow from the fields.
 
 use std::fmt::Display;
 
@@ -9,35 +9,35 @@ use serde::{Deserialize, Serialize};
 use super::number::{Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
-/// How an orbit ended.
+/// Outcome of an orbit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OutcomeDocument {
-    /// A word, such as `impacts-reached`.
+    /// Kind, such as `impacts-reached`.
     pub kind: String,
-    /// Why it is undecided.
+    /// The reason, if undecided.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
     /// One line in words, which follows from the other fields.
     #[serde(default)]
     pub message: String,
-    /// How many impacts are listed, in every outcome; older documents do not say.
+    /// Number of impacts listed; absent in older documents.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub impacts: Option<u64>,
-    /// All events up to this time are listed \[time\]; where the time asked for ended the list.
+    /// All events up to this time are listed \[time\]; present if the requested time ended the list.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub until: Option<Written>,
-    /// Where the start is that has a shadowed orbit.
+    /// Bounds of the start of a shadowed orbit.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub start: Option<NearDocument>,
-    /// How near a shadowed orbit is to where its impacts are listed.
+    /// Distances of a shadowed orbit from the middles of the listed bounds.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub epsilon: Option<EpsilonDocument>,
-    /// The wall of what is undecided, or that the ball rests on for ever.
+    /// The wall of the undecided event, or the wall on which the ball rests for ever.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wall: Option<Wall>,
-    /// No wall is touched after the last event listed and before the first of these \[time\]. The second is `null`; where the next
-    /// contact is proved, but not as narrowly as asked, the contact lies between the two.
+    /// No wall is touched after the last event listed and before the first of these \[time\]. The second is `null` unless the next
+    /// contact is proved, but wider than requested: then the contact lies between the two.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub time: Option<[Option<Decimal>; 2]>,
     /// The motion repeats itself exactly.
@@ -46,10 +46,10 @@ pub struct OutcomeDocument {
     /// The word of the orbit that it converges to.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub word: Option<String>,
-    /// The cycles of that orbit.
+    /// Forcing periods of that orbit.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycles: Option<u32>,
-    /// From this impact on the motion is in a neighbourhood that the period contracts.
+    /// From this impact on the motion is in a neighbourhood that the map of a period contracts.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub from: Option<u64>,
     /// The orbit itself.
@@ -57,7 +57,7 @@ pub struct OutcomeDocument {
     pub orbit: Option<PeriodicOrbitDocument>,
 }
 
-/// Where a start is, at the place of the scene's; either its time or its velocity is the scene's.
+/// A start near that of the scene; either its time or its velocity is the scene's.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct NearDocument {
@@ -67,27 +67,27 @@ pub struct NearDocument {
     pub velocity: Bounds,
 }
 
-/// How far impacts are at most from the middles of their bounds, in turns of the excitation's phase.
+/// Upper bounds of the distances of impacts from the middles of their bounds, in forcing periods.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct EpsilonDocument {
-    /// Half of them are so near.
+    /// Median distance.
     pub median: Decimal,
-    /// All of them are so near.
+    /// Maximum distance.
     pub maximum: Decimal,
 }
 
 impl OutcomeDocument {
-    /// The same with the line in words that its fields make.
+    /// Returns the outcome with its message, which follows from its fields.
     ///
     /// # Panics
-    /// When a field is missing that the kind has: never for those that this project writes.
-    pub fn told(self) -> Self {
+    /// If a field required by the kind is missing: never for outcomes that this project writes.
+    pub fn with_message(self) -> Self {
         let message = self.words().expect("an outcome has the fields of its kind");
         Self { message, ..self }
     }
 
-    /// The line in words; `None` where the kind is not known, or a field is missing.
+    /// Returns the message; `None` if the kind is unknown, or a field is missing.
     pub fn words(&self) -> Option<String> {
         let impacts = self.impacts?;
         let (so_far, after) = (format!("{}{}", counted(impacts, "impact"), self.shadowed()), after(impacts));
@@ -95,7 +95,7 @@ impl OutcomeDocument {
             "impacts-reached" => so_far,
             "time-reached" => {
                 self.until.as_ref()?;
-                format!("{so_far} up to the time asked for")
+                format!("{so_far} up to the requested time")
             }
             "periodic" => {
                 let Period { cycles, impacts } = self.period?;
@@ -128,11 +128,11 @@ impl OutcomeDocument {
         let Some(EpsilonDocument { median, maximum }) = &self.epsilon else { return String::new() };
         let (median, maximum) = (median.text(), maximum.text());
         format!(
-            " of one true orbit that starts near (shadowed), half of them within {median} turns, all within {maximum}"
+            " of one true orbit that starts near (shadowed), half of them within {median} forcing periods, all within {maximum}"
         )
     }
 
-    /// The line in words of an orbit that its user has interrupted, which ends undecided as well.
+    /// Returns the message of an interrupted orbit, which ends undecided as well.
     pub fn interruption(&self) -> Option<String> {
         let is_one = self.kind == "undecided" && self.reason.as_deref() == Some("budget") && self.wall.is_none();
         Some(format!("interrupted {}", after(self.impacts.filter(|_| is_one)?)))
@@ -148,7 +148,7 @@ fn shown(from: &Decimal, to: &Decimal) -> String {
     decimal_digits(&Enclosure::hull(&from, &to))
 }
 
-/// So many of a thing, in words.
+/// Returns a count with its noun.
 pub fn counted<N: Display + PartialEq + From<u8>>(count: N, what: &str) -> String {
     let plural = if count == N::from(1) { "" } else { "s" };
     format!("{count} {what}{plural}")
@@ -166,9 +166,9 @@ fn every(impacts: u64, cycles: u64) -> String {
 /// What a reason means.
 fn explanation(reason: &str) -> Option<&'static str> {
     Some(match reason {
-        "graze" => "a wall may be touched with no velocity",
-        "width" => "the set of states has become too wide for one answer",
-        "precision" => "the next impact cannot be enclosed to the digits asked for",
+        "graze" => "a wall may be touched with zero velocity",
+        "width" => "the set of states has become too wide to decide",
+        "precision" => "the next impact cannot be enclosed to the requested digits",
         "budget" => "the flight is too long to follow, or has no provable end",
         _ => return None,
     })

@@ -1,4 +1,4 @@
-//! The periodic JSON, schema `impact-pair/periodic/1`, that of two-impact motions, and the manifolds of figures 10 and 11.
+//! The periodic JSON, schema `impact-pair/periodic/1`, that of two-impact motions, and the parameter manifolds of figures 10 and 11.
 
 use impact_pair_model::Wall;
 use serde::{Deserialize, Serialize};
@@ -8,9 +8,9 @@ use super::scene::SceneDocument;
 
 /// The schema of the periodic JSON.
 pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
-/// What no search for orbits with finitely many impacts looks for: motions in which the ball rests on a wall between two of them.
+/// The motions that no search covers: motions with sticking.
 pub const RESTING: &str = "motions that rest";
-/// The schema of the manifolds.
+/// The schema of the parameter manifolds.
 pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 
 /// Periodic orbits of a word.
@@ -19,33 +19,33 @@ pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 pub struct PeriodicDocument {
     /// [`PERIODIC_SCHEMA`]
     pub schema: String,
-    /// Whose orbits they are.
+    /// The scene.
     pub scene: SceneDocument,
     /// Mappings, the first one right-most.
     pub word: String,
-    /// The cycles of the word.
+    /// Forcing periods of the orbits.
     pub cycles: u32,
-    /// Whether there are no others, but for what it `excludes`.
+    /// Whether the list is complete, apart from what it `excludes`.
     pub exhaustive: bool,
-    /// Of what others nothing is claimed, where it is exhaustive: `motions that rest`.
+    /// The motions not covered if the list is exhaustive: `motions that rest` (with sticking).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub excludes: Option<String>,
-    /// Whether all that was asked is proved.
+    /// Whether everything requested is proved.
     pub certified: bool,
     /// The orbits.
     pub orbits: Vec<PeriodicOrbitDocument>,
-    /// Where there may be others.
+    /// Where others are not excluded.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub undecided: Option<Vec<RegionDocument>>,
 }
 
-/// A part of the state space that may hold an orbit.
+/// A part of the state space that may contain an orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct RegionDocument {
     /// Bounds of its impacts.
     pub impacts: Vec<PeriodicImpactDocument>,
-    /// Why it is undecided.
+    /// The reason.
     pub reason: String,
 }
 
@@ -53,11 +53,11 @@ pub struct RegionDocument {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PeriodicOrbitDocument {
-    /// Its impacts, in order of time.
+    /// Its impacts in time order.
     pub impacts: Vec<PeriodicImpactDocument>,
-    /// Whether it is the only one in these bounds.
+    /// Whether it is unique within these bounds.
     pub unique: bool,
-    /// Whether no wall is touched earlier; null where that is undecided.
+    /// Whether it is admissible: no wall is touched earlier; null if undecided.
     pub physical: Option<bool>,
     /// Whether it is its own mirror image.
     pub symmetric: Option<bool>,
@@ -69,16 +69,16 @@ pub struct PeriodicOrbitDocument {
     pub eigenvalues: Option<[EigenvalueDocument; 2]>,
     /// `stable`, `unstable` or `undecided`.
     pub stability: String,
-    /// Of a two-impact motion: `th1 - th0` from left to right \[rad\].
+    /// For a two-impact motion: `th1 - th0` from left to right \[rad\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub spacing: Option<Bounds>,
-    /// Of a two-impact motion: the sign of `sin th0` on the left wall.
+    /// For a two-impact motion: the sign of `sin th0` on the left wall.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub sine: Option<Option<String>>,
-    /// `A`, where it is solved for \[length\].
+    /// `A`, if solved for \[length\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub amplitude: Option<Bounds>,
-    /// `d`, where it is solved for \[length\].
+    /// `d`, if solved for \[length\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub gap: Option<Bounds>,
 }
@@ -93,10 +93,10 @@ pub struct PeriodicImpactDocument {
     pub phase: Bounds,
     /// `y'` before the impact \[length/time\].
     pub velocity: Bounds,
-    /// The turn of the common period that the phase is in, where that is longer than one.
+    /// The forcing period, within the common period, that the phase lies in; present if the common period is longer than one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub turn: Option<u32>,
-    /// The turn that the phase is in, from that of the first impact on, where a period takes several common ones.
+    /// The forcing period that the phase lies in, counted from that of the first impact; present if the period of the orbit is several common periods.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycle: Option<i64>,
 }
@@ -117,24 +117,24 @@ pub struct EigenvalueDocument {
 pub struct TwoImpactDocument {
     /// [`PERIODIC_SCHEMA`]
     pub schema: String,
-    /// What proved them.
+    /// The program that proved them.
     pub program: String,
-    /// Whose motions they are.
+    /// The scene.
     pub scene: SceneDocument,
     /// `P2 P1` or `P1 P2`: both are the same motion.
     pub word: String,
-    /// N
+    /// `N`
     pub cycles: u32,
     /// `velocity`, `amplitude` or `gap`.
     pub solved_for: String,
-    /// Whether there are no others, but for what it `excludes`.
+    /// Whether the list is complete, apart from what it `excludes`.
     pub exhaustive: bool,
-    /// Of what others nothing is claimed, where it is exhaustive: `motions that rest`.
+    /// The motions not covered if the list is exhaustive: `motions that rest` (with sticking).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub excludes: Option<String>,
-    /// Always: what is not proved is `undecided`.
+    /// Always true: undecided values are `undecided` or null.
     pub certified: bool,
-    /// The spacings at which there may be others.
+    /// The spacings at which others are not excluded.
     pub undecided: Vec<SpacingDocument>,
     /// The motions.
     pub orbits: Vec<PeriodicOrbitDocument>,
@@ -148,38 +148,38 @@ pub struct SpacingDocument {
     pub spacing: Bounds,
 }
 
-/// Manifolds over one parameter.
+/// Parameter manifolds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ManifoldDocument {
     /// [`MANIFOLD_SCHEMA`]
     pub schema: String,
-    /// What proved them.
+    /// The program that proved them.
     pub program: String,
-    /// Whose manifolds they are.
+    /// The scene.
     pub scene: SceneDocument,
     /// The parameter that varies.
     pub over: String,
-    /// Whether all that was asked is there; all that is there is proved.
+    /// Whether everything requested is present; everything present is proved.
     pub certified: bool,
-    /// Whether it ended before all was there: points at the end of the last curve, or curves after it, are left.
+    /// Whether it was interrupted: points at the end of the last curve, or later curves, are missing.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub interrupted: bool,
     /// A curve for each number of cycles.
     pub curves: Vec<CurveDocument>,
 }
 
-/// A manifold of N cycles.
+/// The parameter manifold of N cycles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CurveDocument {
-    /// N
+    /// `N`
     pub cycles: u32,
     /// Its points, in order of the parameter.
     pub points: Vec<ManifoldPointDocument>,
 }
 
-/// A point of a manifold: bounds of the parameter that varies, under its own name, and of the amplitude there.
+/// A point of a parameter manifold: bounds of the parameter that varies, under its own name, and of the amplitude there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ManifoldPointDocument {
@@ -191,19 +191,19 @@ pub struct ManifoldPointDocument {
     pub velocity: Option<Bounds>,
     /// `A` \[length\]
     pub amplitude: Bounds,
-    /// What happens here: a bifurcation, an end.
+    /// The change at this point: a bifurcation, an end.
     pub mark: Option<String>,
-    /// What is known from here to the next point.
+    /// What is proved from here to the next point.
     pub after: Option<PartDocument>,
 }
 
-/// A part of a manifold between two points.
+/// The part of a parameter manifold between two points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PartDocument {
     /// The sign of `sin th0` on the left wall.
     pub sine: String,
-    /// Whether no wall is touched earlier.
+    /// Whether the motion is admissible: no wall is touched earlier.
     pub physical: bool,
     /// `stable`, `unstable` or `undecided`.
     pub stability: String,

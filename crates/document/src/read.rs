@@ -1,4 +1,4 @@
-//! Documents read back, with the place of what is wrong: `events[3].time`.
+//! Reading of documents; errors name the path of the fault, such as `events[3].time`.
 
 use impact_pair_model::Error;
 use serde::Serialize;
@@ -6,35 +6,35 @@ use serde::de::DeserializeOwned;
 use serde_json::{Deserializer, Map, Value};
 use serde_path_to_error::{Path, Segment};
 
-/// A value of a document that knows where it stands.
+/// A value of a document with its path.
 #[derive(Clone, Debug)]
 pub struct Place<'j> {
     key: String,
     value: &'j Value,
 }
 
-/// The value of a text.
+/// Returns the value of a text.
 pub fn value(text: &str) -> Result<Value, Error> {
     serde_json::from_str(text).map_err(no_json)
 }
 
-/// The values of a text, at least one: JSON Lines are several.
+/// Returns the values of a text, at least one; JSON Lines have several.
 pub fn values(text: &str) -> Result<Vec<Value>, Error> {
     let values: Vec<Value> = Deserializer::from_str(text).into_iter().collect::<Result<_, _>>().map_err(no_json)?;
-    if values.is_empty() { Err(Error::certificate("no JSON: the text is empty".into())) } else { Ok(values) }
+    if values.is_empty() { Err(Error::certificate("not JSON: the text is empty".into())) } else { Ok(values) }
 }
 
 fn no_json(error: serde_json::Error) -> Error {
-    Error::certificate(format!("no JSON: {error}")).because(error)
+    Error::certificate(format!("not JSON: {error}")).because(error)
 }
 
 impl<'j> Place<'j> {
-    /// The whole document.
+    /// Returns the whole document.
     pub fn whole(value: &'j Value) -> Self {
         Self { key: String::new(), value }
     }
 
-    /// The whole document, which must be of this schema.
+    /// Returns the whole document, which must have this schema.
     pub fn of_schema(value: &'j Value, accepted: &str) -> Result<Self, Error> {
         let whole = Self::whole(value);
         let schema = whole.get("schema")?;
@@ -42,36 +42,36 @@ impl<'j> Place<'j> {
         if is_other { Err(schema.refused(&format!("accepted is \"{accepted}\""))) } else { Ok(whole) }
     }
 
-    /// A value that stands at a key.
+    /// Returns a value at a key.
     pub fn at(key: String, value: &'j Value) -> Self {
         Self { key, value }
     }
 
-    /// What stands at a key of it.
+    /// Returns the value at one of its keys.
     pub fn get(&self, key: &str) -> Result<Self, Error> {
         let map: &Map<String, Value> = self.value.as_object().ok_or_else(|| self.refused("must be an object"))?;
         let value = map.get(key).ok_or_else(|| self.missing(key))?;
         Ok(Self { key: self.full(key), value })
     }
 
-    /// Its items.
+    /// Returns its items.
     pub fn list(&self) -> Result<Vec<Self>, Error> {
         let list = self.value.as_array().ok_or_else(|| self.refused("must be a list"))?;
         Ok(list.iter().enumerate().map(|(i, value)| Self { key: format!("{}[{i}]", self.key), value }).collect())
     }
 
-    /// What it says.
+    /// Returns its content.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
         serde_path_to_error::deserialize(self.value).map_err(|error| self.inner(error.path()).wrong(error.into_inner()))
     }
 
-    /// Its keys, less those of these names, in full.
+    /// Returns the full paths of its keys, except those with these names.
     pub fn keys_but(&self, known: &[&str]) -> Vec<String> {
         let keys = self.value.as_object().into_iter().flat_map(Map::keys);
         keys.filter(|key| !known.contains(&key.as_str())).map(|key| self.full(key)).collect()
     }
 
-    /// The keys in it that a `T` does not have, in full, positions in lists left out.
+    /// Returns the full paths of the keys that a `T` does not have, without positions in lists.
     pub fn unread<T: DeserializeOwned + Serialize>(&self) -> Result<Vec<String>, Error> {
         let read = serde_json::to_value(self.read::<T>()?).expect("a document has no other keys than strings");
         let mut keys = Vec::new();
@@ -105,7 +105,7 @@ impl<'j> Place<'j> {
         refused.because(error)
     }
 
-    /// A value that is not accepted.
+    /// Returns the error of a value that is not accepted.
     pub fn refused(&self, but: &str) -> Error {
         let mut written = self.value.to_string();
         if written.len() > 60 {
@@ -115,7 +115,7 @@ impl<'j> Place<'j> {
         Error::certificate(format!("{key} is {written}, but {but}"))
     }
 
-    /// A key that it must have.
+    /// Returns the error of a missing key.
     pub fn missing(&self, key: &str) -> Error {
         Error::certificate(format!("{} is missing", self.full(key)))
     }

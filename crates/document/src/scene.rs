@@ -1,4 +1,4 @@
-//! The exact parameters and initial data, each in its own words.
+//! The exact parameters and initial data, as the user wrote them.
 
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Place, Start, Wall};
@@ -10,13 +10,13 @@ use super::number::Written;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SceneDocument {
-    /// What shakes the box.
+    /// The excitation.
     pub excitation: ExcitationDocument,
     /// `d` \[length\]
     pub gap: Written,
     /// `e`
     pub restitution: Written,
-    /// Where the orbit starts.
+    /// The initial data.
     pub start: StartDocument,
 }
 
@@ -36,7 +36,7 @@ pub struct ExcitationDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct StartDocument {
-    /// When \[time\].
+    /// Its time \[time\].
     pub time: Written,
     /// The wall it starts on.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -49,7 +49,7 @@ pub struct StartDocument {
 }
 
 impl SceneDocument {
-    /// The scene of a pair and a start.
+    /// Returns the scene of a pair and a start.
     pub fn new(pair: &ImpactPair, start: &Start) -> Self {
         let of_terms =
             |of: fn(&Harmonic) -> &Exact| pair.excitation().terms().iter().map(|term| of(term).into()).collect();
@@ -66,10 +66,10 @@ impl SceneDocument {
         }
     }
 
-    /// The pair and the start.
+    /// Returns the pair and the start.
     ///
     /// # Errors
-    /// When the lists of the excitation differ in length, there is neither a wall nor a position, or a value is out of its range.
+    /// If the lists of the excitation differ in length, neither a wall nor a position is given, or a value is out of range.
     pub fn model(self) -> Result<(ImpactPair, Start), Error> {
         let ExcitationDocument { amplitude, frequency, phase } = self.excitation;
         if frequency.len() != amplitude.len() || phase.len() != amplitude.len() {

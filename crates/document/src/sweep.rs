@@ -1,4 +1,4 @@
-//! The sweep JSON Lines, schema `impact-pair/sweep/1`: a head, and a record a point.
+//! The sweep JSON Lines, schema `impact-pair/sweep/1`: a head, and one record per point.
 
 use impact_pair_model::Wall;
 use serde::{Deserialize, Serialize};
@@ -12,44 +12,44 @@ pub const SWEEP_SCHEMA: &str = "impact-pair/sweep/1";
 /// Bounds as decimals, rounded outward; either may be infinite.
 pub type ExtendedBounds = [String; 2];
 
-/// What a sweep is about: all that its points depend on.
+/// The head of a sweep: everything that its points depend on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepHead {
     /// [`SWEEP_SCHEMA`]
     pub schema: String,
-    /// What computes it.
+    /// The program that computes it.
     pub program: String,
     /// The title of the scene.
     pub title: Option<String>,
-    /// Of what varies the scene's own value.
+    /// The scene; its own values of what varies are not used.
     pub scene: SceneDocument,
     /// The axes.
     pub over: Vec<SweepAxis>,
-    /// The points of the whole grid.
+    /// Number of points of the whole grid.
     pub points: u64,
-    /// Impacts that are passed over first.
+    /// Number of impacts in the transient.
     pub transient: u64,
-    /// Impacts after them.
+    /// Number of impacts after the transient.
     pub impacts: u64,
-    /// Digits asked for.
+    /// Requested digits.
     pub digits: u32,
-    /// Whether anything is claimed.
+    /// Whether the bounds are certified.
     pub certified: bool,
-    /// Where it says `shadowed`, the points that say so, too, are of orbits that start near the exact start.
+    /// If `shadowed`, points with the same claim belong to orbits that start near the exact start.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub claim: Option<ClaimName>,
-    /// What computes it.
+    /// The program that computes it.
     pub arithmetic: ArithmeticDocument,
-    /// Under several terms the number, from 1, of the reference: at all points phases are `W t + tau` of this term, and cycles are its
-    /// periods, also where another one is faster or this one does not move the box. It is the fastest of those that move the box where
-    /// all that varies is greatest. Older documents do not say: there it is at each point the fastest that moves the box.
+    /// With several terms, the number, from 1, of the reference: at all points phases are `W t + tau` of this term, and cycles are
+    /// its periods, also where another term is faster or this one does not move the box. It is the fastest of those that move the box where
+    /// all that varies is greatest. If absent (older documents), the reference at each point is the fastest that moves the box.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reference: Option<u64>,
-    /// The points have no impacts.
+    /// Whether the points have no impacts.
     pub summary: bool,
-    /// The number of the shard, and of how many.
+    /// Number of the shard, and number of shards.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub shard: Option<[u64; 2]>,
 }
@@ -65,57 +65,57 @@ pub struct SweepAxis {
     pub from: String,
     /// Its last value.
     pub to: String,
-    /// How many values.
+    /// Number of values.
     pub count: u64,
 }
 
-/// What is certified at a point.
+/// The certified result of a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepRecord {
     /// Its number in the grid.
     pub point: u64,
-    /// The exact values, an axis each.
+    /// The exact values, one per axis.
     pub values: Vec<String>,
-    /// A word for how the orbit ended.
+    /// Outcome of the orbit.
     pub outcome: String,
-    /// Why it is undecided.
+    /// The reason, if undecided.
     pub reason: Option<String>,
     /// One line in words.
     pub message: String,
-    /// Of which start its orbit is, where that is not the exact one.
+    /// The start that its orbit belongs to, if not the exact one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub claim: Option<ClaimName>,
-    /// All that was asked is certified.
+    /// Whether everything requested is certified.
     pub complete: bool,
-    /// The most bits that an impact took.
+    /// Maximum precision of an impact, in bits.
     pub bits: u32,
-    /// Certified, those of the transient among them.
+    /// Number of certified impacts, including the transient.
     pub impacts: u64,
-    /// The first one wider than asked for.
+    /// The first impact wider than requested.
     pub wide_from: Option<u64>,
-    /// Impacts a cycle of the reference after the transient.
+    /// Impacts per period of the reference, after the transient.
     pub impacts_per_cycle: Option<ExtendedBounds>,
-    /// How a small disturbance grows.
+    /// Growth rate of small disturbances.
     pub exponent: SweepExponent,
-    /// What it is attracted to, or, without a state, the exact period.
+    /// The orbit that attracts, or, without a state, the exact period.
     pub period: Option<SweepPeriod>,
     /// The impacts after the transient.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub states: Vec<SweepImpact>,
 }
 
-/// Bounds of the finite-time exponent, or why there are none.
+/// Bounds of the finite-time exponent, or the reason why there are none.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepExponent {
     /// Per impact.
     pub per_impact: Option<ExtendedBounds>,
-    /// Per cycle of the reference.
+    /// Per period of the reference.
     pub per_cycle: Option<ExtendedBounds>,
-    /// Why there are none.
+    /// The reason why there are none.
     pub reason: Option<String>,
 }
 
@@ -128,14 +128,14 @@ pub struct SweepPeriod {
     pub word: Option<String>,
     /// Its impacts.
     pub impacts: u64,
-    /// Its cycles; null where they are no whole number, as where the reference does not move the box.
+    /// Periods of the reference; null if not a whole number, as where the reference does not move the box.
     pub cycles: Option<u64>,
-    /// Then how long it takes \[time\].
+    /// Its duration in that case \[time\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub duration: Option<ExtendedBounds>,
-    /// From this impact on the orbit is in a neighbourhood that the period contracts.
+    /// From this impact on the orbit is in a neighbourhood that the map of a period contracts.
     pub from: Option<u64>,
-    /// The impact that the word starts with; null where its phase is another one in each period.
+    /// The impact that the word starts with; null if its phase differs in each period.
     pub first: Option<SweepImpact>,
 }
 
@@ -144,7 +144,7 @@ pub struct SweepPeriod {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepImpact {
-    /// Counts the impacts from 1.
+    /// Number of the impact, from 1.
     pub index: u64,
     /// The switch-plane.
     pub wall: Wall,

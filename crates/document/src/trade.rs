@@ -13,35 +13,35 @@ use super::scene::SceneDocument;
 /// The schema of the trade JSON.
 pub const TRADE_SCHEMA: &str = "impact-pair/trade/1";
 
-/// What accuracy costs on a scene.
+/// The cost of accuracy on a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TradeDocument {
     /// [`TRADE_SCHEMA`]
     pub schema: String,
-    /// What measured.
+    /// The program that measured.
     pub program: String,
     /// The scene.
     pub scene: SceneDocument,
-    /// How far each rung was to go.
+    /// How far each row was followed.
     pub asked: TradeAsked,
-    /// What widths and errors are measured in.
+    /// The units of widths and errors.
     pub units: TradeUnits,
-    /// The rung that was interrupted.
+    /// The row that was interrupted.
     pub interrupted: Option<String>,
-    /// An arithmetic each.
+    /// One row per arithmetic.
     pub rungs: Vec<RungDocument>,
 }
 
-/// How far each rung was to go.
+/// How far each row was followed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TradeAsked {
-    /// So many impacts.
+    /// Number of impacts.
     pub impacts: Option<u64>,
-    /// Up to this time, as it was written.
+    /// The time, as written.
     pub until: Option<String>,
-    /// Bits at most.
+    /// Maximum precision in bits.
     pub max_bits: u32,
 }
 
@@ -49,9 +49,9 @@ pub struct TradeAsked {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TradeUnits {
-    /// Of times.
+    /// For times.
     pub time: String,
-    /// Of velocities.
+    /// For velocities.
     pub velocity: String,
 }
 
@@ -61,23 +61,23 @@ pub struct TradeUnits {
 pub struct RungDocument {
     /// Its name.
     pub name: String,
-    /// The same as the command line says it.
+    /// Its options on the command line.
     pub asked: RungAsked,
-    /// What computed it.
+    /// The arithmetic with its precision.
     pub arithmetic: ArithmeticDocument,
-    /// Whether anything is claimed.
+    /// Whether the bounds are certified.
     pub certified: bool,
-    /// Whether all impacts asked for are there.
+    /// Whether all requested impacts are reached.
     pub complete: bool,
-    /// Impacts reached.
+    /// Number of impacts reached.
     pub impacts: u64,
-    /// How it ended.
+    /// Outcome of the orbit.
     pub outcome: OutcomeDocument,
-    /// How long it takes.
+    /// Duration.
     pub seconds: Seconds,
-    /// The same for an impact.
+    /// Duration per impact.
     pub microseconds_per_impact: Microseconds,
-    /// Its inverse, without bounds.
+    /// Impacts per second, without bounds.
     pub impacts_per_second: Option<f64>,
     /// `-log10` of the greatest width, rounded down.
     pub digits: Option<f64>,
@@ -88,7 +88,7 @@ pub struct RungDocument {
     pub truth: Option<TruthDocument>,
 }
 
-/// What the command line calls an arithmetic.
+/// Options of the command line for an arithmetic.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct RungAsked {
@@ -103,15 +103,15 @@ pub struct RungAsked {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Seconds {
-    /// Impacts enclosed, in turns and gaps.
+    /// Impacts enclosed, in reduced units.
     pub orbit: f64,
-    /// These, and their bounds in the units of the scene.
+    /// Impacts with their bounds in the units of the scene.
     pub with_bounds: Option<f64>,
-    /// How many runs.
+    /// Number of runs.
     pub repetitions: usize,
 }
 
-/// What an impact takes.
+/// Duration per impact.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Microseconds {
@@ -125,9 +125,9 @@ pub struct Microseconds {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct WidthsDocument {
-    /// Of times.
+    /// For times.
     pub time: ExtentDocument,
-    /// Of velocities.
+    /// For velocities.
     pub velocity: ExtentDocument,
 }
 
@@ -145,15 +145,15 @@ pub struct ExtentDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct TruthDocument {
-    /// What judged.
+    /// The reference arithmetic.
     pub judge: String,
-    /// Impacts on the true word that were compared.
+    /// Number of impacts compared, on the true word.
     pub judged: u64,
     /// The largest errors.
     pub largest_error: LargestErrors,
-    /// Where times are off by more than a threshold.
+    /// Where errors of times exceed a threshold.
     pub time_errors: Vec<CrossingDocument>,
-    /// Where it leaves the true word.
+    /// Where it departs from the true word.
     pub leaves_word: Option<WordLeft>,
 }
 
@@ -161,9 +161,9 @@ pub struct TruthDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct LargestErrors {
-    /// Of a time.
+    /// Error of a time.
     pub time: Option<LargestError>,
-    /// Of a velocity.
+    /// Error of a velocity.
     pub velocity: Option<LargestError>,
 }
 
@@ -171,25 +171,25 @@ pub struct LargestErrors {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct LargestError {
-    /// It lies between them.
+    /// Lower and upper bound.
     pub bounds: [String; 2],
     /// The impact with the greatest upper bound.
     pub impact: u64,
 }
 
-/// Where times are off by more than a threshold.
+/// Where errors of times exceed a threshold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CrossingDocument {
-    /// In periods.
+    /// The threshold, in periods.
     pub threshold: String,
-    /// Up to this impact none is, which is proved.
+    /// Up to this impact it is proved that no error exceeds it.
     pub within: u64,
-    /// The first one that is proved to be.
+    /// The first impact whose error is proved to exceed it.
     pub exceeded: Option<u64>,
 }
 
-/// Where the true word is left.
+/// Where the orbit departs from the true word.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct WordLeft {
@@ -197,6 +197,6 @@ pub struct WordLeft {
     pub impact: u64,
     /// Its true wall.
     pub truth: Wall,
-    /// The wall of `float`; `null` if there it ends.
+    /// The wall of `float`; `null` if it ends there.
     pub float: Option<Wall>,
 }

@@ -59,7 +59,7 @@ pub fn decimal_bounds_f64(lo: f64, hi: f64) -> [String; 2] {
     }
 }
 
-/// The shortest decimal that reads back as the same double; it bounds nothing.
+/// Returns the shortest decimal that reads back as the same double; it bounds nothing.
 ///
 /// ```
 /// # use impact_pair_exact::decimal_f64;

@@ -10,7 +10,7 @@ use super::decimal::{POINT_DIGITS, decimal_bounds, exact_decimal, is_coarse, mul
 use super::dyadic::Round;
 use super::enclosure::Enclosure;
 
-/// The bits that so many decimal digits are worth, rounded down: `digits log2(10)`.
+/// Returns the bits that so many decimal digits are worth, rounded down: `digits log2(10)`.
 pub fn whole_bits(digits: u32) -> u32 {
     log2_of_digits(f64::from(digits)) as u32 // proposes: bits to try
 }
@@ -30,7 +30,7 @@ pub fn log2_of_digits(digits: f64) -> f64 {
     digits * 10f64.log2()
 }
 
-/// The enclosure in one number, rounded outward by less than its width on either side.
+/// Returns the enclosure in one number, rounded outward by less than its width on either side.
 ///
 /// In parentheses are the lower and the upper end, of which the digits before are certain: `1.23(4,6)` is `[1.234, 1.236]`, and
 /// `-1.23(6,4)` is `[-1.236, -1.234]`. Where the ends have no digits in common, they are signed units of the last place:

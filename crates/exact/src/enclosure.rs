@@ -30,12 +30,12 @@ pub struct Enclosure {
 }
 
 impl Enclosure {
-    /// The interval `[lo, hi]`; `None` if `lo > hi`.
+    /// Returns the interval `[lo, hi]`; `None` if `lo > hi`.
     pub fn new(lo: Dyadic, hi: Dyadic) -> Option<Enclosure> {
         (lo <= hi).then_some(Enclosure { lo, hi })
     }
 
-    /// The single point `x`.
+    /// Returns the single point `x`.
     pub fn point(x: Dyadic) -> Enclosure {
         Enclosure { lo: x.clone(), hi: x }
     }
@@ -46,7 +46,7 @@ impl Enclosure {
         Enclosure { lo: end(Round::Down), hi: end(Round::Up) }
     }
 
-    /// The interval between two doubles, exactly; `None` for NaN, an infinity or `lo > hi`.
+    /// Returns the interval between two doubles, exactly; `None` for NaN, an infinity or `lo > hi`.
     pub fn from_f64_bounds(lo: f64, hi: f64) -> Option<Enclosure> {
         Enclosure::new(Dyadic::from_f64(lo)?, Dyadic::from_f64(hi)?)
     }
@@ -56,12 +56,12 @@ impl Enclosure {
         elementary::pi(bits)
     }
 
-    /// The lower end.
+    /// Returns the lower end.
     pub fn inf(&self) -> &Dyadic {
         &self.lo
     }
 
-    /// The upper end.
+    /// Returns the upper end.
     pub fn sup(&self) -> &Dyadic {
         &self.hi
     }
@@ -188,42 +188,42 @@ impl Enclosure {
         spread.intersection(&whole).unwrap_or(whole) // X1: both hold it
     }
 
-    /// The superset with ends of at most `bits` mantissa bits.
+    /// Returns the superset with ends of at most `bits` mantissa bits.
     pub fn rounded(&self, bits: u32) -> Enclosure {
         Enclosure { lo: self.lo.rounded(bits, Round::Down), hi: self.hi.rounded(bits, Round::Up) }
     }
 
-    /// The smallest interval that holds both.
+    /// Returns the smallest interval that holds both.
     pub fn hull(&self, other: &Enclosure) -> Enclosure {
         Enclosure { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() } // X1: the outer ends
     }
 
-    /// The common part; `None` if there is none.
+    /// Returns the common part; `None` if there is none.
     pub fn intersection(&self, other: &Enclosure) -> Option<Enclosure> {
         Enclosure::new((&self.lo).max(&other.lo).clone(), (&self.hi).min(&other.hi).clone()) // X1: the inner ends
     }
 
-    /// True if the fraction lies inside, ends included.
+    /// True if the fraction lies inside, endpoints included.
     pub fn contains(&self, x: &BigRational) -> bool {
         compare_rational(&self.lo, x).is_le() && compare_rational(&self.hi, x).is_ge()
     }
 
-    /// True if every point of `other` lies inside, ends included.
+    /// True if every point of `other` lies inside, endpoints included.
     pub fn contains_enclosure(&self, other: &Enclosure) -> bool {
         self.lo <= other.lo && other.hi <= self.hi
     }
 
-    /// An upper bound of `hi - lo`, at most `2^-63` too large in relative terms; zero for a point.
+    /// Returns an upper bound of `hi - lo`, at most `2^-63` too large in relative terms; zero for a point.
     pub fn wid(&self) -> Dyadic {
         self.hi.plus(&self.lo.negated(), 64, Round::Up)
     }
 
-    /// The sign that all points share; `None` if they do not.
+    /// Returns the sign that all points share; `None` if they do not.
     pub fn sign(&self) -> Option<Ordering> {
         (self.lo.sign() == self.hi.sign()).then(|| self.lo.sign())
     }
 
-    /// The smallest absolute value of a point inside.
+    /// Returns the smallest absolute value of a point inside.
     pub fn mig(&self) -> Dyadic {
         match (self.lo.sign(), self.hi.sign()) {
             (Ordering::Greater, _) => self.lo.clone(),
@@ -232,17 +232,17 @@ impl Enclosure {
         }
     }
 
-    /// The largest absolute value of a point inside.
+    /// Returns the largest absolute value of a point inside.
     pub fn mag(&self) -> Dyadic {
         self.lo.magnitude().max(self.hi.magnitude()) // X1: the farther end
     }
 
-    /// The largest double not above and the smallest double not below; infinite beyond the finite doubles.
+    /// Returns the largest double not above and the smallest double not below; infinite beyond the finite doubles.
     pub fn to_f64_bounds(&self) -> (f64, f64) {
         (self.lo.to_f64_down(), self.hi.to_f64_up())
     }
 
-    /// A finite double near the middle, and an upper bound of its distance to every point inside (infinite if the ends are
+    /// Returns a finite double near the middle, and an upper bound of its distance to every point inside (infinite if the ends are
     /// too far beyond the doubles).
     pub fn mid_rad(&self) -> (f64, f64) {
         let sum = self.lo.plus(&self.hi, 64, Round::Down).scaled(-1);
@@ -254,7 +254,7 @@ impl Enclosure {
         (mid, left.max(right).to_f64_up().max(0.0)) // X1: the farther end; 0 has no sign
     }
 
-    /// The integer part (rounded down) that all points share; `None` if they do not, or beyond `2^(2^24)`.
+    /// Returns the integer part (rounded down) that all points share; `None` if they do not, or beyond `2^(2^24)`.
     pub fn floor(&self) -> Option<BigInt> {
         if self.mag().top().is_some_and(|top| top > LARGEST_INTEGER) {
             return None;

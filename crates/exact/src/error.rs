@@ -21,7 +21,7 @@ pub enum ExactError {
         radicand: String,
     },
     /// The ends of an interval are not provably in order.
-    #[error("the interval needs a lower end that is provably <= the upper end, got [{lower}, {upper}]")]
+    #[error("the interval needs a lower bound that is provably <= the upper bound, got [{lower}, {upper}]")]
     EndsOutOfOrder {
         /// The first end.
         lower: String,
@@ -29,7 +29,7 @@ pub enum ExactError {
         upper: String,
     },
     /// An end of an interval is itself an interval.
-    #[error("the ends of an interval must be single numbers, got `{end}`")]
+    #[error("the endpoints of an interval must be single numbers, got `{end}`")]
     NestedInterval {
         /// The end.
         end: String,
@@ -41,7 +41,7 @@ pub enum ExactError {
         exponent: i64,
     },
     /// A value is not provably within the accepted magnitudes.
-    #[error("a value beyond 2^40000 in size is not accepted")]
+    #[error("a value beyond 2^40000 in magnitude is not accepted")]
     TooLarge,
     /// The expression is nested too deeply.
     #[error("an expression of more than 256 nested operations is not accepted")]
@@ -53,7 +53,7 @@ pub enum ExactError {
         value: String,
     },
     /// Cancellation eats more than the internal precision allowed.
-    #[error("a value loses so many digits to cancellation that 65536 bits do not suffice to enclose it")]
+    #[error("a value loses too many digits to cancellation: 65536 bits do not suffice to enclose it")]
     TooIllConditioned,
 }
 
@@ -66,7 +66,7 @@ pub enum ExactError {
 /// assert_eq!(error.to_string(), "column 4: found `pie`, accepted are a number, `pi`, `sqrt(`, `sin(`, `cos(`, `(` or a sign");
 /// ```
 ///
-/// Where another text was perhaps meant, it is told:
+/// Where another text was perhaps meant, it is given:
 ///
 /// ```
 /// use impact_pair_exact::Exact;
@@ -99,7 +99,7 @@ impl fmt::Display for Advice {
         match self {
             Self::Nothing => Ok(()),
             Self::Meant(text) => write!(f, "; did you mean `{text}`?"),
-            Self::Units => write!(f, "; numbers have no units here: take one unit of length and one of time for all"),
+            Self::Units => write!(f, "; numbers have no units here: use one unit of length and one of time throughout"),
         }
     }
 }
@@ -114,7 +114,7 @@ impl ParseError {
         ParseError { advice, ..self }
     }
 
-    /// What was perhaps meant: a text that reads as a number.
+    /// Returns what was perhaps meant: a text that reads as a number.
     pub fn meant(&self) -> Option<&str> {
         match &self.advice {
             Advice::Meant(text) => Some(text),
@@ -122,12 +122,12 @@ impl ParseError {
         }
     }
 
-    /// The byte column, counted from 1, where reading stopped.
+    /// Returns the byte column, counted from 1, where reading stopped.
     pub fn column(&self) -> usize {
         self.column
     }
 
-    /// The mathematical reason, if the text reads well but has no provable value.
+    /// Returns the mathematical reason, if the text reads well but has no provable value.
     pub fn undefined(&self) -> Option<&ExactError> {
         match &self.problem {
             Problem::Undefined(reason) => Some(reason),

@@ -14,7 +14,7 @@ const CONSTRUCTION_BITS: u32 = 32;
 const CONSTRUCTION_PRECISION: u32 = 1 << 16;
 /// How many recent enclosures a node keeps.
 const RECENT: usize = 4;
-/// Bits of the longest fractions that are told apart.
+/// Bits of the longest fractions that are distinguished.
 const LONGEST_FRACTION: u64 = 1 << 18;
 
 impl Exact {
@@ -141,7 +141,7 @@ impl Exact {
         }
     }
 
-    /// The proved sign of the number, or of every number of the set; `None` if it cannot be decided at up to 4096 bits.
+    /// Returns the proved sign of the number, or of every number of the set; `None` if it cannot be decided at up to 4096 bits.
     ///
     /// `Equal` is answered only where a normal form shows a zero (Lemma X2).
     ///
@@ -189,7 +189,7 @@ impl Exact {
         })
     }
 
-    /// The proved order of two numbers, or of all numbers of one set and all of the other; `None` as for [`sign`](Exact::sign).
+    /// Returns the proved order of two numbers, or of all numbers of one set and all of the other; `None` as for [`sign`](Exact::sign).
     ///
     /// ```
     /// # use impact_pair_exact::Exact;

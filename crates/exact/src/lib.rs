@@ -1,7 +1,7 @@
 //! Exact real numbers as expressions, enclosed at any precision asked, never through a rounded double.
 //!
 //! An [`Exact`] is read from a text such as `9.42497`, `10*pi` or `sqrt(2)/3`, or built by arithmetic, and encloses its
-//! value in an [`Enclosure`] as narrow as asked. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
+//! value in an [`Enclosure`] as narrow as requested. Numbers of the form `r * pi^k` with a rational `r` are kept in normal form, so
 //! `(pi/2)/(2*pi)` *is* the fraction 1/4; everything else is a tree. `"[a, b]"` stands for every real number from a to b.
 //!
 //! In reading order: `monomial` (the normal form), `normal` (that of sums), `dyadic`, `elementary` and `enclosure` (outward-rounded arithmetic), `evaluate` (precision
@@ -130,7 +130,7 @@ impl Exact {
         Exact::from_monomial(Monomial::new(BigRational::one(), 1))
     }
 
-    /// All numbers from `lower` to `upper`; the point itself if both are the same.
+    /// Returns all numbers from `lower` to `upper`; the point itself if both are the same.
     ///
     /// **Errors** if an end is not a point, or `lower <= upper` cannot be proved.
     ///
@@ -158,12 +158,12 @@ impl Exact {
         self.node.is_point
     }
 
-    /// The value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
+    /// Returns the value, if it is known to be a fraction. (Not every rational value is known to be one: `cos(pi/5) - cos(2*pi/5)`.)
     pub fn as_rational(&self) -> Option<&BigRational> {
         self.as_monomial().and_then(Monomial::as_rational)
     }
 
-    /// The ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
+    /// Returns the ends of an interval `[a, b]`, twice the number itself for a point, `None` if an interval is nested inside.
     ///
     /// ```
     /// # use impact_pair_exact::Exact;
@@ -178,12 +178,12 @@ impl Exact {
         }
     }
 
-    /// The lower one of the [`ends`](Exact::ends).
+    /// Returns the lower one of the [`ends`](Exact::ends).
     pub fn lower(&self) -> Option<Exact> {
         self.ends().map(|(lower, _)| lower)
     }
 
-    /// The upper one of the [`ends`](Exact::ends).
+    /// Returns the upper one of the [`ends`](Exact::ends).
     pub fn upper(&self) -> Option<Exact> {
         self.ends().map(|(_, upper)| upper)
     }

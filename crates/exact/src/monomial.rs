@@ -117,12 +117,12 @@ impl Monomial {
         sine_of_sixths(self.sixths_of_pi()?)
     }
 
-    /// The exact cosine, as the sine a quarter turn later.
+    /// The exact cosine, as the sine a quarter period later.
     pub(super) fn cosine(&self) -> Option<Monomial> {
         sine_of_sixths(self.sixths_of_pi()? + 3)
     }
 
-    /// How many sixths of pi the number is, modulo a whole turn, if that is an integer.
+    /// How many sixths of pi the number is, modulo a whole forcing period, if that is an integer.
     fn sixths_of_pi(&self) -> Option<u8> {
         if self.is_zero() {
             return Some(0);

@@ -83,7 +83,7 @@ impl Normal {
         }
     }
 
-    /// The number `r pi^k` that it is, if it is one.
+    /// Returns the number `r pi^k` that it is, if it is one.
     pub fn monomial(&self) -> Option<Monomial> {
         if self.0.is_empty() {
             return Some(Monomial::new(BigRational::zero(), 0));
@@ -171,7 +171,7 @@ impl Normal {
         }
     }
 
-    /// The sine, or the cosine: the angle less its quarter turns, not mirrored.
+    /// The sine, or the cosine: the angle less its quarter periods, not mirrored.
     fn wave(&self, is_sine: bool) -> Option<Self> {
         let half_turn = Term { pi_power: 1, ..Term::one() };
         let mut angle = self.clone();

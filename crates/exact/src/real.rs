@@ -23,11 +23,11 @@ pub struct Real {
     bits: u32,
 }
 
-/// What the exact value is computed with beyond the bits asked for.
+/// What the exact value is computed with beyond the bits requested.
 const GUARD: u32 = 8;
 
 impl Real {
-    /// All numbers of an enclosure.
+    /// Returns all numbers of an enclosure.
     pub fn new(value: Enclosure, bits: u32) -> Self {
         Self { value, bits }
     }
@@ -68,12 +68,12 @@ impl Real {
         Self::new(Enclosure::pi(bits), bits)
     }
 
-    /// Its bounds.
+    /// Returns its bounds.
     pub fn enclosure(&self) -> &Enclosure {
         &self.value
     }
 
-    /// The bits that operations round to.
+    /// Returns the bits that operations round to.
     pub fn bits(&self) -> u32 {
         self.bits
     }
@@ -82,67 +82,67 @@ impl Real {
         Self::new(value, self.bits)
     }
 
-    /// The same set, further operations rounded to other bits.
+    /// Returns the same set, further operations rounded to other bits.
     pub fn at(&self, bits: u32) -> Self {
         Self { value: self.value.clone(), bits }
     }
 
-    /// The set rounded outward to other bits.
+    /// Returns the set rounded outward to other bits.
     pub fn rounded(&self, bits: u32) -> Self {
         Self { value: self.value.rounded(bits), bits }
     }
 
-    /// The sign that all members share.
+    /// Returns the sign that all members share.
     pub fn sign(&self) -> Option<Ordering> {
         self.value.sign()
     }
 
-    /// Whether all members are greater than 0.
+    /// Returns whether all members are greater than 0.
     pub fn is_positive(&self) -> bool {
         self.sign() == Some(Ordering::Greater)
     }
 
-    /// Whether all members are less than 0.
+    /// Returns whether all members are less than 0.
     pub fn is_negative(&self) -> bool {
         self.sign() == Some(Ordering::Less)
     }
 
-    /// Whether it is 0, known exactly.
+    /// Returns whether it is 0, known exactly.
     pub fn is_zero(&self) -> bool {
         self.sign() == Some(Ordering::Equal)
     }
 
-    /// Whether it may be 0 and may not be.
+    /// Returns whether it may be 0 and may not be.
     pub fn is_across(&self) -> bool {
         self.sign().is_none()
     }
 
-    /// Whether all members are less than all of the other.
+    /// Returns whether all members are less than all of the other.
     pub fn is_below(&self, other: &Self) -> bool {
         self.value.sup() < other.value.inf()
     }
 
-    /// Whether no member of one is one of the other.
+    /// Returns whether no member of one is one of the other.
     pub fn is_apart_from(&self, other: &Self) -> bool {
         self.value.intersection(&other.value).is_none()
     }
 
-    /// The members of both; `None` if there are none.
+    /// Returns the members of both; `None` if there are none.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         self.value.intersection(&other.value).map(|value| self.with(value))
     }
 
-    /// The common part of two sets that hold the same number; the first where they have none.
+    /// Returns the common part of two sets that hold the same number; the first where they have none.
     pub fn cut(&self, other: &Self) -> Self {
         self.intersection(other).unwrap_or_else(|| self.clone())
     }
 
-    /// The least interval that holds both.
+    /// Returns the least interval that holds both.
     pub fn hull(&self, other: &Self) -> Self {
         self.with(self.value.hull(&other.value))
     }
 
-    /// A point near the middle, not outside.
+    /// Returns a point near the middle, not outside.
     pub fn middle(&self) -> Self {
         let (lo, hi) = (self.value.inf(), self.value.sup());
         let sum = lo.plus(hi, self.bits.saturating_add(4), Round::Down); // exact: any point, cut to a member below
@@ -154,34 +154,34 @@ impl Real {
         self.middle().value.inf().clone()
     }
 
-    /// The lower and the upper bound, as points.
+    /// Returns the lower and the upper bound, as points.
     pub fn ends(&self) -> [Self; 2] {
         [self.value.inf(), self.value.sup()].map(|end| self.with(Enclosure::point(end.clone())))
     }
 
-    /// An upper bound of the distance between two members.
+    /// Returns an upper bound of the distance between two members.
     pub fn wid(&self) -> Dyadic {
         self.value.wid()
     }
 
-    /// A double near the middle.
+    /// Returns a double near the middle.
     pub fn to_f64(&self) -> f64 {
         self.value.mid_rad().0
     }
 
-    /// The square; never negative.
+    /// Returns the square; never negative.
     pub fn square(&self) -> Self {
         self.with(self.value.powi(2, self.bits).expect("the exponent is positive"))
     }
 
-    /// The square root of the members that are not negative; `None` if there is none.
+    /// Returns the square root of the members that are not negative; `None` if there is none.
     pub fn sqrt(&self) -> Option<Self> {
         let lo = self.value.inf().max(&Dyadic::zero()).clone(); // X1: the members from 0 on
         let value = Enclosure::new(lo, self.value.sup().clone())?.sqrt(self.bits)?;
         Some(self.with(value))
     }
 
-    /// The quotient; `None` if the divisor may be 0.
+    /// Returns the quotient; `None` if the divisor may be 0.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
         let bits = self.bits.max(divisor.bits); // X1: any number of bits encloses
         self.value.div(&divisor.value, bits).map(|value| Self::new(value, bits))
@@ -193,12 +193,12 @@ impl Real {
         self.with(Enclosure::new(half(self.value.inf()), half(self.value.sup())).expect("in order"))
     }
 
-    /// The sine.
+    /// Returns the sine.
     pub fn sin(&self) -> Self {
         self.with(self.value.sin(self.bits))
     }
 
-    /// The cosine.
+    /// Returns the cosine.
     pub fn cos(&self) -> Self {
         self.with(self.value.cos(self.bits))
     }
@@ -208,14 +208,14 @@ impl Real {
         (self.sin(), self.cos())
     }
 
-    /// The members that are at most `most`; a point of `most` if there is none.
+    /// Returns the members that are at most `most`; a point of `most` if there is none.
     pub fn at_most(&self, most: i64) -> Self {
         let most = Dyadic::new(most.into(), 0);
         let cut = |end: &Dyadic| end.min(&most).clone(); // X1: the members up to it
         self.with(Enclosure::new(cut(self.value.inf()), cut(self.value.sup())).expect("in order"))
     }
 
-    /// The integer part that all members share.
+    /// Returns the integer part that all members share.
     pub fn floor(&self) -> Option<i64> {
         self.value.floor().and_then(|n| i64::try_from(n).ok()) // exact: shared by all members
     }

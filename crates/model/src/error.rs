@@ -7,13 +7,13 @@ use std::{error, fmt};
 use crate::excerpt::Excerpt;
 use impact_pair_exact::{Exact, ExactError};
 
-/// A question that cannot be asked: the message names the key, the value and what is accepted.
+/// An error of the input: the message names the key, the value and what is accepted.
 ///
-/// Two that say the same are equal, whatever they come from.
+/// Errors with equal messages are equal, whatever their source.
 #[derive(Clone, Debug)]
 pub struct Error {
     kind: Kind,
-    /// The key of the scene file that is at fault, when it is one.
+    /// Returns the key of the scene file that is at fault, when it is one.
     key: Option<String>,
     /// Its value, as written.
     value: Option<String>,
@@ -62,42 +62,42 @@ impl Error {
         Self { kind, key: None, value: None, excerpt: None, message, cause: None }
     }
 
-    /// Whether a value lies outside what is accepted.
+    /// Returns whether a value is out of range.
     pub fn is_range(&self) -> bool {
         self.kind == Kind::Range
     }
 
-    /// Whether a scene file does not read as one.
+    /// Returns whether a scene file is malformed.
     pub fn is_scene(&self) -> bool {
         self.kind == Kind::Scene
     }
 
-    /// Whether a word of mappings is malformed.
+    /// Returns whether a word of mappings is malformed.
     pub fn is_word(&self) -> bool {
         self.kind == Kind::Word
     }
 
-    /// Whether a certificate does not read as one.
+    /// Returns whether a certificate is malformed.
     pub fn is_certificate(&self) -> bool {
         self.kind == Kind::Certificate
     }
 
-    /// Whether a list of impacts does not read as one.
+    /// Returns whether a list of impacts is malformed.
     pub fn is_list(&self) -> bool {
         self.kind == Kind::List
     }
 
-    /// The key of the scene file that is at fault, such as `pair.gap`, when it is one.
+    /// Returns the key of the scene file that is at fault, such as `pair.gap`, when it is one.
     pub fn key(&self) -> Option<&str> {
         self.key.as_deref()
     }
 
-    /// The value at fault, as it is written, when it is that of a key.
+    /// Returns the value at fault, as written, if it belongs to a key.
     pub fn value(&self) -> Option<&str> {
         self.value.as_deref()
     }
 
-    /// The line of the scene file that is at fault, when it is one.
+    /// Returns the line of the scene file that is at fault, when it is one.
     pub fn excerpt(&self) -> Option<&Excerpt> {
         self.excerpt.as_deref()
     }
@@ -116,55 +116,55 @@ impl Error {
         self
     }
 
-    /// The error with what it comes from, which its message tells.
+    /// Returns the error with its source, which the message includes.
     pub fn because(self, cause: impl error::Error + Send + Sync + 'static) -> Self {
         Self { cause: Some(Arc::new(cause)), ..self }
     }
 
-    /// What is no scene file.
+    /// Returns the error of a text that is not a scene file.
     pub fn scene(message: String) -> Self {
         Self::new(Kind::Scene, message)
     }
 
-    /// What is no certificate.
+    /// Returns the error of a text that is not a certificate.
     pub fn certificate(message: String) -> Self {
         Self::new(Kind::Certificate, message)
     }
 
-    /// What is no list of impacts.
+    /// Returns the error of a text that is not a list of impacts.
     pub fn list(message: String) -> Self {
         Self::new(Kind::List, message)
     }
 
-    /// A value of a scene file, as written there, that is not of the accepted kind.
+    /// Returns the error of a value of a scene file that is not of the accepted kind.
     pub fn entry(key: &str, written: &str, accepted: &str) -> Self {
         let message = format!("{key} is {written}, but {accepted}");
         Self { key: Some(key.to_owned()), value: Some(written.to_owned()), ..Self::scene(message) }
     }
 
-    /// A value that is not accepted at its key.
+    /// Returns the error of a value that is not accepted at its key.
     pub fn range(key: &str, value: &Exact, accepted: &str) -> Self {
         let message = format!("{key} is {value}, but {accepted}");
         Self { key: Some(key.to_owned()), value: Some(value.to_string()), ..Self::new(Kind::Range, message) }
     }
 
-    /// A question whose answer is out of reach; `key` is at fault, when it is one of the scene file.
+    /// Returns the error of a request that is not supported; `key` is the key of the scene file at fault, if any.
     pub fn out_of_range<'k>(key: impl Into<Option<&'k str>>, message: String) -> Self {
         Self { key: key.into().map(str::to_owned), ..Self::new(Kind::Range, message) }
     }
 
-    /// A question about several harmonics of which `what` is known of one only.
+    /// Returns the error of several harmonics where `what` is supported for one only.
     pub fn several(harmonics: usize, what: &str) -> Self {
-        let message = format!("the excitation has {harmonics} harmonics, but {what} is known of one only");
+        let message = format!("the excitation has {harmonics} harmonics, but {what} requires a single one");
         Self::out_of_range("excitation.amplitude", message)
     }
 
-    /// A malformed word of mappings.
+    /// Returns the error of a malformed word of mappings.
     pub fn word(message: String) -> Self {
         Self::new(Kind::Word, message)
     }
 
-    /// Refuses what is not proved to be greater than 0.
+    /// Refuses a value unless it is proved to be greater than 0.
     ///
     /// # Errors
     /// When it is not.
@@ -176,7 +176,7 @@ impl Error {
         }
     }
 
-    /// Refuses what is not proved to be at least 0.
+    /// Refuses a value unless it is proved to be at least 0.
     ///
     /// # Errors
     /// When it is not.
@@ -184,7 +184,7 @@ impl Error {
         if is_at_least(value, 0) { Ok(()) } else { Err(Self::range(key, value, "must be at least 0")) }
     }
 
-    /// Refuses what is not proved to lie in `[low, high]`.
+    /// Refuses a value unless it is proved to lie in `[low, high]`.
     ///
     /// # Errors
     /// When it is not.
@@ -206,10 +206,10 @@ pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
     matches!(highest.compare(&Exact::from(high)), Some(Ordering::Less | Ordering::Equal))
 }
 
-/// A value computed from `of`, which stands at `key`.
+/// Returns a value computed from `of`, the value at `key`.
 ///
 /// # Errors
-/// When it is beyond what exact expressions hold.
+/// If it exceeds the range of exact expressions.
 pub fn within<T>(key: &'static str, of: &Exact, value: Result<T, ExactError>) -> Result<T, Error> {
     value.map_err(|reason| Error::range(key, of, &reason.to_string()).because(reason))
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A line of a text with the place that is meant in it.
 ///
-/// It is shown as compilers do:
+/// It is shown as by compilers:
 ///
 /// ```text
 ///    |
@@ -35,17 +35,17 @@ impl Excerpt {
         Self { line: 1 + before.matches('\n').count(), text: line.replace('\t', " "), marked }
     }
 
-    /// The number of the line, from 1.
+    /// Returns the number of the line, from 1.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// The line, without its end.
+    /// Returns the line, without its end.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// What is meant in it, in characters from 0.
+    /// Returns what is meant in it, in characters from 0.
     pub fn marked(&self) -> Range<usize> {
         self.marked.clone()
     }

@@ -10,8 +10,8 @@ use impact_pair_exact::{Exact, ExactError};
 
 /// The displacement of the box: one harmonic or several. **Equations** (1), (9)
 ///
-/// Terms that do not move the box are left out of the motion, and terms of one frequency and one phase are one: what is
-/// left are the [`harmonics`](Self::harmonics), the fastest first. Where that is a single one, the motion is that of
+/// Terms that do not move the box are dropped, and terms with equal frequency and phase are added: the result
+/// are the [`harmonics`](Self::harmonics), the fastest first. With a single harmonic the motion is that of
 /// equation (9) and costs no more.
 ///
 /// ```
@@ -31,10 +31,10 @@ pub struct Excitation {
 }
 
 impl Excitation {
-    /// The sum of these harmonics.
+    /// Returns the sum of these harmonics.
     ///
     /// # Errors
-    /// When there is none, or a sum of amplitudes is beyond what exact expressions hold.
+    /// If there is none, or a sum of amplitudes exceeds the range of exact expressions.
     pub fn new(terms: Vec<Harmonic>) -> Result<Self, Error> {
         let first = terms.first().ok_or_else(|| Error::scene("an excitation has at least one term".to_owned()))?;
         let (mut harmonics, mut numbers): (Vec<Harmonic>, Vec<usize>) = (Vec::new(), Vec::new());
@@ -63,27 +63,27 @@ impl Excitation {
         Ok(Self { terms, harmonics, fastest: numbers[fastest] })
     }
 
-    /// The terms as they were given.
+    /// Returns the terms as given.
     pub fn terms(&self) -> &[Harmonic] {
         &self.terms
     }
 
-    /// What moves the box: different harmonics, the fastest first; one without amplitude where nothing does.
+    /// Returns the distinct harmonics that move the box, the fastest first; one of zero amplitude if none does.
     pub fn harmonics(&self) -> &[Harmonic] {
         &self.harmonics
     }
 
-    /// The fastest harmonic: a turn is its period, and `2 pi` times the turns is its phase `W t + tau`.
+    /// Returns the fastest harmonic: its period is the forcing period; phases are `W t + tau` of it.
     pub fn reference(&self) -> &Harmonic {
         &self.harmonics[0]
     }
 
-    /// The number, from 0, of the term that the [reference](Self::reference) is; the first one, where several are in step.
+    /// Returns the number, from 0, of the term that is the [reference](Self::reference); the first of several with equal frequency and phase.
     pub fn reference_term(&self) -> usize {
         self.fastest
     }
 
-    /// The only harmonic, if there is one only.
+    /// Returns the harmonic, if there is only one.
     pub fn only(&self) -> Option<&Harmonic> {
         match self.harmonics.as_slice() {
             [only] => Some(only),
@@ -91,8 +91,8 @@ impl Excitation {
         }
     }
 
-    /// Of a term that moves the box, the number from 0 of its harmonic, and the amplitude of the other terms of that, if there are some;
-    /// `None` where intervals leave open which one it is, or the amplitude is beyond what exact expressions hold.
+    /// Returns the number, from 0, of the harmonic of a term that moves the box, and the total amplitude of the other terms in it, if
+    /// any; `None` if intervals leave the harmonic undecided, or the amplitude exceeds the range of exact expressions.
     pub fn harmonic_of(&self, term: &Harmonic) -> Option<(usize, Option<Exact>)> {
         let number = match self.only() {
             Some(_) => 0,
@@ -102,7 +102,7 @@ impl Excitation {
         Some((number, (others.sign() != Some(Ordering::Equal)).then_some(others)))
     }
 
-    /// Whether no parameter is an interval of values.
+    /// Returns whether no parameter is an interval.
     pub fn is_point(&self) -> bool {
         self.terms.iter().all(Harmonic::is_point)
     }
@@ -114,7 +114,7 @@ impl From<Harmonic> for Excitation {
     }
 }
 
-/// Whether two harmonics are proved to have one frequency, and phases that differ by whole turns.
+/// Whether two harmonics are proved to have one frequency, and phases that differ by whole forcing periods.
 fn are_in_step(a: &Harmonic, b: &Harmonic) -> bool {
     let turns = || -> Result<Exact, ExactError> {
         let turn = Exact::pi() * Exact::from(2);

@@ -23,7 +23,7 @@ pub enum Mapping {
 }
 
 impl Mapping {
-    /// The mapping of a flight from one wall to the other or back.
+    /// Returns the mapping of a flight from one wall to another or to itself.
     pub fn between(from: Wall, to: Wall) -> Self {
         match (from, to) {
             (Wall::Right, Wall::Left) => Self::P1,
@@ -33,7 +33,7 @@ impl Mapping {
         }
     }
 
-    /// The walls the mapping leaves from and arrives at.
+    /// Returns the walls of departure and arrival.
     pub fn walls(self) -> (Wall, Wall) {
         match self {
             Self::P1 => (Wall::Right, Wall::Left),
@@ -77,10 +77,10 @@ fn not_a_word(text: &str) -> Error {
 pub struct Word(Vec<Mapping>);
 
 impl Word {
-    /// The word of these mappings, given in time order.
+    /// Returns the word of these mappings, given in time order.
     ///
     /// # Errors
-    /// When a mapping does not start on the wall where the one before it ended, or there is none.
+    /// If a mapping does not start on the wall where the previous one ended, or there is none.
     pub fn new(mappings: Vec<Mapping>) -> Result<Self, Error> {
         let chained = mappings.windows(2).all(|pair| pair[0].walls().1 == pair[1].walls().0);
         let word = Self(mappings);
@@ -90,12 +90,12 @@ impl Word {
         Ok(word)
     }
 
-    /// The mappings in time order.
+    /// Returns the mappings in time order.
     pub fn mappings(&self) -> &[Mapping] {
         &self.0
     }
 
-    /// Whether the word can be repeated: it ends on the wall it starts from.
+    /// Returns whether the word can be repeated: it ends on the wall it starts from.
     pub fn is_closed(&self) -> bool {
         self.0.first().map(|m| m.walls().0) == self.0.last().map(|m| m.walls().1)
     }

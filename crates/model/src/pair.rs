@@ -1,4 +1,4 @@
-//! The impact pair of figure 1: excitation, gap, restitution, and what is left of them without units.
+//! The impact pair of figure 1: excitation, gap, restitution, and their dimensionless form.
 
 use crate::error::Error;
 use crate::excitation::{Excitation, Harmonic};
@@ -17,7 +17,7 @@ pub enum Wall {
 }
 
 impl Wall {
-    /// The opposite wall.
+    /// Returns the opposite wall.
     pub fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -25,7 +25,7 @@ impl Wall {
         }
     }
 
-    /// `left` or `right`.
+    /// Returns `left` or `right`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
@@ -33,7 +33,7 @@ impl Wall {
         }
     }
 
-    /// `1` for the left wall, `-1` for the right one: the direction away from the wall.
+    /// Returns `1` for the left wall, `-1` for the right one: the direction away from the wall.
     #[inline(always)]
     pub fn sign(self) -> f64 {
         match self {
@@ -42,7 +42,7 @@ impl Wall {
         }
     }
 
-    /// What mirroring adds to the phase, in turns.
+    /// Returns what mirroring adds to the phase, in forcing periods.
     #[inline(always)]
     pub fn mirror_phase(self) -> f64 {
         match self {
@@ -52,7 +52,7 @@ impl Wall {
     }
 }
 
-/// A ball between two walls of a shaken box: **equations** (1), (14), (15).
+/// A ball between the two walls of an excited box: **equations** (1), (14), (15).
 ///
 /// ```
 /// use impact_pair_model::{Harmonic, ImpactPair};
@@ -69,40 +69,40 @@ pub struct ImpactPair {
 }
 
 impl ImpactPair {
-    /// A pair of this excitation, gap `d > 0` \[length\] and restitution `0 <= e <= 1`.
+    /// Returns a pair with this excitation, gap `d > 0` \[length\] and restitution `0 <= e <= 1`.
     ///
     /// # Errors
-    /// When a value is not in its range, or cannot be proved to be.
+    /// If a value is out of range, or cannot be proved to be in range.
     pub fn new(excitation: impl Into<Excitation>, gap: Exact, restitution: Exact) -> Result<Self, Error> {
         Error::require_positive("pair.gap", &gap)?;
         Error::require_range("pair.restitution", &restitution, 0, 1)?;
         Ok(Self { excitation: excitation.into(), gap, restitution })
     }
 
-    /// The excitation (1).
+    /// Returns the excitation (1).
     pub fn excitation(&self) -> &Excitation {
         &self.excitation
     }
 
-    /// The excitation (9) of a pair that is shaken by one harmonic.
+    /// Returns the excitation (9) of a pair with one harmonic.
     ///
     /// # Errors
-    /// When there are several: `what` is known of one only.
+    /// If there are several: `what` requires a single one.
     pub fn harmonic(&self, what: &str) -> Result<&Harmonic, Error> {
         self.excitation.only().ok_or_else(|| Error::several(self.excitation.harmonics().len(), what))
     }
 
-    /// The gap `d` \[length\].
+    /// Returns the gap `d` \[length\].
     pub fn gap(&self) -> &Exact {
         &self.gap
     }
 
-    /// The coefficient of restitution `e`.
+    /// Returns the coefficient of restitution `e`.
     pub fn restitution(&self) -> &Exact {
         &self.restitution
     }
 
-    /// Whether no parameter is an interval of values.
+    /// Returns whether no parameter is an interval.
     pub fn is_point(&self) -> bool {
         self.excitation.is_point() && self.gap.is_point() && self.restitution.is_point()
     }

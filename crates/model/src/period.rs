@@ -2,12 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a motion that repeats itself exactly does in a period.
+/// The period of a motion that repeats itself exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Period {
-    /// Cycles of the excitation.
+    /// Forcing periods.
     pub cycles: u64,
-    /// Impacts that are listed.
+    /// Impacts per period.
     pub impacts: u64,
 }

@@ -1,4 +1,4 @@
-//! How far an orbit is followed, and what computes it.
+//! How far an orbit is followed, and in which arithmetic.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -7,29 +7,29 @@ use std::str::FromStr;
 use crate::error::Error;
 use impact_pair_exact::Exact;
 
-/// What computes the orbit.
+/// The arithmetic of an orbit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Arithmetic {
-    /// The cheapest that certifies each impact to the asked digits: doubles first, then multiprecision, by plan. With
-    /// intervals among the data it goes on as far as their own width allows.
+    /// The cheapest arithmetic that certifies each impact to the requested digits: doubles first, then multiprecision,
+    /// by plan. With interval data it continues as far as their own width allows.
     #[default]
     Auto,
-    /// Plain double precision: nothing is proved.
+    /// Plain double precision: non-rigorous.
     Float,
-    /// Certified in double precision, as far as it decides; widths are what they are.
+    /// Certified in double precision, as far as it decides; widths are not controlled.
     Interval,
-    /// Certified by the textbook method in `inari`'s intervals: what plain interval arithmetic does; of one harmonic.
+    /// Certified by the textbook method in `inari`'s intervals: plain interval arithmetic, for one harmonic.
     Inari,
-    /// Of a chaotic orbit, certified in double precision for any number of impacts: a true orbit from a start very near the given
-    /// one. Where nothing expands, as [`Arithmetic::Interval`] from the exact start; after a release, whose state is exact, as
+    /// For a chaotic orbit, certified in double precision for any number of impacts: a true orbit from a start very near the
+    /// given one. Without expansion, as [`Arithmetic::Interval`] from the exact start; after a release, whose state is exact, as
     /// [`Arithmetic::Auto`].
     Shadow,
-    /// Certified in so many bits, as far as they decide; widths are what they are.
+    /// Certified at this precision in bits, as far as it decides; widths are not controlled.
     Bits(u32),
 }
 
 impl Arithmetic {
-    /// An arithmetic that this build does not have.
+    /// Returns an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
         let (least, most) = BITS.into_inner();
         let bits = if cfg!(feature = "multiprecision") {
@@ -44,29 +44,29 @@ impl Arithmetic {
     }
 }
 
-/// How far an orbit is followed, and how.
+/// How far an orbit is followed, how accurately, and in which arithmetic.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Stop after so many impacts.
+    /// Stop after N impacts.
     pub impacts: Option<u64>,
     /// Stop at this time \[time\].
     pub until: Option<Exact>,
-    /// Widths asked for: `10^-digits`, of a time relative to `2 pi/W`, of a velocity relative to `A W`.
+    /// Requested widths: `10^-digits`, of a time relative to `2 pi/W`, of a velocity relative to `A W`.
     pub digits: u32,
-    /// What computes.
+    /// The arithmetic.
     pub arithmetic: Arithmetic,
-    /// Bits that [`Arithmetic::Auto`] takes at most.
+    /// Maximum precision of [`Arithmetic::Auto`], in bits.
     pub max_bits: u32,
-    /// With [`Arithmetic::Shadow`]: so many impacts are proved by precision first. From there on the orbit has more room, and its start
-    /// is so much nearer to the given one.
+    /// With [`Arithmetic::Shadow`]: this number of impacts is proved in higher precision first; the start of the orbit
+    /// is then nearer to the given one.
     pub splice: u64,
     /// Whether to prove at the end, if possible, that the motion converges to a periodic orbit.
     pub attractor: bool,
 }
 
-/// What is taken for [`Settings::max_bits`] when nothing is said.
+/// Default of [`Settings::max_bits`].
 pub const MAX_BITS: u32 = 1_000_000;
-/// The bits that an orbit can be computed with.
+/// Accepted precisions, in bits.
 pub const BITS: RangeInclusive<u32> = 64..=1_000_000_000;
 
 impl Default for Settings {

@@ -6,7 +6,7 @@ use crate::error::{Error, is_at_least, is_at_most, within};
 use crate::pair::{ImpactPair, Wall};
 use impact_pair_exact::Exact;
 
-/// The initial data of an orbit, exact or intervals of values; a box of data is a set of starts.
+/// The initial data of an orbit, exact or intervals; interval data are a set of starts.
 #[derive(Clone, Debug)]
 pub struct Start {
     pub(crate) time: Exact,
@@ -14,7 +14,7 @@ pub struct Start {
     pub(crate) place: Place,
 }
 
-/// Where the ball is at the start.
+/// The position of the ball at the start.
 #[derive(Clone, Debug)]
 pub enum Place {
     /// On a wall; the start's velocity is the relative velocity just before the impact.
@@ -24,10 +24,10 @@ pub enum Place {
 }
 
 impl Start {
-    /// A start on `wall` at `time`, with relative velocity `velocity` \[length/time\] just before the impact.
+    /// Returns a start on `wall` at `time`, with relative velocity `velocity` \[length/time\] just before the impact.
     ///
     /// # Errors
-    /// When the velocity does not point at the wall (left: `<= 0`, right: `>= 0`), or this cannot be proved.
+    /// If the velocity does not point at the wall (left: `<= 0`, right: `>= 0`), or this cannot be proved.
     pub fn on_wall(time: Exact, wall: Wall, velocity: Exact) -> Result<Self, Error> {
         let (points_at_it, accepted) = match wall {
             Wall::Left => (is_at_most(&velocity, 0), "on the left wall it must be at most 0"),
@@ -39,10 +39,10 @@ impl Start {
         Ok(Self { time, velocity, place: Place::Wall(wall) })
     }
 
-    /// A start inside the gap of `pair`, at relative displacement `position` \[length\] and velocity `velocity`.
+    /// Returns a start inside the gap of `pair`, at relative displacement `position` \[length\] and velocity `velocity`.
     ///
     /// # Errors
-    /// When the position is not strictly between the walls, or this cannot be proved.
+    /// If the position is not strictly between the walls, or this cannot be proved.
     pub fn inside(pair: &ImpactPair, time: Exact, position: Exact, velocity: Exact) -> Result<Self, Error> {
         let accepted = "must lie strictly between the walls at -d/2 and d/2 (on a wall: give start.wall)";
         let doubled = within("start.position", &position, position.checked_mul(&Exact::from(2)))?;
@@ -54,17 +54,17 @@ impl Start {
         Ok(Self { time, velocity, place: Place::Inside(position) })
     }
 
-    /// The time of the start \[time\].
+    /// Returns the time of the start \[time\].
     pub fn time(&self) -> &Exact {
         &self.time
     }
 
-    /// The relative velocity \[length/time\]: before the impact for a start on a wall.
+    /// Returns the relative velocity \[length/time\]: before the impact for a start on a wall.
     pub fn velocity(&self) -> &Exact {
         &self.velocity
     }
 
-    /// Whether nothing of it is an interval of values.
+    /// Returns whether none of the data is an interval.
     pub fn is_point(&self) -> bool {
         let place = match &self.place {
             Place::Wall(_) => true,
@@ -73,7 +73,7 @@ impl Start {
         place && self.time.is_point() && self.velocity.is_point()
     }
 
-    /// Where the ball is.
+    /// Returns the position of the ball.
     pub fn place(&self) -> &Place {
         &self.place
     }

@@ -5,6 +5,7 @@ mod leaf;
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{Base, Chaos, State, Trap, seen_impacts};
+use impact_pair::document::counted;
 use impact_pair::periodic::bifurcation::Over;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
@@ -16,7 +17,7 @@ use crate::sweep::Cells;
 /// Of one panel, and of two beside each other.
 const ALONE: (u32, u32) = (900, 640);
 const TOGETHER: (u32, u32) = (1120, 640);
-/// Impacts of a floating orbit that are shown, of that in a region after so many others.
+/// Impacts of a floating-point orbit that are shown, of that in a region after so many others.
 const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
 /// Images up to this many impacts later are shown.
@@ -29,7 +30,7 @@ const RIGHT: i32 = 30 * SCALE;
 pub(crate) const PHASE: &str = "phase $θ$ of the impact, mirrored to the left wall [rad]";
 const SPEED: &str = "speed before the impact, in $AΩ$";
 
-/// The boxes of a region, and a floating orbit.
+/// Returns the boxes of a region, and a floating-point orbit.
 ///
 /// # Errors
 /// When it cannot be drawn.
@@ -43,11 +44,11 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     let states = seen_impacts(scene.pair(), scene.start(), [TRANSIENT, IMPACTS])?;
     let entered = match region.entered() {
         Some(0) => "; the scene's start and all impacts after it are in it".to_owned(),
-        Some(impact) => format!("; of the scene's orbit impact {impact} and all later ones are in it"),
+        Some(impact) => format!("; the scene's orbit is in it from impact {impact} on"),
         None => String::new(),
     };
-    let proved = format!("certified: no motion leaves this region of {} boxes{entered}; {}", region.boxes(), program());
-    let said = format!("{} impacts of a floating orbit after {TRANSIENT} others: seen, not proved", states.len());
+    let proved = format!("certified: a trapping region of {} boxes{entered}; {}", region.boxes(), program());
+    let said = format!("{} impacts of a floating-point orbit after {TRANSIENT} others: non-rigorous", states.len());
     picture::svg(ALONE, SCALE, |root| {
         let top = caption(scene, None, proved, root)?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
@@ -69,7 +70,7 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     })
 }
 
-/// A floating orbit, the bases and their first images; and the bases of the horseshoe in coordinates of their own, in which
+/// Returns a floating-point orbit, the h-sets and their first images; and the h-sets of the horseshoe in coordinates of their own, in which
 /// it is seen how images lie across them.
 ///
 /// # Errors
@@ -85,7 +86,7 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String
         }
         let (left, right) = below.split_horizontally(TOGETHER.0 as i32 * SCALE / 2);
         let titles =
-            ["(a)  the attractor, the bases and their images", "(b)  the bases along their leaf and across it"];
+            ["(a)  the attractor, the h-sets and their images", "(b)  the h-sets along their leaf and across it"];
         let areas = [left, right].map(|area| area.split_vertically(24 * SCALE));
         for ((title, _), words_of) in areas.iter().zip(titles) {
             title.draw(&Text::new(words_of, (16 * SCALE, 14 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
@@ -98,15 +99,15 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String
 /// What is proved.
 fn proved(found: &Chaos) -> String {
     let counted = format!(
-        "{} words of at most {} impacts from {} bases",
-        found.words().len(),
-        found.depth(),
-        found.bases().len()
+        "{} of at most {} from {}",
+        counted(found.words().len() as u32, "word"),
+        counted(found.depth(), "impact"),
+        counted(found.bases().len() as u32, "h-set")
     );
     if found.entropy() > 0.0 {
         let [impact, cycle] = [found.entropy(), found.entropy_a_cycle()].map(rounded_down);
         return format!(
-            "certified: a horseshoe, topological entropy at least {impact} an impact, {cycle} a cycle; {counted}; {}",
+            "certified: a horseshoe, topological entropy at least {impact} per impact, {cycle} per forcing period; {counted}; {}",
             program()
         );
     }
@@ -120,7 +121,7 @@ fn rounded_down(x: f64) -> String {
     format!("{:.4}", whole / 1e4)
 }
 
-/// The floating orbit, as far as it is shown.
+/// The floating-point orbit, as far as it is shown.
 fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
     found.attractor().iter().take(IMPACTS)
 }
@@ -132,7 +133,7 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
     if impacts > 0 {
         entries.push((
             Mark::Dot(BLACK),
-            format!("{impacts} impacts of a floating orbit, its transient left out: seen, not proved"),
+            format!("{impacts} impacts of a floating-point orbit without its transient: non-rigorous"),
         ));
     }
     if !found.bases().is_empty() {
@@ -141,16 +142,14 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
         entries.push((Mark::Outline(VERMILION), "bases".to_owned()));
         entries.push((
             Mark::Line(SKY, IMAGE),
-            format!("(a) their images {later} later, up to where they cross a base: proved"),
+            format!("(a) their images {later} later, up to where they cover an h-set: proved"),
         ));
     }
     for (words, colour) in leaf::words(found).iter().zip(leaf::COLOURS) {
         let Some(word) = words.first() else { continue };
         let name = said(&word.in_mappings());
-        entries.push((
-            Mark::Line(colour, leaf::STRIP),
-            format!("(b) images by {name}, which are proved to lie across bases"),
-        ));
+        entries
+            .push((Mark::Line(colour, leaf::STRIP), format!("(b) images by {name}, which are proved to cover h-sets")));
     }
     entries
 }
@@ -197,7 +196,7 @@ fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// The corners of a base, the first one again at the end.
+/// The corners of an h-set, the first one again at the end.
 fn round(base: &Base) -> [State; 5] {
     [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
 }

@@ -19,7 +19,7 @@ const IMPACTS: [usize; 2] = [600, 160];
 const BAR: i32 = 14 * SCALE;
 const ABOVE: i32 = 4 * SCALE;
 
-/// What is told, and in which colour.
+/// What is given, and in which colour.
 const LEGEND: [(&str, RGBColor); 3] = [
     ("proved: a horseshoe, positive entropy", VERMILION),
     ("proved: the scene's orbit converges to a periodic one", BLUE),
@@ -34,14 +34,14 @@ fn kind(verdict: &Verdict) -> usize {
     }
 }
 
-/// A column of the diagram: where it is, what is proved there, and the impacts of a floating orbit.
+/// A column of the diagram: where it is, what is proved there, and the impacts of a floating-point orbit.
 struct Column {
     at: f64,
     kind: usize,
     states: Vec<State>,
 }
 
-/// The diagram of floating orbits over the parameter, and above it a bar, both in the colours of what is proved.
+/// Returns the diagram of floating-point orbits over the parameter, and above it a bar, both in the colours of what is proved.
 ///
 /// # Errors
 /// When it cannot be drawn.
@@ -77,7 +77,7 @@ fn column(scene: &Scene, asked: &Asked, found: &Cells, number: u32) -> Result<Co
     Ok(Column { at, kind, states })
 }
 
-/// Title, what is told, and axes.
+/// Title, what is given, and axes.
 fn frame(
     scene: &Scene,
     asked: &Asked,
@@ -88,7 +88,7 @@ fn frame(
     let title = format!("{}: what is proved over the {}", scene.title().unwrap_or("The impact map"), asked.over.key);
     let [transient, impacts] = IMPACTS;
     let bar = format!(
-        "bar: what is proved of all values; below: impacts {} to {} of floating orbits, seen",
+        "bar: proved for all values; below: impacts {} to {} of floating-point orbits, non-rigorous",
         transient + 1,
         transient + impacts
     );

@@ -1,4 +1,4 @@
-//! The list that is judged: events of another simulator, read exactly, from text or JSON.
+//! The list that is compared: events of another simulator, read exactly, from text or JSON.
 
 /// Ends a function with the error that a list does not read as one.
 macro_rules! refuse {
@@ -15,14 +15,14 @@ use crate::exact::{Enclosure, Exact};
 use crate::pair::Wall;
 use crate::{Error, ImpactPair};
 
-/// Where the list has what.
+/// The layout of a list: which columns hold times, walls and velocities.
 #[derive(Clone, Debug)]
 pub struct Columns {
     /// The times \[time\].
     pub time: Column,
     /// The walls, by name, by sign or by position.
     pub wall: Column,
-    /// `y'` just before each impact \[length/time\]; `None`: velocities are not judged.
+    /// `y'` just before each impact \[length/time\]; `None`: velocities are not compared.
     pub velocity: Option<Column>,
 }
 
@@ -45,17 +45,17 @@ pub struct Column {
 }
 
 impl Column {
-    /// The column of times: by its name or its number from 1, or under a usual name.
+    /// Returns the column of times: by its name or its number from 1, or under a usual name.
     pub fn time(given: Option<String>) -> Self {
         Self { flag: "--time-column", names: &["time", "t"], given }
     }
 
-    /// The column of walls.
+    /// Returns the column of walls.
     pub fn wall(given: Option<String>) -> Self {
         Self { flag: "--wall-column", names: &["wall", "side"], given }
     }
 
-    /// The column of velocities.
+    /// Returns the column of velocities.
     pub fn velocity(given: Option<String>) -> Self {
         Self { flag: "--velocity-column", names: &["velocity", "v"], given }
     }
@@ -73,20 +73,20 @@ impl Column {
     }
 }
 
-/// An event as it is listed.
+/// An event as listed.
 #[derive(Clone, Debug)]
 pub struct Listed {
-    /// Where it stands: `line 7`, `events[6]`.
+    /// Its place: `line 7`, `events[6]`.
     pub place: String,
     /// Its wall.
     pub wall: Wall,
-    /// When \[time\].
+    /// Its time \[time\].
     pub time: Number,
     /// `y'` just before the impact \[length/time\], if it is listed.
     pub velocity: Option<Number>,
 }
 
-/// A number as it is listed: a decimal, or two bounds.
+/// A number as listed: a decimal, or two bounds.
 #[derive(Clone, Debug)]
 pub struct Number {
     /// The decimal, or the lower bound.
@@ -104,7 +104,7 @@ impl Number {
         Some(Self { low: value.clone(), high: value, written: text.to_owned() })
     }
 
-    /// What lies between two bounds; `None` if they are out of order.
+    /// Returns what lies between two bounds; `None` if they are out of order.
     pub fn between([low, high]: [Self; 2]) -> Option<Self> {
         let is_point = low.low == high.low;
         let written = if is_point { low.written } else { format!("[{}, {}]", low.written, high.written) };
@@ -160,14 +160,14 @@ impl Walls {
     }
 }
 
-/// Reads a list, whatever it is written in.
+/// Reads a list in any of the accepted formats.
 ///
 /// Text has commas, semicolons, tabs or blanks between columns, and a header, one in a comment, or none; of a column there may be two,
-/// of bounds (`time_lower`, `time_upper`); where there is a column `event`, those that are no `impact` are passed over. JSON is an array of
+/// of bounds (`time_lower`, `time_upper`); where there is a column `event`, those that are not `impact` are skipped. JSON is an array of
 /// objects, an object of arrays, JSON Lines, or the orbit JSON. Walls may be positions near `-d/2` and `d/2` of the pair.
 ///
 /// # Errors
-/// Name the place, the value and what is accepted: [`Error::is_list`].
+/// If the list is malformed ([`Error::is_list`]): the message names the place, the value and what is accepted.
 pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<Vec<Listed>, Error> {
     let walls = &Walls::new(pair.gap());
     let text = text.trim_start_matches('\u{feff}');

@@ -9,7 +9,7 @@ use crate::chaos::tests::{meet, truth};
 use crate::chaos::{Asked, Cells, Stretch, Verdict};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Progress, Settings};
 
-/// A state of a set, and the law whose `e` and `D` it is told for.
+/// A state of a set, and the law whose `e` and `D` it is given for.
 fn member(set: &Set, law: &Law, part: [f64; 4]) -> (State, Law) {
     let [a, b, c, d] = part;
     let state = [0, 1].map(|i| {

@@ -6,15 +6,15 @@ use crate::periodic::Interval;
 use crate::periodic::krawczyk::Jacobian;
 use crate::periodic::precondition::Preconditioner;
 
-/// Boxes of consecutive impacts; a closed chain goes on with its first impact, whole turns later.
+/// Boxes of consecutive impacts; a closed chain goes on with its first impact, whole forcing periods later.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
-    /// Reduced phases, with their turns.
+    /// Reduced phases, with their forcing periods.
     pub phases: Vec<Interval>,
     pub speeds: Vec<Interval>,
     /// The wall that each flight ends on.
     pub sides: Vec<Side>,
-    /// Of a closed chain: the turns until it is closed.
+    /// Of a closed chain: the forcing periods until it is closed.
     pub turns: Option<f64>,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Chain {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Laws {
     pub relation: Relation,
-    /// How long flights take, in turns.
+    /// How long flights take, in forcing periods.
     pub times: Interval,
 }
 
@@ -50,17 +50,17 @@ impl Jacobian<f64> for Square {
 }
 
 impl Chain {
-    /// A chain of one impact.
+    /// Returns a chain of one impact.
     pub fn new([phase, speed]: [Interval; 2]) -> Self {
         Self { phases: vec![phase], speeds: vec![speed], sides: Vec::new(), turns: None }
     }
 
-    /// How many impacts it has.
+    /// Returns how many impacts it has.
     pub fn len(&self) -> usize {
         self.phases.len()
     }
 
-    /// The impact after one, and the turns that are added to its phase.
+    /// The impact after one, and the forcing periods that are added to its phase.
     fn next(&self, i: usize) -> (usize, f64) {
         match self.turns {
             Some(turns) if i + 1 == self.len() => (0, turns),
@@ -68,18 +68,18 @@ impl Chain {
         }
     }
 
-    /// The sum of the widths from an impact on.
+    /// Returns the sum of the widths from an impact on.
     pub fn size(&self, from: usize) -> f64 {
         self.phases[from..].iter().chain(&self.speeds[from..]).map(|x| x.wid()).sum()
     }
 
-    /// Its widest phase, and how wide that is.
+    /// Returns its widest phase, and how wide that is.
     pub fn widest(&self) -> (usize, f64) {
         let widths = self.phases.iter().map(|x| x.wid()).enumerate();
         widths.max_by(|(_, x), (_, y)| x.total_cmp(y)).expect("an impact")
     }
 
-    /// Both halves, across a phase.
+    /// Returns both halves, across a phase.
     pub fn halves(self, across: usize) -> [Self; 2] {
         let (Interval { lo, hi }, middle) = (self.phases[across], self.phases[across].middle());
         let mut other = self.clone();

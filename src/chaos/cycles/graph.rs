@@ -62,7 +62,7 @@ impl Graph {
         Self { grid, cells, next, previous, blocks, block }
     }
 
-    /// The boxes in which a cycle of so many impacts may be, impact by impact from one in this block on, if it has none in the
+    /// Returns the boxes in which a cycle of so many impacts may be, impact by impact from one in this block on, if it has none in the
     /// blocks before; `None` where there is none. Lemma D21
     pub fn layers(&self, block: usize, impacts: usize) -> Option<Vec<Layer>> {
         let forth = self.walk(&self.next, &self.blocks[block], block, impacts, None);
@@ -168,7 +168,7 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    /// How many columns there are in a turn.
+    /// Returns how many columns there are in a forcing period.
     pub fn columns(&self) -> i64 {
         self.grid.columns
     }
@@ -218,7 +218,7 @@ impl Layer {
         rectangles
     }
 
-    /// A rectangle that holds all states of the layer with such phases and speeds.
+    /// Returns a rectangle that holds all states of the layer with such phases and speeds.
     pub fn hull(&self, phases: Interval, speeds: Interval) -> Option<[Interval; 2]> {
         let parts = self.parts(phases, speeds, self.grid.columns);
         parts.into_iter().reduce(|[u, w], [p, q]| [u.hull(p), w.hull(q)])

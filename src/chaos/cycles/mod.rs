@@ -1,4 +1,4 @@
-//! All periodic motions of so many impacts in a region: Lemmas D20-D23 of `docs/proofs.md`.
+//! All periodic orbits of period n of the reduced map in a trapping region: Lemmas D20-D23 of `docs/proofs.md`.
 //!
 //! The reduced map takes them for its cycles. In `graph` the boxes of the region say where a cycle may be when; in `search`
 //! chains of boxes grow impact by impact, cut by all that `relation` and `chain` know of neighbouring impacts, which is smooth at grazes as well; what closes
@@ -48,7 +48,7 @@ pub const MOST_IMPACTS: u32 = 64;
 /// The cycles of a region, proved.
 ///
 /// **Enclosure**: [`fixed_points`](Cycles::fixed_points) of `n` counts all states of the region that the reduced map maps to
-/// themselves by `n` impacts; it is told only where no part of the region is left undecided, and their orbits are all listed. Lemmas D20-D23
+/// themselves by `n` impacts; it is given only where no part of the region is left undecided, and their orbits are all listed. Lemmas D20-D23
 /// **Cost**: figure 14 to 12 impacts in less than a second; each impact more takes about `exp(h)` times as long, with the topological
 /// entropy `h`.
 ///
@@ -90,12 +90,12 @@ pub enum Stage {
 }
 
 impl Cycles {
-    /// All cycles of so many impacts in the region that [`Trap::of`] finds.
+    /// Returns all cycles of so many impacts in the region that [`Trap::of`] finds.
     ///
-    /// `goes_on` is told how far it has come and says whether to go on; numbers of impacts that are not done then have no count.
+    /// `goes_on` receives the progress and returns whether to continue; numbers of impacts not done then have no count.
     ///
     /// # Errors
-    /// Under several harmonics, and when a value is beyond the range of double-precision flights.
+    /// With several harmonics, and when a value is beyond the range of double-precision flights.
     pub fn of(
         scene: &Scene,
         finer: u32,
@@ -217,12 +217,12 @@ impl Cycles {
         Some(impacts)
     }
 
-    /// The region.
+    /// Returns the region.
     pub fn trap(&self) -> &Trap {
         &self.trap
     }
 
-    /// How many impacts were asked for.
+    /// Returns how many impacts were requested.
     pub fn asked(&self) -> &RangeInclusive<u32> {
         &self.asked
     }
@@ -232,27 +232,27 @@ impl Cycles {
         &self.fixed_points
     }
 
-    /// The cycles, each once, by their impacts, words and phases.
+    /// Returns the cycles, each once, by their impacts, words and phases.
     pub fn cycles(&self) -> &[Cycle] {
         &self.cycles
     }
 
-    /// Where there may be others, by the number of impacts.
+    /// Returns where there may be others, by the number of impacts.
     pub fn undecided(&self) -> &[(usize, Region)] {
         &self.undecided
     }
 
-    /// Whether there are no others of all the numbers of impacts that were asked for.
+    /// Returns whether there are no others of all the numbers of impacts that were requested.
     pub fn is_exhaustive(&self) -> bool {
         self.asked.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
     }
 
-    /// Whether all that was asked is proved: that there are no others, and whether each of them is stable, as narrowly as asked.
+    /// Returns whether all that was asked is proved: that there are no others, and whether each of them is stable, to the requested width.
     pub fn is_certified(&self) -> bool {
         self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.is_decided() && cycle.orbit.is_narrow)
     }
 
-    /// Whether it is proved that none of these numbers of impacts has a cycle that attracts.
+    /// Returns whether it is proved that none of these numbers of impacts has a cycle that attracts.
     pub fn has_no_attractor(&self) -> bool {
         self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.stability == Stability::Unstable)
     }
@@ -273,7 +273,7 @@ fn searched(task: &Task, graph: &Graph, impacts: usize, done: &AtomicUsize) -> V
             let Some(at) = queue.lock().expect("no thread has panicked").next() else { break };
             let block = (task.goes_on)().then(|| searched_block(task, graph, at, impacts));
             let stopped = Block { found: Vec::new(), undecided: Vec::new(), is_whole: false };
-            results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is claimed
+            results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is certified
             done.fetch_add(1, Ordering::Relaxed);
         }
     };

@@ -11,7 +11,7 @@ pub(super) struct Relation {
     pub restitution: Interval,
 }
 
-/// All flights between two boxes of phases, told about a member of each.
+/// All flights between two boxes of phases, mean_value about a member of each.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leg {
     /// `a`, the speeds after the first impact.
@@ -61,7 +61,7 @@ impl Relation {
         }
     }
 
-    /// The flights to a wall from a box of phases to a box of reduced phases, about these members.
+    /// Returns the flights to a wall from a box of phases to a box of reduced phases, about these members.
     pub fn leg(&self, side: Side, [from, to]: [Interval; 2], centres: [Interval; 2]) -> Option<Leg> {
         let shift = Interval::point(side.shift());
         let offsets = [from - centres[0], to - centres[1]];
@@ -84,9 +84,9 @@ impl Relation {
                 return Some(Leg { after, before, centre: [at.after, at.before], slopes });
             }
             rounds -= 1;
-            let told = |centre: Interval, row: [Interval; 2]| centre + row[0] * offsets[0] + row[1] * offsets[1];
-            after = both(after, Some(told(at.after, slopes[0])));
-            before = both(before, Some(told(at.before, slopes[1])));
+            let mean_value = |centre: Interval, row: [Interval; 2]| centre + row[0] * offsets[0] + row[1] * offsets[1];
+            after = both(after, Some(mean_value(at.after, slopes[0])));
+            before = both(before, Some(mean_value(at.before, slopes[1])));
         }
     }
 }

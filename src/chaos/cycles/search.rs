@@ -12,13 +12,13 @@ use crate::number::up;
 use crate::pair::ImpactPair;
 use crate::periodic::{Identity, Interval, PeriodicOrbit, Precision, Problem};
 
-/// Parts of a turn that boxes are at most as wide as, when a chain grows by them.
+/// Parts of a forcing period that boxes are at most as wide as, when a chain grows by them.
 const PARTS: i64 = 32;
 /// Flights that are cut anew when a chain grows.
 const FELT: usize = 6;
-/// Columns in a turn that landings are told by.
+/// Columns in a forcing period that landings are given by.
 const COLUMNS: Grid = Grid { columns: 256, rows: 1.0 };
-/// Chains as narrow as that, in turns, are asked whether a known orbit is there.
+/// Chains as narrow as that, in forcing periods, are asked whether a known orbit is there.
 const NEAR: f64 = 1.0 / 16.0;
 /// Chains as narrow as that are asked whether one is there that is not known, if Newton's equation determines their phases.
 const CERTAIN: f64 = 1e-7;

@@ -34,7 +34,7 @@ fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
     Cycles::of(scene, 0, &impacts, Precision::default(), &|_| true).unwrap().unwrap()
 }
 
-/// Whether a number computed in floats may be in it.
+/// Whether a number computed in floating point may be in it.
 fn holds(x: Interval, y: f64) -> bool {
     let error = 1e-8 * (1.0 + y.abs());
     x.lo <= y + error && y - error <= x.hi
@@ -82,7 +82,7 @@ proptest! {
         }
     }
 
-    /// Lemma D22: a chain of boxes around a floating orbit is cut, and never to less than the orbit.
+    /// Lemma D22: a chain of boxes around a floating-point orbit is cut, and never to less than the orbit.
     #[test]
     fn chains_keep_the_orbit_they_hold(
         number in prop::sample::select(vec![14_u32, 16, 17]), phase in 0.0..1.0f64, speed in 0.1..1.0f64, flights in 1..6usize,
@@ -114,7 +114,7 @@ proptest! {
     }
 }
 
-/// The numbers are those of `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floats from orbits
+/// The numbers are those of `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floating point from orbits
 /// and shares nothing with this.
 #[test]
 fn counts_are_those_of_an_independent_search() {

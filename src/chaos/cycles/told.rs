@@ -11,12 +11,12 @@ pub(super) struct Told {
     /// The walls of its impacts, `L` or `R`.
     pub walls: String,
     pub cycles: u32,
-    /// In turns.
+    /// In forcing periods.
     pub phases: Vec<Interval>,
 }
 
 impl Told {
-    /// `None` where the turns do not fit: no motion has such impacts.
+    /// `None` where the forcing periods do not fit: no motion has such impacts.
     pub fn new(chain: &Chain) -> Option<Self> {
         let (count, turns) = (chain.len(), chain.turns?);
         let is_far = |i: usize| chain.sides[i % count] == Side::Far;
@@ -35,7 +35,7 @@ impl Told {
         (cycles >= 1.0).then_some(Self { walls, cycles: cycles as u32, phases }) // exact: a small whole number
     }
 
-    /// What asks for its orbits.
+    /// Returns what asks for its orbits.
     pub fn problem(&self, pair: &ImpactPair) -> Option<Problem> {
         Problem::new(pair, &self.walls.parse().ok()?, self.cycles).ok()
     }

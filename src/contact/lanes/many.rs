@@ -5,16 +5,16 @@ use super::{LANES, Lanes};
 use crate::contact::bounds::{Margins, Radii};
 use crate::contact::judges::{SetContact, first_contacts, swings, together};
 use crate::contact::solve::is_phase;
-use crate::contact::{Contact, Court, Undecided, Verdict, first_contact};
+use crate::contact::{Contact, PairBounds, Undecided, Verdict, first_contact};
 use crate::flight::Flight;
 use crate::mapping::Sheared;
 use crate::number::{Ball, kernel};
 use crate::pair::{Inward, Reduced, Wall, rebound_of};
 
-/// Encloses the first contacts of many flights of one pair, which leave a wall at a phase in turns with a velocity away from it
-/// in gaps a turn.
+/// Encloses the first contacts of many flights of one pair, which leave a wall at a phase in forcing periods with a velocity away from it
+/// in gap widths per forcing period.
 ///
-/// **Enclosure**: `told` gets, in the order of the starts, what [`first_contact`] says of each, with the same bits.
+/// **Enclosure**: `answer` gets, in the order of the starts, what [`first_contact`] says of each, with the same bits.
 /// **Cost**: about half of that of one at a time, where the target has vectors of four doubles and FMA.
 ///
 /// ```
@@ -34,9 +34,9 @@ use crate::pair::{Inward, Reduced, Wall, rebound_of};
 pub fn first_contacts_of(
     pair: &Reduced<Ball>,
     starts: impl IntoIterator<Item = (Wall, f64, Ball)>,
-    mut told: impl FnMut(Verdict<Contact<Ball>>),
+    mut answer: impl FnMut(Verdict<Contact<Ball>>),
 ) {
-    let Court { centre, margins, .. } = Court::new(*pair);
+    let PairBounds { centre, margins, .. } = PairBounds::new(*pair);
     let (mut lanes, mut spreads, mut brackets) = (Lanes::EMPTY, Spreads::EMPTY, Brackets::EMPTY);
     let mut starts = starts.into_iter();
     let mut phases = [0.0; LANES];
@@ -55,7 +55,7 @@ pub fn first_contacts_of(
         lanes.certify_points(&margins, &spreads, &mut brackets);
         for lane in 0..count {
             let flight = lanes.flights.get(lane);
-            told(if bool::of(lanes.states.is_decided[lane]) {
+            answer(if bool::of(lanes.states.is_decided[lane]) {
                 Verdict::Certified(brackets.get(lane, lanes.searches.get(lane)).contact(&flight))
             } else {
                 first_contact(&Flight { phase: phases[lane], ..flight }, &margins, spreads.get(lane))
@@ -73,7 +73,7 @@ pub struct Image {
     pub jacobian: [[Ball; 2]; 2],
 }
 
-/// Encloses the image of all states of a wall, a phase in turns and a velocity before the impact in gaps a turn:
+/// Encloses the image of all states of a wall, a phase in forcing periods and a velocity before the impact in gap widths per forcing period:
 /// **equations** (15), (A.1)-(A.7).
 ///
 /// **Enclosure**: for all states in the balls, and all parameters in those of the pair, contact and Jacobian lie in
@@ -94,9 +94,9 @@ pub fn image_of(pair: &Reduced<Ball>, margins: &Margins, (wall, [phase, before])
 pub fn images_of(
     pair: &Reduced<Ball>,
     sets: impl IntoIterator<Item = (Wall, [Ball; 2])>,
-    mut told: impl FnMut(Verdict<Image>),
+    mut answer: impl FnMut(Verdict<Image>),
 ) {
-    let Court { centre, margins, .. } = Court::new(*pair);
+    let PairBounds { centre, margins, .. } = PairBounds::new(*pair);
     let mut lanes = Lanes::EMPTY;
     let [mut points, mut spreads] = [Spreads::EMPTY; 2];
     let [mut centres, mut alls] = [Brackets::EMPTY; 2];
@@ -119,7 +119,7 @@ pub fn images_of(
         lanes.certify_sets(&margins, &spreads, &mut alls);
         lanes.bracket_centres(&margins, &points, &mut centres);
         for lane in 0..count {
-            told(if bool::of(lanes.states.is_decided[lane]) {
+            answer(if bool::of(lanes.states.is_decided[lane]) {
                 let flight = &lanes.flights.get(lane);
                 let [all, point] = [&alls, &centres].map(|brackets| brackets.get(lane, lanes.searches.get(lane)));
                 finish(pair, given[lane].1, flight, Ok(together(flight, &margins, &all, &point)))

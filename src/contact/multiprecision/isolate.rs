@@ -142,7 +142,7 @@ impl Turning {
         if self.rising { [&self.far, &self.near] } else { [&self.near, &self.far] }
     }
 
-    /// The kind that the drift brings nearer to its wall, and by how much a turn.
+    /// The kind that the drift brings nearer to its wall, and by how much a forcing period.
     fn drifting(&self, flight: &Flight<MpBall>) -> Option<(&Kind, MpBall)> {
         match flight.drift.sign() {
             Some(Ordering::Greater) => Some((&self.far, flight.drift.clone())),
@@ -151,7 +151,7 @@ impl Turning {
         }
     }
 
-    /// The extremum that may touch its wall while none before it does: the wall, when, and its room.
+    /// Returns the extremum that may touch its wall while none before it does: the wall, when, and its room.
     pub fn doubtful(&self, flight: &Flight<MpBall>) -> Option<(Target, MpBall, MpBall)> {
         for kind in self.in_order() {
             match kind.room.sign() {
@@ -303,7 +303,7 @@ fn prove(
     })
 }
 
-/// A wall that may be touched with no velocity.
+/// A wall that may be touched with zero velocity.
 fn graze(flight: &Flight<MpBall>, target: Option<Target>) -> Undecided {
     Undecided::graze(target.map(|target| target.wall(flight.wall)))
 }

@@ -1,7 +1,7 @@
 //! First contacts in multiprecision: isolated as cheaply as can be, refined to as many bits as asked.
 //!
 //! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate; what that
-//! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` turns) is
+//! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` forcing periods) is
 //! decided by the same lemmas in balls ([`isolate`]). Either way one contact lies in a known bracket and [`refine`]
 //! only has to find it: Lemma M3 of `docs/proofs.md`.
 
@@ -17,7 +17,7 @@ use super::bounds::{Bounds, Margins, Radii};
 use super::certify::Bracket;
 use super::extrema::Target;
 use super::solve::propose;
-use super::{Contact, Court, Reason, Undecided};
+use super::{Contact, PairBounds, Reason, Undecided};
 use crate::flight::Flight;
 use crate::number::{ABOVE_TURN, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Inward, Wall};
@@ -28,9 +28,9 @@ pub(crate) use refine::Refined;
 #[derive(Debug)]
 pub(crate) struct Isolated {
     pub target: Target,
-    /// Whole turns.
+    /// Whole forcing periods.
     pub turns: f64,
-    /// The contact of each flight of the set lies within `reach` of this phase, less the whole turns.
+    /// The contact of each flight of the set lies within `reach` of this phase, less the whole forcing periods.
     pub at: Float,
     pub reach: Magnitude,
     /// For each of them `|z'|` is at least this within `reach`.
@@ -61,7 +61,7 @@ impl Isolated {
         })
     }
 
-    /// The contacts over the set in doubles, out of the mirrored frame of flights measured from `near`.
+    /// Returns the contacts over the set in doubles, out of the mirrored frame of flights measured from `near`.
     pub fn contact(&self, near: Wall) -> Contact<Ball> {
         Contact {
             wall: self.target.wall(near),
@@ -80,7 +80,7 @@ impl Flight<MpBall> {
     }
 }
 
-/// A set of starts in doubles: after the impact, told from the wall.
+/// A set of starts in doubles: after the impact, measured from the wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
     /// `None` inside the gap.
@@ -94,7 +94,7 @@ pub(crate) struct Start {
 ///
 /// A doubt that the flight of the `centre` does not share is the set's width's fault.
 pub(crate) fn isolate_first(
-    pair: &Court,
+    pair: &PairBounds,
     start: &Start,
     all: impl FnOnce() -> Flight<MpBall>,
     centre: &Flight<MpBall>,
@@ -109,7 +109,7 @@ pub(crate) fn isolate_first(
 }
 
 /// What doubles can say of the set.
-fn isolate_in_doubles(pair: &Court, start: &Start) -> Option<Isolated> {
+fn isolate_in_doubles(pair: &PairBounds, start: &Start) -> Option<Isolated> {
     let Start { wall, height, phase, velocity } = *start;
     let sin_cos = kernel::sin_cos(phase.mid());
     let (flight, height) = match wall {

@@ -4,7 +4,7 @@
 //! `|z(b)| / m` of any `b` within `reach` of `a`. *Proof.* The mean value theorem between `b` and the contact. []
 //!
 //! So one evaluation in balls proves a root to full precision, wherever `b` comes from: plain Halley-like steps that
-//! quadruple the bits. Each needs one sine and cosine; the last one turns them by its own small step.
+//! quadruple the bits. Each needs one sine and cosine; the last one forcing periods them by its own small step.
 
 use rug::Float;
 use rug::float::Round;
@@ -19,7 +19,7 @@ use crate::pair::Inward;
 /// The contact of one flight, in the frame of its start.
 #[derive(Debug)]
 pub(crate) struct Refined {
-    /// The phase of the contact, less the whole turns, is within `error` of this.
+    /// The phase of the contact, less the whole forcing periods, is within `error` of this.
     pub at: Float,
     pub error: Magnitude,
     /// Mirrored `z'`, sine and cosine *at this phase*.

@@ -2,7 +2,7 @@
 //! `10^-1` to `10^-40` from the far wall, on either side, and those of the tests in doubles.
 
 use super::*;
-use crate::contact::Court;
+use crate::contact::PairBounds;
 use crate::contact::tests::{TrueFlight, assert_first, cases};
 use crate::number::Number;
 use crate::number::tests::{Truth, member, places, powers};
@@ -95,7 +95,7 @@ proptest! {
     #[test]
     fn isolated_contacts_are_those_of_every_member(case in cases(), bits in prop_oneof![Just(64u32), Just(200)]) {
         let margins = case.margins();
-        let doubles = Court { pair: case.pair, centre: case.pair.centre(), margins };
+        let doubles = PairBounds { pair: case.pair, centre: case.pair.centre(), margins };
         let [height, phase, velocity] = [
             Ball::new(case.inside.unwrap_or(0.0), if case.inside.is_some() { case.radii.height } else { 0.0 }),
             Ball::new(case.phase, case.radii.phase),

@@ -38,10 +38,10 @@ struct Lead {
     leaves: Option<Kind>,
 }
 
-/// How far from a bifurcation the branch that leaves there is entered, in turns; smaller where that fails.
+/// How far from a bifurcation the branch that leaves there is entered, in forcing periods; smaller where that fails.
 const ENTER: f64 = 1e-3;
 
-/// Room and speed that an orbit has at least for a branch to begin with it, in gaps and turns: hops of no time are none.
+/// Room and speed that an orbit has at least for a branch to begin with it, in gaps and forcing periods: hops of no time are none.
 const REAL: f64 = 1e-6;
 
 /// The survey as it goes on.
@@ -59,11 +59,11 @@ struct Survey<'w, S: Varied> {
 
 /// Finds the bifurcations on the branches of the orbits of a word, and on those that leave them.
 ///
-/// Each point is proved. That there are no others is not: branches are found and followed in floats. Where `goes_on` ends it early,
+/// Each point is proved. That there are no others is not: branches are found and followed in floating point. Where `goes_on` ends it early,
 /// what was found until then is kept.
 ///
 /// # Errors
-/// When the word is not closed, the cycles are too many, or the range is not one of the parameter's. Under several harmonics also when
+/// When the word is not closed, the cycles are too many, or the range is not one of the parameter's. With several harmonics also when
 /// their frequencies are not proved to be commensurate, the cycles are no multiple of the common period, or a frequency varies.
 pub fn survey(
     pair: &ImpactPair,

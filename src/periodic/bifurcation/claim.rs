@@ -36,7 +36,7 @@ pub(super) struct Setting<'s, S> {
 }
 
 impl<S: Varied> Setting<'_, S> {
-    /// In floats.
+    /// In floating point.
     pub fn floats(&self) -> Family<S, f64> {
         Family { unknown: self.unknown, base: self.base.floats().clone() }
     }
@@ -90,7 +90,7 @@ pub(super) trait Condition: System {
 }
 
 impl Condition for Critical<'_> {
-    /// `e > 0`, for Lemma Y2; velocities that are not 0 are asked for with the orbit.
+    /// `e > 0`, for Lemma Y2; velocities that are not 0 are requested with the orbit.
     fn holds<N: Enclosing, B: Shaking<N>>(&self, pair: &B, _: &[N], _: &[N]) -> bool {
         pair.restitution().certain_sign() == Some(Ordering::Greater)
     }
@@ -266,7 +266,7 @@ impl<E: Condition, S: Varied> Claim<'_, E, S> {
         })
     }
 
-    /// Whether the widths are those asked for: the parameter's relative to itself.
+    /// Whether the widths are those requested: the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
         let asked = self.precision.log2_width() - 1.0;

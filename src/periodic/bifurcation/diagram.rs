@@ -1,4 +1,4 @@
-//! What is asked of the branches of a word, and what is found.
+//! The settings of a search for bifurcations, and its results.
 
 use super::super::Precision;
 use super::over::{Over, Parameter};
@@ -8,14 +8,14 @@ use crate::exact::Enclosure;
 use crate::mapping::Word;
 use crate::pair::ImpactPair;
 
-/// What is asked of a word's branches.
+/// The settings of a search for bifurcations.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// The parameter and its range.
     pub over: Over,
     /// Doublings up to which the branches that leave are followed.
     pub doublings: u32,
-    /// How narrow the enclosures are asked to be.
+    /// Requested widths of the enclosures.
     pub precision: Precision,
 }
 
@@ -41,7 +41,7 @@ pub enum End {
     Closed,
     /// It could be followed no further.
     Lost,
-    /// It was not followed further, as the caller wished.
+    /// It was not followed further, at the caller's request.
     Interrupted,
 }
 
@@ -62,7 +62,7 @@ pub struct Branch {
     pub is_proved: bool,
 }
 
-/// What is found along the branches of a word.
+/// The bifurcations found along the branches of a word.
 #[derive(Clone, Debug)]
 pub struct Diagram {
     pub(super) parameter: Parameter,
@@ -72,7 +72,7 @@ pub struct Diagram {
     pub unproved: Vec<Unproved>,
     /// The branches followed.
     pub branches: Vec<Branch>,
-    /// Whether it ended before all was followed and proved, as the caller wished.
+    /// Whether it was interrupted before all branches were followed and all points proved.
     pub interrupted: bool,
 }
 
@@ -82,20 +82,20 @@ impl Diagram {
         Self { parameter, points: Vec::new(), unproved: Vec::new(), branches: Vec::new(), interrupted: false }
     }
 
-    /// The pair; the parameter's own value in it is not used.
+    /// Returns the pair; the parameter's own value in it is not used.
     pub fn pair(&self) -> &ImpactPair {
         &self.parameter.pair
     }
 
-    /// The parameter and its range.
+    /// Returns the parameter and its range.
     pub fn over(&self) -> &Over {
         &self.parameter.over
     }
 
-    /// The parameter of a point in the units of the scene, and the pair with it.
+    /// Returns the parameter of a point in the units of the scene, and the pair with it.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold.
+    /// If it exceeds the range of exact expressions.
     pub fn in_units(&self, point: &Point) -> Result<(Enclosure, ImpactPair), Error> {
         self.parameter.in_units(&point.parameter, point.bits)
     }
@@ -105,7 +105,7 @@ impl Diagram {
         self.parameter.range_f64(ends)
     }
 
-    /// Whether each change of sign that was met is proved to be a bifurcation, as narrowly as asked, and each branch was followed to
+    /// Returns whether each change of sign that was met is proved to be a bifurcation, to the requested width, and each branch was followed to
     /// its end.
     pub fn is_certified(&self) -> bool {
         let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);

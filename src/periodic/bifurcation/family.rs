@@ -23,7 +23,7 @@ pub(super) enum Unknown {
     Restitution,
 }
 
-/// What shakes the box, as a parameter of it varies.
+/// The excitation, as a parameter of it varies.
 pub(super) trait Varied: Chained {
     /// What shakes a pair; `None` where it is of another kind, or beyond what exact expressions or doubles hold.
     fn of(pair: &ImpactPair) -> Option<Self>;
@@ -52,18 +52,18 @@ pub(super) struct Family<S: Varied, N: Turning> {
 }
 
 impl<S: Varied, N: Turning> Family<S, N> {
-    /// The pair at a value of the unknown.
+    /// Returns the pair at a value of the unknown.
     pub fn pair(&self, value: N) -> S::In<N> {
         S::at(&self.base, self.unknown, value)
     }
 
-    /// The same with constants for jets.
+    /// Returns the same with constants for jets.
     pub fn jets(&self) -> Family<S, Jet<N>> {
         Family { unknown: self.unknown, base: S::jets(&self.base) }
     }
 }
 
-/// Turns of a flight in which extrema are looked for.
+/// Forcing periods of a flight in which extrema are looked for.
 const MOST_TURNS: f64 = 64.0; // proposes
 /// Pieces of a turn of the fastest of several harmonics, and halvings of one in which the velocity changes its sign.
 const PIECES: f64 = 16.0; // proposes

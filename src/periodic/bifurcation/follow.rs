@@ -1,4 +1,4 @@
-//! Floats follow a branch through its folds to its end and note where something changes sign. Nothing is proved.
+//! Floating point follows a branch through its folds to its end and note where something changes sign. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -32,7 +32,7 @@ pub(super) enum Stop {
     Loop,
     /// Newton's iteration or the budget gives out.
     Lost,
-    /// The caller wishes to stop.
+    /// The caller requested a stop.
     Interrupted,
 }
 
@@ -56,7 +56,7 @@ const STRAIGHT: f64 = 0.99;
 const STRAIGHTER: f64 = 0.998;
 /// Parts that the way to a change of sign is cut into, one after the other: a third of them are halves.
 const HALVINGS: u32 = 24;
-/// How near to its half a ring is at a turn that is a meeting.
+/// How near to its half a ring is at a forcing period that is a meeting.
 const TOGETHER: f64 = 1e-3;
 
 /// Follows the branch from a station the way of its tangent, for as long as `goes_on` says so.

@@ -16,12 +16,12 @@ pub struct Jet<N> {
 }
 
 impl<N: Number> Jet<N> {
-    /// What does not vary.
+    /// Returns what does not vary.
     pub fn constant(value: N) -> Self {
         Self { value, slope: N::from_f64(0.0) }
     }
 
-    /// What is varied.
+    /// Returns what is varied.
     pub fn variable(value: N) -> Self {
         Self { value, slope: N::from_f64(1.0) }
     }

@@ -32,7 +32,7 @@ pub struct Over {
 
 fn not_a_range(text: &str) -> Error {
     let accepted =
-        "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; of several terms amplitude.K";
+        "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
     Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}"))
 }
 
@@ -65,7 +65,7 @@ pub(super) struct Parameter {
 }
 
 impl Parameter {
-    /// The parameter of a pair.
+    /// Returns the parameter of a pair.
     ///
     /// # Errors
     /// When an end of the range is not in that of the parameter, it is none of the pair, or no branch goes on over it.
@@ -96,7 +96,7 @@ impl Parameter {
         }
     }
 
-    /// The pair at a value of the parameter.
+    /// Returns the pair at a value of the parameter.
     ///
     /// # Errors
     /// When the value is not in its range.
@@ -104,7 +104,7 @@ impl Parameter {
         self.pair.with(self.over.key, value)
     }
 
-    /// A pair that has all but what varies, told as [`Varied::at`](super::family::Varied::at) takes it.
+    /// Returns a pair that has all but what varies, expressed as [`Varied::at`](super::family::Varied::at) takes it.
     ///
     /// # Errors
     /// When the amplitude of the largest of several harmonics may be 0.
@@ -121,10 +121,10 @@ impl Parameter {
         amplitudes.max_by(|a, b| size(a).total_cmp(&size(b))).expect("an excitation has a term")
     }
 
-    /// What varies without units at a value of the parameter.
+    /// Returns what varies without units at a value of the parameter.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold.
+    /// If it exceeds the range of exact expressions.
     pub fn without_units(&self, value: &Exact) -> Result<Exact, Error> {
         let ratio = || match (self.over.key, &self.others) {
             (Key::Amplitude(_), None) => value.checked_div(self.pair.gap()),
@@ -135,10 +135,10 @@ impl Parameter {
         within(self.place(), value, ratio())
     }
 
-    /// The parameter from what varies without units, as far as the ends of a ball tell, and the pair with it.
+    /// Returns the parameter from what varies without units, as far as the ends of a ball tell, and the pair with it.
     ///
     /// # Errors
-    /// When it is beyond what exact expressions hold, or not in its range.
+    /// If it exceeds the range of exact expressions, or not in its range.
     pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
         let value = |ratio: &Exact| -> Result<Exact, ExactError> {
             match (self.over.key, &self.others) {
@@ -158,7 +158,7 @@ impl Parameter {
         Ok((hull, self.pair_at(all?)?))
     }
 
-    /// What varies without units, in doubles.
+    /// Returns what varies without units, in doubles.
     ///
     /// # Errors
     /// When it is beyond doubles.
@@ -166,7 +166,7 @@ impl Parameter {
         Ok(ball(self.place(), &self.without_units(value)?)?.mid())
     }
 
-    /// The ends of the range without units, in doubles, the smaller one first.
+    /// Returns the ends of the range without units, in doubles, the smaller one first.
     ///
     /// # Errors
     /// When one is beyond doubles.
@@ -189,10 +189,9 @@ impl Parameter {
 
 /// Next to each frequency lie others that have no common period with the rest (Lemma H11).
 fn not_periodic(key: Key) -> Error {
-    let why =
-        "between two frequencies lie those that have no common period with the others, under which nothing is periodic";
+    let why = "between any two frequencies are some without a common period, for which no orbit is periodic";
     Error::out_of_range(
         key.place().as_str(),
-        format!("the key is \"{key}\", but under several harmonics accepted are amplitude.K, gap, restitution: {why}"),
+        format!("the key is \"{key}\", but with several harmonics accepted are amplitude.K, gap, restitution: {why}"),
     )
 }

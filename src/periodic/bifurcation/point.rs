@@ -4,7 +4,7 @@ use super::super::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::exact::Enclosure;
 use crate::mapping::Word;
 
-/// What happens to a branch at a point of it.
+/// The kinds of bifurcation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Kind {
     /// It turns back: (40) with a quadratic turning point.
@@ -13,12 +13,12 @@ pub enum Kind {
     Pitchfork,
     /// (39): an orbit of twice the period branches off.
     PeriodDoubling,
-    /// A wall is touched with no velocity: beyond, the word is another one.
+    /// A wall is touched with zero velocity: beyond, the word is another one.
     Graze,
 }
 
 impl Kind {
-    /// The word of the bifurcation JSON.
+    /// Returns the word of the bifurcation JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fold => "fold",
@@ -37,11 +37,11 @@ pub struct Point {
     /// `A/d` of the harmonic that varies, of the largest where `d` does, or `e`: exactly one such point of the branch lies in here
     /// with this orbit.
     pub parameter: Enclosure,
-    /// The word of its orbit, which is longer than the asked one on the branches of a cascade.
+    /// The word of its orbit, which is longer than the requested one on the branches of a cascade.
     pub word: Word,
     /// The cycles of its orbit.
     pub cycles: u32,
-    /// Turns after which the excitation repeats: 1 under one harmonic.
+    /// Forcing periods after which the excitation repeats: 1 with one harmonic.
     pub period: u32,
     /// The impacts of the orbit.
     pub impacts: Vec<PeriodicImpact>,
@@ -49,16 +49,16 @@ pub struct Point {
     pub symmetric: Option<bool>,
     /// The rest about it; `None` where an impact is the graze, whose Jacobian (A.7) has no bound.
     pub orbit: Option<PeriodicOrbit>,
-    /// Doublings of the asked word's branch up to this point's.
+    /// Doublings of the requested word's branch up to this point's.
     pub doublings: u32,
     /// The bits it was proved with.
     pub bits: u32,
-    /// Whether the bounds are as narrow as asked.
+    /// Whether the bounds are as narrow as requested.
     pub is_narrow: bool,
 }
 
 impl Point {
-    /// Whether all that is said of it is proved; at a graze no more than that there is one.
+    /// Returns whether all its claims are proved; at a graze only its existence.
     pub fn is_decided(&self) -> bool {
         self.kind == Kind::Graze || self.orbit.as_ref().is_some_and(|orbit| orbit.physical.is_some())
     }

@@ -1,4 +1,4 @@
-//! Chains that repeat or mirror themselves after half their impacts, told by that half: Lemma Y1.
+//! Chains that repeat or mirror themselves after half their impacts, given by that half: Lemma Y1.
 
 use super::super::chain::{Chain, Legs, Slopes};
 use super::super::shaking::Shaking;
@@ -16,7 +16,7 @@ pub(super) struct Ring {
 }
 
 impl Ring {
-    /// All orbits of a chain.
+    /// Returns all orbits of a chain.
     pub fn whole(chain: Chain) -> Self {
         Self { unknowns: chain.impacts(), chain }
     }
@@ -30,7 +30,7 @@ impl Ring {
             .then(|| Self { chain: chain.clone(), unknowns: half })
     }
 
-    /// The chain that this one runs through twice.
+    /// Returns the chain that this one runs through twice.
     pub fn repeated(chain: &Chain) -> Option<Self> {
         let (walls, half) = (chain.walls(), chain.impacts() / 2);
         let folds = chain.impacts() == 2 * half && walls[..half] == walls[half..];
@@ -40,7 +40,7 @@ impl Ring {
         chain.another(&word_of(&walls[..half])?, chain.cycles() / 2).ok().map(Self::whole)
     }
 
-    /// Where the branch that leaves at an eigenvalue -1 lives: all the orbits of the chain, or of it run through twice.
+    /// Returns where the branch that leaves at an eigenvalue -1 lives: all the orbits of the chain, or of it run through twice.
     pub fn doubled(&self) -> Option<Self> {
         if self.is_mirrored() {
             return Some(Self::whole(self.chain.clone()));
@@ -49,44 +49,44 @@ impl Ring {
         self.chain.another(&word_of(&walls)?, self.chain.cycles().checked_mul(2)?).ok().map(Self::whole)
     }
 
-    /// The rings whose doubled one this may be.
+    /// Returns the rings whose doubled one this may be.
     pub fn halves(&self) -> impl Iterator<Item = Self> {
         let whole = !self.is_mirrored();
         [Self::mirrored(&self.chain), Self::repeated(&self.chain)].into_iter().flatten().filter(move |_| whole)
     }
 
-    /// All impacts.
+    /// Returns all impacts.
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// How many phases are unknown.
+    /// Returns how many phases are unknown.
     pub fn unknowns(&self) -> usize {
         self.unknowns
     }
 
-    /// Whether it tells symmetric orbits only.
+    /// Returns whether it tells symmetric orbits only.
     pub fn is_mirrored(&self) -> bool {
         self.unknowns < self.chain.impacts()
     }
 
-    /// The word of the chain.
+    /// Returns the word of the chain.
     pub fn word(&self) -> Word {
         word_of(self.chain.walls()).expect("the walls of a chain chain")
     }
 
-    /// Turns after which the unknowns repeat.
+    /// Forcing periods after which the unknowns repeat.
     pub fn turns(&self) -> f64 {
         f64::from(self.chain.cycles()) * self.unknowns as f64 / self.chain.impacts() as f64 // Y1: N or N/2, exact
     }
 
-    /// The phases of all impacts.
+    /// Returns the phases of all impacts.
     pub fn lift<N: Number>(&self, phases: &[N]) -> Vec<N> {
         let later = |i: usize| N::from_f64((i / self.unknowns) as f64 * self.turns()); // Y1: 0 or 1, exact
         (0..self.chain.impacts()).map(|i| phases[i % self.unknowns].clone() + later(i)).collect()
     }
 
-    /// All flights.
+    /// Returns all flights.
     pub fn legs<N: Number, B: Shaking<N>>(&self, shaking: &B, phases: &[N]) -> Option<Legs<N, B::Moment>> {
         self.chain.legs(shaking, &self.lift(phases))
     }
@@ -134,7 +134,7 @@ mod tests {
         assert_eq!(Ring::whole(chain("RL", 1)).doubled(), Some(Ring::whole(chain("RLRL", 2))));
     }
 
-    /// Harmonics 1 and 2 have no mirror; 1 and 3 have one half of their three turns later.
+    /// Harmonics 1 and 2 have no mirror; 1 and 3 have one half of their three forcing periods later.
     #[test]
     fn only_odd_harmonics_fold_and_halves_are_whole_periods() {
         let under = |turns, is_odd, word: &str, cycles| {

@@ -1,4 +1,4 @@
-//! Where branches begin: orbits of the word at values spread over the range. Nothing is proved.
+//! Where branches begin: orbits of the word at values spread over the range. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -14,10 +14,10 @@ use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
 const PARTS: u32 = 6;
-/// Phases that differ less are taken for the same, in turns.
+/// Phases that differ less are taken for the same, in forcing periods.
 const SAME: f64 = 1e-7;
 
-/// An orbit in floats: its ring, its phases and its parameter.
+/// An orbit in floating point: its ring, its phases and its parameter.
 pub(super) struct Seed {
     pub ring: Ring,
     /// The phases, then the parameter.
@@ -81,7 +81,7 @@ fn fold(ring: Ring, x: Vec<f64>) -> Seed {
     }
 }
 
-/// Whether both are one orbit or mirror images, told from whichever impact. Its chain may be the half of the other's.
+/// Whether both are one orbit or mirror images, measured from whichever impact. Its chain may be the half of the other's.
 pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
     let doubled: Vec<f64>;
     let one = if one.len() < other.len() && other.len().is_multiple_of(one.len()) {

@@ -94,7 +94,7 @@ impl System for Critical<'_> {
     }
 }
 
-/// An orbit that touches a wall with no velocity at phase `s` of a flight: unknowns `(u, s, p)`. Lemma Y5
+/// An orbit that touches a wall with zero velocity at phase `s` of a flight: unknowns `(u, s, p)`. Lemma Y5
 #[derive(Clone, Debug)]
 pub(super) struct Graze<'r> {
     pub ring: &'r Ring,

@@ -1,4 +1,4 @@
-//! Floating point proposes: a branch followed by pseudo-arclength, and what changes sign along it. Nothing is proved.
+//! A branch followed by pseudo-arclength in floating point, and what changes sign along it. Non-rigorous.
 
 // Labels: proposes throughout.
 
@@ -108,20 +108,20 @@ pub(super) fn twisted_matrix<S: Varied>(
 }
 
 impl Station {
-    /// The station at `x`.
+    /// Returns the station at `x`.
     pub fn new<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: Vec<f64>, along: &[f64]) -> Option<Self> {
         let tangent = tangent(ring, family, &x, along)?;
         let tests = Tests::new(ring, family, &x, &tangent)?;
         Some(Self { x, tangent, tests })
     }
 
-    /// The same with the other tangent.
+    /// Returns the same with the other tangent.
     pub fn reversed(&self) -> Self {
         let tests = Tests { turn: -self.tests.turn, ..self.tests };
         Self { x: self.x.clone(), tangent: self.tangent.iter().map(|t| -t).collect(), tests }
     }
 
-    /// The parameter.
+    /// Returns the parameter.
     pub fn parameter(&self) -> f64 {
         self.x[self.x.len() - 1]
     }
@@ -153,7 +153,7 @@ impl Tests {
     }
 }
 
-/// How far phases are from repeating after half the turns.
+/// How far phases are from repeating after half the forcing periods.
 fn asymmetry(phases: &[f64], turns: f64) -> f64 {
     let half = phases.len() / 2;
     (0..half).map(|i| (phases[i + half] - phases[i] - turns).abs()).fold(0.0, f64::max)

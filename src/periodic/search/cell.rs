@@ -15,7 +15,7 @@ use crate::periodic::newton::{is_plausible, polish};
 use crate::periodic::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::periodic::{Precision, Problem};
 
-/// Boxes as narrow as that, in turns, are asked whether an orbit is near.
+/// Boxes as narrow as that, in forcing periods, are asked whether an orbit is near.
 const NEAR: f64 = 1.0 / 16.0;
 /// The least part of a box that Newton's equation takes off for the box to be cut again.
 const WORTH: f64 = 0.3;
@@ -30,7 +30,7 @@ pub(super) struct Task<'p, S> {
     pub shaken: &'p S,
     pub terms: Terms<'p>,
     pub precision: Precision,
-    /// The width below which a box is not halved, in turns.
+    /// The width below which a box is not halved, in forcing periods.
     pub narrowest: f64,
     /// Orbits known before.
     pub known: &'p [PeriodicOrbit],
@@ -66,7 +66,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         Self { task, terms: &task.terms, first, left: 0, open: None, found, undecided }
     }
 
-    /// The part of the state space that the cell is.
+    /// Returns the part of the state space that the cell is.
     pub fn all(&self) -> Part {
         self.terms.all(self.first)
     }
@@ -78,7 +78,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         looks
     }
 
-    /// Whether nothing is left to search, or the rest is given up.
+    /// Returns whether nothing is left to search, or the rest is given up.
     pub fn is_done(&self) -> bool {
         self.undecided.len() >= MOST_UNDECIDED || self.open.as_ref().is_some_and(Vec::is_empty)
     }
@@ -104,7 +104,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         self.open = Some(open);
     }
 
-    /// What the search leaves undecided.
+    /// Returns what the search leaves undecided.
     pub fn undecided(&self) -> Vec<Region> {
         let all = [self.all()];
         let open = self.open.as_deref().unwrap_or(&all); // T10: nothing of it is searched

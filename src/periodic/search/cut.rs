@@ -1,4 +1,4 @@
-//! Cutting a box of phases down to what an orbit needs: Lemma T9.
+//! Contraction of a box of phases to the phases of orbits: Lemma T9.
 
 use std::ops::Range;
 
@@ -51,7 +51,7 @@ impl Harmonic {
         self.own.map_or(phase, |[ratio, shift]| ratio * phase + shift)
     }
 
-    /// So many of its own turns, or a rate in them.
+    /// So many of its own forcing periods, or a rate in them.
     fn rate(&self, time: Interval) -> Interval {
         self.own.map_or(time, |[ratio, _]| {
             let own = ratio * time;
@@ -120,7 +120,7 @@ impl<'c> Terms<'c> {
         Self { chain, beta, harmonics, restitution, lossy, drift, crossing }
     }
 
-    /// How wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
+    /// Returns how wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
     pub fn spread(&self) -> f64 {
         let relative = self.beta.wid() / self.beta.hi.max(f64::MIN_POSITIVE); // proposes: when to stop
         relative.max(self.restitution.wid()) // proposes
@@ -131,7 +131,7 @@ impl<'c> Terms<'c> {
         harmonics.iter().map(of).reduce(|a, b| a + b)
     }
 
-    /// The velocity of the box over these phases.
+    /// Returns the velocity of the box over these phases.
     pub fn speed(&self, phase: Interval) -> Interval {
         Self::sum(&self.harmonics, |harmonic| harmonic.speed(phase)).expect("a harmonic")
     }
@@ -146,13 +146,13 @@ impl<'c> Terms<'c> {
         Self::sum(&self.harmonics, |harmonic| harmonic.mean(time, middle)).expect("a harmonic")
     }
 
-    /// All flights and impacts.
+    /// Returns all flights and impacts.
     pub fn whole(&self) -> Stretch {
         let count = self.chain.impacts();
         Stretch { flights: 0..count, impacts: 0..count }
     }
 
-    /// The part of the state space with the first impact in `first`. T8
+    /// Returns the part of the state space with the first impact in `first`. T8
     pub fn all(&self, first: Interval) -> Part {
         let count = self.chain.impacts();
         let reach = f64::from(self.chain.period()) + f64::from(self.chain.cycles());
@@ -234,7 +234,7 @@ impl<'c> Terms<'c> {
         narrower(narrower((phases[i] + end).times(0.5), phases[i] + half), end - half)
     }
 
-    /// What is added to the phase that flight `i` ends at: the period, once around.
+    /// Returns what is added to the phase that flight `i` ends at: the period, once around.
     pub fn shift(&self, i: usize) -> Interval {
         Interval::point(if self.chain.next(i) == 0 { f64::from(self.chain.cycles()) } else { 0.0 })
     }
@@ -259,7 +259,7 @@ impl<'c> Terms<'c> {
         [0, 1].map(|end| ratios[end].cut(hop[end]).unwrap_or(hop[end])) // T9: the second holds it anyway
     }
 
-    /// The impact law and the directions before and after it.
+    /// Newton's impact law and the directions before and after it.
     fn cut_impact(&self, part: &mut Part, i: usize) -> Option<()> {
         let p = self.chain.previous(i);
         let mut speed = part.speeds[i].cut(self.speed(part.phases[i]))?;
@@ -322,12 +322,12 @@ fn in_order(a: Interval, b: Interval, c: Interval) -> Option<(Interval, Interval
 }
 
 impl Part {
-    /// How much there is: the sum of the widths of the phases and times.
+    /// Returns how much there is: the sum of the widths of the phases and times.
     pub fn size(&self) -> f64 {
         self.phases.iter().chain(&self.times).map(|x| x.wid()).sum()
     }
 
-    /// Whether it overlaps another part at these impacts.
+    /// Returns whether it overlaps another part at these impacts.
     pub fn touches(&self, other: &Self, impacts: &Range<usize>) -> bool {
         impacts.clone().all(|i| self.phases[i].cut(other.phases[i]).is_some())
     }
@@ -344,7 +344,7 @@ impl Part {
         self.pairs(other).for_each(|(x, y)| *x = x.hull(y));
     }
 
-    /// What lies in both.
+    /// Returns what lies in both.
     pub fn both(&self, other: &Self) -> Option<Self> {
         let mut both = self.clone();
         for (x, y) in both.pairs(other) {
@@ -353,12 +353,12 @@ impl Part {
         Some(both)
     }
 
-    /// A point inside, about the middle.
+    /// Returns a point inside, about the middle.
     pub fn centre(&self) -> Vec<f64> {
         self.phases.iter().map(|x| x.middle()).collect()
     }
 
-    /// The width of the widest phase.
+    /// Returns the width of the widest phase.
     pub fn wid(&self) -> f64 {
         self.phases.iter().map(|x| x.wid()).fold(0.0, f64::max) // proposes: when to stop
     }

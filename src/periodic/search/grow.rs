@@ -10,7 +10,7 @@ use crate::periodic::chained::Chained;
 
 /// Flights on from a new end at which it is felt.
 const FELT: usize = 3;
-/// How wide the end of a segment is at most, in turns.
+/// How wide the end of a segment is at most, in forcing periods.
 const END: f64 = 1.0 / 16.0;
 
 /// Consecutive flights of a chain and impacts between them: each impact lies between two flights that are known.
@@ -34,7 +34,7 @@ struct Letter {
 }
 
 impl<S: Chained> Cell<'_, '_, S> {
-    /// All the orbits of the cell, in parts that are narrow but for the first impact and the one half way.
+    /// Returns all the orbits of the cell, in parts that are narrow but for the first impact and the one half way.
     ///
     /// `None` where the budget ends.
     pub fn chains(&mut self) -> Option<Vec<Part>> {

@@ -1,7 +1,7 @@
 //! Intervals between two doubles, for boxes that are wide: cutting them asks for ends, not for centres.
 //!
 //! The rounding mode is never touched: each end is moved out by one unit in the last place, which is at least what
-//! rounding to nearest may have taken. inari's intervals, which judge these in the tests, switch the rounding mode: with our
+//! rounding to nearest may have taken. inari's intervals, the reference for these in the tests, switch the rounding mode: with our
 //! sine a search takes 3.4 times the processor time in them (`LRLRLLRLRR` in 5 cycles of `scenes/cascade.toml`), and all that
 //! `periodic --all` does for four impacts of figures 12-15 1.3 to 1.8 times.
 
@@ -27,30 +27,30 @@ fn outward(lo: f64, hi: f64) -> Interval {
 }
 
 impl Interval {
-    /// The interval between two doubles, exactly.
+    /// Returns the interval between two doubles, exactly.
     #[inline(always)]
     pub const fn new(lo: f64, hi: f64) -> Self {
         Self { lo, hi }
     }
 
-    /// A single double.
+    /// Returns a single double.
     #[inline(always)]
     pub const fn point(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
 
-    /// The members of a ball.
+    /// Returns the members of a ball.
     pub fn of(ball: Ball) -> Self {
         outward(ball.mid() - ball.rad(), ball.mid() + ball.rad())
     }
 
-    /// A ball that holds the interval.
+    /// Returns a ball that holds the interval.
     pub fn ball(self) -> Ball {
         let mid = self.middle();
         Ball::new(mid, up((mid - self.lo).max(self.hi - mid))) // T9: the farther end
     }
 
-    /// A double inside, about the middle.
+    /// Returns a double inside, about the middle.
     #[inline(always)]
     pub fn middle(self) -> f64 {
         (0.5 * (self.lo + self.hi)).clamp(self.lo, self.hi) // T9: inside
@@ -62,7 +62,7 @@ impl Interval {
         self.hi - self.lo
     }
 
-    /// The members in both; `None` when there is none.
+    /// Returns the members in both; `None` when there is none.
     #[inline(always)]
     pub fn cut(self, other: Self) -> Option<Self> {
         // T9: the inner ends; a NaN cuts nothing
@@ -70,37 +70,37 @@ impl Interval {
         (both.lo <= both.hi).then_some(both)
     }
 
-    /// The least interval that holds both.
+    /// Returns the least interval that holds both.
     #[inline(always)]
     pub fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) } // T9: the outer ends, of finite intervals
     }
 
-    /// The members of at least `low`.
+    /// Returns the members of at least `low`.
     #[inline(always)]
     pub fn from(self, low: f64) -> Option<Self> {
         self.cut(Self::new(low, f64::INFINITY))
     }
 
-    /// The members of at most `high`.
+    /// Returns the members of at most `high`.
     #[inline(always)]
     pub fn up_to(self, high: f64) -> Option<Self> {
         self.cut(Self::new(f64::NEG_INFINITY, high))
     }
 
-    /// Whether both ends are finite: all operations but [`Interval::over`] may overflow.
+    /// Returns whether both ends are finite: all operations but [`Interval::over`] may overflow.
     #[inline(always)]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// Whether 0 is a member.
+    /// Returns whether 0 is a member.
     #[inline(always)]
     pub fn holds_zero(self) -> bool {
         self.lo <= 0.0 && self.hi >= 0.0
     }
 
-    /// The quotients; `None` when 0 may be a divisor.
+    /// Returns the quotients; `None` when 0 may be a divisor.
     #[inline(always)]
     pub fn over(self, divisor: Self) -> Option<Self> {
         if divisor.holds_zero() {
@@ -117,7 +117,7 @@ impl Interval {
         if sign < 0.0 { -self } else { self }
     }
 
-    /// A double times it.
+    /// Returns a double times it.
     #[inline(always)]
     pub fn times(self, x: f64) -> Self {
         let (a, b) = (self.lo * x, self.hi * x);
@@ -153,7 +153,7 @@ impl Interval {
         (self.hi - shift).next_up().floor() >= (self.lo - shift).next_down().ceil() // T9: whole ends, outward
     }
 
-    /// The part where `cos 2 pi u` is in `range`, if the interval lies in one half turn; all of it otherwise.
+    /// Returns the part where `cos 2 pi u` is in `range`, if the interval lies in one half period; all of it otherwise.
     pub fn where_cos(self, range: Self) -> Option<Self> {
         let half = (2.0 * self.middle()).floor(); // T9: any half turn; the ends are compared
         if self.lo < 0.5 * half || self.hi > 0.5 * (half + 1.0) {

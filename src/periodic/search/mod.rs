@@ -22,12 +22,12 @@ use cut::Terms;
 use impact_pair_model::Start;
 use interval::Interval;
 
-/// How far a search goes before it gives up on what is left.
+/// The budget of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
     /// Boxes to look at.
     pub boxes: u64,
-    /// `-log2` of the width below which a box is not halved, in turns.
+    /// `-log2` of the width below which a box is not halved, in forcing periods.
     pub halvings: u32,
 }
 
@@ -48,20 +48,20 @@ pub struct Searched {
 
 /// Cells of the first phase in each turn of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
-/// Turns that are cut into cells so; those of a longer period are wider.
+/// Forcing periods that are cut into cells so; those of a longer period are wider.
 const MOST_PERIODS: u32 = 1 << 10;
 
 impl Problem {
-    /// Proves all the orbits of the word, and that there are no other physical ones, but for motions that rest. Lemmas T3, T8-T10, T12
+    /// Proves all orbits of the word, and that there are no other admissible ones, apart from motions with sticking. Lemmas T3, T8-T10, T12
     ///
-    /// Starts from what [`Problem::find`] finds. Where the budget ends, what is left is listed as undecided.
+    /// Starts from the orbits that [`Problem::find`] finds. If the budget ends, the remaining parts of the state space are listed as undecided.
     pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Census {
         self.find_all_while(start, precision, budget, &|_| true)
     }
 
-    /// The same while `goes_on`, which is told how far the search has come and is asked between parts, by any thread.
+    /// Searches while `goes_on` returns true; it receives the progress and is called between parts, by any thread.
     ///
-    /// What it ends before is listed as undecided.
+    /// The parts not searched are listed as undecided.
     pub fn find_all_while(
         &self,
         start: &Start,

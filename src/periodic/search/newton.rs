@@ -44,7 +44,7 @@ impl Jacobian<f64> for Square<'_> {
 }
 
 impl Rows {
-    /// How much the equations depend on each phase.
+    /// Returns how much the equations depend on each phase.
     pub fn weights(&self, count: usize) -> Vec<f64> {
         let mut weights = vec![0.0; count];
         for (i, slopes) in self.impacts.clone().zip(&self.slopes) {
@@ -57,7 +57,7 @@ impl Rows {
 }
 
 impl Terms<'_> {
-    /// The derivatives of Lemma T2 over a convex set that holds the middle of the part and all its orbits.
+    /// Returns the derivatives of Lemma T2 over a convex set that holds the middle of the part and all its orbits.
     ///
     /// The mean value theorem looks at what lies between both, where nothing holds that only orbits obey: of all that was
     /// cut, only phases and times are used, and times together with those at the middle.

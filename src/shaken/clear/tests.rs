@@ -17,7 +17,7 @@ fn exact(x: f64) -> Exact {
     Exact::from_f64(x).unwrap()
 }
 
-/// A pair with a gap of 1 under harmonics of these amplitudes, the first one of a turn a time.
+/// A pair with a gap of 1 under harmonics of these amplitudes, the first one with period 1.
 fn shaken(amplitudes: &[f64], restitution: f64) -> Either {
     let turn = Exact::pi() * Exact::from(2);
     let frequencies =
@@ -31,7 +31,7 @@ fn shaken(amplitudes: &[f64], restitution: f64) -> Either {
     Either::new(&pair, &clock).unwrap()
 }
 
-/// The first contact of a member after its start, in turns from below, and the time that is clear of the set.
+/// The first contact of a member after its start, in forcing periods from below, and the time that is clear of the set.
 fn of<S: Flying>(shaken: &Arc<S>, member: &Launch<Ball>, all: &Launch<Ball>) -> Option<(f64, f64)> {
     let (contact, _) = shaken.first_contact(member.clone(), None).ok()?;
     let Since { whole, rest } = clear(&**shaken, all);
@@ -83,7 +83,7 @@ proptest! {
         }
     }
 
-    /// A lone flight under one harmonic: what is clear ends where the distance is as small as doubles tell it, however slow the drift.
+    /// A lone flight with one harmonic: what is clear ends where the distance is as small as doubles tell it, however slow the drift.
     #[test]
     fn the_bound_is_near_the_contact(amplitude in 0.01..0.4f64, phase in -0.5..0.5f64, drift in sizes(), sign in prop_oneof![Just(1.0), Just(-1.0)]) {
         let shaken = shaken(&[amplitude], 0.5);

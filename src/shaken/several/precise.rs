@@ -66,8 +66,8 @@ impl Isolated {
         }
     }
 
-    /// The contacts of flights of the set, told near a time: the phase, its error, and the velocity there (Lemma M3).
-    pub fn told_at(
+    /// Returns the contacts of flights of the set, evaluated near a time: the phase, its error, and the velocity there (Lemma M3).
+    pub fn evaluated_near(
         &self,
         flight: &SumFlight<'_, MpBall>,
         at: &Instant<MpBall>,

@@ -18,7 +18,7 @@ pub(crate) struct Affine {
 }
 
 impl Affine {
-    /// A quantity that does not depend on the data that are intervals.
+    /// Returns a quantity that does not depend on the data that are intervals.
     pub fn fixed(centre: Real) -> Self {
         Self { centre, columns: Vec::new(), error: Dyadic::zero() }
     }
@@ -38,7 +38,7 @@ impl Affine {
         Self { centre, columns: all, error: Dyadic::zero() }
     }
 
-    /// How many deviations it knows of.
+    /// Returns how many deviations it knows of.
     pub fn length(&self) -> usize {
         self.columns.len()
     }
@@ -53,13 +53,13 @@ impl Affine {
         self.columns.get(j).cloned().unwrap_or_else(|| Real::zero(COLUMN_BITS)) // exact: it does not depend on it
     }
 
-    /// Its values where the deviations from `first` on are 0.
+    /// Returns its values where the deviations from `first` on are 0.
     pub fn without(&self, first: usize) -> Self {
         let columns = self.columns.iter().take(first).cloned().collect();
         Self { columns, ..self.clone() }
     }
 
-    /// The mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
+    /// Returns the mean value form of a function of `terms`: `f = centre + sum_k slope_k (x_k - centre of x_k)`.
     ///
     /// Each slope holds the partial derivative over the hulls of all the terms, `centre` the value where each of them is
     /// at any point of its own `centre`.
@@ -77,12 +77,12 @@ impl Affine {
         Self { centre, columns, error: spread.enclosure().sup().clone() }
     }
 
-    /// Whether it is known as well as its centre.
+    /// Returns whether it is known as well as its centre.
     pub fn is_fixed(&self) -> bool {
         self.columns.is_empty() && self.error.is_zero()
     }
 
-    /// The same set with a point as its centre.
+    /// Returns the same set with a point as its centre.
     pub fn recentred(self) -> Self {
         let middle = Real::point(self.centre.mid(), self.centre.bits());
         let off = Real::point((self.centre - &middle).enclosure().mag(), COLUMN_BITS);
@@ -90,23 +90,23 @@ impl Affine {
         Self { centre: middle, columns: self.columns, error: error.enclosure().sup().clone() }
     }
 
-    /// The same deviations from 0.
+    /// Returns the same deviations from 0.
     pub fn less_centre(self) -> Self {
         Self { centre: Real::zero(self.centre.bits()), ..self }
     }
 
-    /// The sum with a number.
+    /// Returns the sum with a number.
     pub fn shifted(self, by: &Real) -> Self {
         Self { centre: self.centre.clone() + by, ..self }.recentred()
     }
 
-    /// The datum that it depends on most.
+    /// Returns the datum that it depends on most.
     pub fn widest(&self) -> Option<usize> {
         let sizes = self.columns.iter().map(|column| column.enclosure().mag()).enumerate();
         sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
     }
 
-    /// The leading bits that are known of its sum with numbers around `2^beside`; `None` for a number known exactly.
+    /// Returns the leading bits that are known of its sum with numbers around `2^beside`; `None` for a number known exactly.
     pub fn accuracy(&self, beside: i64) -> Option<u32> {
         let unknown =
             (Real::point(self.error.clone(), COLUMN_BITS) + &Real::point(self.reach(), COLUMN_BITS)).enclosure().mag();
@@ -114,18 +114,18 @@ impl Affine {
         unknown.top().map(|unknown| u32::try_from(size.saturating_sub(unknown)).unwrap_or(0)) // proposes
     }
 
-    /// How far the deviations reach.
+    /// Returns how far the deviations reach.
     pub fn reach(&self) -> Dyadic {
         let reach = |sum: Real, column: &Real| sum + &Real::point(column.enclosure().mag(), COLUMN_BITS);
         self.columns.iter().fold(Real::zero(COLUMN_BITS), reach).enclosure().sup().clone()
     }
 
-    /// The set of all its values.
+    /// Returns the set of all its values.
     pub fn hull(&self) -> Real {
         self.centre.clone() + &Real::within(&self.reach(), COLUMN_BITS) + &Real::within(&self.error, COLUMN_BITS)
     }
 
-    /// Whether the deviations of the data make up most of its width.
+    /// Returns whether the deviations of the data make up most of its width.
     pub fn is_wide_by_data(&self) -> bool {
         self.reach() > self.error
     }

@@ -32,7 +32,7 @@ impl Certificate {
         }
         let claim = self.attraction().ok_or_else(|| Doubt::False("the outcome has no orbit".into()))?;
         if !claim.is_attractor() {
-            return Err(Doubt::False("only an orbit that is unique, physical and stable is an attractor".into()));
+            return Err(Doubt::False("only an orbit that is unique, admissible and stable is an attractor".into()));
         }
         let target = Target { is_whole: true, ..Target::new(data, &claim.word, claim.cycles, &claim.orbit)? };
         let question = Question { claim, target, hits: self.hits() };

@@ -1,4 +1,4 @@
-//! Coordinates in which a period shrinks all lengths, in floats: nothing rests on them (Lemma V6).
+//! Coordinates in which a period shrinks all lengths, in floating point: nothing rests on them (Lemma V6).
 // Labels: proposes throughout.
 
 use super::round::Matrix;
@@ -7,7 +7,7 @@ use impact_pair_exact::Real;
 /// Squarings of a matrix, which leave nothing of one that contracts by more than `1 - 2^-40`.
 const SQUARINGS: u32 = 48;
 
-/// A `T` in whose coordinates a matrix of spectral radius less than 1 shrinks all lengths, in floats; any one is as sound.
+/// A `T` in whose coordinates a matrix of spectral radius less than 1 shrinks all lengths, in floating point; any one is as sound.
 ///
 /// With `B = M/q`, `q` between that radius and 1, `X = I + B^T X B` is the square of the norm `|T^-1 x|`, `X = T^-T T^-1`:
 /// `|T^-1 M x|^2 = q^2 (x^T X x - x^T x)`.

@@ -44,7 +44,7 @@ impl Ellipse {
         Some(Self { centre, axes, inverse, newton, size })
     }
 
-    /// An ellipse of the same axes around another centre.
+    /// Returns an ellipse of the same axes around another centre.
     pub fn around(&self, centre: [Real; 2], size: i64) -> Option<Self> {
         let bits = centre[0].bits();
         let at = |matrix: &Matrix| matrix.each_ref().map(|row| row.each_ref().map(|x| x.at(bits)));
@@ -71,12 +71,12 @@ impl Ellipse {
         Some((square + &other).sqrt()? * &self.radius(-1))
     }
 
-    /// Whether all states of a set lie strictly inside.
+    /// Returns whether all states of a set lie strictly inside.
     pub fn holds(&self, set: &Landing) -> bool {
         self.place([&set.phase, &set.velocity]).is_some_and(|place| place.is_below(&Real::int(1, place.bits())))
     }
 
-    /// The least size that holds a set.
+    /// Returns the least size that holds a set.
     pub fn size_for(&self, set: &Landing) -> Option<i64> {
         let place = self.sized(0).place([&set.phase, &set.velocity])?;
         Some(place.enclosure().sup().top().map_or(i64::MIN, |top| top + 1)) // exact: a point has no size
@@ -87,7 +87,7 @@ impl Ellipse {
         Real::point(Dyadic::power_of_two(sign * self.size), self.centre[0].bits())
     }
 
-    /// What a round makes of it, if all first contacts are proved.
+    /// Returns what a round makes of it, if all first contacts are proved.
     pub fn contracted(self, round: &Round<'_>) -> Result<Contraction, Doubt> {
         let radius = self.radius(1);
         let columns = self.axes.each_ref().map(|row| row.each_ref().map(|x| x.clone() * &radius));
@@ -109,7 +109,7 @@ impl Ellipse {
 }
 
 impl Contraction {
-    /// Whether it is proved to be mapped into itself and contracted, by the period or by Newton's step.
+    /// Returns whether it is proved to be mapped into itself and contracted, by the period or by Newton's step.
     pub fn is_proved(&self) -> bool {
         let (one, reach) = (Real::int(1, self.factor.bits()), self.factor.clone() + &self.moved);
         self.factor.is_below(&one) && reach.enclosure().sup() <= one.enclosure().inf()

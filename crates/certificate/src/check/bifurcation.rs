@@ -35,7 +35,7 @@ const LARGEST: i64 = -40;
 
 impl BifurcationCertificate {
     /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until `stop` is set, if there is
-    /// one. `progress` is told the points judged so far.
+    /// one. `progress` receives the points checked so far.
     ///
     /// # Errors
     /// None: what is beyond exact expressions leaves a point undecided.
@@ -87,7 +87,9 @@ impl ClaimedPoint {
             Key::Frequency(_) if certificate.pair().excitation().only().is_some() => {
                 return Err(Doubt::False("nothing bifurcates over the frequency".into()));
             }
-            Key::Frequency(_) => return Err(open("under several harmonics nothing is known over a frequency")),
+            Key::Frequency(_) => {
+                return Err(open("with several harmonics, bifurcations over a frequency are not supported"));
+            }
             _ => {}
         }
         let (there, data) = self.data(certificate)?;

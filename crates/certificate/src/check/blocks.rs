@@ -9,7 +9,7 @@ use std::thread;
 /// the same on every machine.
 pub(super) const BLOCK: usize = 64;
 
-/// What `answer` says of all numbers of a range, in order, or the first thing that it could not, `size` at a time; `progress` is told
+/// What `answer` says of all numbers of a range, in order, or the first thing that it could not, `size` at a time; `progress` receives
 /// up to where there are answers.
 pub(super) fn in_blocks<T: Send, E: Send>(
     all: Range<usize>,

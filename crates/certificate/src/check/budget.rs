@@ -39,12 +39,12 @@ impl Budget {
         self.add(PLACES * cost(bits, harmonics));
     }
 
-    /// Whether no more is to be done.
+    /// Returns whether no more is to be done.
     pub fn is_spent(&self) -> bool {
         self.left.get() == 0 || self.is_stopped()
     }
 
-    /// Whether its user has had enough.
+    /// Returns whether its user has had enough.
     pub fn is_stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }

@@ -43,7 +43,7 @@ pub(super) struct Hit<'c> {
 }
 
 impl<'c> Hit<'c> {
-    /// The claim of an impact.
+    /// Returns the claim of an impact.
     pub fn of(claim: &'c Claim) -> Option<Self> {
         match &claim.kind {
             ClaimKind::Impact { velocity, .. } => Some(Self { wall: claim.wall, time: &claim.time, velocity }),
@@ -53,7 +53,7 @@ impl<'c> Hit<'c> {
 }
 
 impl Course<'_> {
-    /// The departure from the impact `k` with these states before it, from the start for 0.
+    /// Returns the departure from the impact `k` with these states before it, from the start for 0.
     pub fn departure(&self, k: usize, [phase, velocity]: [Affine; 2]) -> Departure {
         let parameters = &self.frame.parameters;
         match k.checked_sub(1).map_or(self.data.wall, |hit| Some(self.hits[hit].wall)) {
@@ -66,7 +66,7 @@ impl Course<'_> {
         }
     }
 
-    /// The states of node `k`: with the exact time, or velocity, of the start for 0.
+    /// Returns the states of node `k`: with the exact time, or velocity, of the start for 0.
     pub fn states(&self, k: usize, node: &Node) -> [Affine; 2] {
         let side = |i: usize, j: usize| Real::point(exact(node.axes[j][i]).times(&exact(node.sides[j])), COLUMN_BITS);
         let mut states = [0, 1].map(|i| Affine::spanned(node.centre[i].clone(), 0, [side(i, 0), side(i, 1)]));
@@ -188,7 +188,7 @@ mod tests {
     }
 
     proptest! {
-        /// What it says of the edges of a node and of all of it, in floats at points of them.
+        /// What it says of the edges of a node and of all of it, in floating point at points of them.
         #[test]
         fn edges_come_to_lie_beyond_edges(
             centre in prop::array::uniform2(-1.0..1.0f64), far in prop::array::uniform2(-5.0..5.0f64), wide in prop::array::uniform2(-1.0..1.0f64),

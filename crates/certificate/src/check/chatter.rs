@@ -5,12 +5,12 @@ use super::step::{Departure, Parameters};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
-/// Windows are tried from so many times what a constant pressure would take, doubled at most so often.
+/// Windows are tried from so many times what a constant contact force would take, doubled at most so often.
 const WINDOWS: u32 = 8;
 
 /// How long after the departure the last of infinitely many impacts on the same wall comes \[rad\]; `None`: not proved.
 ///
-/// With the pressure between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
+/// With the contact force between `lo` and `hi` on a window, `rho = sqrt(hi/lo)`, a bounce that leaves with `u` lasts `2u/hi` to
 /// `2u/lo` and lands with `u/rho` to `u rho`. If `e rho < 1` the sum of all lies between `2u/(hi (1 - e/rho))` and
 /// `2u/(lo (1 - e rho))`; if the window holds that, they all come, and the ball is at rest after them.
 pub(super) fn accumulation(departure: &Departure, parameters: &Parameters) -> Option<Real> {
@@ -60,12 +60,12 @@ pub(super) fn is_held(departure: &Departure, parameters: &Parameters, is_first: 
     flight.velocity.is_zero() && (is_pressed || is_first || flight.shaking.is_still())
 }
 
-/// About how long the next short bounce lasts \[rad\]: twice the velocity over the pressure.
+/// About how long the next short bounce lasts \[rad\]: twice the velocity over the contact force.
 pub(super) fn bounce(departure: &Departure, parameters: &Parameters) -> Result<Real, Doubt> {
     let flight = departure.flights(parameters);
     let point = |x: &Real| Real::point(x.mid(), x.bits());
     let velocity = point(&flight.velocity);
     let doubled = velocity.clone() + &velocity;
     let pressure = -point(&flight.shaking.first_acceleration());
-    doubled.over(&pressure).ok_or_else(|| Doubt::Open("the wall is not proved to be pressed".into()))
+    doubled.over(&pressure).ok_or_else(|| Doubt::Open("the contact force is not proved to be positive".into()))
 }

@@ -12,7 +12,7 @@ use impact_pair_exact::{Dyadic, Exact, Real, compare_rational};
 /// Times `t = base + s / W` of the phases `s` since an origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Clock {
-    /// With as many more bits as it has turns.
+    /// With as many more bits as it has forcing periods.
     base: Real,
     slowness: Real,
     frequency: Real,
@@ -26,7 +26,7 @@ pub(super) enum Beside {
 }
 
 impl Clock {
-    /// The clock of phases counted from the start, whose phase is around `phase`.
+    /// Returns the clock of phases counted from the start, whose phase is around `phase`.
     pub fn at_start(data: &Data, phase: &Affine, bits: u32) -> Self {
         let bits = with_turns(data, bits);
         let exact = [&data.time, &data.frequency, &data.delay].into_iter().all(Exact::is_point);
@@ -40,7 +40,7 @@ impl Clock {
         Self::new(data, base, bits)
     }
 
-    /// The clock of phases counted from `quarters` quarter turns; `None` beyond what exact expressions hold.
+    /// Returns the clock of phases counted from `quarters` quarter periods; `None` beyond the range of exact expressions.
     pub fn at_quarter_turns(data: &Data, quarters: &BigInt, bits: u32) -> Option<Self> {
         // X1: any number of bits encloses
         let bits = with_turns(data, bits).saturating_add(u32::try_from(quarters.bits()).ok()?);
@@ -55,49 +55,49 @@ impl Clock {
         Self { base, slowness: Real::of(&slowness, bits), frequency: Real::of(&data.frequency, bits) }
     }
 
-    /// The time of a phase.
+    /// Returns the time of a phase.
     pub fn time(&self, phase: &Real) -> Real {
         self.base.clone() + &(phase.clone() * &self.slowness)
     }
 
-    /// A velocity in lengths per time.
+    /// Returns a velocity in lengths per time.
     pub fn velocity(&self, velocity: &Real) -> Real {
         velocity.clone() * &self.frequency
     }
 
-    /// A velocity given in lengths per time.
+    /// Returns a velocity given in lengths per time.
     pub fn slowed(&self, velocity: &Real) -> Real {
         velocity.clone() * &self.slowness
     }
 
-    /// The phase that passes in a time.
+    /// Returns the phase that passes in a time.
     pub fn radians(&self, lasting: &Real) -> Real {
         lasting.clone() * &self.frequency
     }
 
-    /// How far a time is at most from the middle of the bounds claimed for it \[rad\].
+    /// Returns how far a time is at most from the middle of the bounds claimed for it \[rad\].
     pub fn off(&self, time: &Real, [lower, upper]: &[BigRational; 2]) -> Dyadic {
         let middle = Real::rational(&((lower + upper) / BigInt::from(2)), self.bits());
         self.radians(&(time.clone() - &middle)).enclosure().mag()
     }
 
-    /// The bits that hold the whole turns of its times as well.
+    /// Returns the bits that hold the whole forcing periods of its times as well.
     pub fn bits(&self) -> u32 {
         self.base.bits()
     }
 
-    /// The phase of a time.
+    /// Returns the phase of a time.
     pub fn phase_at(&self, time: &Real) -> Real {
         (time.clone() - &self.base) * &self.frequency
     }
 
-    /// The phase of a claimed time.
+    /// Returns the phase of a claimed time.
     pub fn phase(&self, time: &BigRational) -> Real {
         self.phase_at(&Real::rational(time, self.bits()))
     }
 }
 
-/// Bits that also hold the whole turns of the start.
+/// Bits that also hold the whole forcing periods of the start.
 fn with_turns(data: &Data, bits: u32) -> u32 {
     let time = data.time.enclose(64).mag().top().unwrap_or(0).max(0); // X1: any number of bits encloses
     let turns = u32::try_from(data.turns.bits()).unwrap_or(u32::MAX / 4); // X1

@@ -58,7 +58,7 @@ pub(super) struct Image {
 }
 
 impl Image {
-    /// The derivative by the state.
+    /// Returns the derivative by the state.
     pub fn derivative(&self) -> Matrix {
         self.slopes.each_ref().map(|[a, b, _]| [a.clone(), b.clone()])
     }
@@ -84,7 +84,7 @@ impl Curve<'_> {
         Real::point(Dyadic::power_of_two(n), self.bits())
     }
 
-    /// The data with these values of the parameter.
+    /// Returns the data with these values of the parameter.
     pub fn parameters(&self, value: Affine) -> Parameters {
         let mut parameters = self.frame.parameters.clone();
         match self.over {
@@ -102,13 +102,13 @@ impl Curve<'_> {
         parameters
     }
 
-    /// The quantity `i` over a box.
+    /// Returns the quantity `i` over a box.
     pub fn spanned(&self, cell: &Cell, i: usize) -> Affine {
         let zero = Real::zero(self.bits());
         Affine::spanned(cell.centre[i].clone(), i, [self.power(cell.sizes[i] + self.units[i]), zero])
     }
 
-    /// What a round makes of a box, if all contacts are proved; `is_half`: half a period, seen in the mirror.
+    /// Returns what a round makes of a box, if all contacts are proved; `is_half`: half a period, seen in the mirror.
     pub fn image(&self, cell: &Cell, is_half: bool) -> Result<Image, Doubt> {
         let clock = self.frame.clock.clone();
         let parameters = self.parameters(self.spanned(cell, PARAMETER));
@@ -156,7 +156,7 @@ impl Curve<'_> {
         Real::point(x.mid(), self.bits())
     }
 
-    /// The coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Nothing is proved.
+    /// Returns the coordinates at which Newton's iteration for an orbit with the eigenvalue `mu` ends. Non-rigorous.
     pub fn polish(&mut self, guess: Point) -> Result<Point, Doubt> {
         let open = || Doubt::Open("no bifurcation is found near".into());
         let (mut at, mut before) = (guess.map(|x| self.point(&x)), None::<Dyadic>);
@@ -189,7 +189,7 @@ impl Curve<'_> {
         Err(open())
     }
 
-    /// The point of the curve with the same coordinate `along` as a guess. Nothing is proved.
+    /// The point of the curve with the same coordinate `along` as a guess. Non-rigorous.
     fn on_curve(&self, mut at: Point, along: usize) -> Result<Point, Doubt> {
         let others = others(along);
         for _ in 0..STEPS / 4 {
@@ -203,7 +203,7 @@ impl Curve<'_> {
         Ok(at)
     }
 
-    /// A box around a point of the curve in which the coordinate `j` goes `2^size` units to both sides, and a bifurcation is proved to
+    /// Returns a box around a point of the curve in which the coordinate `j` goes `2^size` units to both sides, and a bifurcation is proved to
     /// lie: the curve is one over that coordinate, and `det(DP - mu)` has opposite signs at two of its points.
     pub fn crossing(&self, at: &Point, j: usize, size: i64) -> Result<Cell, Doubt> {
         let here = self.near(at)?;

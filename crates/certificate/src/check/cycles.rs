@@ -13,15 +13,15 @@ use crate::cycles::CyclesCertificate;
 use impact_pair_exact::Enclosure;
 use impact_pair_model::{Error, Wall};
 
-/// Bits of pi, by which phases of different turns are told apart.
+/// Bits of pi, by which phases of different forcing periods are distinguished.
 const BITS: u32 = 256;
 
 impl CyclesCertificate {
     /// Proves every orbit again, that they are different ones, and that the counts are theirs, or says what is not as claimed or not
-    /// proved, until `stop` is set, if there is one. `progress` is told the orbits confirmed so far.
+    /// proved, until `stop` is set, if there is one. `progress` receives the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -98,7 +98,7 @@ impl Turn {
             })
     }
 
-    /// Whether two phases, the second one half a turn later if it is mirrored, may be the same but for whole turns; both begin in
+    /// Whether two phases, the second one half a forcing period later if it is mirrored, may be the same but for whole forcing periods; both begin in
     /// `[0, 2 pi]`.
     fn phases_overlap(&self, one: &Bounds, other: &Bounds, is_mirrored: bool) -> bool {
         (-2..=2).any(|turns| {

@@ -29,7 +29,7 @@ pub(crate) struct Data {
     pub delay: Exact,
     /// `t0`
     pub time: Exact,
-    /// The whole turns of the reference before the start.
+    /// The whole forcing periods of the reference before the start.
     pub turns: BigInt,
     /// The work that is left.
     pub budget: Budget,
@@ -45,7 +45,7 @@ pub(crate) struct Data {
 pub(crate) struct Tone {
     /// `A_k`
     pub amplitude: Exact,
-    /// `W_k t0 + tau_k` less whole turns.
+    /// `W_k t0 + tau_k` less whole forcing periods.
     pub phase: Exact,
     /// `W_k/W`; `None` for the reference.
     pub rate: Option<Exact>,
@@ -58,7 +58,7 @@ pub(crate) struct Piece {
     parts: Vec<(BigInt, u32)>,
 }
 
-/// Bits that quarter turns are counted with.
+/// Bits that quarter periods are counted with.
 const QUARTER_BITS: u32 = 192;
 
 /// The numbers of the data that can be intervals.
@@ -132,13 +132,13 @@ impl Data {
         }
     }
 
-    /// The start's phase, velocity and height (if it is inside the gap) over a piece of the data.
+    /// Returns the start's phase, velocity and height (if it is inside the gap) over a piece of the data.
     pub fn state(&self, piece: &Piece, bits: u32) -> (Affine, Affine, Option<Affine>) {
         let height = self.height.as_ref().map(|height| piece.part(height, HEIGHT, bits));
         (piece.part(&self.tones[0].phase, PHASE, bits), piece.part(&self.velocity, VELOCITY, bits), height)
     }
 
-    /// Whether none of the data is an interval.
+    /// Returns whether none of the data is an interval.
     pub fn is_point(&self) -> bool {
         let Self { tones, half_gap, restitution, frequency, delay, time, velocity, height, .. } = self;
         let of_tones = tones.iter().flat_map(|tone| [&tone.amplitude, &tone.phase].into_iter().chain(&tone.rate));
@@ -146,7 +146,7 @@ impl Data {
         others.into_iter().chain(height).chain(of_tones).all(Exact::is_point)
     }
 
-    /// The only harmonic, if there is one only.
+    /// Returns the only harmonic, if there is one only.
     pub fn only(&self) -> Option<&Tone> {
         match self.tones.as_slice() {
             [only] => Some(only),
@@ -154,13 +154,13 @@ impl Data {
         }
     }
 
-    /// The turns of the reference after which the shaking is proved to repeat.
+    /// Returns the turns of the reference after which the shaking is proved to repeat.
     pub fn common_turns(&self) -> Option<BigInt> {
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref());
         rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))
     }
 
-    /// Whether half of these turns later the shaking is the opposite: each harmonic passes an odd number of half turns.
+    /// Returns whether half of these forcing periods later the shaking is the opposite: each harmonic passes an odd number of half periods.
     pub fn has_mirror(&self) -> bool {
         let Some(turns) = self.common_turns() else { return false };
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());
@@ -177,7 +177,7 @@ impl Data {
         Some(if wall == Wall::Left { jerk } else { jerk.reverse() })
     }
 
-    /// Whether a flight with the velocity `after` the start has exactly no drift: `p + E'(0) = 0`.
+    /// Returns whether a flight with the velocity `after` the start has exactly no drift: `p + E'(0) = 0`.
     pub fn has_no_drift(&self, after: &Exact) -> bool {
         let drift = || after.checked_add(&self.sum(|tone| tone.phase.checked_cos(), 1)?);
         drift().is_ok_and(|drift| drift.sign() == Some(Ordering::Equal))
@@ -199,7 +199,7 @@ impl Data {
         Ok(sum)
     }
 
-    /// The last quarter turn of the reference up to the start, if it is decided which.
+    /// Returns the last quarter period of the reference up to the start, if it is decided which.
     pub fn quarter(&self) -> Option<BigInt> {
         let quarter = Exact::pi().checked_div(&Exact::from(2)).ok()?;
         let quarters = self.tones[0].phase.checked_div(&quarter).ok()?;
@@ -211,7 +211,7 @@ impl Data {
 }
 
 impl Piece {
-    /// The two halves along a datum.
+    /// Returns the two halves along a datum.
     pub fn halves(&self, datum: usize) -> [Self; 2] {
         let (k, n) = self.parts.get(datum).cloned().unwrap_or_default(); // exact: not cut yet, the whole
         [0, 1].map(|half| &k * 2 + half).map(|k| {
@@ -239,7 +239,7 @@ impl Piece {
     }
 }
 
-/// `W t0 + tau` of a harmonic less whole turns, and these.
+/// `W t0 + tau` of a harmonic less whole forcing periods, and these.
 fn phase(harmonic: &Harmonic, start: &Start) -> Result<(Exact, BigInt), Error> {
     let (time, delay) = (start.time(), harmonic.phase());
     let turned = within("start.time", time, harmonic.frequency().checked_mul(time))?;

@@ -12,7 +12,7 @@ use crate::attraction::{Bounds, ClaimedOrbit, Passage};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::Wall;
 
-/// The bits of a turn: bounds that it alone keeps apart are not narrower.
+/// The bits of a forcing period: bounds that it alone keeps apart are not narrower.
 const BITS: u32 = 1 << 10;
 /// Common periods between two claimed phases, at most.
 const MOST_PERIODS: i64 = 4;
@@ -42,7 +42,7 @@ impl Recurrence {
         Some(Self { turns: data.common_turns()?, has_mirror: data.has_mirror(), turn })
     }
 
-    /// Whether no motion within the bounds of one orbit is one within those of the other, nor its mirror image, if that counts as the same.
+    /// Returns whether no motion within the bounds of one orbit is one within those of the other, nor its mirror image, if that counts as the same.
     pub fn are_apart(&self, one: &ClaimedOrbit, other: &ClaimedOrbit, mirrors_are_one: bool) -> bool {
         let mirrored = if mirrors_are_one && self.has_mirror { &[false, true][..] } else { &[false] };
         let shifts = 0..other.impacts.len();
@@ -67,7 +67,7 @@ impl Recurrence {
         one.wall != wall || are_disjoint(&one.velocity, &velocity) || self.are_phases_apart(is_mirrored, one, other)
     }
 
-    /// Whether no two phases, which have lower bounds in `[0, 2 pi)` and turns in `[0, q)`, differ by whole common periods of `q` turns.
+    /// Whether no two phases, which have lower bounds in `[0, 2 pi)` and forcing periods in `[0, q)`, differ by whole common periods of `q` forcing periods.
     fn are_phases_apart(&self, is_mirrored: bool, one: &Passage, other: &Passage) -> bool {
         let least = &one.phase[0] - &other.phase[1];
         let greatest = &one.phase[1] - &other.phase[0];

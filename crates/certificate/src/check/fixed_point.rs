@@ -1,4 +1,4 @@
-//! The periodic orbit in an ellipse that the period contracts, as narrowly as asked, and what follows of it (Lemma V6).
+//! The periodic orbit in an ellipse that the period contracts, to the requested width, and what follows of it (Lemma V6).
 
 use std::cmp::Ordering;
 
@@ -31,7 +31,7 @@ pub(super) struct FixedPoint<'r> {
 }
 
 impl<'r> FixedPoint<'r> {
-    /// The orbit with the bits of `centre`, where Newton's iteration ended.
+    /// Returns the orbit with the bits of `centre`, where Newton's iteration ended.
     pub fn enclosed(round: &'r Round<'r>, basin: &'r Ellipse, centre: &[Real; 2]) -> Result<Self, Doubt> {
         let open = || Doubt::Open("the orbit is not enclosed".into());
         let mut size = SPARE_BITS - i64::from(centre[0].bits());
@@ -50,12 +50,12 @@ impl<'r> FixedPoint<'r> {
         Err(open())
     }
 
-    /// The orbits whose impacts are in given sets, of which it may be known that they are their own mirror images.
+    /// Returns the orbits whose impacts are in given sets, of which it may be known that they are their own mirror images.
     pub fn of_box(round: &'r Round<'r>, landings: Vec<Landing>, derivative: Matrix, is_mirrored: bool) -> Self {
         Self { round, basin: None, landings, derivative, is_mirrored }
     }
 
-    /// Its impacts.
+    /// Returns its impacts.
     pub fn impacts(&self) -> &[Landing] {
         &self.landings[..self.round.walls.len()]
     }
@@ -86,7 +86,7 @@ impl<'r> FixedPoint<'r> {
         self.round.near(phases, other)
     }
 
-    /// The trace of the derivative of the period. **Equation** (38)
+    /// Returns the trace of the derivative of the period. **Equation** (38)
     pub fn trace(&self) -> Real {
         let [[a, _], [_, d]] = &self.derivative;
         a.clone() + d
@@ -124,7 +124,7 @@ impl<'r> FixedPoint<'r> {
         if verdicts.contains(&Some(true)) { Some(true) } else { verdicts.iter().all(Option::is_some).then_some(false) }
     }
 
-    /// Whether it is proved not to run through a shorter orbit several times.
+    /// Returns whether it is proved not to run through a shorter orbit several times.
     pub fn is_whole(&self) -> bool {
         let impacts = self.impacts();
         (1..impacts.len()).filter(|&i| fits(impacts, i, impacts)).all(|i| self.is_first(&impacts[i]) == Some(false))

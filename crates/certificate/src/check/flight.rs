@@ -34,7 +34,7 @@ pub(crate) enum Part {
 }
 
 impl Flight {
-    /// The bits that it is computed with.
+    /// Returns the bits that it is computed with.
     pub fn bits(&self) -> u32 {
         self.velocity.bits()
     }
@@ -78,7 +78,7 @@ impl Flight {
         }
     }
 
-    /// Whether `y` is strictly between the walls, on the walls' side or neither: proved or not.
+    /// Returns whether `y` is strictly between the walls, on the walls' side or neither: proved or not.
     pub fn place(&self, y: &Real) -> Part {
         let (left, right) = (self.level(Wall::Left), self.level(Wall::Right));
         if left.is_below(y) && y.is_below(&right) {
@@ -90,7 +90,7 @@ impl Flight {
         }
     }
 
-    /// Whether the ball is clear of both walls over all of `(a, b]`, given that it is at `a` (Lemma V1).
+    /// Returns whether the ball is clear of both walls over all of `(a, b]`, given that it is at `a` (Lemma V1).
     pub fn judge(&self, a: &Real, b: &Real) -> Part {
         let (part, end) = (a.hull(b), self.height(b));
         let slope = self.slope(&part);
@@ -111,7 +111,7 @@ impl Flight {
         }
     }
 
-    /// Whether a ball that starts on `wall` is clear of both walls over `(0, b]` (Lemma V1).
+    /// Returns whether a ball that starts on `wall` is clear of both walls over `(0, b]` (Lemma V1).
     ///
     /// The departure is divided out: `(y - y0)/h = p + y''/2 h` with `y''` somewhere on the part. From a release, where `p` and
     /// `y''` are 0, it is divided out three times.

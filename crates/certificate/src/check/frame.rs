@@ -22,7 +22,7 @@ impl Frame {
         Self { parameters: data.parameters(piece, bits), clock, turn: Real::pi(bits) * 2 }
     }
 
-    /// All states of these times and velocities.
+    /// Returns all states of these times and velocities.
     pub fn states(&self, wall: Wall, time: &Bounds, velocity: &Bounds) -> Landing {
         let [phase, velocity] = [
             hull(&time.each_ref().map(|time| self.clock.phase(time))),
@@ -31,7 +31,7 @@ impl Frame {
         self.spanned(wall, phase, velocity)
     }
 
-    /// A box of states in which the deviations are those of phase and velocity.
+    /// Returns a box of states in which the deviations are those of phase and velocity.
     pub fn spanned(&self, wall: Wall, phase: Real, velocity: Real) -> Landing {
         let (first, zero) = (self.parameters.columns(), Real::zero(self.turn.bits()));
         let [[phase, off], [velocity, away]] = [phase, velocity].map(|x| {

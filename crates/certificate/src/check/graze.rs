@@ -1,4 +1,4 @@
-//! Grazes: past a wall that is touched, or nearly touched, with no velocity or nearly none (Lemma V4).
+//! Grazes: past a wall that is touched, or nearly touched, with zero velocity or nearly none (Lemma V4).
 
 use super::affine::Affine;
 use super::contact::{Claimed, Doubt, clear_throughout};
@@ -9,7 +9,7 @@ use crate::Claim;
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
 
-/// What is found around an extremum of all flights of a set, told from the wall it is near.
+/// What is found around an extremum of all flights of a set, measured from the wall it is near.
 struct Summit {
     /// Two points around it, `y''` not 0 between them.
     before: Real,

@@ -1,12 +1,12 @@
 //! Whether an orbit JSON is right, found out anew from its own decimal numbers.
 //!
 //! The route shares nothing with the one that made the certificate but the exact numbers and their interval arithmetic: physical
-//! lengths instead of gaps, radians instead of turns, one arithmetic of integers at a precision that rises until every claim is
+//! lengths instead of gaps, radians instead of forcing periods, one arithmetic of integers at a precision that rises until every claim is
 //! decided, no closed-form extrema, no parallelograms. The claimed times only say where to look. Every flight is followed from
 //! the one before, not from the claimed box, and proved clear of both walls up to its contact by halving ([`flight`], [`contact`],
 //! Lemma V1); sets go on in mean value form ([`affine`], [`step`], Lemma V2), and so does a neighbourhood of a periodic orbit over
 //! whole periods, until it is proved to shrink ([`attraction`], Lemma V6). Of a shadowed orbit each link between two impacts is proved alone,
-//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are told apart by their
+//! from nodes found anew from the claimed boxes ([`shadow`], [`chain`], Lemma V10). Orbits of one list are distinguished by their
 //! bounds ([`distinct`], Lemma V13). Regions and words of horseshoes are proved in
 //! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when what is found lies inside
 //! its bounds, refuted when it lies outside.
@@ -98,7 +98,7 @@ pub struct Effort {
     pub parts: u32,
     /// Pieces that intervals among the data are cut into.
     pub pieces: usize,
-    /// Places of flights that are looked at before a claim is left undecided, each under one harmonic and in up to 512 bits; one in
+    /// Places of flights that are looked at before a claim is left undecided, each with one harmonic and in up to 512 bits; one in
     /// `n` times as many bits counts `n^2` times. A claim that is confirmed allows 256 more, in the bits it took.
     pub work: u64,
 }
@@ -149,7 +149,7 @@ fn one_by_one<C>(
 }
 
 impl Certificate {
-    /// Proves every claim again, or says which one is not true or not proved. `progress` is told the events confirmed so far.
+    /// Proves every claim again, or returns the first one refuted or undecided. `progress` receives the events confirmed so far.
     ///
     /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
@@ -157,23 +157,23 @@ impl Certificate {
     /// of a shadowed orbit of any length, by as many threads as there are processors.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check(&self, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
         self.check_within(&Effort::default(), progress)
     }
 
-    /// The same with no more than this effort.
+    /// Returns the same with no more than this effort.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
         self.check_until(effort, None, progress)
     }
 
-    /// The same until `stop` is set, if there is one.
+    /// Returns the same until `stop` is set, if there is one.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -247,7 +247,7 @@ impl Certificate {
     /// are sure to be on one wall.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn retraced(&self, bits: u32) -> Result<Vec<(Enclosure, Enclosure)>, Error> {
         let data = Data::new(self.pair(), self.start())?;
         let mut walk = Walk::new(self, &data, &Piece::default(), bits);

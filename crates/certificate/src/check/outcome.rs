@@ -91,7 +91,7 @@ impl Walk<'_> {
     fn lists_none_after(&self, until: &Real) -> Result<(), Doubt> {
         let last = self.certificate.events().iter().rfind(|claim| !matches!(claim.kind, ClaimKind::Rest { .. }));
         match last.is_some_and(|last| until.is_below(&Real::rational(&last.time[0], until.bits()))) {
-            true => Err(Doubt::False("an event that is listed comes after the time told".into())),
+            true => Err(Doubt::False("a listed event comes after the time `until`".into())),
             false => Ok(()),
         }
     }
@@ -99,7 +99,7 @@ impl Walk<'_> {
     /// Nothing happens after the last event up to this time (Lemma V7).
     fn lists_all_until(&self, until: &Real) -> Result<(), Doubt> {
         let missing = |what: &str| Doubt::False(format!("{what} comes before the time up to which all is listed"));
-        let open = || Doubt::Open("it is not proved that nothing else happens up to the time told".into());
+        let open = || Doubt::Open("it is not proved that no other event happens up to the time `until`".into());
         // Before, after or across the time.
         let judged = |event: &Real, what: &str| match (until.is_below(event), event.is_below(until)) {
             (true, _) => Ok(()),

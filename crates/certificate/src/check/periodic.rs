@@ -21,11 +21,11 @@ use impact_pair_model::Error;
 use std::sync::atomic::AtomicBool;
 
 impl PeriodicCertificate {
-    /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress` is
-    /// told the orbits confirmed so far.
+    /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress`
+    /// receives the orbits confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold.
+    /// When the scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -48,7 +48,7 @@ impl PeriodicCertificate {
         if self.says_all_is_proved()
             && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())
         {
-            return Err(Doubt::False("not all is proved that is asked of the orbits".into()));
+            return Err(Doubt::False("not all requested properties of the orbits are proved".into()));
         }
         if self.orbits().is_empty() {
             return Err(Doubt::Open("there is no orbit to check".into()));
@@ -127,9 +127,10 @@ impl Target<'_> {
         Ok(self.round(frame, self.times(frame)?, self.is_physical()))
     }
 
-    /// About how long the flights between the claimed impacts last: as phases are told less whole turns, these follow from the drift.
+    /// About how long the flights between the claimed impacts last: as phases are given less whole forcing periods, these follow from the drift.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
-        let none = || Doubt::Open("the claimed impacts do not follow one another in so many cycles".into());
+        let none =
+            || Doubt::Open("the claimed impacts do not follow one another in this number of forcing periods".into());
         let bits = frame.turn.bits();
         let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes
         let float = |x: Real| Real::point(x.mid(), bits).to_f64();

@@ -17,7 +17,7 @@ const FINE: i32 = -40;
 /// What a node is wider than the least that covers the next one, and how many times the jump it makes room for.
 const MARGIN: f64 = 1.05;
 const NOISES: f64 = 2.0;
-/// Errors of products of floats, about.
+/// Errors of products of floating point, about.
 const ROUNDING: f64 = 1.0 / (1_u64 << 44) as f64;
 
 /// A state near an orbit: before an impact, or at the start.
@@ -43,7 +43,7 @@ pub(super) struct Shot {
 }
 
 impl Course<'_> {
-    /// The start and the middles of the bounds.
+    /// Returns the start and the middles of the bounds.
     pub fn middles(&self) -> Vec<Point> {
         let bits = self.frame.turn.bits();
         let (phase, velocity, _) = self.data.state(&Piece::default(), bits);
@@ -63,7 +63,7 @@ impl Course<'_> {
         [start].into_iter().chain(self.hits.iter().map(bounds)).map(point).collect()
     }
 
-    /// The flight from point `k` to the next one.
+    /// Returns the flight from point `k` to the next one.
     pub fn shot(&self, k: usize, [point, next]: [&Point; 2], guess: Option<&Real>) -> Result<Shot, Doubt> {
         let (bits, wall) = (self.frame.turn.bits(), self.hits[k].wall);
         let departure = self.departure(k, point.node.centre.clone().map(Affine::fixed));

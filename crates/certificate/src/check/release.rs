@@ -1,4 +1,4 @@
-//! Releases under several harmonics: where the acceleration of the box turns inward (Lemma V3).
+//! Releases with several harmonics: where the acceleration of the box turns inward (Lemma V3).
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};

@@ -27,7 +27,7 @@ pub(crate) struct Rest {
     pub wall: Wall,
     /// Since the origin.
     pub since: Real,
-    /// Whether it is from a phase on at which the pressure is exactly 0 that the wall is pressed.
+    /// Whether it is from a phase on at which the contact force is exactly 0 that the wall is pressed.
     pub begins: bool,
 }
 
@@ -89,7 +89,7 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// With one harmonic that is at an even number of half turns on the left wall, an odd one on the right wall.
+    /// With one harmonic that is at an even number of half periods on the left wall, an odd one on the right wall.
     fn release_of_one(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let (halves, clock) = self.released_of_one(rest)?;
         let (wall, odd) = (rest.wall, i64::from(rest.wall == Wall::Right));
@@ -111,14 +111,14 @@ impl<'c> Walk<'c> {
         Ok(())
     }
 
-    /// The half turns of that release, and the clock of phases counted from it.
+    /// The half period of that release, and the clock of phases counted from it.
     pub(super) fn released_of_one(&self, &Rest { wall, ref since, .. }: &Rest) -> Result<(BigInt, Clock), Doubt> {
         let odd = i64::from(wall == Wall::Right);
         let turn = Real::pi(self.bits) + &Real::pi(self.bits);
         let half = Real::int(odd, self.bits) * &Real::pi(self.bits);
         // exact: shared by all members
         let turns = (self.parameters.origin() + since - &half).over(&turn).and_then(|turns| turns.enclosure().floor());
-        let turns = turns.ok_or_else(|| Doubt::Open("the turn of the release is not decided".into()))?;
+        let turns = turns.ok_or_else(|| Doubt::Open("the forcing period of the release is not decided".into()))?;
         // Whole turns dropped so far are an even number of half turns, or the odd one of a release before.
         let halves = &self.halves + (turns + 1) * 2 + odd;
         let clock = Clock::at_quarter_turns(self.data, &(&halves * 2), self.bits);

@@ -34,18 +34,18 @@ impl Round<'_> {
         self.parameters.bits()
     }
 
-    /// The number of the first of the two deviations of states.
+    /// Returns the number of the first of the two deviations of states.
     pub fn first(&self) -> usize {
         self.parameters.columns()
     }
 
-    /// The states `centre + columns q`, `q` the two deviations of states.
+    /// Returns the states `centre + columns q`, `q` the two deviations of states.
     pub fn set(&self, centre: &[Real; 2], columns: &Matrix) -> Landing {
         let [phase, velocity] = [0, 1].map(|i| Affine::spanned(centre[i].clone(), self.first(), columns[i].clone()));
         Landing { wall: self.walls[0], phase, velocity }
     }
 
-    /// The set and its impacts up to the next first one, this a round earlier; all contacts are proved.
+    /// Returns the set and its impacts up to the next first one, this a round earlier; all contacts are proved.
     pub fn run(&self, set: Landing) -> Result<Vec<Landing>, Doubt> {
         self.run_under(self.parameters, set)
     }
@@ -64,14 +64,14 @@ impl Round<'_> {
         Ok(landings)
     }
 
-    /// The derivatives of a state by the two deviations, each so many times greater.
+    /// Returns the derivatives of a state by the two deviations, each so many times greater.
     pub fn derivatives(&self, state: &Landing, times: &Real) -> Matrix {
         let column = |x: &Affine, j: usize| x.column(self.first() + j) * times;
         [&state.phase, &state.velocity].map(|x| [column(x, 0), column(x, 1)])
     }
 
-    /// Where Newton's iteration for a state that comes again under the middle of the data ends, and the derivative of the round
-    /// near it. Nothing is proved.
+    /// Returns where Newton's iteration for a state that comes again under the middle of the data ends, and the derivative of the round
+    /// near it. Non-rigorous.
     pub fn polish(&mut self, guess: [Real; 2]) -> Result<([Real; 2], Matrix), Doubt> {
         let bits = self.bits();
         let point = |x: &Real| Real::point(x.mid(), bits);
@@ -93,7 +93,9 @@ impl Round<'_> {
             let one = Real::int(1, bits);
             let inverse = inverse(&[[one.clone() - &a, -b], [-c, one - &d]]);
             let step = inverse.map(|inverse| inverse.map(|row| point(&along(&row, &miss))));
-            let Some(step) = step else { return Err(Doubt::Open("an orbit is not told from its neighbours".into())) };
+            let Some(step) = step else {
+                return Err(Doubt::Open("an orbit is not distinguished from its neighbours".into()));
+            };
             let size = step.iter().map(|x| x.enclosure().mag()).max().unwrap_or_else(Dyadic::zero); // proposes: when to stop
             // As many digits as rounding leaves.
             if before.is_some_and(|before| size.scaled(1) > before) {

@@ -100,7 +100,7 @@ impl Certificate {
 }
 
 impl Shadow<'_> {
-    /// Bits that nodes in the narrowest bounds are told with: the first impacts may have been proved by precision.
+    /// Bits that nodes in the narrowest bounds are given with: the first impacts may have been proved by precision.
     fn bits(&self) -> u32 {
         let near = self.bounds();
         let [times, velocities] = [0, 1].map(|i| {

@@ -97,17 +97,17 @@ impl Shaking {
         self.sum(|wave| wave.weighted(wave.sin.clone(), 0))
     }
 
-    /// No `E` is greater, nor `-E`.
+    /// Returns no `E` is greater, nor `-E`.
     pub fn reach(&self) -> Real {
         self.sum(|wave| wave.amplitude.clone())
     }
 
-    /// How much `E` has grown at `h`.
+    /// Returns how much `E` has grown at `h`.
     pub fn shift(&self, h: &Real) -> Real {
         self.sum(|wave| wave.weighted(wave.at(h).sin() - &wave.sin, 0))
     }
 
-    /// How much `E'` has grown at `h`: so grouped, a flight that hardly turns loses nothing.
+    /// Returns how much `E'` has grown at `h`: so grouped, a flight that hardly forcing periods loses nothing.
     pub fn hurry(&self, h: &Real) -> Real {
         self.sum(|wave| wave.weighted(wave.at(h).cos() - &wave.cos, 1))
     }
@@ -132,7 +132,7 @@ impl Shaking {
         self.sum(|wave| wave.weighted(wave.at(h).cos(), 3))
     }
 
-    /// Whether the box stands still.
+    /// Returns whether the box stands still.
     pub fn is_still(&self) -> bool {
         self.waves.iter().all(|wave| wave.amplitude.is_zero())
     }

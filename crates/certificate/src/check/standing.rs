@@ -32,7 +32,7 @@ enum Going {
     Flight,
     /// It lies on a wall.
     Rest(Rest),
-    /// It has no drift, and comes near a wall in the same way in every turn.
+    /// It has no drift, and comes near a wall in the same way in every forcing period.
     Still(Still),
 }
 
@@ -48,7 +48,7 @@ pub(crate) enum Last {
 }
 
 impl<'d> Standing<'d> {
-    /// The scene's own start.
+    /// Returns the scene's own start.
     pub fn at_start(data: &'d Data, parameters: &Parameters, piece: &Piece) -> Self {
         let (phase, velocity, height) = data.state(piece, parameters.bits());
         let phase = phase.less_centre();
@@ -100,12 +100,12 @@ impl<'d> Standing<'d> {
         Self { departure, landing: None, last, going: Going::Flight, start: None }
     }
 
-    /// The flights from there.
+    /// Returns the flights from there.
     pub fn departure(&self) -> &Departure {
         &self.departure
     }
 
-    /// The states before the impact, if it is after one.
+    /// Returns the states before the impact, if it is after one.
     pub fn landing(&self) -> Option<&Landing> {
         self.landing.as_ref()
     }
@@ -115,12 +115,12 @@ impl<'d> Standing<'d> {
         self.last
     }
 
-    /// The rest, if the ball lies on a wall.
+    /// Returns the rest, if the ball lies on a wall.
     pub fn rest(&self) -> Option<&Rest> {
         if let Going::Rest(rest) = &self.going { Some(rest) } else { None }
     }
 
-    /// The motion without drift, if it is one.
+    /// Returns the motion without drift, if it is one.
     pub fn still(&self) -> Option<&Still> {
         if let Going::Still(still) = &self.going { Some(still) } else { None }
     }
@@ -130,14 +130,14 @@ impl<'d> Standing<'d> {
         self.going = Going::Still(still);
     }
 
-    /// The exact data, if it is the scene's own start.
+    /// Returns the exact data, if it is the scene's own start.
     pub fn start(&self) -> Option<&'d Data> {
         self.start
     }
 }
 
 impl Last {
-    /// The mapping of a flight that ends on a wall.
+    /// Returns the mapping of a flight that ends on a wall.
     pub fn mapping(self, to: Wall) -> Option<Mapping> {
         match self {
             Self::Wall(from) => Some(Mapping::between(from, to)),
@@ -151,7 +151,7 @@ impl Last {
             _ if mapping == self.mapping(to) => Ok(()),
             // It is the one or the other.
             Some(mapping) if self == Self::Either && mapping.walls().1 == to => {
-                Err(Doubt::Open("the graze before is not told from a touch, so no mapping is proved".into()))
+                Err(Doubt::Open("the graze before is not distinguished from a touch, so no mapping is proved".into()))
             }
             _ => Err(Doubt::False("the mapping does not lead from the wall before to this one".into())),
         }

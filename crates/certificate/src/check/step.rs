@@ -51,12 +51,12 @@ fn side(wall: Wall, bits: u32) -> Real {
 }
 
 impl Parameters {
-    /// The bits that they are known with.
+    /// Returns the bits that they are known with.
     pub fn bits(&self) -> u32 {
         self.half_gap.centre.bits()
     }
 
-    /// The phase `W t + tau` that phases are counted from.
+    /// Returns the phase `W t + tau` that phases are counted from.
     pub fn origin(&self) -> Real {
         self.terms[0].phase.hull()
     }
@@ -67,7 +67,7 @@ impl Parameters {
         self.terms[0].phase = Affine::fixed(phase);
     }
 
-    /// Whether the box stands still.
+    /// Returns whether the box stands still.
     pub fn is_still(&self) -> bool {
         self.terms.iter().all(|term| term.amplitude.hull().is_zero())
     }
@@ -88,7 +88,7 @@ impl Parameters {
         }
     }
 
-    /// How many data are intervals, as the columns count them.
+    /// Returns how many data are intervals, as the columns count them.
     pub fn columns(&self) -> usize {
         let Self { half_gap, restitution, terms, .. } = self;
         let of_term = |term: &Term| {
@@ -98,7 +98,7 @@ impl Parameters {
         of_terms.chain([half_gap.length(), restitution.length()]).max().unwrap_or(0) // exact: a length
     }
 
-    /// The shaking of those members of the set that `member` says, from the phase `since` after the origin.
+    /// Returns the shaking of those members of the set that `member` says, from the phase `since` after the origin.
     pub fn shaking(&self, since: &Real, member: fn(&Affine) -> Real) -> Shaking {
         let bits = since.bits();
         Shaking { waves: self.terms.iter().map(|term| term.wave(since, bits, member)).collect() }
@@ -106,7 +106,7 @@ impl Parameters {
 }
 
 impl Departure {
-    /// From `wall` after the impact law (15), `p = -e v`.
+    /// From `wall` after Newton's impact law (15), `p = -e v`.
     pub fn rebound(parameters: &Parameters, landing: &Landing) -> Self {
         let Landing { wall, phase, velocity } = landing;
         let restitution = &parameters.restitution;
@@ -151,12 +151,12 @@ impl Departure {
         known.map_or(most, |known| known.saturating_add(SPARE_BITS).min(most)) // X1: any number of bits encloses
     }
 
-    /// The flights of the whole set.
+    /// Returns the flights of the whole set.
     pub fn flights(&self, parameters: &Parameters) -> Flight {
         self.flight(parameters, Affine::hull)
     }
 
-    /// The landings, if all flights are proved to touch `wall` first, near where it is claimed.
+    /// Returns the landings, if all flights are proved to touch `wall` first, near where it is claimed.
     pub fn land(&self, parameters: &Parameters, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
         let set = self.flights(parameters);
         let centre = self.flight(parameters, |x| x.centre.clone());

@@ -1,4 +1,4 @@
-//! Motions without drift, `c = 0` exactly: they touch no wall, or, under one harmonic, graze the same ones in every turn.
+//! Motions without drift, `c = 0` exactly: they touch no wall, or, with one harmonic, graze the same ones in every forcing period.
 
 use std::cmp::Ordering;
 
@@ -15,14 +15,14 @@ use impact_pair_model::Wall;
 /// `y = m - A sin th` for ever, between the walls.
 #[derive(Clone, Debug)]
 pub(crate) struct Still {
-    /// The last quarter turn up to the phase last grazed, or that of the start.
+    /// The last quarter period up to the phase last grazed, or that of the start.
     quarters: BigInt,
-    /// Whether the left wall is touched at 1 quarter turn, and the right wall at 3.
+    /// Whether the left wall is touched at 1/4 period, and the right wall at 3/4.
     touches: [bool; 2],
 }
 
 impl Still {
-    /// The motion from the scene's start, if it is proved to be one from the exact data (Lemma V5). `is_at_rest`: the ball has no
+    /// Returns the motion from the scene's start, if it is proved to be one from the exact data (Lemma V5). `is_at_rest`: the ball has no
     /// velocity after the start.
     pub fn of(data: &Data, is_at_rest: bool) -> Option<Self> {
         let tone = data.only()?;
@@ -60,12 +60,12 @@ impl Still {
         rooms.iter().all(|room| room.is_ge()).then_some(Self { quarters, touches })
     }
 
-    /// Whether a wall is ever touched.
+    /// Returns whether a wall is ever touched.
     pub fn grazes(&self) -> bool {
         self.touches != [false; 2]
     }
 
-    /// The next graze: its wall and its phase in quarter turns.
+    /// The next graze: its wall and its phase in quarter periods.
     pub(super) fn next(&self) -> Option<(Wall, BigInt)> {
         let walls = [(Wall::Left, 1), (Wall::Right, 3)].into_iter().zip(self.touches);
         let next = walls.filter(|(_, touches)| *touches).map(|((wall, at), _)| {
@@ -97,7 +97,7 @@ impl Walk<'_> {
         clear_throughout(&flight, departure.start, &end, &(end.clone() + &end)).map(|()| true)
     }
 
-    /// A graze of a motion that grazes in every turn.
+    /// A graze of a motion that grazes in every forcing period.
     pub(super) fn graze_again(&mut self, still: Still, claim: &Claim) -> Result<(), Doubt> {
         let bits = self.bits;
         let next = still.next().filter(|(wall, _)| *wall == claim.wall);

@@ -16,10 +16,10 @@ use impact_pair_model::Error;
 
 impl SweepCertificate {
     /// Proves the impacts of every point again, or says of which they are not true or not proved, until `stop` is set, if there is
-    /// one. `progress` is told the points judged so far.
+    /// one. `progress` receives the points checked so far.
     ///
     /// # Errors
-    /// When a scene's values are beyond what exact expressions hold.
+    /// When a scene's values are beyond the range of exact expressions.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -29,7 +29,7 @@ impl SweepCertificate {
         self.judge_until(effort, stop, |point, _| progress(point))
     }
 
-    /// The same; `progress` is told whether all points so far are confirmed as well.
+    /// The same; `progress` receives whether all points so far are confirmed as well.
     pub(crate) fn judge_until(
         &self,
         effort: &Effort,
@@ -109,10 +109,10 @@ impl ClaimedOrbit {
             let next = walk.impacts + 1;
             let open = || Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"));
             let landing = walk.next_landing().ok_or_else(open)?;
-            // The bounces of a chatter that ends in a rest have no number: then all others are told wrongly here.
+            // The bounces of a chatter that ends in a rest have no number: then all others are phase_of wrongly here.
             may_rest |= walk.standing.last() == Last::Wall(landing.wall);
             if let Some(state) = states.next_if(|state| state.index == next) {
-                let phase = self.told(walk, &landing)?;
+                let phase = self.phase_of(walk, &landing)?;
                 state.compare(walk, &landing, phase).map_err(|doubt| match doubt {
                     Doubt::False(message) if may_rest => {
                         Doubt::Open(format!("{message}, or a rest comes before, whose bounces are not counted"))
@@ -128,8 +128,8 @@ impl ClaimedOrbit {
 }
 
 impl ClaimedOrbit {
-    /// The phase of an impact, of the term that phases are told of: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
-    fn told(&self, walk: &Walk<'_>, landing: &Landing) -> Result<Real, Doubt> {
+    /// The phase of an impact, of the term that phases are relative to: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
+    fn phase_of(&self, walk: &Walk<'_>, landing: &Landing) -> Result<Real, Doubt> {
         let found = walk.absolute(&landing.phase.hull());
         let Some(reference) = &self.reference else { return Ok(found) };
         let (own, bits) = (self.pair.excitation().reference(), found.bits());

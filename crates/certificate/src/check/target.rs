@@ -38,7 +38,7 @@ pub(super) struct Target<'c> {
 }
 
 impl<'c> Target<'c> {
-    /// What is claimed, if it may be an orbit of that word in so many cycles.
+    /// Returns what is claimed, if it may be an orbit of that word in so many cycles.
     pub fn new(data: &'c Data, word: &Word, cycles: u64, claim: &'c ClaimedOrbit) -> Result<Self, Doubt> {
         let walls: Vec<Wall> = word.mappings().iter().map(|mapping| mapping.walls().0).collect();
         if !word.is_closed() {
@@ -53,14 +53,14 @@ impl<'c> Target<'c> {
         let open = |message: &str| Doubt::Open(message.into());
         let turns = data.common_turns().ok_or_else(|| open("the harmonics are not proved to have a common period"))?;
         if cycles == 0 || !BigInt::from(cycles).is_multiple_of(&turns) {
-            return Err(open("the cycles are no common periods of all harmonics"));
+            return Err(open("the cycles are not a multiple of the common period of all harmonics"));
         }
-        let is_told = |turn: Option<u64>| match turn {
+        let is_valid = |turn: Option<u64>| match turn {
             None => turns.is_one(),
             Some(turn) => !turns.is_one() && BigInt::from(turn) < turns,
         };
-        if !claim.impacts.iter().all(|impact| is_told(impact.turn)) {
-            return Err(Doubt::False("an impact of the orbit is in no turn of the common period".into()));
+        if !claim.impacts.iter().all(|impact| is_valid(impact.turn)) {
+            return Err(Doubt::False("the `turn` of an impact of the orbit is not in the common period".into()));
         }
         if claim
             .impacts
@@ -85,14 +85,14 @@ impl<'c> Target<'c> {
         }
     }
 
-    /// What is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
+    /// Returns what is taken off the phase `W t + tau` of a claim for one since the origin, less whole common periods.
     pub fn origin(&self, frame: &Frame, turn: Option<u64>) -> Real {
         // exact: without a turn, the common period is one
         let turns = (&self.data.turns - BigInt::from(turn.unwrap_or(0))).mod_floor(&self.turns);
         frame.parameters.origin() + &(frame.turn.clone() * &Real::rational(&turns.into(), frame.turn.bits()))
     }
 
-    /// The claimed states of an impact, in phases since the origin.
+    /// Returns the claimed states of an impact, in phases since the origin.
     pub fn state(&self, frame: &Frame, impact: usize) -> Landing {
         let (claim, bits) = (&self.claim.impacts[impact], frame.turn.bits());
         let origin = self.origin(frame, claim.turn);
@@ -101,7 +101,7 @@ impl<'c> Target<'c> {
         frame.spanned(claim.wall, phase, velocity)
     }
 
-    /// The claimed states of the first impact.
+    /// Returns the claimed states of the first impact.
     pub fn first(&self, frame: &Frame) -> Landing {
         self.state(frame, 0)
     }
@@ -147,7 +147,7 @@ impl<'c> Target<'c> {
         let bits = frame.turn.bits();
         let turn = |phase: &Bounds| {
             let turns = Real::rational(&phase[0], bits).over(&frame.turn).and_then(|turns| turns.floor()); // V6: shared by all members
-            turns.ok_or_else(|| Doubt::Open("the turn of a phase is not decided".into()))
+            turns.ok_or_else(|| Doubt::Open("the forcing period of a phase is not decided".into()))
         };
         for (claimed, found) in impacts.iter().zip(orbit.impacts()) {
             if turn(&claimed.phase)? != 0 {
@@ -186,7 +186,7 @@ impl<'c> Target<'c> {
         both(&one, &other).or_else(|doubt| both(&other, &one).map_err(|_| doubt))
     }
 
-    /// The whole turns between its first impact and the others.
+    /// The whole forcing periods between its first impact and the others.
     fn compare_cycles(&self, frame: &Frame, orbit: &FixedPoint<'_>) -> Result<(), Doubt> {
         let middle =
             |claimed: &Passage| hull(&claimed.phase.each_ref().map(|x| Real::rational(x, frame.turn.bits()))).middle();
@@ -203,9 +203,9 @@ impl<'c> Target<'c> {
                 // Both are a whole number.
                 Some(off) if off.is_below(&half) && (-off.clone()).is_below(&half) => {}
                 Some(off) if half.is_below(&off) || half.is_below(&-off.clone()) => {
-                    return Err(Doubt::False("an impact of the orbit is in another cycle".into()));
+                    return Err(Doubt::False("an impact of the orbit is in another forcing period".into()));
                 }
-                _ => return Err(Doubt::Open("the cycle of an impact is not decided".into())),
+                _ => return Err(Doubt::Open("the forcing period of an impact is not decided".into())),
             }
         }
         Ok(())
@@ -229,7 +229,7 @@ impl<'c> Target<'c> {
             let found = right.phase.hull() - &left.phase.hull();
             let found = if found.is_negative() { found + &lasting } else { found };
             if middle.is_negative() || lasting.is_below(&middle) {
-                return Err(Doubt::False("the spacing is not one of the cycles".into()));
+                return Err(Doubt::False("the spacing does not fit the number of forcing periods".into()));
             }
             compare("spacing", &found, claimed)?;
         }
@@ -260,8 +260,8 @@ impl<'c> Target<'c> {
         let is_stable = at.iter().all(Real::is_positive) && determinant.is_below(&one);
         match (self.claim.stability, is_stable, is_unstable) {
             (Stability::Undecided, ..) | (Stability::Stable, true, _) | (Stability::Unstable, _, true) => Ok(()),
-            (_, false, false) => Err(Doubt::Open("the stability is not decided".into())),
-            _ => Err(Doubt::False("the stability is claimed wrongly".into())),
+            (_, false, false) => Err(Doubt::Open("the stability is undecided".into())),
+            _ => Err(Doubt::False("the stability claimed is false".into())),
         }
     }
 

@@ -23,13 +23,13 @@ pub(crate) struct Walk<'c> {
     pub(super) data: &'c Data,
     pub parameters: Parameters,
     pub clock: Clock,
-    /// The whole half turns dropped from the phase that phases are counted from, which is within a turn of 0.
+    /// The whole half periods dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
     /// Where it stands, and what is known there.
     pub standing: Standing<'c>,
-    /// The first release from each wall under one harmonic: half turns, impacts before it.
+    /// The first release from each wall with one harmonic: half periods, impacts before it.
     pub(super) releases: [Option<(BigInt, u64)>; 2],
-    /// All releases under several harmonics.
+    /// All releases with several harmonics.
     pub(super) released: Vec<Release>,
     pub(super) period: Option<Period>,
     pub(super) impacts: u64,
@@ -83,7 +83,7 @@ impl<'c> Walk<'c> {
         self.outcome()
     }
 
-    /// The phase `W t + tau` of phases counted from the origin.
+    /// Returns the phase `W t + tau` of phases counted from the origin.
     pub fn absolute(&self, phase: &Real) -> Real {
         // X1: any number of bits encloses
         let bits = phase.bits().saturating_add(u32::try_from(self.halves.bits()).unwrap_or(0));
@@ -91,7 +91,7 @@ impl<'c> Walk<'c> {
         dropped + &self.parameters.origin() + phase
     }
 
-    /// The datum whose halving narrows the sets most, if the data make most of their width.
+    /// Returns the datum whose halving narrows the sets most, if the data make most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
         let Departure { phase, velocity, .. } = self.standing.departure();
         [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
@@ -159,7 +159,7 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// The next impact, which no claim tells of: of the middle's own flight the first part with a contact tells where to look.
+    /// Returns the next impact, which no claim tells of: of the middle's own flight the first part with a contact tells where to look.
     pub fn next_landing(&self) -> Option<Landing> {
         let departure = self.standing.departure();
         let flight = departure.flights(&self.parameters);

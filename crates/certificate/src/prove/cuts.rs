@@ -14,7 +14,7 @@ const NARROW: f64 = 1e-10;
 const MOST_PARTS: usize = 1 << 14;
 /// In shorter flights an extremum is as near the wall as the ends.
 const SHORT: f64 = 1e-3;
-/// Turns of the reference harmonic beyond which extrema are not all looked at.
+/// Forcing periods of the reference harmonic beyond which extrema are not all looked at.
 const MANY_TURNS: f64 = 2.0;
 
 /// A flight of length `h`, to be cut.
@@ -36,7 +36,7 @@ impl Cuts {
         Self { flight: flight.rounded(flight.bits().min(BITS.saturating_add(lost))), h }
     }
 
-    /// The ends of departure and middle, as parts of the length; in the middle if `y'` has no zero. A flight from rest has
+    /// Returns the ends of departure and middle, as parts of the length; in the middle if `y'` has no zero. A flight from rest has
     /// departed while `y''` keeps its sign.
     pub fn places(&self, is_from_rest: bool) -> [f64; 2] {
         let mut depart = self.extrema(Order::First, 1).first().map_or(0.5, |first| 0.75 * first / self.h);

@@ -69,7 +69,7 @@ fn unknown(excitation: &Excitation, phase: &Real) -> [f64; 2] {
     let of = |x: &Exact| Real::of(x, phase.bits());
     let reference = excitation.reference();
     for harmonic in &excitation.harmonics()[1..] {
-        let share = of(harmonic.amplitude()).over(&of(reference.amplitude())).expect("the box is shaken");
+        let share = of(harmonic.amplitude()).over(&of(reference.amplitude())).expect("the box is excited");
         let ratio = of(harmonic.frequency()).over(&of(reference.frequency())).expect("the frequency is positive");
         // As the proof computes it.
         let turned = ratio.clone() * phase + &(of(harmonic.phase()) - &(ratio.clone() * &of(reference.phase())));
@@ -92,7 +92,7 @@ pub(super) fn flights(
     let mut walk = Walk::new(certificate, data, &Piece::default(), bits);
     let parameters = walk.parameters.clone();
     let amplitude = parameters.terms[0].amplitude.hull();
-    let unit = |x: &Real| x.over(&amplitude).expect("the box is shaken");
+    let unit = |x: &Real| x.over(&amplitude).expect("the box is excited");
     let middle = |x: &Real| Real::point(x.mid(), bits);
     let (phase, velocity, _) = data.state(&Piece::default(), bits);
     let origin = Origin { phase: walk.absolute(&phase.less_centre().hull()), velocity: unit(&velocity.hull()) };
@@ -126,7 +126,7 @@ pub(super) fn flights(
             .time
             .each_ref()
             .map(|time| Real::rational(time, bits) * &Real::of(&data.frequency, bits) + &Real::of(&data.delay, bits));
-        let speeds = printed.each_ref().map(|v| Real::rational(v, bits).over(&aw).expect("the box is shaken"));
+        let speeds = printed.each_ref().map(|v| Real::rational(v, bits).over(&aw).expect("the box is excited"));
         let u = float(&unit(&departure.velocity.centre));
         flights.push(Flight {
             from,

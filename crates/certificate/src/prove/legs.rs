@@ -75,7 +75,7 @@ pub(super) fn leg(flight: &Flight, from: &Box) -> Leg {
 }
 
 /// Radii of the box of arrival in units of `2^-scale`, by (A.7) in units without A and W, as far as doubles tell: the proof
-/// does not trust them. A velocity is told less the tilt times the height, and so hardly depends on the phase of arrival.
+/// does not trust them. A velocity is given less the tilt times the height, and so hardly depends on the phase of arrival.
 fn radii(flight: &Flight, from: &Box, scale: u32) -> [f64; 2] {
     let &Flight { bend, u, h, rate, restitution, before, spread, unknown: [place, speed], .. } = flight;
     let tilt = bend[1] / rate;

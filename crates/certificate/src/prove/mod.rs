@@ -24,7 +24,7 @@ pub struct Theorem {
     pub text: String,
     /// The impacts it proves.
     pub impacts: usize,
-    /// Why it does not prove all that were asked for.
+    /// Why it does not prove all that were requested.
     pub stop: Option<Finding>,
 }
 
@@ -36,19 +36,17 @@ const MOST_BITS: u32 = 1 << 16;
 const SPARE_BITS: u32 = 64;
 
 impl Certificate {
-    /// A file for Coq that proves the first `most` impacts, or those up to the first other event: for every start and all
+    /// Returns a file for Coq that proves the first `most` impacts, or those up to the first other event: for every start and all
     /// parameters that the scene allows there is exactly one orbit, its impacts are first contacts on these walls, and its times
     /// and velocities lie in the printed bounds.
     ///
-    /// `progress` is told the impacts computed so far.
+    /// `progress` receives the impacts computed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
     pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
         if self.claim() == ClaimName::Shadowed {
-            return Err(Error::certificate(
-                "claim \"shadowed\": a theorem is one of the orbit from its exact start".into(),
-            ));
+            return Err(Error::certificate("claim \"shadowed\": only orbits from exact starts can be proved".into()));
         }
         let data = Data::new(self.pair(), self.start())?;
         Error::require_positive("excitation.amplitude", self.pair().excitation().reference().amplitude())?;
@@ -87,10 +85,9 @@ impl Certificate {
             let proved = legs.iter().zip(&flights).take_while(fits).count();
             let stop = match missing {
                 Some(Doubt::Open(message) | Doubt::False(message)) if proved == flights.len() => Some(message),
-                None if is_last_missing && proved == flights.len() => Some(
-                    "the next impact, which would come after the time up to which all is listed, is not found"
-                        .to_owned(),
-                ),
+                None if is_last_missing && proved == flights.len() => {
+                    Some("the next impact, after the time `until`, is not found".to_owned())
+                }
                 _ if proved < flights.len() => Some("boxes do not fit into the printed bounds".to_owned()),
                 _ => None,
             };

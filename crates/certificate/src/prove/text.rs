@@ -100,7 +100,7 @@ fn outcome(listed: usize, until: Option<&Exact>) -> String {
     let Some(until) = until else {
         return format!(
             "\
-(* The outcome: so many impacts are listed. *)
+(* The outcome: the number of impacts listed. *)
 Theorem all_listed : length printed = {listed}%nat.
 Proof. reflexivity. Qed.
 "
@@ -113,7 +113,7 @@ Proof. reflexivity. Qed.
     });
     format!(
         "\
-(* The outcome: so many impacts are listed, and up to this time, {until}, there is no other; the last of `printed` is the next one. *)
+(* The outcome: the number of impacts listed, and up to this time, {until}, there is no other; the last of `printed` is the next one. *)
 Definition until : Q := {}%Q.
 Theorem all_listed : length printed = S {listed} /\\ (until < time_lower (last printed (Impact left 0 0 0 0)))%Q.
 Proof. split; reflexivity. Qed.

@@ -12,17 +12,17 @@ pub struct Harmonic {
 }
 
 impl Harmonic {
-    /// A harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
+    /// Returns a harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
     ///
     /// # Errors
-    /// When a value is not in its range, or cannot be proved to be.
+    /// If a value is out of range, or cannot be proved to be in range.
     pub fn new(amplitude: Exact, frequency: Exact, phase: Exact) -> Result<Self, Error> {
         Error::require_not_negative("excitation.amplitude", &amplitude)?;
         Error::require_positive("excitation.frequency", &frequency)?;
         Ok(Self { amplitude, frequency, phase })
     }
 
-    /// `A` \[length\]
+    /// Returns the amplitude `A` \[length\].
     pub fn amplitude(&self) -> &Exact {
         &self.amplitude
     }
@@ -37,7 +37,7 @@ impl Harmonic {
         &self.phase
     }
 
-    /// Whether no parameter is an interval of values.
+    /// Returns whether no parameter is an interval.
     pub(crate) fn is_point(&self) -> bool {
         [&self.amplitude, &self.frequency, &self.phase].into_iter().all(Exact::is_point)
     }

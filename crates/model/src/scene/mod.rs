@@ -24,13 +24,13 @@ use impact_pair_exact::Exact;
 use section::{Entry, Section, quoted};
 pub use vary::{Key, Term};
 
-/// Digits of a shadow where none are asked for: it is as narrow as it is, and a scene's own are meant for what can be narrower.
+/// Digits of a shadow where none are requested: it is as narrow as it is, and a scene's own are meant for what can be narrower.
 const SHADOW_DIGITS: u32 = 6;
 
-/// The digits that can be asked for.
+/// The accepted numbers of digits.
 pub const DIGITS: RangeInclusive<u32> = 1..=400;
 
-/// What a scene file says.
+/// A scene file: an impact pair, a start, and how far to follow the orbit.
 ///
 /// ```
 /// use impact_pair_model::Scene;
@@ -55,16 +55,16 @@ pub struct Scene {
 /// How far to follow the orbit: the table `[run]`.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
-    /// Stop after so many impacts; 0 asks for none of them.
+    /// Stop after N impacts; 0 requests none.
     pub impacts: Option<u64>,
     /// Stop at this time \[time\].
     pub until: Option<Exact>,
-    /// Widths asked for; see [`Settings::digits`].
+    /// Requested widths; see [`Settings::digits`].
     pub digits: Option<u32>,
 }
 
 impl Run {
-    /// The settings of an orbit: 100 impacts when there is neither a number nor a time to stop at, nine digits.
+    /// Returns the settings of an orbit, by default nine digits, and 100 impacts if neither a number nor a stop time is given.
     pub fn settings(&self, arithmetic: Arithmetic) -> Settings {
         let defaults = Settings::default();
         let impacts = if self.until.is_none() { self.impacts.or(defaults.impacts) } else { self.impacts };
@@ -77,8 +77,8 @@ impl Scene {
     /// Reads a scene file.
     ///
     /// # Errors
-    /// Name the line, the key, its value and what is accepted: unknown, duplicate or missing keys, values of the wrong
-    /// type or out of range, and what is no TOML.
+    /// If a key is unknown, duplicate or missing, a value has the wrong type or is out of range, or the text is not TOML: the message
+    /// names the line, the key, its value and what is accepted.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let document = Document::parse(text).map_err(|error| unreadable(text, error))?;
         let file = Section::file(text, document.as_table());
@@ -104,43 +104,43 @@ impl Scene {
         Ok(Self { title, pair, start, run, places })
     }
 
-    /// The title, if there is one.
+    /// Returns the title, if there is one.
     pub fn title(&self) -> Option<&str> {
         self.title.as_deref()
     }
 
-    /// The impact pair.
+    /// Returns the impact pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.pair
     }
 
-    /// Where the orbit starts.
+    /// Returns where the orbit starts.
     pub fn start(&self) -> &Start {
         &self.start
     }
 
-    /// The table `[run]`.
+    /// Returns the table `[run]`.
     pub fn run(&self) -> &Run {
         &self.run
     }
 
-    /// The settings that `[run]` asks for, in the cheapest arithmetic that decides.
+    /// Returns the settings of `[run]`, in the cheapest arithmetic that decides.
     pub fn settings(&self) -> Settings {
         self.run.settings(Arithmetic::Auto)
     }
 
-    /// How the scene is to be run: as `asked`, and by its table `[run]` as far as that does not say.
+    /// Returns how the scene is run: as `asked`, completed by its table `[run]`.
     pub fn settings_asked(&self, asked: Run, arithmetic: Arithmetic) -> Settings {
         let (impacts, until) = (asked.impacts.or(self.run.impacts), asked.until.or_else(|| self.run.until.clone()));
         Run { impacts, until, digits: self.digits_asked(asked.digits, arithmetic) }.settings(arithmetic)
     }
 
-    /// The digits of an orbit: those asked for, or else those of `[run]`, of a shadow six.
+    /// Returns the digits of an orbit: those requested, or else those of `[run]`; six for a shadow.
     pub fn digits_asked(&self, digits: Option<u32>, arithmetic: Arithmetic) -> Option<u32> {
         digits.or(if arithmetic == Arithmetic::Shadow { Some(SHADOW_DIGITS) } else { self.run.digits })
     }
 
-    /// The error with the line of its key, where that stands in the file.
+    /// Returns the error with the line of its key, if that is in the file.
     pub fn located(&self, error: Error, settings: &Settings) -> Error {
         let is_ours = |until: &Exact| self.run.until.as_ref().is_some_and(|ours| ours.text() == until.text());
         // A time to stop at that is not the file's has no line in it.

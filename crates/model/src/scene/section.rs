@@ -31,18 +31,18 @@ pub(super) struct Entry<'t> {
 }
 
 impl<'t> Section<'t> {
-    /// The whole file.
+    /// Returns the whole file.
     pub fn file(text: &'t str, table: &'t dyn TableLike) -> Self {
         Self { text, name: "", span: 0..0, table }
     }
 
-    /// The table `name` of the file, whose keys are among `keys`.
+    /// Returns the table `name` of the file, whose keys are among `keys`.
     pub fn section(&self, name: &'static str, keys: &[&str]) -> Result<Self, Error> {
         self.optional_section(name, keys)?
             .ok_or_else(|| Error::entry(name, "missing", &format!("must be a table with {}", keys.join(", "))))
     }
 
-    /// The table `name` of the file, if it is there.
+    /// Returns the table `name` of the file, if it is there.
     pub fn optional_section(&self, name: &'static str, keys: &[&str]) -> Result<Option<Self>, Error> {
         let Some(entry) = self.entry(name) else { return Ok(None) };
         let table = entry.item.as_table_like();
@@ -52,12 +52,12 @@ impl<'t> Section<'t> {
         Ok(Some(section))
     }
 
-    /// The entry of `key`, if it is there.
+    /// Returns the entry of `key`, if it is there.
     pub fn entry(&self, key: &str) -> Option<Entry<'t>> {
         self.table.get_key_value(key).map(|(key, item)| self.entry_of(key, item))
     }
 
-    /// The entry of `key`, which must be there.
+    /// Returns the entry of `key`, which must be there.
     pub fn require(&self, key: &str) -> Result<Entry<'t>, Error> {
         self.entry(key).ok_or_else(|| self.missing(key, NUMBER))
     }
@@ -71,7 +71,7 @@ impl<'t> Section<'t> {
             None => Ok(()),
             Some(unknown) => {
                 let place = if self.name.is_empty() { "a scene".into() } else { format!("[{}]", self.name) };
-                let but = format!("is no key of {place}: accepted are {}", accepted.join(", "));
+                let but = format!("is not a key of {place}: accepted are {}", accepted.join(", "));
                 let name = unknown.key.rsplit('.').next().unwrap_or_default();
                 let meant = nearest(name, accepted).map(str::to_owned);
                 Err(unknown.refused_at(unknown.name.clone(), &but).meant(meant))
@@ -79,7 +79,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// The keys with their values' places.
+    /// Returns the keys with their values' places.
     pub fn places(&self) -> impl Iterator<Item = (String, Excerpt)> {
         self.entries().map(|entry| (entry.key.clone(), entry.excerpt()))
     }
@@ -112,12 +112,12 @@ impl<'t> Entry<'t> {
         Excerpt::new(self.text, self.value.clone())
     }
 
-    /// The line, from 1.
+    /// Returns the line, from 1.
     pub fn line(&self) -> usize {
         self.excerpt().line()
     }
 
-    /// The error that the value is what it is, `but` something else is accepted.
+    /// Returns the error that the value is what it is, `but` something else is accepted.
     pub fn refused(&self, but: &str) -> Error {
         self.refused_at(self.value.clone(), but)
     }
@@ -133,23 +133,23 @@ impl<'t> Entry<'t> {
         Error::entry(&self.key, &shown, but).at(Excerpt::new(self.text, place))
     }
 
-    /// A string.
+    /// Returns a string.
     pub fn text(&self, accepted: &str) -> Result<&'t str, Error> {
         self.item.as_str().ok_or_else(|| self.refused(&format!("must be {accepted}")))
     }
 
-    /// An exact number or interval.
+    /// Returns an exact number or interval.
     pub fn number(&self) -> Result<Exact, Error> {
         self.item.as_value().map_or_else(|| Err(self.refused(NUMBER)), |value| self.exact(value, self.value.clone()))
     }
 
-    /// An exact number that is no interval.
+    /// Returns an exact number that is no interval.
     pub fn point(&self) -> Result<Exact, Error> {
         let number = self.number()?;
         if number.is_point() { Ok(number) } else { Err(self.refused("must be a single number, not an interval")) }
     }
 
-    /// An exact number for each term: a single one, or those of a list.
+    /// Returns an exact number for each term: a single one, or those of a list.
     pub fn terms(&self) -> Result<Vec<Exact>, Error> {
         let Some(terms) = self.item.as_array() else { return Ok(vec![self.number()?]) };
         if terms.is_empty() {
@@ -159,12 +159,12 @@ impl<'t> Entry<'t> {
         terms.iter().map(term).collect()
     }
 
-    /// Whether it is a list.
+    /// Returns whether it is a list.
     pub fn is_list(&self) -> bool {
         self.item.is_array()
     }
 
-    /// An integer of this range.
+    /// Returns an integer of this range.
     pub fn integer(&self, range: RangeInclusive<u64>) -> Result<u64, Error> {
         let value = self.item.as_integer().and_then(|value| u64::try_from(value).ok());
         value.filter(|value| range.contains(value)).ok_or_else(|| {

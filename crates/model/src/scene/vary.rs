@@ -16,7 +16,7 @@ pub type Term = NonZeroU16;
 
 /// A parameter or a datum of the start, as the scene file names it.
 ///
-/// What the excitation has of each term is that of its only harmonic, or by a number that of one of several terms.
+/// A key of the excitation refers to its only term, or by a number to one of several terms.
 ///
 /// ```
 /// use impact_pair_model::scene::Key;
@@ -39,8 +39,8 @@ pub enum Key {
     Restitution,
     /// The time of the start.
     StartTime,
-    /// `W t + tau` at the start, instead of its time; of the scene's own W and tau (of several harmonics those of the
-    /// fastest) unless these vary as well.
+    /// `W t + tau` at the start, instead of its time; with the scene's own W and tau (for several harmonics those
+    /// of the fastest) unless these vary as well.
     StartPhase,
     /// The relative displacement at a start inside the gap.
     StartPosition,
@@ -62,7 +62,7 @@ impl Key {
         Self::StartVelocity,
     ];
 
-    /// Where it stands in the scene file: `pair.gap`, `excitation.amplitude.2`.
+    /// Returns its path in the scene file: `pair.gap`, `excitation.amplitude.2`.
     ///
     /// ```
     /// use impact_pair_model::scene::Key;
@@ -93,7 +93,7 @@ impl Key {
         }
     }
 
-    /// The number of the term that it names.
+    /// Returns the number of the term that it names.
     pub fn term(self) -> Option<Term> {
         match self {
             Self::Amplitude(term) | Self::Frequency(term) | Self::Phase(term) => term,
@@ -111,14 +111,14 @@ impl Key {
         }
     }
 
-    /// Whether both set one datum of some scene: then they are not two axes of a grid.
+    /// Returns whether both set the same datum of some scene: then they cannot be two axes of a grid.
     pub fn is_one_with(self, other: Self) -> bool {
         let is_time = |key| matches!(key, Self::StartTime | Self::StartPhase);
         let is_all = self.term().is_none() || other.term().is_none();
         self == other || (is_all && self.name() == other.name()) || (is_time(self) && is_time(other))
     }
 
-    /// Its symbol in the paper, and its unit.
+    /// Returns its symbol in the paper, and its unit.
     pub fn symbol(self) -> (String, &'static str) {
         let (symbol, unit) = match self {
             Self::Amplitude(_) => ("A", "length"),
@@ -142,7 +142,7 @@ const ON_A_WALL: &str = "the scene starts on a wall (give it a start.position in
 
 fn not_a_key(text: &str) -> Error {
     let keys = Key::ALL.map(Key::name).join(", ");
-    let terms = "of several terms with a number, such as amplitude.2";
+    let terms = "with several terms followed by a number, such as amplitude.2";
     Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}; {terms}"))
 }
 
@@ -170,7 +170,7 @@ impl FromStr for Key {
 }
 
 impl Scene {
-    /// The scene with these values in the place of its own; the settings of its run are kept.
+    /// Returns the scene with these values in place of its own; the settings of its run are kept.
     ///
     /// # Errors
     /// When a value is not in its range, it is that of a harmonic and there are several or no term has its number, the start then
@@ -215,7 +215,7 @@ impl Scene {
 }
 
 impl ImpactPair {
-    /// The pair with another value of one of its parameters: the same for a key of the start.
+    /// Returns the pair with another value of one of its parameters; the same pair for a key of the start.
     ///
     /// # Errors
     /// When the value is not in its range, or it is that of a harmonic and there are several or no term has its number.
@@ -242,7 +242,7 @@ impl ImpactPair {
         let excitation = self.excitation();
         let number = key.term().map_or(0, |number| usize::from(number.get()) - 1);
         let harmonic = excitation.terms().get(number).and_then(|term| excitation.harmonic_of(term));
-        let accepted = "accepted is that of a term whose frequency and phase are no intervals";
+        let accepted = "accepted is that of a term whose frequency and phase are not intervals";
         harmonic.ok_or_else(|| Error::out_of_range(None, format!("the key is \"{key}\", but {accepted}")))
     }
 }

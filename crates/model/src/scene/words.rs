@@ -5,7 +5,7 @@ use crate::excitation::Harmonic;
 use crate::start::Place;
 
 impl Scene {
-    /// The parameters in the words of the scene.
+    /// Returns the parameters in the words of the scene.
     pub fn parameters_in_words(&self) -> String {
         let pair = self.pair();
         let [amplitude, frequency, phase] = [Harmonic::amplitude, Harmonic::frequency, Harmonic::phase].map(|of| {
@@ -16,7 +16,7 @@ impl Scene {
         format!("A = {amplitude}, W = {frequency}, tau = {phase}, d = {gap}, e = {restitution}")
     }
 
-    /// The start in the words of the scene.
+    /// Returns the start in the words of the scene.
     pub fn start_in_words(&self) -> String {
         let (time, velocity) = (self.start().time(), self.start().velocity());
         match self.start().place() {

@@ -1,4 +1,4 @@
-//! The bases of a horseshoe in the coordinates of one of them, along its leaf and across it: there it is a square from -1
+//! The h-sets of a horseshoe in the coordinates of one of them, along its leaf and across it: there it is a square from -1
 //! to 1, and the others lie above and below it.
 
 use std::collections::BTreeSet;
@@ -15,11 +15,11 @@ use super::{OUTLINE, RIGHT, dots, lines, round, seen};
 use crate::picture::{Axis, BLUE, Canvas, Drawn, Element, GREEN, Plane, SCALE, VERMILION};
 use crate::sweep::value;
 
-/// Beyond the bases so much is shown, in half sides of a base.
+/// Beyond the h-sets so much is shown, in half sides of an h-set.
 const BEYOND: f64 = 0.3;
-/// Bases further off across the leaf are not shown.
+/// H-sets further off across the leaf are not shown.
 const FAR: f64 = 12.0;
-/// States of a base's middle line that are followed.
+/// States of an h-set's middle line that are followed.
 const FOLLOWED: usize = 2000;
 /// Neighbours among them whose images are further apart have a graze between them.
 const APART: f64 = 0.3;
@@ -27,7 +27,7 @@ const APART: f64 = 0.3;
 pub const COLOURS: [RGBColor; 2] = [BLUE, GREEN];
 pub const STRIP: i32 = 3 * SCALE;
 
-/// The coordinates of a base, exact for a parallelogram.
+/// The coordinates of an h-set, exact for a parallelogram.
 struct Leaf {
     centre: State,
     along: State,
@@ -43,7 +43,7 @@ impl Leaf {
         Self { centre: of([1.0; 4]), along: of([-1.0, 1.0, 1.0, -1.0]), across: of([-1.0, -1.0, 1.0, 1.0]) }
     }
 
-    /// Where a state is, the phase less whole turns.
+    /// Where a state is, the phase less whole forcing periods.
     fn place(&self, state: &State) -> State {
         let (phase, w) = (state[0] - self.centre[0], state[1] - self.centre[1]);
         let u = phase - phase.round();
@@ -61,7 +61,7 @@ impl Leaf {
     }
 }
 
-/// The two words of the horseshoe by the bases that they lead from and to: of each base both, or it is left out.
+/// Returns the two words of the horseshoe by the h-sets that they lead from and to: of each h-set both, or it is left out.
 pub fn words(found: &Chaos) -> [Vec<&Word>; 2] {
     let Some(names) = found.horseshoe() else { return [const { Vec::new() }; 2] };
     let named = |name: &Word| found.words().iter().filter(|word| word.is_same_block(name)).collect::<Vec<_>>();
@@ -70,7 +70,7 @@ pub fn words(found: &Chaos) -> [Vec<&Word>; 2] {
     [first.iter().filter(both).copied().collect(), second.iter().filter(both).copied().collect()]
 }
 
-/// The bases with the images of theirs that lie across them, in coordinates of the first base of the horseshoe.
+/// Returns the h-sets with the images of theirs that lie across them, in coordinates of the first h-set of the horseshoe.
 pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let both = words(found);
     let concerned: BTreeSet<usize> = both.iter().flatten().flat_map(|word| [word.from, word.to]).collect();
@@ -84,7 +84,7 @@ pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) 
         shown.fold([-1.0, 1.0], |[low, high]: [f64; 2], at| [low.min(at), high.max(at)])
     };
     let window = [0, 1].map(ends).map(|[low, high]| [low - BEYOND, high + BEYOND]);
-    let names = ["along the leaf, in half lengths of the base", "across the leaf, in half widths of the base"];
+    let names = ["along the leaf, in half lengths of the h-set", "across the leaf, in half widths of the h-set"];
     let plane = Plane::draw(area, window.map(|[low, high]| Axis::over(low, high)), names, RIGHT)?;
     let is_shown = |at: &State| (0..2).all(|i| (window[i][0]..=window[i][1]).contains(&at[i]));
     let states = seen(found).map(|state| leaf.place(state)).filter(is_shown).collect();
@@ -99,7 +99,7 @@ pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) 
     Ok(())
 }
 
-/// The image of a base's middle line by a word where it lies across the other base: of certified impacts.
+/// The image of an h-set's middle line by a word where it lies across the other h-set: of certified impacts.
 fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Vec<State>> {
     let [from, to] = [word.from, word.to].map(|number| Leaf::of(&found.bases()[number]));
     let images = from.middle().map(|state| image(scene.pair(), state, &word.walls));

@@ -7,7 +7,7 @@ use super::panel::Style;
 use super::trace::{Part, Point};
 use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 
-/// A segment goes over so many points of a stroke: a twenty-fourth of a turn.
+/// A segment goes over so many points of a stroke: a twenty-fourth of a forcing period.
 pub const POINTS: usize = 4;
 /// From so many flights on they are translucent, and at least so much of them is left.
 const MANY: f64 = 30.0;
@@ -15,7 +15,7 @@ const FAINTEST: f64 = 0.2;
 /// Jumps are fainter than flights, but do not darken each other: they lie on walls.
 const JUMP: f64 = 0.45;
 
-/// A stroke's curve on a panel.
+/// Returns a stroke's curve on a panel.
 pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     let middle = |point: &Point| frame.place(point).map(|span| span.middle);
     let mut path = Path::default();

@@ -1,4 +1,4 @@
-//! A picture of a scene: how far its orbit is followed for the panels asked for, and what is drawn of it.
+//! A picture of a scene: how far its orbit is followed for the panels requested, and what is drawn of it.
 
 use std::ops::ControlFlow;
 
@@ -47,7 +47,7 @@ impl Figure {
         most.max().unwrap_or(0)
     }
 
-    /// How far the orbit of a scene is followed: where nothing is said, as far as the panels need.
+    /// Returns how far the orbit of a scene is followed: where nothing is said, as far as the panels need.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let asked = self.run.impacts.is_some() || self.run.until.is_some();
         let many = self.panels.iter().any(|panel| panel.is_section());

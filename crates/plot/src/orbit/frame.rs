@@ -53,7 +53,7 @@ impl Panel {
         Self::SectionRight,
     ];
 
-    /// Whether it shows impacts alone.
+    /// Returns whether it shows impacts alone.
     pub fn is_section(self) -> bool {
         self >= Self::SwitchPlane
     }
@@ -63,7 +63,7 @@ impl Panel {
 pub struct Frame<'t> {
     pub panel: Panel,
     trace: &'t Trace,
-    /// Turns since the start from which and up to which curves are drawn, and the axis of time goes.
+    /// Forcing periods since the start from which and up to which curves are drawn, and the axis of time goes.
     begin: f64,
     end: f64,
     /// Whether a part of the time is magnified.
@@ -71,12 +71,12 @@ pub struct Frame<'t> {
 }
 
 impl Panel {
-    /// The letter of the paper.
+    /// Returns the letter of the paper.
     pub fn letter(self) -> char {
         (b'a' + self as u8) as char
     }
 
-    /// What the paper calls it.
+    /// Returns what the paper calls it.
     pub fn title(self) -> &'static str {
         match self {
             Self::Displacement => "time–displacement",
@@ -90,7 +90,7 @@ impl Panel {
         }
     }
 
-    /// The quantities on its axes, with their units.
+    /// Returns the quantities on its axes, with their units.
     pub fn quantities(self) -> [&'static str; 2] {
         match self {
             Self::Displacement => ["$t$ [time]", "$y$ [length]"],
@@ -104,27 +104,27 @@ impl Panel {
         }
     }
 
-    /// Whether time runs along it.
+    /// Returns whether time runs along it.
     pub fn is_of_time(self) -> bool {
         matches!(self, Self::Displacement | Self::Velocity)
     }
 }
 
 impl<'t> Frame<'t> {
-    /// The panel with curves of so many cycles.
+    /// Returns the panel with curves of so many cycles.
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
         // Where nothing more is proved the rest of what was asked is shown as open.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
         Self { panel, trace, begin: 0.0, end, is_magnified: false }
     }
 
-    /// The panel of time between these two times.
+    /// Returns the panel of time between these two times.
     pub fn magnified(panel: Panel, trace: &'t Trace, [from, to]: [f64; 2]) -> Self {
         let turns = |time: f64| (time - trace.start) / trace.period;
         Self { panel, trace, begin: turns(from), end: turns(to), is_magnified: true }
     }
 
-    /// Where a state is on this panel.
+    /// Returns where a state is on this panel.
     pub fn place(&self, point: &Point) -> [Span; 2] {
         match self.panel {
             Panel::Displacement => [point.time, point.displacement],
@@ -134,7 +134,7 @@ impl<'t> Frame<'t> {
         }
     }
 
-    /// How fast that changes, per turn.
+    /// Returns how fast that changes, per forcing period.
     pub fn rate(&self, point: &Point) -> [f64; 2] {
         let (acceleration, absolute) = point.accelerations;
         let rate = match self.panel {
@@ -146,7 +146,7 @@ impl<'t> Frame<'t> {
         rate.map(|rate| rate * self.trace.period)
     }
 
-    /// The curves shown, those of impacts' jumps among them. Of what is magnified whole strokes, which the frame cuts.
+    /// Returns the curves shown, those of impacts' jumps among them. Of what is magnified whole strokes, which the frame cuts.
     pub fn strokes(&self) -> impl Iterator<Item = (&'t Stroke, &'t [Point])> {
         let strokes = if self.panel.is_section() { &[] } else { self.trace.strokes.as_slice() };
         let (begin, end) = (self.begin, self.end);
@@ -169,7 +169,7 @@ impl<'t> Frame<'t> {
         points.filter(move |point| shown.contains(&point.at)).map(|point| self.place(point))
     }
 
-    /// The impacts shown, and how many are before each of them.
+    /// Returns the impacts shown, and how many are before each of them.
     pub fn crossings(&self) -> impl Iterator<Item = (usize, Wall, [Span; 2])> {
         let shown = move |(_, crossing): &(usize, &Crossing)| match self.panel {
             Panel::SwitchPlane | Panel::AbsoluteSwitchPlane => true,
@@ -186,7 +186,7 @@ impl<'t> Frame<'t> {
         })
     }
 
-    /// A place on an axis of angles, in two parts where it goes beyond a whole turn.
+    /// Returns a place on an axis of angles, in two parts where it goes beyond a whole forcing period.
     pub fn wrapped(&self, place: [Span; 2]) -> impl Iterator<Item = [Span; 2]> {
         let [angle, other] = place;
         let is_angle = self.panel.is_section() && self.panel != Panel::AbsoluteSwitchPlane;
@@ -204,7 +204,7 @@ impl<'t> Frame<'t> {
         marks.iter().filter(move |mark| shown.contains(&mark.point.at)).map(|mark| (mark.kind, self.place(&mark.point)))
     }
 
-    /// Where the walls are, on the axis they are on.
+    /// Returns where the walls are, on the axis they are on.
     pub fn walls(&self) -> Option<(usize, [Span; 2])> {
         let wall = self.trace.wall;
         let walls = [wall.negated(), wall];
@@ -221,7 +221,7 @@ impl<'t> Frame<'t> {
         (self.panel.is_of_time() && self.trace.is_open && from < to).then(|| (self.time(from), self.time(to)))
     }
 
-    /// The last state that is proved, where time does not show it.
+    /// Returns the last state that is proved, where time does not show it.
     pub fn last(&self) -> Option<[Span; 2]> {
         let is_cut =
             !self.trace.is_open || self.panel.is_of_time() || self.panel.is_section() || self.trace.known > self.end;
@@ -234,7 +234,7 @@ impl<'t> Frame<'t> {
         turns.mul_add(self.trace.period, self.trace.start)
     }
 
-    /// The axes: all that is shown lies on them.
+    /// Returns the axes: all that is shown lies on them.
     pub fn axes(&self) -> [Axis; 2] {
         let all = |axis: usize| {
             let curves = self.places().map(move |place| place[axis]);

@@ -27,7 +27,7 @@ pub struct Style {
 }
 
 impl Style {
-    /// The colour of curves after so many impacts.
+    /// Returns the colour of curves after so many impacts.
     pub fn curve(self, impacts: usize) -> RGBColor {
         match (impacts < self.transient, self.is_certified) {
             (true, _) => GREY,
@@ -36,7 +36,7 @@ impl Style {
         }
     }
 
-    /// The colour of the impact on a wall that so many are before.
+    /// Returns the colour of the impact on a wall that so many are before.
     pub fn impact(self, wall: Wall, impacts: usize) -> RGBColor {
         match (self.curve(impacts), wall) {
             (BLUE, Wall::Right) => GREEN,

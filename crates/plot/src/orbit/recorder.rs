@@ -7,11 +7,11 @@ use impact_pair::pair::Wall;
 
 use super::trace::{Crossing, Kind, Mark, Part, Point, Span, Stroke, Trace};
 
-/// Points of a flight: in a turn, and at least.
+/// Points of a flight: in a forcing period, and at least.
 const IN_A_TURN: f64 = 96.0;
 const IN_A_HOP: u32 = 32;
 
-/// A phase: whole turns since the clock's origin and the rest.
+/// A phase: whole forcing periods since the clock's origin and the rest.
 type Phase = (i64, Ball);
 
 /// What the ball does.
@@ -25,7 +25,7 @@ enum Now {
 #[derive(Debug)]
 pub struct Recorder {
     trace: Trace,
-    /// Turns since the start up to which curves are drawn.
+    /// Forcing periods since the start up to which curves are drawn.
     window: f64,
     start: Phase,
     /// The last event, the state after it where that is an impact, what the ball does since, and whether it has
@@ -36,7 +36,7 @@ pub struct Recorder {
     has_grazed: bool,
 }
 
-/// When `cycles` have passed since the start \[time\]; `None` where that is beyond what exact numbers hold.
+/// Returns when `cycles` have passed since the start \[time\]; `None` where that is beyond what exact numbers hold.
 pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
     let turns = Exact::pi().checked_mul(&Exact::from(2 * i64::from(cycles))).ok()?;
     let lasting = turns.checked_div(scene.pair().excitation().reference().frequency()).ok()?;
@@ -75,12 +75,12 @@ impl Recorder {
         }
     }
 
-    /// Turns since the start.
+    /// Forcing periods since the start.
     fn at(&self, (turns, phase): Phase) -> f64 {
         turns.saturating_sub(self.start.0) as f64 + (phase.mid() - self.start.1.mid())
     }
 
-    /// The phase of so many turns since the start.
+    /// The phase of so many forcing periods since the start.
     fn phase(&self, at: f64) -> Phase {
         let turns = self.start.1.mid() + at;
         (self.start.0.saturating_add(turns.round() as i64), Ball::exact(turns - turns.round()))
@@ -158,7 +158,7 @@ impl Recorder {
         self.trace.strokes.push(Stroke { part, impacts: self.trace.crossings.len(), points });
     }
 
-    /// An event with no velocity.
+    /// An event with zero velocity.
     fn touch(&mut self, orbit: &Orbit, kind: Kind, phase: Phase) {
         self.follow(orbit, phase);
         let point = self.point(orbit, phase).filter(|point| point.at <= self.window);
@@ -202,7 +202,7 @@ impl Recorder {
         self.stroke(part, points);
     }
 
-    /// What is known after the last event.
+    /// Returns what is known after the last event.
     pub fn finish(mut self, orbit: &Orbit, settings: &Settings, impacts: u64) -> Trace {
         match orbit.outcome() {
             None | Some(Outcome::Undecided { .. }) => self.trace.is_open = true,

@@ -39,7 +39,7 @@ pub struct Sheet<'s> {
 }
 
 impl Sheet<'_> {
-    /// The picture as SVG.
+    /// Returns the picture as SVG.
     ///
     /// # Errors
     /// When it cannot be drawn.
@@ -97,7 +97,7 @@ impl Sheet<'_> {
         let excitation = scene.pair().excitation();
         let of_what = match excitation.only() {
             Some(_) => String::new(),
-            None => format!("; cycles and phases of W = {}", excitation.reference().frequency()),
+            None => format!("; forcing periods and phases of W = {}", excitation.reference().frequency()),
         };
         let data = greek(&format!("{}; {}{of_what}", scene.parameters_in_words(), scene.start_in_words()));
         let title = scene.title().map(|title| (title.to_owned(), FONT + 3 * SCALE));
@@ -133,7 +133,7 @@ impl Sheet<'_> {
         ];
         let shown = shown.into_iter().filter(|(letters, _)| !letters.is_empty());
         let shown = shown.map(|(letters, what)| format!("{letters}: {what}")).collect::<Vec<_>>().join("; ");
-        format!("shown from the start on, no transient left out: {shown}")
+        format!("shown from the start on, with its transient: {shown}")
     }
 }
 

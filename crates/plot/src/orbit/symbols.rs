@@ -14,7 +14,7 @@ const HATCH: i32 = 12 * SCALE;
 /// The height of a line of the legend.
 pub const LINE: i32 = 26 * SCALE;
 
-/// The symbol of a graze, a rest or a release.
+/// Returns the symbol of a graze, a rest or a release.
 pub fn symbol(root: &Canvas<'_>, kind: Kind, (x, y): (i32, i32)) -> Drawn {
     let half = 5 * SCALE;
     let corners = match kind {
@@ -29,7 +29,7 @@ pub fn symbol(root: &Canvas<'_>, kind: Kind, (x, y): (i32, i32)) -> Drawn {
     Ok(())
 }
 
-/// The symbol of the last proved state.
+/// Returns the symbol of the last proved state.
 pub fn open(root: &Canvas<'_>, place: (i32, i32)) -> Drawn {
     root.draw(&Cross::new(place, 6 * SCALE, VERMILION.stroke_width(2 * SCALE as u32)))?;
     Ok(())
@@ -76,7 +76,7 @@ impl Entry {
             Self::Mark(Kind::Release) => "release",
             Self::Left => "impact on the left wall, $Σ_-$",
             Self::Right => "impact on the right wall, $Σ_+$",
-            Self::Box => "the truth lies in here",
+            Self::Box => "the true state lies in here",
             Self::Open => "nothing is proved from here on",
         };
         words.to_owned()
@@ -118,7 +118,7 @@ impl Entry {
     }
 }
 
-/// What these panels of a trace need to have said, boxes if there are any wide enough.
+/// Returns what these panels of a trace need to have said, boxes if there are any wide enough.
 pub fn entries(trace: &Trace, panels: &[Panel], style: Style, has_boxes: bool) -> Vec<Entry> {
     let mut entries = Vec::new();
     let has_curves = panels.iter().any(|panel| !panel.is_section());
@@ -143,7 +143,7 @@ pub fn entries(trace: &Trace, panels: &[Panel], style: Style, has_boxes: bool) -
 /// An entry, and where it stands.
 type Placed = (Entry, (i32, i32));
 
-/// The places of the entries: lines of this `width`, in pixels from the upper left corner; and how many lines.
+/// Returns the places of the entries: lines of this `width`, in pixels from the upper left corner; and how many lines.
 pub fn lay_out(entries: &[Entry], style: Style, width: i32) -> (Vec<Placed>, i32) {
     let (mut x, mut y) = (0, 0);
     let mut places = Vec::new();

@@ -128,7 +128,7 @@ fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f
     (x - x0 - part * u).hypot(y - y0 - part * v)
 }
 
-/// Hermite's bound for a twenty-fourth of a turn, in amplitudes.
+/// Hermite's bound for a twenty-fourth of a forcing period, in amplitudes.
 const MISSED: f64 = 1.3e-5;
 
 #[test]

@@ -35,7 +35,7 @@ impl From<&Enclosure> for Span {
 /// The motion at some time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// Turns since the start.
+    /// Forcing periods since the start.
     pub at: f64,
     pub time: Span,
     /// `y` and `y'`
@@ -48,7 +48,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// A state so many turns after the start, with the walls at most so far from the middle.
+    /// Returns a state so many forcing periods after the start, with the walls at most so far from the middle.
     pub fn new(at: f64, point: &CoursePoint, wall: f64) -> Self {
         Self {
             at,
@@ -71,7 +71,7 @@ pub enum Part {
     Jump,
     /// While an impact may have come or not: the flights before and after it. Enclosures without a line.
     Either,
-    /// Infinitely many bounces, each smaller than the digits asked for.
+    /// Infinitely many bounces, each smaller than the requested digits.
     Chatter,
     /// On a wall.
     Rest,
@@ -114,7 +114,7 @@ pub struct Crossing {
 }
 
 impl Crossing {
-    /// The impact of `orbit`, whose period is `period` \[time\].
+    /// Returns the impact of `orbit`, whose period is `period` \[time\].
     pub fn new(orbit: &Orbit, impact: &impact_pair::orbit::Impact, period: f64) -> Self {
         let point = orbit.switch_point(impact);
         let phase = Span::from(&point.time).map(|time| time * TAU / period);
@@ -140,7 +140,7 @@ pub struct Trace {
     pub start: f64,
     /// `2 pi/W` \[time\]
     pub period: f64,
-    /// Turns since the start up to where the motion is known, or asked for.
+    /// Forcing periods since the start up to where the motion is known, or requested.
     pub known: f64,
     /// Nothing is proved from there on.
     pub is_open: bool,

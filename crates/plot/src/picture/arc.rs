@@ -1,13 +1,13 @@
-//! The part of a turn that a picture shows: phases that all lie in a part of it need not leave the rest blank.
+//! The part of a forcing period that a picture shows: phases that all lie in a part of it need not leave the rest blank.
 
 use std::f64::consts::TAU;
 
 use super::Axis;
 
-/// Phases of so many eighths of a turn are told apart where it is looked at which are there.
+/// Phases of so many eighths of a forcing period are distinguished where it is looked at which are there.
 const EIGHTHS: usize = 8;
 
-/// An arc of whole eighths of a turn.
+/// An arc of whole eighths of a forcing period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arc {
     from: i32,
@@ -15,7 +15,7 @@ pub struct Arc {
 }
 
 impl Arc {
-    /// The least one that holds these phases, from one to another, in turns: half a turn at least, and all of it where
+    /// Returns the least one that holds these phases, from one to another, in forcing periods: half a forcing period at least, and all of it where
     /// less than a quarter would be left out.
     pub fn holding(phases: impl Iterator<Item = [f64; 2]>) -> Self {
         let mut is_met = [false; EIGHTHS];
@@ -35,12 +35,12 @@ impl Arc {
         Self { from, to: from + length }
     }
 
-    /// Its axis, in radians.
+    /// Returns its axis, in radians.
     pub fn axis(self) -> Axis {
         Axis::eighths(self.from, self.to)
     }
 
-    /// Where a phase in turns is on that axis.
+    /// Returns where a phase in forcing periods is on that axis.
     pub fn place(self, phase: f64) -> f64 {
         let from = f64::from(self.from) / 8.0;
         TAU * ((phase - from).rem_euclid(1.0) + from)

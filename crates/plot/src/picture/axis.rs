@@ -21,7 +21,7 @@ pub struct Axis {
 enum Labels {
     /// Multiples of a step, with so many decimals.
     Step(f64, usize),
-    /// So many eighths of a turn, and multiples of them.
+    /// So many eighths of a forcing period, and multiples of them.
     Angle(i32),
 }
 
@@ -40,7 +40,7 @@ impl Axis {
         Self::holding(values, 0.1)
     }
 
-    /// The same, however near to each other they are.
+    /// Returns the same, however near to each other they are.
     pub fn close_around(values: impl Iterator<Item = f64>) -> Self {
         Self::holding(values, 0.0)
     }
@@ -62,18 +62,18 @@ impl Axis {
         Self::turn(0.0)
     }
 
-    /// Angles from so many eighths of a turn to so many.
+    /// Angles from so many eighths of a forcing period to so many.
     pub fn eighths(from: i32, to: i32) -> Self {
         let step = if to - from > 4 { 2 } else { 1 };
         Self { range: f64::from(from) * FRAC_PI_4..f64::from(to) * FRAC_PI_4, labels: Labels::Angle(step) }
     }
 
-    /// Where a value is on it: 0 at its beginning, 1 at its end.
+    /// Returns where a value is on it: 0 at its beginning, 1 at its end.
     pub fn part(&self, value: f64) -> f64 {
         (value - self.range.start) / (self.range.end - self.range.start)
     }
 
-    /// The same, with this much room at both ends.
+    /// Returns the same, with this much room at both ends.
     pub fn turn(room: f64) -> Self {
         Self { range: -room..TAU + room, labels: Labels::Angle(2) }
     }
@@ -92,7 +92,7 @@ fn step(least: f64) -> (f64, usize) {
     (times * decade, exponent.min(0).unsigned_abs() as usize)
 }
 
-/// So many eighths of a turn in words.
+/// So many eighths of a forcing period in words.
 fn angle(eighths: i32) -> String {
     let sign = if eighths < 0 { "−" } else { "" };
     let (times, parts) = match eighths.abs() {

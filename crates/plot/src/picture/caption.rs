@@ -32,12 +32,12 @@ pub fn caption(root: &Canvas<'_>, title: &str, lines: &[String]) -> Result<i32, 
     Ok(top)
 }
 
-/// The program's name and version, which stay in one line.
+/// Returns the program's name and version, which stay in one line.
 pub fn program() -> String {
     PROGRAM.replace(' ', "\u{a0}")
 }
 
-/// The words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
+/// Returns the words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
 pub fn wrapped(text: &str, most: f64) -> Vec<String> {
     let width = |text: &str| letters(&text.replace('$', ""));
     let mut lines: Vec<String> = Vec::new();

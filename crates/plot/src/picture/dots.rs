@@ -23,7 +23,7 @@ const FEW: usize = 100;
 /// Dots are dealt to so many paths, each of this opacity: within a path they cover each other unseen.
 const LAYERS: usize = 6;
 const OPACITY: f64 = 0.55;
-/// From here on their places are told apart by half a pixel as it is shown only, lest the file be too large.
+/// From here on their places are distinguished by half a pixel as it is shown only, lest the file be too large.
 const VERY_MANY: usize = 20_000;
 
 impl Dots {
@@ -32,7 +32,7 @@ impl Dots {
         self.places.iter().collect::<BTreeSet<_>>().len() > FEW
     }
 
-    /// The dots as an element.
+    /// Returns the dots as an element.
     pub fn element(&self) -> Element {
         let many = self.are_many();
         let (layers, width, opacity) = if many { (LAYERS, DOT, OPACITY) } else { (1, LARGE, 1.0) };
@@ -54,7 +54,7 @@ impl Dots {
     }
 }
 
-/// The data of a path of dots: lines of no length, each told from the one before.
+/// The data of a path of dots: lines of no length, each measured from the one before.
 fn data(places: BTreeSet<(i32, i32)>) -> String {
     let (mut data, mut at) = (String::new(), (0, 0));
     for (x, y) in places {

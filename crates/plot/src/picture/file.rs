@@ -26,7 +26,7 @@ pub fn path(text: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// The bytes of the picture for a file of this name.
+/// Returns the bytes of the picture for a file of this name.
 ///
 /// # Errors
 /// When it cannot be turned into a PNG or PDF.

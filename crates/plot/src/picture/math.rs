@@ -32,7 +32,7 @@ struct Run {
     level: Level,
 }
 
-/// The parts of a text, those in dollars told apart; of an odd number of dollars the last one is a dollar.
+/// The parts of a text, those in dollars distinguished; of an odd number of dollars the last one is a dollar.
 fn parts(text: &str) -> Vec<(String, bool)> {
     let mut parts: Vec<(String, bool)> =
         text.split('$').enumerate().map(|(i, part)| (part.to_owned(), i % 2 == 1)).collect();
@@ -100,7 +100,7 @@ fn all_runs(text: &str) -> Vec<Run> {
     joined
 }
 
-/// The text as the inside of an SVG text of this `size`.
+/// Returns the text as the inside of an SVG text of this `size`.
 pub fn typeset(text: &str, size: f64) -> String {
     let mut svg = String::new();
     let mut level = Level::Line;
@@ -133,14 +133,14 @@ pub fn letters(text: &str) -> f64 {
     all_runs(text).iter().map(width).sum()
 }
 
-/// The words of a scene as they are set in print.
+/// Returns the words of a scene as they are set in print.
 pub fn greek(words: &str) -> String {
     let names = [("tau", "τ"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−"), ("'", "′")];
     let words = powers(&roots(words));
     format!("${}$", names.iter().fold(words, |words, (ascii, greek)| words.replace(ascii, greek)).replace('*', ""))
 }
 
-/// What the program says, with numbers and the paper's names of mappings as they are set in print.
+/// Returns what the program says, with numbers and the paper's names of mappings as they are set in print.
 pub fn said(words: &str) -> String {
     (1..=4).fold(each_power(words, "$"), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
 }

@@ -60,7 +60,7 @@ pub type Canvas<'a> = DrawingArea<Svg<'a>, plotters::coord::Shift>;
 /// Whether something could be drawn.
 pub type Drawn = Result<(), Box<dyn StdError>>;
 
-/// The SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
+/// Returns the SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
 ///
 /// # Errors
 /// Those of `draw`.
@@ -74,7 +74,7 @@ pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn
     Ok(text)
 }
 
-/// A colour as SVG writes it.
+/// Returns a colour as SVG writes it.
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 /// A place on the canvas.
 pub type Place = (f64, f64);
-/// What is told apart, a pixel of the canvas in parts.
+/// What is distinguished, a pixel of the canvas in parts.
 const PARTS: f64 = 10.0;
 /// How far a curve may be from its chord to be drawn as that: a twentieth of a pixel as it is shown.
 const STRAIGHT: f64 = 0.2;
@@ -13,8 +13,8 @@ const STRAIGHT: f64 = 0.2;
 /// whole length, these rates at its ends (Hermite).
 ///
 /// A motion `f` over a time `h` stays within `h^4/384 max |f''''|` of it. The motion has `f'''' = A W^4 sin` (11), so
-/// over a twenty-fourth of a turn its displacement is missed by less than `A/80,000`, its velocity by less than
-/// `A W/80,000`; under several harmonics by less than the same of their sum, since W is the greatest.
+/// over a twenty-fourth of a forcing period its displacement is missed by less than `A/80,000`, its velocity by less than
+/// `A W/80,000`; with several harmonics by less than the same of their sum, since W is the greatest.
 pub fn hermite((from, start): (Place, Place), (to, end): (Place, Place)) -> [Place; 3] {
     let along = |place: Place, rate: Place, part: f64| (rate.0.mul_add(part, place.0), rate.1.mul_add(part, place.1));
     [along(from, start, 1.0 / 3.0), along(to, end, -1.0 / 3.0), to]
@@ -82,7 +82,7 @@ impl Path {
         }
     }
 
-    /// The data, as the attribute `d` of a path has them.
+    /// Returns the data, as the attribute `d` of a path has them.
     pub fn data(&self) -> &str {
         &self.data
     }

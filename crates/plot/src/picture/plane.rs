@@ -48,7 +48,7 @@ impl Plane {
         Ok(Self { axes, pixels: [(across.start, across.end - 1), (down.end - 1, down.start)] })
     }
 
-    /// The pixel at which it is, or the one on the edge that is next to it.
+    /// Returns the pixel at which it is, or the one on the edge that is next to it.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> (i32, i32) {
         let clamped = |axis: usize, value: f64| {
             let (from, to) = self.pixels[axis];
@@ -57,7 +57,7 @@ impl Plane {
         (clamped(0, x), clamped(1, y))
     }
 
-    /// Where it is, in parts of pixels, and maybe outside.
+    /// Returns where it is, in parts of pixels, and maybe outside.
     pub fn place(&self, place: [f64; 2]) -> Place {
         let at = |axis: usize| {
             let (from, to) = self.pixels[axis];
@@ -66,7 +66,7 @@ impl Plane {
         (at(0), at(1))
     }
 
-    /// How far it is from `place` to where these rates lead from it.
+    /// Returns how far it is from `place` to where these rates lead from it.
     pub fn way(&self, place: [f64; 2], rate: [f64; 2]) -> Place {
         let (a, b) = (self.place(place), self.place([place[0] + rate[0], place[1] + rate[1]]));
         (b.0 - a.0, b.1 - a.1)

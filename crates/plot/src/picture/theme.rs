@@ -16,7 +16,7 @@ const GROUND: f64 = 0.07;
 const INK: f64 = 0.92;
 
 impl Theme {
-    /// A picture that was drawn in the light.
+    /// Returns a picture that was drawn in the light.
     pub fn of(self, svg: &str) -> String {
         match self {
             Self::Light => svg.to_owned(),

@@ -51,7 +51,7 @@ impl Class {
     fn name(self) -> &'static str {
         match self {
             Self::Attracted => "proved to converge to a periodic orbit",
-            Self::NotAttracted => "not proved to converge",
+            Self::NotAttracted => "undecided convergence",
             Self::Settled => "periodic through rest, or at an end",
             Self::Undecided => "undecided (bar), impacts before",
         }

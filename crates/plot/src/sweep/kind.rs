@@ -28,7 +28,7 @@ pub struct Kind {
 }
 
 impl Kind {
-    /// Whether a point has it; attractors of one pair are told apart by where they are, of several pairs by their words.
+    /// Returns whether a point has it; attractors of one pair are distinguished by where they are, of several pairs by their words.
     pub fn is_of(&self, record: &SweepRecord, is_one_pair: bool) -> bool {
         let alike = |a: &SweepPeriod, b: &SweepPeriod| {
             let near = match (&a.first, &b.first) {
@@ -50,7 +50,7 @@ impl Kind {
         let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
             return match self.outcome.as_str() {
                 "periodic" => "exactly periodic through rest".to_owned(),
-                "not-attracted" => "not proved to converge".to_owned(),
+                "not-attracted" => "undecided convergence".to_owned(),
                 other => other.replace('-', " "),
             };
         };
@@ -79,7 +79,7 @@ fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
     [-period, 0.0, period].iter().any(|shift| a0 + shift <= b1 + slack && b0 <= a1 + shift + slack)
 }
 
-/// A colour for each kind.
+/// Returns a colour for each kind.
 pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
     let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
     attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));

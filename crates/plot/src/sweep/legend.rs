@@ -21,7 +21,7 @@ pub fn caption(head: &SweepHead, root: &Canvas<'_>) -> Drawn<i32> {
     let certified = match (head.certified, head.claim) {
         (true, None) => format!("certified ({arithmetic}, {} digits)", head.digits),
         (true, Some(_)) => format!("certified ({} digits; chaos: one true orbit near each start)", head.digits),
-        (false, _) => "floats, not certified".into(),
+        (false, _) => "floating point, not certified".into(),
     };
     let shown = format!("{} points, {impacts} of each{left_out}", head.points);
     let made = format!("{certified}; {}", head.program);

@@ -49,7 +49,7 @@ pub enum Show {
     Velocity,
 }
 
-/// The picture as SVG: a diagram over one key, all of it or a range of its vertical axis, a map over two.
+/// Returns the picture as SVG: a diagram over one key, all of it or a range of its vertical axis, a map over two.
 ///
 /// # Errors
 /// When it cannot be drawn, or the sweep cannot be read.
@@ -106,12 +106,12 @@ impl Plane {
         low <= range.end && high >= range.start
     }
 
-    /// The pixel across of `x`.
+    /// Returns the pixel across of `x`.
     pub fn column(&self, x: f64) -> i32 {
         self.axes[0].map(&x, self.pixels[0])
     }
 
-    /// The pixel down of `y`, inside the plot.
+    /// Returns the pixel down of `y`, inside the plot.
     pub fn row(&self, y: f64) -> i32 {
         let (top, bottom) = self.pixels[1];
         self.axes[1].map(&y, (bottom, top)).clamp(top, bottom)

@@ -60,7 +60,7 @@ impl ValueFormatter<f64> for Digits {
     }
 }
 
-/// A logarithmic axis of these times, and free room around them.
+/// Returns a logarithmic axis of these times, and free room around them.
 pub fn times(times: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     let fast = times.clone().reduce(f64::min).unwrap_or(0.1);
     let slow = times.reduce(f64::max).unwrap_or(10.0);

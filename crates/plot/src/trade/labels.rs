@@ -10,7 +10,7 @@ pub struct Area {
 }
 
 impl Area {
-    /// The square around a marker.
+    /// Returns the square around a marker.
     pub fn around((x, y): (f64, f64), half: f64) -> Self {
         Self { left: x - half, top: y - half, right: x + half, bottom: y + half }
     }
@@ -23,7 +23,7 @@ impl Area {
         self.left <= other.left && other.right <= self.right && self.top <= other.top && other.bottom <= self.bottom
     }
 
-    /// The point of the rectangle nearest to `point`.
+    /// Returns the point of the rectangle nearest to `point`.
     pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
     }
@@ -56,7 +56,7 @@ pub struct Label {
 pub const MARKER: f64 = 7.0;
 /// Distances of a label from its marker, the first that is free.
 const DISTANCES: [f64; 9] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 76.0, 94.0, 114.0];
-/// Directions tried at each distance, in sixteenths of a turn from the right: beside first, then above and below.
+/// Directions tried at each distance, in sixteenth of a forcing period from the right: beside first, then above and below.
 const DIRECTIONS: [i32; 16] = [0, 8, 1, -1, 2, -2, 4, -4, 3, -3, 5, -5, 6, -6, 7, -7];
 /// Another marker is at least so many times as far from a label as its own.
 const NEARER: f64 = 1.3;

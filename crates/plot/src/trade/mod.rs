@@ -83,7 +83,9 @@ impl Mark {
             Some(Judgement { departure: Some(departure), .. }) => {
                 format!("{name} (wrong word from impact {})", departure.impact)
             }
-            Some(judgement) if judgement.judged < impacts => format!("{name} (judged to impact {})", judgement.judged),
+            Some(judgement) if judgement.judged < impacts => {
+                format!("{name} (compared up to impact {})", judgement.judged)
+            }
             _ if rung.is_complete() => name,
             _ => format!("{name} ({impacts})"),
         };
@@ -92,7 +94,7 @@ impl Mark {
     }
 }
 
-/// The plot of what has been measured.
+/// Returns the plot of what has been measured.
 ///
 /// # Errors
 /// When it cannot be drawn.
@@ -126,7 +128,7 @@ fn draw(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
             "certified digits $n$: $-log_{{10}}$ of the greatest guaranteed width (times in $2π/Ω$, velocities in {}); scale $log(1+n)$",
             greek(&trade.units.speed.to_string())
         ))
-        .y_desc("time an impact [µs]")
+        .y_desc("time per impact [µs]")
         .y_labels(8)
         .y_label_formatter(&|time| format!("{time}"))
         .label_style(font)
@@ -180,7 +182,7 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
     let parameters = greek(&format!("{}; {}", scene.parameters_in_words(), scene.start_in_words()));
-    let asked = format!("{} asked for; {PROGRAM}; medians on one machine", greek(&trade.goal()));
+    let asked = format!("{} requested; {PROGRAM}; medians on one machine", greek(&trade.goal()));
     for (line, (text, size)) in [(title, FONT + 3), (parameters, FONT), (asked, FONT)].into_iter().enumerate() {
         root.draw(&Text::new(text, (16, 18 + 22 * line as i32), words(size, &BLACK, HPos::Left)))?;
     }
@@ -201,13 +203,13 @@ fn legend(marks: &[Mark], root: &Canvas<'_>) -> Drawn {
     }
     let (mut x, y) = (24, CAPTION as i32 + 36);
     if !marks.iter().all(|mark| mark.is_complete) {
-        let hollow = "hollow: undecided after (so many) impacts;";
+        let hollow = "hollow: undecided after (N) impacts;";
         symbol(root, Kind::Doubles, false, (x, y))?;
         symbol(root, Kind::Multiprecision, false, (x + 18, y))?;
         root.draw(&say(hollow, x + 32, y))?;
         x += width(hollow) + 40;
     }
-    root.draw(&say("auto n: asked for n digits", x - 6, y))?;
+    root.draw(&say("auto n: n digits requested", x - 6, y))?;
     Ok(())
 }
 

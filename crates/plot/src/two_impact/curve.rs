@@ -38,8 +38,8 @@ impl Kind {
 
     pub fn name(self) -> &'static str {
         match self {
-            Self::Stable => "physical and stable",
-            Self::Unstable => "physical, unstable",
+            Self::Stable => "admissible and stable",
+            Self::Unstable => "admissible, unstable",
             Self::Unphysical => "a wall is touched earlier",
         }
     }
@@ -116,7 +116,7 @@ fn stretches(curve: &Manifold, slope: &Slope) -> Vec<Stretch> {
     all
 }
 
-/// The curve as elements, and mirrored if asked for: on the other wall everything is the same with `-v` (72).
+/// Returns the curve as elements, and mirrored if requested: on the other wall everything is the same with `-v` (72).
 pub fn elements(curve: &Manifold, slope: &Slope, plane: &Plane, is_mirrored: bool) -> String {
     let mirrored = |([at, amplitude], slope): Knot| {
         if is_mirrored { ([-at, amplitude], -slope) } else { ([at, amplitude], slope) }

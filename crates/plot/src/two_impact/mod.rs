@@ -26,7 +26,7 @@ const HIGHEST: f64 = 0.75;
 /// What is magnified: from where to where, on both axes.
 pub type Window = [[f64; 2]; 2];
 
-/// The picture as SVG; over v with both walls, since one is the mirror image of the other (72). A window of it may be
+/// Returns the picture as SVG; over v with both walls, since one is the mirror image of the other (72). A window of it may be
 /// shown again below, magnified.
 ///
 /// # Errors

@@ -13,7 +13,7 @@ pub(super) enum End {
     Spent,
 }
 
-/// The work that is left, shared by all threads and by all tubes that are tried.
+/// The work that is left, shared by all threads and by all chains of boxes that are tried.
 ///
 /// Whether it suffices for all that is done at one depth depends on nothing else; where it does not, nothing of that depth is kept.
 pub(super) struct Allowance {
@@ -28,7 +28,7 @@ impl Allowance {
         Self { left: AtomicI64::new(left), stop }
     }
 
-    /// Takes the work of so many looks at flights of about so many turns.
+    /// Takes the work of so many looks at flights of about so many forcing periods.
     pub fn spend(&self, looks: usize, turns: f64) -> Result<(), End> {
         if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
             return Err(End::Stopped);
@@ -40,7 +40,7 @@ impl Allowance {
         if left >= cost { Ok(()) } else { Err(End::Spent) }
     }
 
-    /// Whether none is left.
+    /// Returns whether none is left.
     pub fn is_spent(&self) -> bool {
         self.left.load(Ordering::Relaxed) <= 0
     }

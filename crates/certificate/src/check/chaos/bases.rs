@@ -1,4 +1,4 @@
-//! Bases: convex quadrilaterals, disjoint in exact fractions, and which stretches of tubes cross them (Lemmas D8, V12).
+//! H-sets: convex quadrilaterals, disjoint in exact fractions, and which stretches of chains of boxes cross them (Lemmas D8, V12).
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
@@ -16,7 +16,7 @@ pub(super) struct Base {
 
 type Exact = [BigRational; 2];
 
-/// Phases of bases are within so many turns of 0, so that any two of them are this much apart at most.
+/// Phases of h-sets are within so many turns of 0, so that any two of them are this much apart at most.
 const FARTHEST: f64 = 4.0;
 const SHIFTS: i64 = 8;
 
@@ -37,7 +37,7 @@ impl Base {
         Some([a?, b?, c?, d?])
     }
 
-    /// Whether it is convex, its tops to the left, its speeds positive, and its phases not far.
+    /// Returns whether it is convex, its tops to the left, its speeds positive, and its phases not far.
     pub fn is_sound(&self) -> bool {
         let is_near = self.corners().iter().all(|[u, w]| u.abs() < FARTHEST && w.is_finite() && *w > 0.0); // V12: these states
         let turns = |corners: [Exact; 4]| {
@@ -46,7 +46,7 @@ impl Base {
         is_near && self.exact().is_some_and(turns)
     }
 
-    /// Whether it has no state in common with another one, whole turns later or earlier either.
+    /// Returns whether it has no state in common with another one, whole forcing periods later or earlier either.
     pub fn is_apart(&self, other: &Self) -> bool {
         let (Some(one), Some(two)) = (self.exact(), other.exact()) else { return false };
         // Beyond these shifts their phases are apart.
@@ -56,14 +56,14 @@ impl Base {
         })
     }
 
-    /// Whether it has no state in common with itself whole turns later: none one turn later, and so, as it is convex, none (D9).
+    /// Returns whether it has no state in common with itself whole forcing periods later: none one forcing period later, and so, as it is convex, none (D9).
     pub fn is_apart_from_its_translates(&self) -> bool {
         let Some(one) = self.exact() else { return false };
         let later = later(&one, 1);
         is_parted(&one, &later) || is_parted(&later, &one)
     }
 
-    /// The turns after which a tube may cross it.
+    /// Returns the forcing periods after which a chain of boxes may cross it.
     pub fn turns(&self, tube: &Tube) -> Vec<f64> {
         let ends = |phases: &mut dyn Iterator<Item = f64>| {
             phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]) // proposes: where to look
@@ -74,7 +74,7 @@ impl Base {
         (first..=last).map(f64::from).collect()
     }
 
-    /// The stretches of a tube that cross it so many turns later, each by two chords (D8).
+    /// Returns the stretches of a chain of boxes that cross it so many forcing periods later, each by two chords (D8).
     pub fn crossings(&self, tube: &Tube, turns: f64) -> Vec<[usize; 2]> {
         let Self { left, right } = self;
         let side = |from: State, to: State, state: &State| side_of(from, to, *state, turns);
@@ -101,7 +101,7 @@ impl Base {
     }
 }
 
-/// The corners so many turns later.
+/// The corners so many forcing periods later.
 fn later(corners: &[Exact; 4], turns: i64) -> [Exact; 4] {
     corners.clone().map(|[u, w]| [u + BigRational::from_integer(turns.into()), w])
 }

@@ -3,7 +3,7 @@
 use super::Law;
 use super::span::Span;
 
-/// A phase in turns and a speed over `A W`.
+/// A phase in forcing periods and a speed over `A W`.
 pub(super) type State = [f64; 2];
 pub(super) type Spot = [Span; 2];
 
@@ -18,14 +18,14 @@ fn mean(a: Spot, b: Spot) -> Spot {
 }
 
 impl Quad {
-    /// The rectangle between two states.
+    /// Returns the rectangle between two states.
     pub fn rectangle(low: State, high: State) -> Self {
         let corner = |u: f64, w: f64| [Span::point(u), Span::point(w)];
         let corners = [(low[0], low[1]), (low[0], high[1]), (high[0], low[1]), (high[0], high[1])];
         Self { corners: corners.map(|(u, w)| corner(u, w)) }
     }
 
-    /// The part between two fractions of the way from left to right.
+    /// Returns the part between two fractions of the way from left to right.
     pub fn part(&self, from: f64, to: f64) -> Self {
         let [p, q, r, s] = self.corners;
         let at = |t: f64, a: Spot, b: Spot| {
@@ -34,7 +34,7 @@ impl Quad {
         Self { corners: [at(from, p, r), at(from, q, s), at(to, p, r), at(to, q, s)] }
     }
 
-    /// Both halves: left and right, or below and above.
+    /// Returns both halves: left and right, or below and above.
     pub fn halves(&self, is_along: bool) -> [Self; 2] {
         let [p, q, r, s] = self.corners;
         let corners = if is_along {
@@ -112,7 +112,7 @@ pub(super) struct Landing {
     bend: Span,
     /// By side, by `e` and by `D`: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
     changes: [Spot; 5],
-    /// Times of flight \[turns\].
+    /// Times of flight \[forcing periods\].
     pub times: Span,
 }
 
@@ -134,7 +134,7 @@ impl Beam {
         Self { gap: law.gap, phase, speed, centre, sin, cos, centre_sin, drift, after: e * speed, sides }
     }
 
-    /// The level of a wall.
+    /// Returns the level of a wall.
     pub fn level(&self, is_far: bool) -> Span {
         if is_far { self.gap } else { Span::point(0.0) }
     }
@@ -144,7 +144,7 @@ impl Beam {
         a + b + c + e
     }
 
-    /// All flights at one time.
+    /// Returns all flights at one time.
     pub fn at(&self, time: f64) -> View {
         let time = Span::point(time);
         let angle = time.turned();
@@ -158,7 +158,7 @@ impl Beam {
         }
     }
 
-    /// All flights from one time to another.
+    /// Returns all flights from one time to another.
     pub fn over(&self, from: f64, to: f64) -> View {
         let middle = 0.5 * (from + to);
         let times = Span::new(from, to);
@@ -169,7 +169,7 @@ impl Beam {
         View { height: height + rate * away + curved, rate: rate + bend * away }
     }
 
-    /// The velocities of all flights that are at this height at some of these times, told from the height.
+    /// Returns the velocities of all flights that are at this height at some of these times, measured from the height.
     pub fn rate_at(&self, height: Span, times: Span) -> Option<Span> {
         let (sin, cos) = (self.phase + times).sin_cos();
         Some((height + sin - self.sin).over(times.turned())? - cos)
@@ -179,7 +179,7 @@ impl Beam {
         height.is_positive() && (self.gap - height).is_positive()
     }
 
-    /// A time up to which all flights are proved to be between the walls once they have left.
+    /// Returns a time up to which all flights are proved to be between the walls once they have left.
     pub fn depart(&self) -> Option<f64> {
         let mut time = DEPARTURE;
         while time >= SHORTEST_DEPARTURE {
@@ -212,14 +212,14 @@ impl Beam {
             } else {
                 step *= 0.5;
                 if step < SHORTEST_PART {
-                    return false; // exact: given up, nothing is claimed
+                    return false; // exact: given up, nothing is certified
                 }
             }
         }
         true
     }
 
-    /// The first contacts near a time, proved to be with one wall and transversal.
+    /// Returns the first contacts near a time, proved to be with one wall and transversal.
     pub fn land(&self, is_far: bool, guess: f64) -> Option<Landing> {
         let level = self.level(is_far);
         let there = self.at(guess);

@@ -1,6 +1,6 @@
 //! The two blocks of a horseshoe, judged by the listed words (Lemmas D9, V12, horseshoe).
 //!
-//! A block is a sequence of walls and a number of half cycles. It leads from base to base as the words do that are this block; blocks
+//! A block is a sequence of walls and a number of half cycles. It leads from h-set to h-set as the words do that are this block; blocks
 //! that lead alike are free alike, so they are put together before pairs are looked at.
 
 use std::collections::{BTreeMap, HashMap};
@@ -10,7 +10,7 @@ use impact_pair_model::{Mapping, Wall};
 use super::words::Word;
 use crate::check::contact::Doubt;
 
-/// From which base to which: in order, none twice.
+/// From which h-set to which: in order, none twice.
 type Ways = Vec<[usize; 2]>;
 /// The impacts of the longer block, and of the shorter one: the longer one counts first.
 type Size = [usize; 2];
@@ -34,19 +34,19 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
     }
     let open = |message: &str| Err(Doubt::Open(message.to_owned()));
     if lengths.len() * lengths.len() > MOST_PAIRS {
-        return open("the horseshoe is not judged: the words lead in too many ways");
+        return open("the horseshoe is not checked: the graph of words has too many chains");
     }
     let shortest = shortest(lengths, bases);
     let Some(named) = named else {
         return if shortest.is_none() {
             Ok(())
         } else {
-            Err(Doubt::False("two blocks are a horseshoe, and none is named".into()))
+            Err(Doubt::False("two blocks are a horseshoe, but none is given".into()))
         };
     };
     let names: HashMap<String, &Word> = words.iter().map(|word| (name(word), word)).collect();
     let Some([a, b]) = parted(named).map(|pair| pair.map(|name| names.get(name))) else {
-        return open("the horseshoe is no statement that is judged");
+        return open("the horseshoe is not a statement that is checked");
     };
     let (Some(a), Some(b)) = (a, b) else {
         return Err(Doubt::False("the horseshoe has a block that is none of the words".into()));
@@ -89,7 +89,7 @@ fn shortest(mut lengths: BTreeMap<&Ways, Vec<usize>>, bases: usize) -> Option<Si
     found
 }
 
-/// Whether from bases of which some are left each of two blocks leads to one of these.
+/// Whether from h-sets of which some are left each of two blocks leads to one of these.
 fn is_free(blocks: [&Ways; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {
@@ -162,7 +162,7 @@ mod tests {
         assert!(says_the_shortest(None, &words, 2).is_err() && says_the_shortest(None, &words[..2], 2).is_ok());
     }
 
-    /// Two longer blocks that are free are not the shortest, whichever bases they lead between.
+    /// Two longer blocks that are free are not the shortest, whichever h-sets they lead between.
     #[test]
     fn a_longer_pair_is_refused() {
         let words = [word(0, 0, "NN", 2), word(0, 0, "NNN", 3), word(1, 1, "N", 1), word(1, 1, "NNF", 3)];

@@ -11,7 +11,7 @@ const BITS: u32 = 256;
 const MOST: i64 = 64;
 /// Words that weigh more are not judged: their flights last longer than any that is followed.
 const HEAVIEST: i64 = 1 << 16;
-/// Entropies that are told are multiples of one in so many parts.
+/// Entropies that are given are multiples of one in so many parts.
 const PARTS: i64 = 10_000;
 /// Steps towards an eigenvector.
 const STEPS: u32 = 1000;
@@ -33,7 +33,7 @@ pub(super) fn exponential(x: &Real) -> Real {
     }
 }
 
-/// Whether the entropy `h`, by what a word weighs, is proved: of words by the base each comes from, the one it leads to, and its weight.
+/// Whether the entropy `h`, by what a word weighs, is proved: of words by the h-set each comes from, the one it leads to, and its weight.
 pub(super) fn is_reached(words: &[(usize, usize, i64)], bases: usize, h: &BigRational) -> bool {
     let most = BigRational::from_integer(MOST.into());
     if !h.is_positive() {
@@ -90,5 +90,5 @@ fn eigenvector(matrix: &[Vec<Real>]) -> Vec<Real> {
     vector
 }
 
-/// Smaller members, as a power of two beside the greatest, are those of bases that no word leads back from.
+/// Smaller members, as a power of two beside the greatest, are those of h-sets that no word leads back from.
 const SMALL: i64 = -30;

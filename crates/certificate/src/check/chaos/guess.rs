@@ -27,7 +27,7 @@ pub(super) struct Image {
     /// Mirrored to the left wall; the phase goes on from that of the start.
     pub state: State,
     pub is_far: bool,
-    /// \[turns\]
+    /// \[forcing periods\]
     pub time: f64,
     pub jacobian: Matrix,
     /// How far `D` and `e` move it, each by its radius.
@@ -37,7 +37,7 @@ pub(super) struct Image {
 /// Flights are looked at in steps of this, no more than so many.
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
-/// \[turns\]
+/// \[forcing periods\]
 pub(super) const MOST_TURNS: f64 = 64.0;
 
 impl Guess {
@@ -46,7 +46,7 @@ impl Guess {
         Self { gap: law.gap.mid(), restitution: law.restitution.mid(), radii, step: (TAU * STEP).sin_cos() }
     }
 
-    /// The next impact; `None` where none is found.
+    /// Returns the next impact; `None` where none is found.
     pub fn map(&self, [start, speed]: State) -> Option<Image> {
         let (sin0, cos0) = (TAU * (start - start.floor())).sin_cos();
         let after = self.restitution * speed;
@@ -101,7 +101,7 @@ impl Guess {
         None
     }
 
-    /// The direction that so many flights ahead contract most, of length 1 in radians and speeds.
+    /// Returns the direction that so many flights ahead contract most, of length 1 in radians and speeds.
     pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = Some(state);

@@ -14,7 +14,7 @@ use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
 
-/// How tubes are made; any way will do: from cells that are fine to those that leave room for intervals of
+/// How chains of boxes are made; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
 const MAKINGS: [Making; 6] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
@@ -24,8 +24,8 @@ const MAKINGS: [Making; 6] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Where each of the coarse ones loses words, those that are lost, if they are no more than so many, are looked for again along tubes
-/// whose chords are told from so many flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
+/// Where each of the coarse ones loses words, those that are lost, if they are no more than so many, are looked for again along chains of boxes
+/// whose chords are measured from so many flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
 /// jumps at a graze further ahead. The fine ones come last, where most words are lost.
 const COARSE: usize = 4;
 const MOST_LOST: usize = 32;
@@ -35,10 +35,10 @@ const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 
 impl ChaosCertificate {
     /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
-    /// proved, until `stop` is set, if there is one. `progress` is told the words confirmed so far.
+    /// proved, until `stop` is set, if there is one. `progress` receives the words confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold, and under several harmonics.
+    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -68,7 +68,7 @@ impl ChaosCertificate {
         })
     }
 
-    /// `None` if all words are found, or what is along the tubes along which most of them are. Where the work is spent on the way, what
+    /// `None` if all words are found, or what is along the chains of boxes along which most of them are. Where the work is spent on the way, what
     /// was found with less of it stays.
     fn lost(
         &self,
@@ -168,7 +168,7 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
         words.iter().zip(&is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
     let left = match at_least(&kept, bases) {
         Some(entropy) => format!(
-            "; the {} of {} words that are have an entropy of at least {entropy} an impact",
+            "; the {} of {} words that are proved have an entropy of at least {entropy} per impact",
             kept.len(),
             words.len()
         ),
@@ -177,7 +177,7 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
     Doubt::Open(format!("{why}{left}")).on(first)
 }
 
-/// Looks at flights of less than a turn, in doubles, that are as much work as one place of a flight in many bits.
+/// Looks at flights of less than a forcing period, in doubles, that are as much work as one place of a flight in many bits.
 const LOOKS: u64 = 1 << 7;
 /// So many words allow as much work again as there is for any number of them.
 const MANY: u64 = 1 << 6;

@@ -1,8 +1,8 @@
 //! Regions that no motion leaves, and words of horseshoes, proved again in intervals of doubles (Lemmas V11, V12).
 //!
-//! The impact map with every impact mirrored to the left wall: a state is a phase in turns and a speed over `A W`, lengths are in
-//! amplitudes, times of flight in turns since the departure. Of a region the document's own boxes are proved to be closed
-//! ([`region`], [`trap`]). Of words it has the bases: tubes are made anew ([`propose`]), followed along the listed words only, and each
+//! The impact map with every impact mirrored to the left wall: a state is a phase in forcing periods and a speed over `A W`, lengths are in
+//! amplitudes, times of flight in forcing periods since the departure. Of a region the document's own boxes are proved to be closed
+//! ([`region`], [`trap`]). Of words it has the h-sets: chains of boxes are made anew ([`propose`]), followed along the listed words only, and each
 //! cell is proved ([`words`]).
 
 mod allowance;
@@ -37,7 +37,7 @@ struct Law {
 }
 
 impl Law {
-    /// That of a pair under one harmonic.
+    /// That of a pair with one harmonic.
     fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let harmonic = pair.harmonic("the impact map without units")?;
         let gap = within("pair.gap / excitation.amplitude", pair.gap(), pair.gap().checked_div(harmonic.amplitude()))?;

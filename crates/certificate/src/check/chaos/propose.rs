@@ -1,4 +1,4 @@
-//! The next tube: images of chords, more of them where they are stretched or bent, wrapped anew.
+//! The next chain of boxes: images of chords, more of them where they are stretched or bent, wrapped anew.
 //!
 //! Labels: proposes throughout.
 
@@ -9,7 +9,7 @@ use super::beam::State;
 use super::guess::{Guess, Image, MOST_TURNS, applied};
 use super::tube::{Chord, Part, Tube};
 
-/// How tubes are made.
+/// How chains of boxes are made.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Making {
     /// Cells are about as long at most, phases in radians.
@@ -19,11 +19,11 @@ pub(super) struct Making {
     pub pad: f64,
     /// Parts are not cut below this length.
     pub shortest: f64,
-    /// Flights ahead that the contracting direction is told from.
+    /// Flights ahead that the contracting direction is measured from.
     pub ahead: usize,
 }
 
-/// A tube where the image of a stretch may lie.
+/// A chain of boxes where the image of a stretch may lie.
 pub(super) struct Proposal {
     pub parts: Vec<Part>,
     pub is_far: bool,
@@ -42,7 +42,7 @@ struct Sample {
 /// A part of a cell between two samples, both of which have images.
 type Pair = [Sample; 2];
 
-/// Fewer parts than that are not worth a tube.
+/// Fewer parts than that are not worth a chain of boxes.
 const FEWEST: usize = 12;
 /// Cells at the ends are so much shorter.
 const GRADED: f64 = 0.001;
@@ -77,7 +77,7 @@ fn sample(guess: &Guess, tube: &Tube, cell: usize, at: f64) -> Sample {
 }
 
 impl Sample {
-    /// How long its flight is looked at \[turns\].
+    /// How long its flight is looked at \[forcing periods\].
     fn turns(&self) -> f64 {
         self.image.map_or(MOST_TURNS, |image| image.time)
     }
@@ -94,7 +94,7 @@ impl Sample {
 }
 
 impl Making {
-    /// The tubes that hold the images of a tube, about.
+    /// Returns the chains of boxes that hold the images of a chain of boxes, about.
     pub fn images(&self, guess: &Guess, tube: &Tube, work: &Allowance) -> Result<Vec<Proposal>, End> {
         let mut segments: Vec<Vec<Pair>> = vec![Vec::new()];
         let last = tube.cells() - 1;

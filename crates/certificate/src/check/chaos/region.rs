@@ -7,7 +7,7 @@ use super::beam::{Beam, Quad, State, View};
 use super::guess::Guess;
 use super::span::Span;
 
-/// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in turns modulo 1 and speed over `A W`, by columns and rows.
+/// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in forcing periods modulo 1 and speed over `A W`, by columns and rows.
 pub(super) struct Region {
     /// `M`, even, and `R`: powers of two.
     columns: f64,
@@ -18,7 +18,7 @@ pub(super) struct Region {
 /// A box is halved so often, and gone through part by part from the other number on.
 const HALVINGS: u32 = 12;
 const COARSE: u32 = 2;
-/// Flights of more turns are not followed.
+/// Flights of more forcing periods are not followed.
 const LONGEST: f64 = 64.0;
 /// More boxes than these are not looked for.
 const MOST: f64 = 1e4;
@@ -36,7 +36,7 @@ impl Region {
         Self { columns: f64::from(columns), rows: f64::from(rows), boxes }
     }
 
-    /// Whether all states between these are in boxes of the set; no speed is negative.
+    /// Returns whether all states between these are in boxes of the set; no speed is negative.
     pub fn holds(&self, phase: Span, speed: Span) -> bool {
         let ends = |x: Span, size: f64| {
             let [low, high] = [x.lo() * size, x.hi() * size].map(f64::floor); // V11: the boxes of both ends, `size` a power of two
@@ -49,7 +49,7 @@ impl Region {
         })
     }
 
-    /// Bounds of the times of all flights from a box, which is proved to be mapped into the set.
+    /// Returns bounds of the times of all flights from a box, which is proved to be mapped into the set.
     pub fn times(&self, law: &Law, guess: &Guess, [column, row]: [i64; 2]) -> Result<Span, Open> {
         let corner = |i: i64, j: i64| [i as f64 / self.columns, j as f64 / self.rows]; // exact: a power of two
         let mut open = vec![([corner(column, row), corner(column + 1, row + 1)], 0)];

@@ -1,4 +1,4 @@
-//! What a chaos JSON says of its bases and words, and whether one follows from the other: disjoint bases, entropies, the shortest
+//! What a chaos JSON says of its h-sets and words, and whether one follows from the other: disjoint h-sets, entropies, the shortest
 //! horseshoe (Lemmas D8, D10, V12).
 
 use impact_pair_exact::Real;
@@ -16,48 +16,48 @@ use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use impact_pair_document::{BaseDocument, PeriodDocument, SceneOrbitDocument, WordDocument};
 
-/// The entropy of words between more bases is not judged.
+/// The entropy of words between more h-sets is not judged.
 const MOST_BASES: usize = 64;
 
 impl ChaosCertificate {
-    /// The bases and the words, if what is said of them follows from them.
+    /// The h-sets and the words, if what is said of them follows from them.
     pub(super) fn says_one_thing(&self) -> Result<(Vec<Base>, Vec<Word>), Doubt> {
         let document = self.document();
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
         let corners = self.bases().iter().filter_map(|base| base.corners.as_ref());
         let bases: Vec<Base> = corners.map(Base::of).collect();
         if bases.len() > MOST_BASES {
-            return Err(Doubt::Open(format!("more than {MOST_BASES} bases are not judged")));
+            return Err(Doubt::Open(format!("more than {MOST_BASES} h-sets are not checked")));
         }
         if !bases.iter().all(Base::is_sound) {
-            return wrong("a base is no convex quadrilateral of states with its tops to the left");
+            return wrong("an h-set is not a convex quadrilateral of states with its tops to the left");
         }
         if (0..bases.len()).any(|k| bases[..k].iter().any(|other| !bases[k].is_apart(other))) {
-            return wrong("the bases are not proved to be disjoint");
+            return wrong("the h-sets are not proved to be disjoint");
         }
         if !bases.iter().all(Base::is_apart_from_its_translates) {
-            return wrong("a base is not proved to be disjoint from its own translate by a forcing period");
+            return wrong("an h-set is not proved to be disjoint from its own translate by a forcing period");
         }
-        if !self.bases().iter().zip(&bases).all(|(told, base)| is_about(told, base)) {
-            return wrong("a base is told to have its middle elsewhere");
+        if !self.bases().iter().zip(&bases).all(|(claimed, base)| is_about(claimed, base)) {
+            return wrong("the given middle of an h-set is not its middle");
         }
         let mut words = Vec::new();
-        for (k, told) in document.words.iter().enumerate() {
-            let word = Word::of(told, bases.len()).filter(|_| told.impacts <= document.depth);
+        for (k, claimed) in document.words.iter().enumerate() {
+            let word = Word::of(claimed, bases.len()).filter(|_| claimed.impacts <= document.depth);
             words.push(word.ok_or_else(|| {
-                Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of bases"))
+                Doubt::False(format!("words[{k}] contradicts its own flights, the depth or the number of h-sets"))
             })?);
         }
         let entropy = &document.entropy;
-        let told = [entropy.per_impact.value(), entropy.per_cycle.value()];
+        let claimed = [entropy.per_impact.value(), entropy.per_cycle.value()];
         // Half cycles are weighed, two of which make a cycle.
-        let halved = &told[1] / BigRational::from_integer(2.into());
+        let halved = &claimed[1] / BigRational::from_integer(2.into());
         let by_impacts: Vec<_> = words.iter().map(Word::by_impacts).collect();
         let by_half_cycles: Vec<_> = words.iter().map(|word| (word.from, word.to, word.half_cycles)).collect();
-        if told.iter().all(|entropy| *entropy <= BigRational::from_integer(0.into())) {
-            return wrong("it says that an entropy is certified, but tells none");
+        if claimed.iter().all(|entropy| *entropy <= BigRational::from_integer(0.into())) {
+            return wrong("it says that an entropy is certified, but gives none");
         }
-        for (what, weights, h) in [("per_impact", by_impacts, &told[0]), ("per_cycle", by_half_cycles, &halved)] {
+        for (what, weights, h) in [("per_impact", by_impacts, &claimed[0]), ("per_cycle", by_half_cycles, &halved)] {
             if !is_reached(&weights, bases.len(), h) {
                 return Err(Doubt::Open(format!("entropy.{what} does not follow from the words")));
             }
@@ -70,19 +70,19 @@ impl ChaosCertificate {
 
 impl Word {
     /// `None` if it contradicts itself.
-    fn of(told: &WordDocument, bases: usize) -> Option<Self> {
+    fn of(claimed: &WordDocument, bases: usize) -> Option<Self> {
         let flight = |name: char| match name {
             'F' => Some(true),
             'N' => Some(false),
             _ => None,
         };
-        let flights: Vec<bool> = told.flights.chars().map(flight).collect::<Option<_>>()?;
-        let [from, to, impacts] = [told.from, told.to, told.impacts].map(|n| n as usize); // exact: of 32 bits
+        let flights: Vec<bool> = claimed.flights.chars().map(flight).collect::<Option<_>>()?;
+        let [from, to, impacts] = [claimed.from, claimed.to, claimed.impacts].map(|n| n as usize); // exact: of 32 bits
         let fits = from < bases && to < bases && impacts == flights.len() && impacts > 0;
-        fits.then_some(Self { from, to, half_cycles: told.half_cycles, flights })
+        fits.then_some(Self { from, to, half_cycles: claimed.half_cycles, flights })
     }
 
-    /// The base it comes from, the one it leads to, and its impacts.
+    /// The h-set it comes from, the one it leads to, and its impacts.
     pub(super) fn by_impacts(&self) -> (usize, usize, i64) {
         (self.from, self.to, self.flights.len() as i64) // exact: a length
     }
@@ -100,7 +100,7 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
         }
         // exact: of 32 bits
         if mappings.mappings().len() != *impacts as usize || *cycles == 0 {
-            return wrong("its word has another number of impacts, or it takes no cycle");
+            return wrong("its word has another number of impacts, or it takes no forcing period");
         }
     }
     if region.as_ref().is_some_and(|region| region.boxes == 0) {
@@ -109,10 +109,10 @@ fn says_one_orbit(orbit: Option<&SceneOrbitDocument>) -> Result<(), Doubt> {
     Ok(())
 }
 
-/// Whether a base's middle is told to be in it.
-fn is_about(told: &BaseDocument, base: &Base) -> bool {
-    let phase = Real::rational(&told.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
-    let ends = [&phase, &Real::rational(&told.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));
+/// Whether an h-set's middle is given to be in it.
+fn is_about(claimed: &BaseDocument, base: &Base) -> bool {
+    let phase = Real::rational(&claimed.phase.value(), BITS).over(&(Real::pi(BITS) * 2)).expect("pi is not 0");
+    let ends = [&phase, &Real::rational(&claimed.speed.value(), BITS)].map(|x| Span::of(x.enclosure()));
     let [left, right] = [base.left, base.right];
     let round = [left.bottom, right.bottom, right.top, left.top];
     let corners = [ends.map(Span::lo), ends.map(Span::hi)];

@@ -20,9 +20,9 @@ const TURN: Span = Span { lo: std::f64::consts::TAU, hi: std::f64::consts::TAU.n
 const PER_TURN: Span = Span { lo: 0.159_154_943_091_895_35_f64.next_down(), hi: 0.159_154_943_091_895_35 };
 /// Bounds the errors of sine and cosine at a double.
 const WAVE_ERROR: f64 = 1.0 / (1_u64 << 51) as f64; // exact: a power of two
-/// Phases beyond these are not told from their neighbours' quarters.
+/// Phases beyond these are not measured from their neighbours' quarters.
 const FARTHEST: f64 = (1_u64 << 40) as f64; // exact: a power of two
-/// Parts of a turn in the table of sines and cosines.
+/// Parts of a forcing period in the table of sines and cosines.
 const PARTS: usize = 256;
 
 impl Span {
@@ -30,7 +30,7 @@ impl Span {
         Self { lo: x, hi: x }
     }
 
-    /// The numbers between two doubles.
+    /// Returns the numbers between two doubles.
     pub fn new(lo: f64, hi: f64) -> Self {
         let is_finite = f64::MIN <= lo && lo <= hi && hi <= f64::MAX;
         if is_finite { Self { lo, hi } } else { Self { lo: f64::NAN, hi: f64::NAN } }
@@ -53,7 +53,7 @@ impl Span {
         Self { lo: -most, hi: most }
     }
 
-    /// Its middle, and `[-r, r]` for the others' distance from it.
+    /// Returns its middle, and `[-r, r]` for the others' distance from it.
     pub fn parted(self) -> (Self, Self) {
         let middle = Self::point(self.mid());
         (middle, (self - middle).around())
@@ -72,7 +72,7 @@ impl Span {
         0.5 * (self.lo + self.hi)
     }
 
-    /// The greatest magnitude.
+    /// Returns the greatest magnitude.
     pub fn most(self) -> f64 {
         self.lo.abs().max(self.hi.abs()) // V11: the farther end
     }
@@ -94,7 +94,7 @@ impl Span {
         Self { lo, hi: if other.hi > self.hi { other.hi } else { self.hi } }
     }
 
-    /// What is in both; `None` if nothing is.
+    /// Returns what is in both; `None` if nothing is.
     pub fn common(self, other: Self) -> Option<Self> {
         if self.lo.is_nan() || other.lo.is_nan() {
             // Not known is not nothing.
@@ -113,7 +113,7 @@ impl Span {
         self * TURN
     }
 
-    /// From radians to turns.
+    /// From radians to forcing periods.
     pub fn unturned(self) -> Self {
         self * PER_TURN
     }
@@ -135,7 +135,7 @@ impl Span {
         Self::outward(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
     }
 
-    /// Sine and cosine of so many turns.
+    /// Sine and cosine of so many forcing periods.
     pub fn sin_cos(self) -> (Self, Self) {
         let middle = self.mid();
         let whole = Self { lo: -1.0, hi: 1.0 };
@@ -187,7 +187,7 @@ impl Mul for Span {
     }
 }
 
-/// Sine and cosine of `k/256` of a turn.
+/// Sine and cosine of `k/256` of a forcing period.
 fn table() -> &'static [[f64; 2]; PARTS] {
     static TABLE: OnceLock<[[f64; 2]; PARTS]> = OnceLock::new();
     TABLE.get_or_init(|| {

@@ -31,10 +31,10 @@ enum End {
 
 impl TrapCertificate {
     /// Proves again that the region is closed, and what is said of it, or says what is not true or not proved, until `stop` is set, if
-    /// there is one. `progress` is told the boxes confirmed so far.
+    /// there is one. `progress` receives the boxes confirmed so far.
     ///
     /// # Errors
-    /// When the scene's values are beyond what exact expressions hold, and under several harmonics.
+    /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
     pub fn check_until(
         &self,
         effort: &Effort,
@@ -105,11 +105,11 @@ impl TrapCertificate {
             return wrong("a run of boxes is beyond the grid");
         }
         if self.count() > MOST_BOXES {
-            return Err(Doubt::Open(format!("more than {MOST_BOXES} boxes are not judged")));
+            return Err(Doubt::Open(format!("more than {MOST_BOXES} boxes are not checked")));
         }
         // exact: a length
         if self.count() as u64 != *boxes {
-            return wrong("its runs have another number of boxes than told");
+            return wrong("its runs have another number of boxes than given");
         }
         let run = |[column, first, last]: [i32; 3]| (first..=last).map(move |row| [column.into(), row.into()]);
         let all: Vec<[i64; 2]> = region.iter().copied().flat_map(run).collect();
@@ -130,15 +130,17 @@ impl TrapCertificate {
         let times = [times.lo(), times.hi()].map(|x| Real::point(Dyadic::from_f64(x).expect("a finite bound"), BITS));
         let units = self.units()?;
         let scaled = |bounds: &[Real; 2], unit: &Real| bounds.each_ref().map(|bound| bound.clone() * unit);
-        let is_below = |bound: &Real, told: &Decimal| compare_rational(bound.enclosure().sup(), &told.value()).is_le();
-        let is_above = |bound: &Real, told: &Decimal| compare_rational(bound.enclosure().inf(), &told.value()).is_ge();
-        for (what, bounds, told) in [
+        let is_below =
+            |bound: &Real, claimed: &Decimal| compare_rational(bound.enclosure().sup(), &claimed.value()).is_le();
+        let is_above =
+            |bound: &Real, claimed: &Decimal| compare_rational(bound.enclosure().inf(), &claimed.value()).is_ge();
+        for (what, bounds, claimed) in [
             ("flight", &times, flight),
             ("speed", &speeds, speed),
             ("flight_time", &scaled(&times, &units[0]), flight_time),
             ("speed_before", &scaled(&speeds, &units[1]), speed_before),
         ] {
-            if !(is_above(&bounds[0], &told[0]) && is_below(&bounds[1], &told[1])) {
+            if !(is_above(&bounds[0], &claimed[0]) && is_below(&bounds[1], &claimed[1])) {
                 return Err(Doubt::Open(format!("{what} is not proved to be within its bounds")));
             }
         }
@@ -158,7 +160,7 @@ impl TrapCertificate {
         let period = (Exact::pi() * Exact::from(2)).checked_div(frequency);
         let unit = |x: Result<Exact, _>| match x {
             Ok(x) => Ok(Real::of(&x, BITS)),
-            Err(_) => Err(Doubt::Open("the units are beyond what exact expressions hold".into())),
+            Err(_) => Err(Doubt::Open("the units exceed the range of exact expressions".into())),
         };
         Ok([unit(period)?, unit(amplitude.checked_mul(frequency))?])
     }
@@ -221,7 +223,7 @@ fn comes_in(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing
     false
 }
 
-/// A phase \[turns\] and a speed over `A W`, mirrored to the left wall.
+/// A phase \[forcing periods\] and a speed over `A W`, mirrored to the left wall.
 pub(super) fn mirrored(wall: Wall, phase: Real, velocity: Real) -> [Real; 2] {
     match wall {
         Wall::Left => [phase, -velocity],

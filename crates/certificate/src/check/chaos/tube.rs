@@ -8,7 +8,7 @@ use super::beam::{Beam, Landing, Quad, Spot, State};
 use super::guess::{Guess, MOST_TURNS};
 use super::span::Span;
 
-/// The segment across a tube, from its right end to its left one, seen along it.
+/// The segment across a chain of boxes, from its right end to its left one, seen along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Chord {
     pub bottom: State,
@@ -23,7 +23,7 @@ pub(super) struct Tube {
     embedded: Vec<bool>,
 }
 
-/// A part of a cell, between two fractions of the way along it, and the cell of the next tube where its image is about.
+/// A part of a cell, between two fractions of the way along it, and the cell of the next chain of boxes where its image is about.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     pub cell: usize,
@@ -60,7 +60,7 @@ fn spot(state: State) -> Spot {
     state.map(Span::point)
 }
 
-/// Positive where the state is to the left of the directed line, after so many turns.
+/// Positive where the state is to the left of the directed line, after so many forcing periods.
 pub(super) fn side_of(from: State, to: State, state: State, turns: f64) -> Span {
     let [a, b, x] = [spot(from), spot(to), spot(state)];
     (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0] - Span::point(turns))
@@ -73,7 +73,7 @@ fn normal(from: State, to: State) -> Spot {
 }
 
 impl Part {
-    /// Whether it begins where the other ends, and its image is about in the same cell or in the next one (D7).
+    /// Returns whether it begins where the other ends, and its image is about in the same cell or in the next one (D7).
     pub fn follows(&self, other: &Self) -> bool {
         let is_next = self.cell == other.cell + 1 && other.to == 1.0 && self.from == 0.0; // D7: the common chord
         let is_same = self.cell == other.cell && self.from == other.to; // D7: the common cut
@@ -120,12 +120,12 @@ impl Tube {
         self.embedded.len()
     }
 
-    /// The chords from one to another as a tube of its own.
+    /// Returns the chords from one to another as a chain of boxes of its own.
     pub fn stretch(&self, from: usize, to: usize) -> Self {
         Self::new(self.chords[from..=to].to_vec())
     }
 
-    /// The states of a cell.
+    /// Returns the states of a cell.
     pub fn cell(&self, cell: usize) -> Quad {
         let (left, right) = (&self.chords[cell], &self.chords[cell + 1]);
         Quad { corners: [left.bottom, left.top, right.bottom, right.top].map(spot) }
@@ -144,7 +144,7 @@ impl Tube {
         })
     }
 
-    /// Whether all states of a part of this tube are proved to fly to one wall, and to land around its place in the next one.
+    /// Returns whether all states of a part of this chain of boxes are proved to fly to one wall, and to land around its place in the next one.
     pub fn is_mapped(
         &self,
         (law, guess, work): (&Law, &Guess, &Allowance),

@@ -1,4 +1,4 @@
-//! Words: returns of bases to bases, followed along those that are listed (Lemmas D7, D8, V12).
+//! Words: returns of h-sets to h-sets, followed along those that are listed (Lemmas D7, D8, V12).
 
 use std::collections::{HashMap, HashSet};
 
@@ -10,7 +10,7 @@ use super::propose::{Making, Proposal};
 use super::tube::{Chord, Tube, WINDOW, taken};
 use crate::check::blocks::in_blocks;
 
-/// A way from one base across another.
+/// A covering relation from one h-set to another.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in crate::check) struct Word {
     pub from: usize,
@@ -21,48 +21,48 @@ pub(in crate::check) struct Word {
 }
 
 impl Word {
-    /// Its base with none of its flights, the first one, the first two, and so on.
+    /// Returns its h-set with none of its flights, the first one, the first two, and so on.
     pub fn beginnings(&self) -> impl Iterator<Item = Beginning> {
         (0..=self.flights.len()).map(|count| (self.from, self.flights[..count].to_vec()))
     }
 }
 
-/// A stretch of a tube that has been followed so far.
+/// A stretch of a chain of boxes that has been followed so far.
 struct Run {
     from: usize,
     flights: Vec<bool>,
     tube: Tube,
 }
 
-/// What is proved of a stretch of a tube: where it may be taken for a word.
+/// What is proved of a stretch of a chain of boxes: where it may be taken for a word.
 struct Stretch {
     run: Run,
     crossings: Vec<Crossing>,
 }
 
-/// The stretches of the tubes along which a run is mapped.
+/// The stretches of the chains of boxes along which a run is mapped.
 struct Followed {
     stretches: Vec<Stretch>,
 }
 
 impl Followed {
-    /// How often it crosses bases as words of a kind.
+    /// How often it crosses h-sets as words of a kind.
     fn count(&self, is_such: impl Fn(&Word) -> bool) -> usize {
         let crossings = self.stretches.iter().flat_map(|stretch| &stretch.crossings);
         crossings.filter(|crossing| is_such(&crossing.word)).count()
     }
 }
 
-/// Two chords between which a tube crosses a base.
+/// Two chords between which a chain of boxes covers an h-set.
 struct Crossing {
     word: Word,
     chords: [usize; 2],
 }
 
-/// A base, and flights from it.
+/// An h-set, and flights from it.
 type Beginning = (usize, Vec<bool>);
 
-/// How many flights ahead tubes are told from, where it is not as many as elsewhere.
+/// How many flights ahead chains of boxes are measured from, where it is not as many as elsewhere.
 pub(super) type Ahead = HashMap<Beginning, usize>;
 
 /// How often each word is listed, or found.
@@ -72,12 +72,12 @@ pub(super) type Counts = HashMap<Word, usize>;
 pub(super) struct Search<'s> {
     law: &'s Law,
     bases: &'s [Base],
-    /// How tubes are made: as the first one says, where that loses words as others do.
+    /// How chains of boxes are made: as the first one says, where that loses words as others do.
     makings: &'s [Making],
     guess: Guess,
     work: &'s Allowance,
     listed: &'s Counts,
-    /// The beginnings of all listed words, by their base.
+    /// The beginnings of all listed words, by their h-set.
     beginnings: HashSet<Beginning>,
     ahead: &'s Ahead,
     runs: Vec<Run>,
@@ -134,13 +134,13 @@ impl<'s> Search<'s> {
         Ok(())
     }
 
-    /// How tubes of a run are made at first.
+    /// How chains of boxes of a run are made at first.
     fn first(&self, run: &Run) -> Making {
         let ahead = self.ahead.get(&(run.from, run.flights.clone()));
         Making { ahead: ahead.copied().unwrap_or(self.makings[0].ahead), ..self.makings[0] } // proposes: any tubes will do
     }
 
-    /// Whether a word is found less often than it is listed.
+    /// Returns whether a word is found less often than it is listed.
     pub fn is_missing(&self, word: &Word) -> bool {
         self.found.get(word).is_none_or(|found| *found < self.listed[word])
     }
@@ -155,7 +155,7 @@ impl<'s> Search<'s> {
         self.listed.keys().filter(is_missing).collect()
     }
 
-    /// One run, one impact further, along the first tubes that are made.
+    /// One run, one impact further, along the first chains of boxes that are made.
     fn follow(&self, run: &Run, making: &Making) -> Result<Followed, End> {
         let (mut stretches, mut used) = (Vec::new(), None);
         for Proposal { parts, is_far, next } in making.images(&self.guess, &run.tube, self.work)? {
@@ -182,7 +182,7 @@ impl<'s> Search<'s> {
         Ok(Followed { stretches })
     }
 
-    /// The same along other tubes, if these cross bases as more of the missing words, and as no fewer listed ones.
+    /// The same along other chains of boxes, if these cross h-sets as more of the missing words, and as no fewer listed ones.
     fn follow_again(&self, run: &Run, before: &Followed, missing: &HashSet<&Word>) -> Result<Option<Followed>, End> {
         if !missing.iter().any(|word| word.from == run.from && word.flights.starts_with(&run.flights)) {
             return Ok(None);
@@ -199,7 +199,7 @@ impl<'s> Search<'s> {
         Ok(best)
     }
 
-    /// Where a stretch crosses a base as a listed word, no two of them with cells in common.
+    /// Where a stretch covers an h-set as a listed word, no two of them with cells in common.
     fn crossings(&self, Run { from, flights, tube }: &Run) -> Vec<Crossing> {
         let far = flights.iter().filter(|&&is_far| is_far).count() as i64; // exact: a length
         let mut found: Vec<Crossing> = Vec::new();
@@ -222,7 +222,7 @@ impl<'s> Search<'s> {
 }
 
 /// Takes words, as often as they are listed at most, and says how often: which of more does not matter; those first that have most room
-/// in their tubes. The others are followed on, as others that cross a base and are not listed: longer words may be told of them.
+/// in their chains of boxes. The others are followed on, as others that cross an h-set and are not listed: longer words may be relative to them.
 fn take(stretches: &mut [Stretch], listed: &Counts) -> Counts {
     let mut rooms: HashMap<Word, Vec<f64>> = HashMap::new();
     for Stretch { run, crossings } in stretches.iter() {
@@ -247,7 +247,7 @@ fn take(stretches: &mut [Stretch], listed: &Counts) -> Counts {
 }
 
 impl Crossing {
-    /// How far its tube goes on beyond it, about, on the side where it ends first.
+    /// How far its chain of boxes goes on beyond it, about, on the side where it ends first.
     fn room(&self, tube: &Tube) -> f64 {
         let [a, b] = self.chords;
         let way = |chords: &[Chord]| -> f64 {
