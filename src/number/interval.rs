@@ -214,10 +214,10 @@ impl Interval {
         let (a, b) = (at(self.inf), at(self.sup));
         // I1: the outer ends, and what the kernel is off
         let ends = outward(a.min(b) - SIN_COS_ERROR, a.max(b) + SIN_COS_ERROR);
-        // I1: no value is beyond 1
+        let (inf, sup) = (ends.inf.max(-1.0), ends.sup.min(1.0)); // I1: no value is beyond 1
         Self {
-            inf: if self.may_hold_whole(peak + 0.5) { -1.0 } else { ends.inf.max(-1.0) },
-            sup: if self.may_hold_whole(peak) { 1.0 } else { ends.sup.min(1.0) },
+            inf: if self.may_hold_whole(peak + 0.5) { -1.0 } else { inf },
+            sup: if self.may_hold_whole(peak) { 1.0 } else { sup },
         }
     }
 
