@@ -15,7 +15,7 @@
 //! | (10)-(13), figs 12-17 | motion between impacts, for figures | [`orbit::CoursePoint`], [`orbit::Orbit::course_point`] |
 //! | (11), (12) | the motion at any time; the next impacts of many states | [`orbit::Dense`], [`orbit::Arrivals`] |
 //! | (15) | Newton's impact law | [`pair::rebound`] |
-//! | (14), (A.2), (A.4), (A.6) | the first contact, certified; by the textbook method | [`contact::first_contact`], [`contact::textbook::first_contact`] |
+//! | (14), (A.2), (A.4), (A.6) | the first contact, certified; with the feature `inari` by the textbook method | [`contact::first_contact`], `contact::textbook::first_contact` |
 //! | (16), (17), (A.1), (A.3), (A.5) | chains of impacts | [`orbit::Orbit`] |
 //! | (18)-(23) | switch-planes, in three coordinates | [`switch_plane::SwitchPoint`], [`orbit::Orbit::switch_point`] |
 //! | (24)-(27) | mappings P1-P4 | [`mapping::Mapping`] |
@@ -28,7 +28,7 @@
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
 //! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
-//! | beyond the paper | intervals of the package `inari`, IEEE 1788 | [`number::interval`], [`orbit::Orbit::intervals`] |
+//! | beyond the paper | with the feature `inari`: intervals of that package, IEEE 1788 | `number::inari`, `orbit::Orbit::intervals` |
 //! | figs 12-17 | scene files | [`scene::Scene`], `scenes/` |
 //!
 //! # Modules, in reading order
@@ -107,7 +107,8 @@ pub use impact_pair_exact as exact;
 #[doc(inline)]
 pub use impact_pair_model::scene;
 pub use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Scene};
-/// The field's own interval type, in the version that this crate computes with.
+/// The package inari, in the version that this crate computes with; in a build with the feature `inari`.
+#[cfg(feature = "inari")]
 pub use inari;
 
 /// The examples of the README are tests as well.

@@ -5,12 +5,11 @@
 
 use std::cmp::Ordering;
 
-use inari::{Interval, const_interval};
 use num_bigint::BigInt;
 
 use crate::exact::{Dyadic, Enclosure};
-use crate::number::interval::{ONE, ZERO, between, enclosing, point};
-use crate::number::{Ball, Enclosing, Number, Wave};
+use crate::number::interval::Interval;
+use crate::number::{Ball, Enclosing};
 use crate::pair::{Reduced, Wall};
 
 /// What [`accumulation`] wants of time at least, in turns, for each unit of the velocity before an impact.
@@ -31,8 +30,6 @@ pub(crate) struct Pressed {
     turns: BigInt,
 }
 
-const EIGHT: Interval = const_interval!(8.0, 8.0);
-
 /// A sum of no more bits than this is exact.
 const EXACTLY: u32 = 1 << 30;
 
@@ -52,14 +49,14 @@ impl Pressed {
         let since = since.sub(&point(Dyadic::new(turns.clone(), 0)), EXACTLY);
         let left = half().sub(&since, EXACTLY);
         let is_inside = since.sign().is_some_and(Ordering::is_ge) && left.sign() == Some(Ordering::Greater);
-        is_inside.then(|| Self { since: enclosing(&since), left: enclosing(&left), turns })
+        is_inside.then(|| Self { since: Interval::enclosing(&since), left: Interval::enclosing(&left), turns })
     }
 
     /// Whether the pressure begins exactly there: then it is 0.
     ///
     /// Lemma Z2: a ball at rest is pressed from then on; any earlier, however little, it still leaves.
     pub fn is_at_its_begin(&self) -> bool {
-        self.since == ZERO // Z2: exactly there
+        self.since == Interval::ZERO // Z2: exactly there
     }
 
     /// The whole turns from phase 0 to that of the release, and the rest, exactly: 0 on the left wall, -1/2 on the right one,
@@ -70,27 +67,27 @@ impl Pressed {
 
     /// `|sin|` on all phases of the set and `window` turns after each; `None` where the pressure may end before.
     fn sine(&self, window: f64) -> Option<Interval> {
-        let window = between(0.0, window);
+        let window = Interval::new(0.0, window);
         let (since, left) = (self.since + window, self.left - window);
         if left.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
             return None;
         }
         // It rises for a quarter of a turn and falls after it: told from the nearer end.
         let at = |since: f64, left: f64| sine(if since <= 0.25 { since } else { left });
-        let ends = at(since.inf(), left.sup()).convex_hull(at(since.sup(), left.inf()));
+        let ends = at(since.inf(), left.sup()).hull(at(since.sup(), left.inf()));
         // Z1: the top between both
-        Some(if since.inf() <= 0.25 && left.inf() <= 0.25 { ends.convex_hull(ONE) } else { ends })
+        Some(if since.inf() <= 0.25 && left.inf() <= 0.25 { ends.hull(Interval::ONE) } else { ends })
     }
 }
 
 /// The sine at so much of a turn, at most a quarter of it, to a few units in the last place of itself.
 fn sine(phase: f64) -> Interval {
-    let phase = point(phase);
+    let phase = Interval::point(phase);
     // Z1: `x (1 - x^2/6) <= sin x <= x`, and `(2 pi)^2/6 < 8`
     if phase.sup() < 2f64.powi(-20) {
-        return phase.turn() * phase * (ONE - EIGHT * phase.sqr()).convex_hull(ONE);
+        return Interval::TAU * phase * (Interval::ONE - phase.sqr().scaled(8.0)).hull(Interval::ONE);
     }
-    phase.wave().0
+    phase.sin()
 }
 
 /// How long, in turns, chatter can last that begins with a bounce of a set at `velocity`, that after the impact.
@@ -109,7 +106,7 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
         return Some(0.0);
     }
     let beta = Interval::from(pair.beta);
-    let swing = beta.turn() * beta;
+    let swing = Interval::TAU * beta;
     // Twice what the pressure would take if it were constant. Any window will do that the sum fits into.
     let now = swing * pressed.sine(0.0)?;
     let window = 4.0 * speed / (now.mid() * (1.0 - rebound));
@@ -122,14 +119,14 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
 /// How long, in turns, chatter lasts at most that begins with a bounce at `speed`, while the pressure stays within `pressure`
 /// for `window` turns (Lemma Z1); `None` where it is not proved to end in them.
 pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64) -> Option<f64> {
-    let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(point);
+    let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(Interval::point);
     if least.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {
         return None;
     }
-    let room = ONE - rebound * (most / least).sqrt();
+    let room = Interval::ONE - rebound * most.checked_div(least)?.sqrt()?;
     let rate = least * room;
-    let height = speed.sqr() / least;
-    let time = (speed + speed) / rate;
+    let height = speed.sqr().checked_div(least)?;
+    let time = (speed + speed).checked_div(rate)?;
     let is_proved = room.inf() > 0.0 && rate.inf() > 0.0 && height.sup() < 1.0 && time.sup() <= window;
     is_proved.then(|| time.sup())
 }
@@ -138,6 +135,7 @@ pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64
 mod tests {
     use super::*;
     use crate::exact::Exact;
+    use crate::number::Number;
 
     fn pair(alpha: f64, restitution: f64) -> Reduced<Ball> {
         let alpha = Ball::exact(alpha);

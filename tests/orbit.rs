@@ -62,6 +62,7 @@ fn the_figures_reach_as_far_as_doubles_certify() {
 }
 
 /// The textbook's method: the same impacts as far as it goes, which is less far, and never without an end.
+#[cfg(feature = "inari")]
 #[test]
 fn plain_interval_arithmetic_agrees_as_far_as_it_goes() {
     for (name, least) in [("12", 1000), ("13", 1000), ("14", 50), ("15", 110), ("16", 75), ("17", 45)] {
@@ -78,6 +79,7 @@ fn plain_interval_arithmetic_agrees_as_far_as_it_goes() {
     }
 }
 
+#[cfg(feature = "inari")]
 #[test]
 fn the_textbooks_method_is_known_of_one_harmonic() {
     let text = include_str!("../scenes/two-tones.toml");
@@ -85,6 +87,18 @@ fn the_textbooks_method_is_known_of_one_harmonic() {
     let settings = Settings { arithmetic: Arithmetic::Inari, ..Settings::default() };
     let error = Orbit::new(two.pair(), two.start(), settings).unwrap_err().to_string();
     assert!(error.contains("2 harmonics") && error.contains("inari"), "{error}");
+}
+
+/// Whoever asks for it by name or by its variant is told of the feature.
+#[cfg(not(feature = "inari"))]
+#[test]
+fn the_textbooks_method_is_a_feature() {
+    let settings = Settings { arithmetic: Arithmetic::Inari, ..Settings::default() };
+    let scene = scene("12");
+    for error in [Orbit::of(&scene, settings).unwrap_err(), "inari".parse::<Arithmetic>().unwrap_err()] {
+        assert!(error.to_string().contains("build impact-pair with the cargo feature \"inari\""), "{error}");
+    }
+    assert!(!"?".parse::<Arithmetic>().unwrap_err().to_string().contains("inari"));
 }
 
 /// Figure 12 alternates P2 and P1; figure 15 settles on m = 2 impacts on the right and n = 3 on the left a cycle.

@@ -80,8 +80,8 @@ PARTS = [
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
-    cargo("no C", f"{NO_C} && cargo check {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features",
-          f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test library", after=("lints",)),
+    cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test library", after=("lints",)),
+    cargo("dependent", "validation/dependent", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
     Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),

@@ -4,7 +4,7 @@
 //! plain doubles, then one bracket a few ulps wide on which the residual changes sign and the velocity does
 //! not (existence and uniqueness), then the extrema before it are proved to stay inside the gap (nothing
 //! earlier). The lemmas C1-C6 are in `docs/proofs.md`. No step allocates, and none depends on the length of
-//! the flight. [`textbook`] answers the same question by plain interval arithmetic.
+//! the flight. `textbook` answers the same question by plain interval arithmetic, in a build with the feature `inari`.
 
 mod bounds;
 mod certify;
@@ -16,6 +16,7 @@ pub(crate) mod multiprecision;
 mod solve;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "inari")]
 pub mod textbook;
 
 pub use bounds::{Margins, Radii};
@@ -94,6 +95,7 @@ impl Undecided {
     }
 
     /// The ball lies on its wall and is pressed against it: there is no flight.
+    #[cfg(feature = "multiprecision")]
     pub(crate) fn rest(wall: Wall) -> Self {
         Self { lasting: true, ..Self::graze(Some(wall)) }
     }

@@ -17,7 +17,7 @@ use inari::Interval;
 use super::extrema::Target;
 use super::{Contact, Undecided, Verdict};
 use crate::flight::Flight;
-use crate::number::interval::between;
+use crate::number::inari::between;
 use crate::number::{Enclosing, Number, Wave};
 use crate::pair::Inward;
 

@@ -1,12 +1,14 @@
 //! The arithmetics: one small trait, so that each formula of the paper is written once.
 //!
 //! `f64` proposes, [`Ball`] disposes, and `MpBall` where doubles do not suffice: the float twin, the enclosures and
-//! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart, and so does
-//! [`inari::Interval`], the field's own interval type (see [`interval`]). Phases are in turns everywhere (see [`kernel`]).
+//! the Jacobian run through the same lines of [`crate::flight`] and [`crate::mapping`] and cannot drift apart, and so do the
+//! intervals of the package inari in a build with the feature `inari`. Phases are in turns everywhere (see [`kernel`]).
 
 mod approx;
 mod ball;
-pub mod interval;
+#[cfg(feature = "inari")]
+pub mod inari;
+pub(crate) mod interval;
 pub mod kernel;
 mod logarithm;
 #[cfg(feature = "multiprecision")]

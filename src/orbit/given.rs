@@ -10,6 +10,7 @@ use super::precise::PreciseMotion;
 use super::shadowed::ShadowMotion;
 #[cfg(feature = "multiprecision")]
 use super::splice::Splice;
+#[cfg(feature = "inari")]
 use super::textbook::TextbookMotion;
 use super::{Arithmetic, Start};
 use crate::Error;
@@ -99,6 +100,9 @@ impl Given {
             Arithmetic::Float => shaken.float(&origin),
             // F5: no other start has the state of a release.
             Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Shadow => shaken.interval(&origin),
+            #[cfg(not(feature = "inari"))]
+            Arithmetic::Inari => return Err(Arithmetic::unknown("inari")),
+            #[cfg(feature = "inari")]
             Arithmetic::Inari => {
                 self.pair.harmonic("the textbook method (arithmetic inari)")?;
                 Box::new(TextbookMotion::new(shaken.pair(), &origin))

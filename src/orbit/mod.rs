@@ -22,6 +22,7 @@ mod shadowed;
 mod shortfall;
 #[cfg(feature = "multiprecision")]
 mod splice;
+#[cfg(feature = "inari")]
 mod textbook;
 mod units;
 mod watch;

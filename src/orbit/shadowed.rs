@@ -251,8 +251,10 @@ impl Nearness {
 mod tests {
     use super::*;
     use crate::Scene;
+    #[cfg(feature = "multiprecision")]
     use crate::orbit::Progress;
     use proptest::prelude::*;
+    #[cfg(feature = "multiprecision")]
     use std::ops::ControlFlow;
 
     fn scene(name: &str) -> Scene {

@@ -1,12 +1,11 @@
 //! Events of an orbit in the units of the scene.
 
-use inari::Interval;
-
 use super::event::finite;
 use super::{Graze, Impact, Orbit, Release, Rest};
 use crate::exact::Enclosure;
 use crate::number::Ball;
-use crate::number::interval::enclosing;
+#[cfg(feature = "inari")]
+use crate::number::inari::enclosing;
 use crate::switch_plane::{SwitchPoint, absolute};
 
 impl Orbit {
@@ -16,7 +15,7 @@ impl Orbit {
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
     }
 
-    /// Returns the same bounds as intervals of doubles.
+    /// Returns the same bounds as intervals of the package inari, in a build with the feature `inari`.
     ///
     /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`](super::Arithmetic::Float).
     ///
@@ -39,7 +38,8 @@ impl Orbit {
     /// }
     /// # Ok::<(), impact_pair::Error>(())
     /// ```
-    pub fn intervals(&self, impact: &Impact) -> (Interval, Interval) {
+    #[cfg(feature = "inari")]
+    pub fn intervals(&self, impact: &Impact) -> (inari::Interval, inari::Interval) {
         let (time, velocity) = self.bounds(impact);
         (enclosing(&time), enclosing(&velocity))
     }

@@ -25,7 +25,6 @@ mod physical;
 pub mod precondition;
 mod prove;
 mod search;
-pub(crate) use search::interval::Interval;
 mod several;
 mod stability;
 mod unshaken;
@@ -36,6 +35,7 @@ use crate::Error;
 use crate::exact::log2_of_digits;
 use crate::mapping::Word;
 use crate::number::Ball;
+use crate::number::interval::Interval;
 use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
 use crate::shaken::{One, Several};
@@ -217,7 +217,7 @@ impl Problem {
 
     /// Whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
     pub(crate) fn is_all_of(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
-        let balls: Vec<Ball> = phases.iter().map(|x| x.ball()).collect();
+        let balls: Vec<Ball> = phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
         is_one_reduced(&self.chain, &whole, &orbit.proved) == Some(true)
     }
@@ -241,7 +241,7 @@ impl Problem {
         let text: String = walls[..least].iter().map(|wall| if *wall == Wall::Left { 'L' } else { 'R' }).collect();
         let cycles = self.chain.cycles() as usize * least / count; // exact: a divisor
         let problem = Self::new(&self.impact_pair, &text.parse().ok()?, u32::try_from(cycles).ok()?).ok()?;
-        let phases = orbit.proved.at[..least].iter().map(|&phase| Interval::of(phase)).collect();
+        let phases = orbit.proved.at[..least].iter().map(|&phase| Interval::from(phase)).collect();
         Some((problem, phases))
     }
 

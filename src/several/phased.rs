@@ -1,10 +1,8 @@
 //! The arithmetics in which flights under several harmonics are computed: doubles, balls of doubles, balls of any precision.
 
-use inari::Interval;
-
 use super::ticks::Ticks;
 use crate::exact::Exact;
-use crate::number::interval::between;
+use crate::number::interval::Interval;
 use crate::number::{Ball, Wave};
 #[cfg(feature = "multiprecision")]
 use crate::number::{MpBall, Number};
@@ -30,7 +28,7 @@ pub(crate) trait Phased: Turning {
     /// The same as an interval.
     fn interval(&self) -> Interval {
         let (inf, sup) = self.bounds();
-        between(inf, sup)
+        Interval::new(inf, sup)
     }
     /// Whether it is exactly 0.
     fn is_zero(&self) -> bool {

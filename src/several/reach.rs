@@ -3,13 +3,11 @@
 use std::cmp::Ordering;
 use std::sync::OnceLock;
 
-use inari::Interval;
-
 use super::flight::SumFlight;
 use super::harmonics::{Harmonics, Sums};
 use super::phased::Phased;
-use crate::number::interval::{ONE, between, within};
-use crate::number::{Ball, Enclosing, Number};
+use crate::number::Ball;
+use crate::number::interval::Interval;
 
 /// Bounds of the sum of the harmonics, `E/d`, at all times.
 #[derive(Debug)]
@@ -32,26 +30,26 @@ const MOST_PARTS: usize = 1 << 18;
 impl Band {
     pub fn new(harmonics: &Harmonics<Ball>, period: Option<u64>) -> Self {
         let period = period.filter(|period| *period <= LONGEST_PERIOD);
-        Self { coarse: within(harmonics.rates.shift), tight: OnceLock::new(), period }
+        Self { coarse: Interval::within(harmonics.rates.shift), tight: OnceLock::new(), period }
     }
 
     /// The extrema, where there is a common period.
     pub(super) fn tight(&self, harmonics: &Harmonics<Ball>) -> Interval {
         *self.tight.get_or_init(|| match self.period {
             None => self.coarse,
-            Some(period) => between(-greatest(harmonics, period, -1.0), greatest(harmonics, period, 1.0)),
+            Some(period) => Interval::new(-greatest(harmonics, period, -1.0), greatest(harmonics, period, 1.0)),
         })
     }
 }
 
 /// An upper bound of `sign` times the sum of the harmonics over their common period: branch and prune.
 fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
-    let bend = within(0.5 * harmonics.rates.second);
+    let bend = Interval::within(0.5 * harmonics.rates.second);
     let see = |from: f64, width: f64| {
         let middle = from + 0.5 * width;
         let turns = middle.round(); // exact: below 4096
         let Sums { sine, cosine, .. } = harmonics.sums(turns as i64, &Ball::exact(middle - turns)); // exact: below 4096
-        let (here, step) = (Interval::from(sine).signed(sign), within(0.5 * width));
+        let (here, step) = (Interval::from(sine).signed(sign), Interval::within(0.5 * width));
         (here.inf(), (here + step * (Interval::from(cosine) + bend * step)).sup())
     };
     let width = 1.0 / PARTS as f64; // exact: a power of two
@@ -105,12 +103,12 @@ impl<'b> Reach<'b> {
 
 /// The window between leaving one wall for good and coming near the other: at `h` the height is in `held + drift h`.
 pub(super) fn window(held: Interval, drift: Interval) -> Option<(f64, f64)> {
-    let (room, speed) = match drift.certain_sign()? {
+    let (room, speed) = match drift.sign()? {
         Ordering::Greater => (held, drift),
-        Ordering::Less => (ONE - held, -drift),
+        Ordering::Less => (Interval::ONE - held, -drift),
         Ordering::Equal => return None,
     };
-    let (from, until) = ((-room / speed).sup(), ((ONE - room) / speed).inf());
-    // H6: not before the start; no NaN, as `until` is finite
-    (until > 0.0 && until.is_finite()).then_some((from.max(0.0), until))
+    let (from, until) = ((-room).checked_div(speed)?.sup(), (Interval::ONE - room).checked_div(speed)?.inf());
+    // H6: not before the start; both are finite
+    (until > 0.0).then_some((from.max(0.0), until))
 }

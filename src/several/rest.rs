@@ -6,14 +6,12 @@
 
 use std::sync::Arc;
 
-use inari::Interval;
-
 use super::flight::Instant;
 use super::harmonics::Harmonics;
 use super::phased::Phased;
 use super::spectrum::Spectrum;
 use crate::exact::Enclosure;
-use crate::number::interval::{between, point, within};
+use crate::number::interval::Interval;
 use crate::number::{Ball, is_positive};
 #[cfg(feature = "multiprecision")]
 use crate::number::{Magnitude, MpBall, Number};
@@ -42,10 +40,10 @@ pub(crate) fn accumulation(
     }
     // Twice what the pressure now would take. Any window will do that the sum fits into.
     let window = 4.0 * speed / (pressed.inf() * (1.0 - rebound));
-    let (rates, ahead) = (&harmonics.rates, between(0.0, window));
-    let jerk = within(harmonics.jerk(turns, &phase).interval().mag());
+    let (rates, ahead) = (&harmonics.rates, Interval::new(0.0, window));
+    let jerk = Interval::within(harmonics.jerk(turns, &phase).interval().mag());
     // H7: the smaller of two bounds
-    let change = (jerk + within(rates.fourth) * ahead).intersection(within(rates.third)) * ahead;
+    let change = (jerk + Interval::within(rates.fourth) * ahead).intersection(Interval::within(rates.third))? * ahead;
     duration(speed, rebound, pressed + change, window)
 }
 
@@ -105,7 +103,7 @@ pub(super) fn first_zero<N: Phased>(
     phase: N,
 ) -> Option<Zero> {
     let fourth = harmonics.rates.fourth;
-    let bend = within(fourth);
+    let bend = Interval::within(fourth);
     let slope_at = |at: &Instant<N>| harmonics.jerk(turns + at.turns, &at.rest).signed(-wall.sign()).interval();
     let value_at = |at: &Instant<N>| pressure(harmonics, wall, turns + at.turns, &at.rest);
     let mut at = Instant { turns: 0, rest: phase };
@@ -124,22 +122,22 @@ pub(super) fn first_zero<N: Phased>(
         // Falling all the way to a zero a little farther than Newton's step: it is the first.
         if low < 0.0 && slope.sup() + 2.0 * fourth * ahead < 0.0 {
             let (zero, reach, least) = bracket(bend, &value_at, &slope_at, at.later(&at.rest.like(ahead)))?;
-            let time = point(zero.since(&at)) + point(reach);
+            let time = Interval::point(zero.since(&at)) + Interval::point(reach);
             // Lemma H8 looks ahead only.
             if at.since(&zero) < reach && (slope + bend * time).sup() < 0.0 {
                 let rest = zero.rest.interval();
-                let reach = (point(reach) + point(rest.wid())).sup();
+                let reach = (Interval::point(reach) + Interval::point(rest.wid())).sup();
                 let turns = turns::later(turns, zero.turns)?;
                 // Lemma H8: within `reach` of the rounded place, which is within as much of the zero.
-                let least = (point(least) + bend * point(2.0 * reach)).inf();
+                let least = (Interval::point(least) + bend * Interval::point(2.0 * reach)).inf();
                 let zero = Zero { spectrum: spectrum.clone(), wall, turns, near: rest.mid(), reach, least, bend };
                 return is_positive(least).then_some(zero);
             }
         }
         let step = 0.98 * (low + (low * low + 2.0 * fourth * p).sqrt()) / fourth;
         let next = at.later(&at.rest.like(step));
-        let time = point(next.since(&at));
-        let least = value + time * (slope + within(0.5 * fourth) * time);
+        let time = Interval::point(next.since(&at));
+        let least = value + time * (slope + Interval::within(0.5 * fourth) * time);
         if !(is_positive(time.inf()) && is_positive(least.inf())) {
             return None;
         }
@@ -162,9 +160,9 @@ fn bracket<N: Phased>(
         let back = p.ratio_to(&at.rest.like(slope.mid()))?;
         let (value, size) = (p.interval(), back.bounds().0.abs());
         if value.contains(0.0) || !is_positive(0.75 * before - size) {
-            let widest = 2.0 * value.mag() / -slope.sup();
-            let least = (-slope + bend * point(widest)).inf();
-            let reach = (point(value.mag()) / point(least)).sup();
+            let widest = (2.0 * value.mag() / -slope.sup()).next_up(); // more than the quotient below of an exact zero
+            let least = (-slope + bend * Interval::point(widest)).inf();
+            let reach = Interval::point(value.mag()).checked_div(Interval::point(least))?.sup();
             return (least > 0.0 && reach <= widest).then_some((at, reach, least));
         }
         (at, before) = (at.later(&-back), size);
@@ -222,12 +220,13 @@ impl Zero {
     /// The whole turns of `later`, told as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         let period = i64::try_from(self.spectrum.period?).ok()?;
-        let apart = point(later.near) - point(self.near);
+        let apart = Interval::point(later.near) - Interval::point(self.near);
         // exact: -1, 0 or 1, as half a turn is told in two ways
         let whole = apart.mid().round();
         let turns = later.turns + whole as i64; // N1: one turn more
-        let (apart, reaches) = ((apart - point(whole)).abs(), point(self.reach) + point(later.reach));
-        let is_one = (point(self.least) + self.bend * (apart + reaches)).inf() > 0.0;
+        let (apart, reaches) =
+            ((apart - Interval::point(whole)).abs(), Interval::point(self.reach) + Interval::point(later.reach));
+        let is_one = (Interval::point(self.least) + self.bend * (apart + reaches)).inf() > 0.0;
         let overlap = apart.inf() <= reaches.sup();
         (self.wall == later.wall && (turns - self.turns) % period == 0 && overlap && is_one).then_some(turns)
     }

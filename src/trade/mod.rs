@@ -41,7 +41,7 @@ impl<'s> Trade<'s> {
     pub fn of(scene: &'s Scene, asked: Settings, watch: &dyn Watch) -> Result<Self, Error> {
         let units = Units::of(scene);
         let one_harmonic = scene.pair().excitation().only().is_some();
-        let mut ladder = Ladder::new(asked.max_bits, one_harmonic);
+        let mut ladder = Ladder::new(asked.max_bits, one_harmonic && cfg!(feature = "inari"));
         let mut trade = Self { scene, asked, units, rungs: Vec::new(), judgement: None, interrupted: None };
         while let Some(rung) = ladder.rung() {
             watch.stage(&rung.to_string());

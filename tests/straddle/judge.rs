@@ -40,10 +40,9 @@ fn settings(case: &Case, number: u64) -> Settings {
         true => &["interval", "64", "auto", "inari", "128", "256"],
         false => &["interval", "inari"],
     };
-    let mut arithmetic: Arithmetic = names[number as usize / 11 % names.len()].parse().expect("an arithmetic");
-    if arithmetic == Arithmetic::Inari && case.scene.pair().excitation().only().is_none() {
-        arithmetic = Arithmetic::Interval;
-    }
+    let name = names[number as usize / 11 % names.len()];
+    let is_known = name != "inari" || cfg!(feature = "inari") && case.scene.pair().excitation().only().is_some();
+    let arithmetic: Arithmetic = if is_known { name } else { "interval" }.parse().expect("an arithmetic");
     Settings { arithmetic, impacts: Some(case.impacts), max_bits: 1024, ..Settings::default() }
 }
 

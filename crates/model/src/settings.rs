@@ -18,7 +18,8 @@ pub enum Arithmetic {
     Float,
     /// Certified in double precision, as far as it decides; widths are not controlled.
     Interval,
-    /// Certified by the textbook method in `inari`'s intervals: plain interval arithmetic, for one harmonic.
+    /// Certified by the textbook method in the intervals of the package inari: plain interval arithmetic, for one harmonic, in a build
+    /// with the feature `inari`.
     Inari,
     /// For a chaotic orbit, certified in double precision for any number of impacts: a true orbit from a start very near the
     /// given one. Without expansion, as [`Arithmetic::Interval`] from the exact start; after a release, whose state is exact, as
@@ -31,6 +32,11 @@ pub enum Arithmetic {
 impl Arithmetic {
     /// Returns an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
+        if text == "inari" {
+            let told = "the arithmetic inari is not in this build: build impact-pair with the cargo feature \"inari\"";
+            return Error::out_of_range(None, told.to_owned());
+        }
+        let inari = if cfg!(feature = "inari") { "inari, " } else { "" };
         let (least, most) = BITS.into_inner();
         let bits = if cfg!(feature = "multiprecision") {
             format!("or a number of bits from {least} to {most}")
@@ -39,7 +45,7 @@ impl Arithmetic {
         };
         Error::out_of_range(
             None,
-            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, inari, shadow {bits}"),
+            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, {inari}shadow {bits}"),
         )
     }
 }
@@ -93,7 +99,7 @@ impl FromStr for Arithmetic {
             "auto" => Ok(Self::Auto),
             "float" => Ok(Self::Float),
             "interval" => Ok(Self::Interval),
-            "inari" => Ok(Self::Inari),
+            "inari" if cfg!(feature = "inari") => Ok(Self::Inari),
             "shadow" => Ok(Self::Shadow),
             _ => match text.parse() {
                 Ok(bits) if BITS.contains(&bits) && cfg!(feature = "multiprecision") => Ok(Self::Bits(bits)),

@@ -2,7 +2,7 @@
 
 use super::relation::{Leg, Relation};
 use crate::chaos::law::Side;
-use crate::periodic::Interval;
+use crate::number::interval::Interval;
 use crate::periodic::krawczyk::Jacobian;
 use crate::periodic::precondition::Preconditioner;
 
@@ -81,11 +81,11 @@ impl Chain {
 
     /// Returns both halves, across a phase.
     pub fn halves(self, across: usize) -> [Self; 2] {
-        let (Interval { lo, hi }, middle) = (self.phases[across], self.phases[across].middle());
+        let whole = self.phases[across];
         let mut other = self.clone();
-        other.phases[across] = Interval::new(middle, hi);
+        other.phases[across] = Interval::new(whole.mid(), whole.sup());
         let mut one = self;
-        one.phases[across] = Interval::new(lo, middle);
+        one.phases[across] = Interval::new(whole.inf(), whole.mid());
         [one, other]
     }
 
@@ -105,7 +105,7 @@ impl Chain {
         for i in first..self.sides.len() {
             self.cut_time(laws.times, i)?;
         }
-        let middles: Vec<f64> = self.phases.iter().map(|x| x.middle()).collect();
+        let middles: Vec<f64> = self.phases.iter().map(|x| x.mid()).collect();
         let legs: Vec<Option<Leg>> = (first..self.sides.len()).map(|i| self.leg(laws, i, &middles)).collect();
         for (i, leg) in legs.iter().enumerate() {
             if let Some(leg) = leg {
@@ -131,20 +131,20 @@ impl Chain {
         let (next, turns) = self.next(i);
         let there = Interval::point(turns) - Interval::point(self.sides[i].shift());
         let arrival = self.phases[next] + there;
-        let time = (arrival - self.phases[i]).cut(times)?;
-        self.phases[i] = self.phases[i].cut(arrival - time)?;
-        self.phases[next] = self.phases[next].cut(self.phases[i] + time - there)?;
+        let time = (arrival - self.phases[i]).intersection(times)?;
+        self.phases[i] = self.phases[i].intersection(arrival - time)?;
+        self.phases[next] = self.phases[next].intersection(self.phases[i] + time - there)?;
         Some(())
     }
 
     /// Cuts by the speeds at both ends of a flight.
     fn cut_flight(&mut self, laws: &Laws, i: usize, leg: &Leg, middles: &[f64]) -> Option<()> {
         let (next, e) = (self.next(i).0, laws.relation.restitution);
-        let after = leg.after.cut(e * self.speeds[i])?;
-        if let Some(speed) = after.over(e) {
-            self.speeds[i] = self.speeds[i].cut(speed)?;
+        let after = leg.after.intersection(e * self.speeds[i])?;
+        if let Some(speed) = after.checked_div(e) {
+            self.speeds[i] = self.speeds[i].intersection(speed)?;
         }
-        self.speeds[next] = self.speeds[next].cut(leg.before)?;
+        self.speeds[next] = self.speeds[next].intersection(leg.before)?;
         if i == next {
             return Some(());
         }
@@ -152,8 +152,8 @@ impl Chain {
             for (end, at, other) in [(0, i, next), (1, next, i)] {
                 let offset = self.phases[other] - Interval::point(middles[other]);
                 let rest = speed - leg.centre[row] - leg.slopes[row][1 - end] * offset;
-                if let Some(step) = rest.over(leg.slopes[row][end]) {
-                    self.phases[at] = self.phases[at].cut(Interval::point(middles[at]) + step)?;
+                if let Some(step) = rest.checked_div(leg.slopes[row][end]) {
+                    self.phases[at] = self.phases[at].intersection(Interval::point(middles[at]) + step)?;
                 }
             }
         }
@@ -170,7 +170,7 @@ impl Chain {
         }
         let place = |phase: usize| phase.checked_sub(start).filter(|&place| place < rows.len());
         let entries = rows.iter().enumerate().flat_map(|(i, row)| {
-            let entry = move |(&j, slope): (&usize, &Interval)| Some((i, place(j)?, slope.middle()));
+            let entry = move |(&j, slope): (&usize, &Interval)| Some((i, place(j)?, slope.mid()));
             row.phases.iter().zip(&row.slopes).filter_map(entry)
         });
         let Some(inverse) = Preconditioner::new(&Square(entries.collect(), rows.len())) else { return Some(false) };
@@ -194,14 +194,14 @@ impl Chain {
 
     /// Solves a combination of the equations for a phase; whether it determines it.
     fn solve(&mut self, i: usize, y: &[f64], rows: &[Row], middles: &[f64]) -> Option<bool> {
-        let zero = Interval::point(0.0);
+        let zero = Interval::ZERO;
         let mut along = vec![zero; self.len()];
         let mut rest = zero;
         for (&y, row) in y.iter().zip(rows) {
             for (&j, slope) in row.phases.iter().zip(&row.slopes) {
-                along[j] = along[j] + slope.times(y);
+                along[j] = along[j] + slope.scaled(y);
             }
-            rest = rest - row.miss.times(y);
+            rest = rest - row.miss.scaled(y);
         }
         let offset = |j: usize| self.phases[j] - Interval::point(middles[j]);
         for (j, &along) in along.iter().enumerate() {
@@ -210,15 +210,15 @@ impl Chain {
             }
         }
         // What overflows says nothing.
-        if !(rest.is_finite() && along[i].is_finite()) {
+        if !(rest.is_common_interval() && along[i].is_common_interval()) {
             return Some(false);
         }
-        match rest.over(along[i]) {
+        match rest.checked_div(along[i]) {
             Some(step) => {
-                self.phases[i] = self.phases[i].cut(Interval::point(middles[i]) + step)?;
+                self.phases[i] = self.phases[i].intersection(Interval::point(middles[i]) + step)?;
                 Some(true)
             }
-            None => (along[i] * offset(i)).cut(rest).map(|_| false),
+            None => (along[i] * offset(i)).intersection(rest).map(|_| false),
         }
     }
 }

@@ -6,7 +6,7 @@ use std::{mem, thread};
 
 use crate::chaos::law::Law;
 use crate::chaos::trap::{Cell, Grid, Region};
-use crate::periodic::Interval;
+use crate::number::interval::Interval;
 
 /// Boxes are put together to blocks until there are no more than that.
 const MOST_BLOCKS: usize = 256;
@@ -185,9 +185,9 @@ impl Layer {
     pub fn parts(&self, phases: Interval, speeds: Interval, width: i64) -> Vec<[Interval; 2]> {
         let Grid { columns, rows } = self.grid;
         let per_turn = columns as f64; // exact: a power of two
-        let across = [phases.lo, phases.hi].map(|x| (x * per_turn).floor() as i64); // D21: the box of an end
-        let along = [speeds.lo, speeds.hi].map(|x| (x * rows).floor() as i32); // D21: the box of an end
-        let cut = |[u, w]: [Interval; 2]| phases.cut(u).zip(speeds.cut(w)).map(|(u, w)| [u, w]);
+        let across = [phases.inf(), phases.sup()].map(|x| (x * per_turn).floor() as i64); // D21: the box of an end
+        let along = [speeds.inf(), speeds.sup()].map(|x| (x * rows).floor() as i32); // D21: the box of an end
+        let cut = |[u, w]: [Interval; 2]| phases.intersection(u).zip(speeds.intersection(w)).map(|(u, w)| [u, w]);
         self.rectangles(across, along, width).into_iter().filter_map(cut).collect()
     }
 

@@ -22,9 +22,10 @@ use super::law::Law;
 use super::region::{Trap, Untrapped};
 use crate::contact::Reason;
 use crate::exact::Enclosure;
+use crate::number::interval::Interval;
 use crate::number::{Ball, Number};
 use crate::pair::Wall;
-use crate::periodic::{Identity, Interval, PeriodicImpact, PeriodicOrbit, Precision, Problem, Region, Stability};
+use crate::periodic::{Identity, PeriodicImpact, PeriodicOrbit, Precision, Problem, Region, Stability};
 use crate::{Error, Scene};
 use chain::{Chain, Laws};
 use graph::Graph;
@@ -186,7 +187,7 @@ impl Cycles {
         let impacts = found.orbit.impacts.iter().zip(found.orbit.phases());
         let mut places = impacts.map(|(impact, &phase)| {
             let (low, high) = impact.velocity.to_f64_bounds();
-            let speed = Interval::new(low, high).ball().checked_div(fastest)?;
+            let speed = Ball::from(Interval::new(low, high)).checked_div(fastest)?;
             match impact.wall {
                 Wall::Left => self.trap.region().holds(phase, -speed),
                 Wall::Right => self.trap.region().holds(phase + Ball::exact(0.5), speed),
@@ -205,7 +206,7 @@ impl Cycles {
             cycle.problem.word() == problem.word() && one.cycles() == other.cycles()
         };
         let known = self.cycles.iter().filter(same).map(|cycle| &cycle.orbit);
-        let guess: Vec<f64> = phases.iter().map(|phase| phase.middle()).collect();
+        let guess: Vec<f64> = phases.iter().map(|phase| phase.mid()).collect();
         let (least, identity) = problem.prove_reduced(&guess, task.precision, known)?;
         let is_it = problem.is_all_of(&phases, &least) && least.physical == Some(true);
         if !is_it || identity == Identity::Open {
@@ -294,9 +295,9 @@ fn searched_block(task: &Task, graph: &Graph, block: usize, impacts: usize) -> B
 
 /// A chain that is left undecided, as the whole system sees it.
 fn region(task: &Task, chain: &Chain) -> Region {
-    let fastest = Interval::of(Ball::exact(1.0).turn()).over(Interval::of(task.law.gap));
+    let fastest = Interval::from(Ball::exact(1.0).turn()).checked_div(Interval::from(task.law.gap));
     let fastest = fastest.expect("a gap is larger than 0");
-    let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.lo, x.hi).expect("finite intervals");
+    let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.inf(), x.sup()).expect("finite intervals");
     let mut crossed = 0_u32;
     let impact = |i: usize| {
         crossed += u32::from(i > 0 && chain.sides[i - 1].shift() > 0.0);

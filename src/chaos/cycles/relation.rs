@@ -1,7 +1,7 @@
 //! What an impact and the next one have to do with each other, over boxes of their phases: Lemma D20.
 
 use crate::chaos::law::{Law, Side};
-use crate::periodic::Interval;
+use crate::number::interval::Interval;
 
 /// The pair over intervals.
 #[derive(Clone, Copy, Debug)]
@@ -31,30 +31,28 @@ struct Speeds {
     rates: [Interval; 2],
 }
 
-const PI: Interval = Interval::new(std::f64::consts::PI, std::f64::consts::PI.next_up());
-
 impl Relation {
     pub fn new(law: &Law) -> Self {
-        let restitution = Interval::of(law.restitution);
-        let restitution = Interval::new(restitution.lo.max(0.0), restitution.hi.min(1.0)); // exact: from 0 to 1
-        Self { gap: Interval::of(law.gap), restitution }
+        let restitution = Interval::from(law.restitution);
+        let restitution = Interval::new(restitution.inf().max(0.0), restitution.sup().min(1.0)); // exact: from 0 to 1
+        Self { gap: Interval::from(law.gap), restitution }
     }
 
     /// The flights from a phase to another one that is not earlier; `None` where one may take no time to the far wall.
     fn speeds(&self, side: Side, from: Interval, to: Interval) -> Option<Speeds> {
-        let time = (to - from).from(0.0)?;
-        let middle = (from + to).times(0.5);
+        let time = (to - from).at_least(0.0)?;
+        let middle = (from + to).scaled(0.5);
         let mean = time.sinc() * middle.cos();
         match side {
             Side::Far => {
-                let drift = self.gap.over((PI * time).times(2.0))? + mean;
+                let drift = self.gap.checked_div((Interval::PI * time).scaled(2.0))? + mean;
                 let (after, before) = (drift - from.cos(), drift - to.cos());
-                Some(Speeds { after, before, rates: [after.over(time)?, before.over(time)?] })
+                Some(Speeds { after, before, rates: [after.checked_div(time)?, before.checked_div(time)?] })
             }
             Side::Near => {
                 let (after, before) = (mean - from.cos(), to.cos() - mean);
-                let (bend, quarter) = (time.bend() * middle.cos(), time.times(0.25));
-                let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
+                let (bend, quarter) = (time.bend() * middle.cos(), time.scaled(0.25));
+                let swing = |at: Interval| Interval::PI * time.scaled(0.5).sinc() * at.sin();
                 let rates = [-(bend + swing(middle - quarter)), bend - swing(middle + quarter)];
                 Some(Speeds { after, before, rates })
             }
@@ -66,16 +64,16 @@ impl Relation {
         let shift = Interval::point(side.shift());
         let offsets = [from - centres[0], to - centres[1]];
         let to = to - shift;
-        (centres[1] - shift - centres[0]).lo.is_sign_positive().then_some(())?;
+        (centres[1] - shift - centres[0]).inf().is_sign_positive().then_some(())?;
         let at = self.speeds(side, centres[0], centres[1] - shift)?;
         let Speeds { mut after, mut before, mut rates } = self.speeds(side, from, to)?;
-        let [first, second] = [from, to].map(|x| (PI * x.sin()).times(2.0));
+        let [first, second] = [from, to].map(|x| (Interval::PI * x.sin()).scaled(2.0));
         let (time, sign) = (to - from, side.sign());
         let mut slopes;
         let mut rounds = 2;
         loop {
             for (rate, speed) in rates.iter_mut().zip([after, before]) {
-                *rate = both(*rate, speed.over(time));
+                *rate = both(*rate, speed.checked_div(time));
             }
             let [by_after, by_before] = rates;
             slopes =
@@ -93,5 +91,5 @@ impl Relation {
 
 /// What two enclosures of the same numbers leave.
 fn both(x: Interval, y: Option<Interval>) -> Interval {
-    y.and_then(|y| x.cut(y)).unwrap_or(x) // D20: each holds them
+    y.and_then(|y| x.intersection(y)).unwrap_or(x) // D20: each holds them
 }

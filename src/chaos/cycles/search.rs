@@ -8,9 +8,10 @@ use super::told::Told;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Quad;
 use crate::chaos::trap::{Arrivals, Grid};
+use crate::number::interval::Interval;
 use crate::number::up;
 use crate::pair::ImpactPair;
-use crate::periodic::{Identity, Interval, PeriodicOrbit, Precision, Problem};
+use crate::periodic::{Identity, PeriodicOrbit, Precision, Problem};
 
 /// Parts of a forcing period that boxes are at most as wide as, when a chain grows by them.
 const PARTS: i64 = 32;
@@ -132,10 +133,10 @@ impl<'t> Search<'t> {
     ///
     /// `None` where they are not followed.
     fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
-        let whole = phases.lo.floor(); // D22: any whole turns
+        let whole = phases.inf().floor(); // D22: any whole turns
         let [u, w] = [phases - Interval::point(whole), speeds];
-        let radius = |x: Interval| up((x.middle() - x.lo).max(x.hi - x.middle())); // D22: the farther end
-        let quad = Quad::rectangle([u.middle(), w.middle()], [radius(u), radius(w)], w.lo);
+        let radius = |x: Interval| up((x.mid() - x.inf()).max(x.sup() - x.mid())); // D22: the farther end
+        let quad = Quad::rectangle([u.mid(), w.mid()], [radius(u), radius(w)], w.inf());
         let mut columns = Vec::new();
         let mut note = |landing| columns.push(landing);
         COLUMNS.landings(&self.task.law, &quad, &mut note).ok()?;
@@ -155,11 +156,11 @@ impl<'t> Search<'t> {
     /// Searches the chains that are closed by a last impact in a rectangle, which is the first one again.
     fn close(&mut self, chain: &Chain, phase: Interval, speed: Interval) {
         let later = phase - chain.phases[0];
-        let [low, high] = [later.lo.ceil(), later.hi.floor()]; // D22: whole turns in between
+        let [low, high] = [later.inf().ceil(), later.sup().floor()]; // D22: whole turns in between
         let mut turns = low;
         while turns <= high {
-            let first = chain.phases[0].cut(phase - Interval::point(turns));
-            if let (Some(phase), Some(speed)) = (first, chain.speeds[0].cut(speed)) {
+            let first = chain.phases[0].intersection(phase - Interval::point(turns));
+            if let (Some(phase), Some(speed)) = (first, chain.speeds[0].intersection(speed)) {
                 let mut closed = chain.clone();
                 (closed.phases[0], closed.speeds[0]) = (phase, speed);
                 closed.turns = Some(turns);
@@ -214,7 +215,7 @@ impl<'t> Search<'t> {
         }
         let found = looks.then(|| {
             let problem = told.problem(self.task.pair)?;
-            let guess: Vec<f64> = told.phases.iter().map(|x| x.middle()).collect();
+            let guess: Vec<f64> = told.phases.iter().map(|x| x.mid()).collect();
             let orbits = known.iter().map(|found| &found.orbit);
             let (orbit, identity) = problem.prove_reduced(&guess, self.task.precision, orbits)?;
             Some((Found { problem, orbit }, identity))

@@ -37,7 +37,7 @@ fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
 /// Whether a number computed in floating point may be in it.
 fn holds(x: Interval, y: f64) -> bool {
     let error = 1e-8 * (1.0 + y.abs());
-    x.lo <= y + error && y - error <= x.hi
+    x.inf() <= y + error && y - error <= x.sup()
 }
 
 proptest! {
@@ -53,8 +53,8 @@ proptest! {
         prop_assume!(image.state[1] > 1e-3);
         let ends = [phase, image.state[0]];
         let boxes = [0, 1].map(|i| Interval::new(ends[i] - radius, ends[i] + radius));
-        let other = [0, 1].map(|i| Interval::point(ends[i] + at[i] * radius).cut(boxes[i]).unwrap_or(boxes[i]));
-        let Some(leg) = relation.leg(image.side, boxes, other.map(|x| Interval::point(x.middle()))) else { return Ok(()) };
+        let other = [0, 1].map(|i| Interval::point(ends[i] + at[i] * radius).intersection(boxes[i]).unwrap_or(boxes[i]));
+        let Some(leg) = relation.leg(image.side, boxes, other.map(|x| Interval::point(x.mid()))) else { return Ok(()) };
         let own = ends.map(Interval::point);
         let exact = relation.leg(image.side, own, own).unwrap();
         let e = law.restitution.mid();
@@ -62,9 +62,9 @@ proptest! {
         prop_assert!(holds(exact.after, e * speed) && exact.after.wid() < 1e-9);
         // The change from the one pair of phases to the other.
         for row in 0..2 {
-            let change = (0..2).map(|i| leg.slopes[row][i] * (own[i] - Interval::point(other[i].middle())));
+            let change = (0..2).map(|i| leg.slopes[row][i] * (own[i] - Interval::point(other[i].mid())));
             let change = change.reduce(|a, b| a + b).unwrap();
-            let difference = exact.centre[row].middle() - leg.centre[row].middle();
+            let difference = exact.centre[row].mid() - leg.centre[row].mid();
             prop_assert!(holds(change, difference), "{leg:?} {exact:?}");
         }
         let derivative = |row: usize, i: usize| {
@@ -72,13 +72,13 @@ proptest! {
                 let mut ends = ends;
                 ends[i] += by;
                 let own = ends.map(Interval::point);
-                relation.leg(image.side, own, own).unwrap().centre[row].middle()
+                relation.leg(image.side, own, own).unwrap().centre[row].mid()
             };
             (moved(1e-6) - moved(-1e-6)) / 2e-6
         };
         for (row, i) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
             let (slope, seen) = (exact.slopes[row][i], derivative(row, i));
-            prop_assert!(slope.wid() < 1e-6 && (slope.middle() - seen).abs() < 1e-4 * (1.0 + seen.abs()), "{row} {i}: {slope:?} {seen}");
+            prop_assert!(slope.wid() < 1e-6 && (slope.mid() - seen).abs() < 1e-4 * (1.0 + seen.abs()), "{row} {i}: {slope:?} {seen}");
         }
     }
 
@@ -195,6 +195,6 @@ fn chains_are_told_from_the_left_wall() {
     let told = Told::new(&chain).unwrap();
     // From the near flight on: it starts at the phase 1, and its arrival at 2.25 is that of the far one.
     assert_eq!((told.walls.as_str(), told.cycles), ("LLRR", 3));
-    let phases: Vec<f64> = told.phases.iter().map(|x| x.middle()).collect();
+    let phases: Vec<f64> = told.phases.iter().map(|x| x.mid()).collect();
     assert_eq!(phases, [1.0, 2.25, 2.5, 3.75]);
 }

@@ -2,8 +2,9 @@
 
 use super::chain::Chain;
 use crate::chaos::law::Side;
+use crate::number::interval::Interval;
 use crate::pair::ImpactPair;
-use crate::periodic::{Interval, Problem};
+use crate::periodic::Problem;
 
 /// A closed chain from an impact on from which its flights come first in order, so that all views of it have one word: once
 /// around, or twice where the walls are exchanged after one round.

@@ -2,11 +2,11 @@
 
 use super::cut::{Part, Terms};
 use super::grow::Stretch;
-use super::interval::Interval;
 use super::newton::{Rows, Step};
 use crate::contact::Reason;
 use crate::exact::Enclosure;
 use crate::number::Ball;
+use crate::number::interval::Interval;
 use crate::periodic::census::Region;
 use crate::periodic::chained::Chained;
 use crate::periodic::identity::{Identity, is_one_orbit};
@@ -135,7 +135,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
 
     /// Whether the part lies where a known orbit is the only one; if not, and if asked, looks for an orbit.
     fn is_known(&mut self, part: &Part, looks: bool) -> bool {
-        let balls: Vec<Ball> = part.phases.iter().map(|x| x.ball()).collect();
+        let balls: Vec<Ball> = part.phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
         let chain = &self.task.problem.chain;
         let is_inside = |known: &PeriodicOrbit| is_one_orbit(chain, &whole, &known.proved) == Some(true);
@@ -155,7 +155,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
     fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
         let (chain, floats) = (&self.task.problem.chain, self.task.shaken.floats());
         let phases = polish(chain, floats, part.centre())?;
-        let is_near = |(x, part): (&f64, &Interval)| (x - part.middle()).abs() <= part.wid();
+        let is_near = |(x, part): (&f64, &Interval)| (x - part.mid()).abs() <= part.wid();
         if !(phases.iter().zip(&part.phases).all(is_near) && is_plausible(chain, floats, &phases)) {
             return None;
         }
@@ -166,7 +166,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
     /// What is said of a part that stays open.
     fn region(&self, part: &Part, reason: Reason) -> Region {
         let chain = self.terms.chain;
-        let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.lo, x.hi).expect("finite intervals");
+        let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.inf(), x.sup()).expect("finite intervals");
         let impact = |i: usize| PeriodicImpact {
             wall: chain.walls()[i],
             phase: enclosure(part.phases[i]),
@@ -182,8 +182,8 @@ fn halves(Narrow { part, rows, weakest, .. }: Narrow) -> [Part; 2] {
     let weight = |j: &usize| weights[*j] * part.phases[*j].wid();
     let heaviest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
     let across = if part.phases[weakest].wid() >= WIDE * part.wid() { weakest } else { heaviest };
-    let Interval { lo, hi } = part.phases[across];
-    let middle = part.phases[across].middle();
+    let (lo, hi) = (part.phases[across].inf(), part.phases[across].sup());
+    let middle = part.phases[across].mid();
     let mut other = part.clone();
     other.phases[across] = Interval::new(middle, hi);
     let mut part = part;

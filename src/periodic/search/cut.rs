@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::grow::Stretch;
-use super::interval::Interval;
 use crate::number::Ball;
+use crate::number::interval::Interval;
 use crate::pair::Reduced;
 use crate::pair::Wall;
 use crate::periodic::chain::Chain;
@@ -39,10 +39,10 @@ struct Harmonic {
 
 impl Harmonic {
     fn new(Rate { beta, own }: Rate, lossy: Interval) -> Self {
-        let beta = Interval::of(beta);
-        let beta = Interval::new(beta.lo.max(0.0), beta.hi); // exact: not negative
-        let own = own.map(|own| own.map(Interval::of));
-        let harmonic = Self { beta, swing: (PI * beta * lossy).times(2.0), own };
+        let beta = Interval::from(beta);
+        let beta = Interval::new(beta.inf().max(0.0), beta.sup()); // exact: not negative
+        let own = own.map(|own| own.map(Interval::from));
+        let harmonic = Self { beta, swing: (Interval::PI * beta * lossy).scaled(2.0), own };
         Self { swing: harmonic.rate(harmonic.swing), ..harmonic }
     }
 
@@ -56,7 +56,7 @@ impl Harmonic {
         self.own.map_or(time, |[ratio, _]| {
             let own = ratio * time;
             // H14: of numbers that are not negative
-            if time.lo >= 0.0 { Interval::new(own.lo.max(0.0), own.hi) } else { own }
+            if time.inf() >= 0.0 { Interval::new(own.inf().max(0.0), own.sup()) } else { own }
         })
     }
 
@@ -73,9 +73,9 @@ impl Harmonic {
     /// What it adds to `-w/h` and `-v/h` of a hop. Lemma T9
     fn hop(&self, time: Interval, middle: Interval) -> [Interval; 2] {
         let (time, middle) = (self.rate(time), self.phase(middle));
-        let quarter = time.times(0.25);
+        let quarter = time.scaled(0.25);
         let bend = time.bend() * middle.cos();
-        let swing = |at: Interval| PI * time.times(0.5).sinc() * at.sin();
+        let swing = |at: Interval| Interval::PI * time.scaled(0.5).sinc() * at.sin();
         [bend + swing(middle - quarter), bend - swing(middle + quarter)].map(|x| self.rate(self.beta) * x)
     }
 }
@@ -100,29 +100,30 @@ const WORTH: f64 = 0.1;
 
 impl<'c> Terms<'c> {
     pub fn new(chain: &'c Chain, pair: &Reduced<Ball>, rates: Vec<Rate>) -> Self {
-        let [alpha, beta, restitution] = [pair.alpha, pair.beta, pair.restitution].map(Interval::of);
-        let one = Interval::point(1.0);
+        let [alpha, beta, restitution] = [pair.alpha, pair.beta, pair.restitution].map(Interval::from);
+        let one = Interval::ONE;
         // exact: neither is negative
-        let (alpha, beta) = (Interval::new(alpha.lo.max(0.0), alpha.hi), Interval::new(beta.lo.max(0.0), beta.hi));
-        let restitution = Interval::new(restitution.lo.max(0.0), restitution.hi.min(1.0)); // exact: from 0 to 1
+        let (alpha, beta) =
+            (Interval::new(alpha.inf().max(0.0), alpha.sup()), Interval::new(beta.inf().max(0.0), beta.sup()));
+        let restitution = Interval::new(restitution.inf().max(0.0), restitution.sup().min(1.0)); // exact: from 0 to 1
         let lossy = one + restitution;
         // Lemma T8.
         let impacts = Interval::point(chain.impacts() as f64);
         let cycles = Interval::point(f64::from(chain.cycles()));
-        let longest = (one + alpha.times(2.0)) * impacts;
-        let longest = longest.over(cycles).map_or(f64::MAX, |drift| drift.hi);
-        let kicks = (lossy * (impacts - one) * beta).hi;
-        let general = (Interval::point(longest) + Interval::point(kicks)).hi;
-        let lost = (lossy * beta).over(one - restitution).map_or(f64::MAX, |drift| drift.hi);
+        let longest = (one + alpha.scaled(2.0)) * impacts;
+        let longest = longest.checked_div(cycles).map_or(f64::MAX, |drift| drift.sup());
+        let kicks = (lossy * (impacts - one) * beta).sup();
+        let general = (Interval::point(longest) + Interval::point(kicks)).sup();
+        let lost = (lossy * beta).checked_div(one - restitution).map_or(f64::MAX, |drift| drift.sup());
         let drift = general.min(lost); // T8: the smaller of two bounds
-        let crossing = one.over(Interval::point(drift) + beta).map_or(f64::MAX, |time| time.lo);
+        let crossing = one.checked_div(Interval::point(drift) + beta).map_or(f64::MAX, |time| time.inf());
         let harmonics = rates.into_iter().map(|rate| Harmonic::new(rate, lossy)).collect();
         Self { chain, beta, harmonics, restitution, lossy, drift, crossing }
     }
 
     /// Returns how wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
     pub fn spread(&self) -> f64 {
-        let relative = self.beta.wid() / self.beta.hi.max(f64::MIN_POSITIVE); // proposes: when to stop
+        let relative = self.beta.wid() / self.beta.sup().max(f64::MIN_POSITIVE); // proposes: when to stop
         relative.max(self.restitution.wid()) // proposes
     }
 
@@ -157,7 +158,7 @@ impl<'c> Terms<'c> {
         let count = self.chain.impacts();
         let reach = f64::from(self.chain.period()) + f64::from(self.chain.cycles());
         // T10: no orbit has a phase that is an end of these bounds.
-        let rest = Interval::new(first.lo.next_down(), reach.next_up());
+        let rest = Interval::new(first.inf().next_down(), reach.next_up());
         Part {
             phases: (0..count).map(|i| if i == 0 { first } else { rest }).collect(),
             times: vec![Interval::new(0.0, reach); count],
@@ -198,10 +199,10 @@ impl<'c> Terms<'c> {
         let (j, shift) = (self.chain.next(i), self.shift(i));
         let least = if self.chain.displacement(i) == 0.0 { 0.0 } else { self.crossing }; // T8: -1, 0 or 1, exact
         let (from, to) = (part.phases[i], part.phases[j] + shift);
-        let time = part.times[i].cut(to - from)?.from(least)?;
+        let time = part.times[i].intersection(to - from)?.at_least(least)?;
         part.times[i] = time;
-        part.phases[j] = part.phases[j].cut(from + time - shift)?;
-        part.phases[i] = from.cut(part.phases[j] + shift - time)?;
+        part.phases[j] = part.phases[j].intersection(from + time - shift)?;
+        part.phases[i] = from.intersection(part.phases[j] + shift - time)?;
         Some(())
     }
 
@@ -212,12 +213,12 @@ impl<'c> Terms<'c> {
         let displacement = self.chain.displacement(i);
         // T9: -1, 0 or 1, exact
         if displacement == 0.0 {
-            part.drifts[i] = part.drifts[i].cut(wave)?;
+            part.drifts[i] = part.drifts[i].intersection(wave)?;
             return Some(());
         }
         let way = Interval::point(displacement);
-        part.drifts[i] = cut_if(part.drifts[i], way.over(time).map(|straight| straight + wave))?;
-        part.times[i] = cut_if(time, way.over(part.drifts[i] - wave))?;
+        part.drifts[i] = cut_if(part.drifts[i], way.checked_div(time).map(|straight| straight + wave))?;
+        part.times[i] = cut_if(time, way.checked_div(part.drifts[i] - wave))?;
         Some(())
     }
 
@@ -229,9 +230,9 @@ impl<'c> Terms<'c> {
     /// `m_i`: half way between both phases of a flight.
     fn middle(&self, phases: &[Interval], i: usize, time: Interval) -> Interval {
         let end = phases[self.chain.next(i)] + self.shift(i);
-        let half = time.times(0.5);
-        let narrower = |x: Interval, y: Interval| x.cut(y).unwrap_or(x); // T9: the first holds it anyway
-        narrower(narrower((phases[i] + end).times(0.5), phases[i] + half), end - half)
+        let half = time.scaled(0.5);
+        let narrower = |x: Interval, y: Interval| x.intersection(y).unwrap_or(x); // T9: the first holds it anyway
+        narrower(narrower((phases[i] + end).scaled(0.5), phases[i] + half), end - half)
     }
 
     /// Returns what is added to the phase that flight `i` ends at: the period, once around.
@@ -244,10 +245,11 @@ impl<'c> Terms<'c> {
         let displacement = self.chain.displacement(i);
         let straight =
             // T9: -1, 0 or 1, exact
-            if displacement == 0.0 { Some(Interval::point(0.0)) } else { Interval::point(displacement).over(time) };
+            if displacement == 0.0 { Some(Interval::ZERO) } else { Interval::point(displacement).checked_div(time) };
         let drift = straight.map(|straight| straight + self.wave(phases, i, time));
         // T9: nothing is known
-        let by_time = |phase: Interval| drift.and_then(|drift| (drift - self.speed(phase)).over(time)).unwrap_or(ALL);
+        let by_time =
+            |phase: Interval| drift.and_then(|drift| (drift - self.speed(phase)).checked_div(time)).unwrap_or(ALL);
         let ratios = [by_time(phases[i]), by_time(phases[self.chain.next(i)])];
         // T9: -1, 0 or 1, exact
         if displacement != 0.0 {
@@ -256,18 +258,18 @@ impl<'c> Terms<'c> {
         let middle = self.middle(phases, i, time);
         let hops = self.harmonics.iter().map(|harmonic| harmonic.hop(time, middle));
         let hop = hops.reduce(|a, b| [a[0] + b[0], a[1] + b[1]]).expect("a harmonic").map(|x| -x);
-        [0, 1].map(|end| ratios[end].cut(hop[end]).unwrap_or(hop[end])) // T9: the second holds it anyway
+        [0, 1].map(|end| ratios[end].intersection(hop[end]).unwrap_or(hop[end])) // T9: the second holds it anyway
     }
 
     /// Newton's impact law and the directions before and after it.
     fn cut_impact(&self, part: &mut Part, i: usize) -> Option<()> {
         let p = self.chain.previous(i);
-        let mut speed = part.speeds[i].cut(self.speed(part.phases[i]))?;
+        let mut speed = part.speeds[i].intersection(self.speed(part.phases[i]))?;
         let (mut to, mut from) = (part.drifts[p], part.drifts[i]);
         // (15): c_i + e c_{i-1} = (1 + e) V_i
-        from = from.cut(self.lossy * speed - self.restitution * to)?;
-        speed = cut_if(speed, (from + self.restitution * to).over(self.lossy))?;
-        to = cut_if(to, (self.lossy * speed - from).over(self.restitution))?;
+        from = from.intersection(self.lossy * speed - self.restitution * to)?;
+        speed = cut_if(speed, (from + self.restitution * to).checked_div(self.lossy))?;
+        to = cut_if(to, (self.lossy * speed - from).checked_div(self.restitution))?;
         // sigma_i w_i >= 0 >= sigma_i v_i
         (to, speed, from) = match self.chain.walls()[i] {
             Wall::Left => in_order(to, speed, from)?,
@@ -278,7 +280,7 @@ impl<'c> Terms<'c> {
         };
         let (fastest, others) = self.harmonics.split_first().expect("a harmonic");
         let others = Self::sum(others, |harmonic| harmonic.speed(part.phases[i]));
-        if let Some(cos) = others.map_or(speed, |others| speed - others).over(fastest.beta) {
+        if let Some(cos) = others.map_or(speed, |others| speed - others).checked_div(fastest.beta) {
             part.phases[i] = part.phases[i].where_cos(cos)?;
         }
         (part.drifts[p], part.drifts[i], part.speeds[i]) = (to, from, speed);
@@ -289,8 +291,8 @@ impl<'c> Terms<'c> {
     fn cut_ratios(&self, part: &Part, i: usize) -> Option<()> {
         let [after, before] = self.ratios(&part.phases, i, part.times[i]);
         let [from, to] = [i, self.chain.next(i)].map(|impact| self.chain.walls()[impact].sign());
-        after.signed(from).from(0.0)?;
-        before.signed(to).up_to(0.0)?;
+        after.signed(from).at_least(0.0)?;
+        before.signed(to).at_most(0.0)?;
         Some(())
     }
 
@@ -298,27 +300,24 @@ impl<'c> Terms<'c> {
     fn look(&self, part: &Part, i: usize) -> Option<()> {
         let wall = self.chain.walls()[i];
         for fraction in LOOKS {
-            let since = part.times[i].times(fraction);
-            let at = part.phases[i] + since.times(0.5);
+            let since = part.times[i].scaled(fraction);
+            let at = part.phases[i] + since.scaled(0.5);
             let way = since * (part.drifts[i] - self.mean(since, at));
-            way.signed(wall.sign()).cut(Interval::new(0.0, 1.0))?;
+            way.signed(wall.sign()).intersection(Interval::new(0.0, 1.0))?;
         }
         Some(())
     }
 }
 
-/// Bounds of pi.
-const PI: Interval = Interval::new(std::f64::consts::PI, std::f64::consts::PI.next_up());
-
 /// Cuts with what is known, if anything is.
 fn cut_if(x: Interval, known: Option<Interval>) -> Option<Interval> {
-    known.map_or(Some(x), |known| x.cut(known))
+    known.map_or(Some(x), |known| x.intersection(known))
 }
 
 /// Cuts three numbers to what allows `a <= b <= c`.
 fn in_order(a: Interval, b: Interval, c: Interval) -> Option<(Interval, Interval, Interval)> {
-    let b = b.from(a.lo)?.up_to(c.hi)?;
-    Some((a.up_to(b.hi)?, b, c.from(b.lo)?))
+    let b = b.at_least(a.inf())?.at_most(c.sup())?;
+    Some((a.at_most(b.sup())?, b, c.at_least(b.inf())?))
 }
 
 impl Part {
@@ -329,7 +328,7 @@ impl Part {
 
     /// Returns whether it overlaps another part at these impacts.
     pub fn touches(&self, other: &Self, impacts: &Range<usize>) -> bool {
-        impacts.clone().all(|i| self.phases[i].cut(other.phases[i]).is_some())
+        impacts.clone().all(|i| self.phases[i].intersection(other.phases[i]).is_some())
     }
 
     /// All that is known of a flight or an impact, of two parts.
@@ -348,14 +347,14 @@ impl Part {
     pub fn both(&self, other: &Self) -> Option<Self> {
         let mut both = self.clone();
         for (x, y) in both.pairs(other) {
-            *x = x.cut(y)?;
+            *x = x.intersection(y)?;
         }
         Some(both)
     }
 
     /// Returns a point inside, about the middle.
     pub fn centre(&self) -> Vec<f64> {
-        self.phases.iter().map(|x| x.middle()).collect()
+        self.phases.iter().map(|x| x.mid()).collect()
     }
 
     /// Returns the width of the widest phase.

@@ -5,7 +5,7 @@ use std::ops::{Range, RangeInclusive};
 
 use super::cell::Cell;
 use super::cut::Part;
-use super::interval::Interval;
+use crate::number::interval::Interval;
 use crate::periodic::chained::Chained;
 
 /// Flights on from a new end at which it is felt.
@@ -87,11 +87,11 @@ impl<S: Chained> Cell<'_, '_, S> {
             }
             let Some(mut part) = self.terms.cut(part, &letter.stretch) else { continue };
             let end = part.phases[letter.end];
-            let line = (end.middle() / END).round() * END; // T10: any line
-            if end.lo < line && line < end.hi {
+            let line = (end.mid() / END).round() * END; // T10: any line
+            if end.inf() < line && line < end.sup() {
                 let mut later = part.clone();
-                later.phases[letter.end] = Interval::new(line, end.hi);
-                part.phases[letter.end] = Interval::new(end.lo, line);
+                later.phases[letter.end] = Interval::new(line, end.sup());
+                part.phases[letter.end] = Interval::new(end.inf(), line);
                 open.extend([later, part]);
                 continue;
             }
@@ -107,8 +107,8 @@ impl<S: Chained> Cell<'_, '_, S> {
 
 /// The numbers of the cells of the grid that an end lies in, but for their lines. Lemma T10
 fn cells(end: Interval) -> RangeInclusive<i64> {
-    let first = (end.lo / END).floor() as i64; // T10: exact
-    let last = (end.hi / END).ceil() as i64 - 1; // T10: exact
+    let first = (end.inf() / END).floor() as i64; // T10: exact
+    let last = (end.sup() / END).ceil() as i64 - 1; // T10: exact
     first..=last.max(first) // T10: a point on a line
 }
 

@@ -4,8 +4,8 @@
 mod cell;
 mod cut;
 mod grow;
-pub(crate) mod interval;
-mod newton;
+pub(crate) mod newton;
+mod waves;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -17,10 +17,10 @@ use super::identity::{Identity, is_one_orbit};
 use super::orbit::PeriodicOrbit;
 use super::{Pair, Precision, Problem};
 use crate::contact::Reason;
+use crate::number::interval::Interval;
 use cell::{Cell, Task};
 use cut::Terms;
 use impact_pair_model::Start;
-use interval::Interval;
 
 /// The budget of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -287,7 +287,7 @@ mod tests {
             cell.left = u64::MAX;
             let chains = cell.chains().unwrap();
             let is_in = |part: &&cut::Part| {
-                part.phases.iter().enumerate().all(|(i, x)| x.lo - 1e-9 <= at(i) && at(i) <= x.hi + 1e-9)
+                part.phases.iter().enumerate().all(|(i, x)| x.inf() - 1e-9 <= at(i) && at(i) <= x.sup() + 1e-9)
             };
             let holding: Vec<_> = chains.iter().filter(is_in).collect();
             assert!(!holding.is_empty(), "{word} at {:?}", orbit.phases());
@@ -313,8 +313,11 @@ mod tests {
             let balls: Vec<Ball> = phases.iter().map(|&x| Ball::exact(x)).collect();
             let slopes = chain.slopes(shaken.balls(), &chain.legs(shaken.balls(), &balls).unwrap()).unwrap();
             for (own, expected) in rows.slopes.iter().flatten().zip(slopes.0.iter().flatten()) {
-                let expected = Interval::of(*expected);
-                assert!(own.cut(expected).is_some() && own.wid() < 1e-6 * (1.0 + own.hi.abs()), "{own:?} {expected:?}");
+                let expected = Interval::from(*expected);
+                assert!(
+                    own.intersection(expected).is_some() && own.wid() < 1e-6 * (1.0 + own.sup().abs()),
+                    "{own:?} {expected:?}"
+                );
             }
         }
         let mut problems = under_several();

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::cut::{Part, Terms};
-use super::interval::Interval;
+use crate::number::interval::Interval;
 use crate::number::{Ball, Number};
 use crate::periodic::krawczyk::Jacobian;
 use crate::periodic::precondition::Preconditioner;
@@ -49,7 +49,7 @@ impl Rows {
         let mut weights = vec![0.0; count];
         for (i, slopes) in self.impacts.clone().zip(&self.slopes) {
             for (j, slope) in slopes.iter().enumerate() {
-                weights[(i + count + j - 1) % count] += slope.lo.abs().max(slope.hi.abs()).min(1e6); // proposes: where to halve
+                weights[(i + count + j - 1) % count] += slope.inf().abs().max(slope.sup().abs()).min(1e6); // proposes: where to halve
             }
         }
         weights
@@ -63,7 +63,7 @@ impl Terms<'_> {
     /// cut, only phases and times are used, and times together with those at the middle.
     pub fn rows(&self, part: &Part, impacts: Range<usize>) -> Rows {
         let (e, count) = (self.restitution, self.chain.impacts());
-        let centre = |i: usize| Interval::point(part.phases[i].middle());
+        let centre = |i: usize| Interval::point(part.phases[i].mid());
         let ratios = |i: usize| {
             let time = part.times[i].hull(centre(self.chain.next(i)) + self.shift(i) - centre(i));
             self.ratios(&part.phases, i, time)
@@ -84,7 +84,7 @@ impl Terms<'_> {
 
     /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
     pub fn newton<S: Shaking<Ball>>(&self, shaking: &S, part: Part, rows: &Rows) -> Option<Step> {
-        let middles = rows.slopes.iter().map(|row| row.map(Interval::middle)).collect();
+        let middles = rows.slopes.iter().map(|row| row.map(Interval::mid)).collect();
         let Some(inverse) = Preconditioner::new(&Square(rows, middles)) else {
             return Some(Step { part, weakest: 0, is_regular: false });
         };
@@ -102,7 +102,7 @@ impl Terms<'_> {
     fn misses<S: Shaking<Ball>>(&self, shaking: &S, part: &Part, impacts: Range<usize>) -> Option<Vec<Interval>> {
         let count = self.chain.impacts();
         let moment = |i: usize| {
-            let phase = Ball::exact(part.phases[i].middle());
+            let phase = Ball::exact(part.phases[i].mid());
             (phase, shaking.moment(0.0, &phase))
         };
         let leg = |i: usize| {
@@ -113,7 +113,7 @@ impl Terms<'_> {
         let miss = |i: usize| {
             let from = leg(i % count)?;
             let before = std::mem::replace(&mut to, from).before;
-            Some(Interval::of(shaking.restitution().mul_add(before, from.after)))
+            Some(Interval::from(shaking.restitution().mul_add(before, from.after)))
         };
         impacts.map(miss).collect()
     }
@@ -126,7 +126,7 @@ impl Terms<'_> {
         misses: &[Interval],
         rows: &Rows,
     ) -> Option<(Part, bool)> {
-        let (zero, count) = (Interval::point(0.0), self.chain.impacts());
+        let (zero, count) = (Interval::ZERO, self.chain.impacts());
         let centre = part.centre();
         let offset = |i: usize, part: &Part| part.phases[i] - Interval::point(centre[i]);
         let mut is_regular = true;
@@ -136,23 +136,23 @@ impl Terms<'_> {
             for (l, (&y, slopes)) in row.iter().zip(&rows.slopes).enumerate() {
                 for (j, slope) in slopes.iter().enumerate() {
                     let column = (rows.impacts.start + l + count + j - 1) % count;
-                    along[column] = along[column] + slope.times(y);
+                    along[column] = along[column] + slope.scaled(y);
                 }
             }
-            let misses = row.iter().zip(misses).fold(zero, |sum, (&y, miss)| sum - miss.times(y));
+            let misses = row.iter().zip(misses).fold(zero, |sum, (&y, miss)| sum - miss.scaled(y));
             let others = (0..count).filter(|&j| j != i && along[j] != zero);
             let rest = others.fold(misses, |rest, j| rest - along[j] * offset(j, &part));
             // Derivatives without a bound, or sums that overflow, say nothing.
-            if !(rest.is_finite() && along[i].is_finite()) {
+            if !(rest.is_common_interval() && along[i].is_common_interval()) {
                 is_regular = false;
                 continue;
             }
-            match rest.over(along[i]) {
-                Some(step) => part.phases[i] = part.phases[i].cut(Interval::point(centre[i]) + step)?,
+            match rest.checked_div(along[i]) {
+                Some(step) => part.phases[i] = part.phases[i].intersection(Interval::point(centre[i]) + step)?,
                 // Not even the equation may hold.
                 None => {
                     is_regular = false;
-                    (along[i] * offset(i, &part)).cut(rest)?;
+                    (along[i] * offset(i, &part)).intersection(rest)?;
                 }
             }
         }
