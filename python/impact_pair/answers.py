@@ -317,7 +317,7 @@ class ChaosCells(Document):
 
     @property
     def shares(self) -> dict[str, float]:
-        """Which part of the range is proved to hold a ``horseshoe``, to be ``attracted``, or neither: ``undecided``."""
+        """Which part of the range is proved to hold a ``horseshoe``, to be ``attracted``, ``both``, or neither: ``undecided``."""
         return dict(self.document["shares"])
 
     @property
@@ -373,6 +373,11 @@ class Audit(Document):
     def message(self) -> str:
         """What is found, in words."""
         return str(self.document["message"])
+
+    @property
+    def unused_columns(self) -> list[str]:
+        """The columns of the list that were not read."""
+        return list(self.document["unused_columns"])
 
     @property
     def counts(self) -> dict[str, int]:

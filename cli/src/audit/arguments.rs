@@ -22,7 +22,8 @@ Examples:
 The list: text with commas, semicolons, tabs or blanks between columns, with a header, with one in a comment (# or %), or with \
 none: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object of arrays, JSON Lines, the orbit JSON. \
 Walls are left and right, L and R, -1 and +1, or positions near -d/2 and +d/2. Velocities are y' just before the impact, \
-with their sign. Numbers are read exactly. The certified orbit goes as far as the list, whatever [run] says.
+with their sign. Numbers are read exactly. Columns \
+that are not read are named in the last line and in the JSON (unused_columns). The certified orbit goes as far as the list, whatever [run] says.
 
 What is said of a row, or of a certified impact that is on none:
   inside          certified, and in time and velocity no farther from the bounds than the tolerance
@@ -66,7 +67,8 @@ pub struct AuditArguments {
     /// The column of walls [default: wall or side, or the second one]
     #[arg(long, value_name = "NAME|N")]
     wall_column: Option<String>,
-    /// The column of velocities [default: velocity or v, or the third one, if there is one]
+    /// The column of velocities [default: v_minus, v_before, velocity, v, vel and
+    /// the like, or the third one of a list without a header]
     #[arg(long, value_name = "NAME|N")]
     velocity_column: Option<String>,
     /// Judge times and walls only
@@ -78,9 +80,9 @@ pub struct AuditArguments {
     /// Bits that the certified orbit takes at most
     #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::arguments::bits())]
     max_bits: u32,
-    /// How the judgement is written
-    #[arg(long, value_enum, default_value_t)]
-    pub format: AuditFormat,
+    /// How the judgement is written [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<AuditFormat>,
     /// The table lists every event, not only the first ones that disagree
     #[arg(long)]
     pub all: bool,

@@ -33,7 +33,8 @@ Outcome of a point: attracted, proved to converge to a stable periodic orbit; pe
 on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved of the future (it may be chaotic, \
 it may be slow); undecided, with the reason and all that was certified before. Exponent: the logarithm of the \
 spectral norm of the derivative over the impacts after the transient, in turns and gaps a turn, for each of them and for each cycle; -inf \
-after a rest.
+after a rest. It is a finite-time one, and may be positive of an orbit that is attracted; exponent_limit, of points that are \
+attracted, is what it tends to: the logarithm of the spectral radius of the period's Jacobian, per impact.
 
 With --output FILE all finished points are in FILE.partial until FILE appears; after Ctrl-C or a crash --resume goes on from \
 there. The output has the same bytes for any number of threads, interrupted or not, in shards or not.
@@ -69,7 +70,7 @@ pub struct SweepArguments {
     /// Write no impacts, only what is said of each point
     #[arg(long)]
     pub summary: bool,
-    /// Write the impacts into a table of their own, csv or parquet; the output then has only what is said of each point, and the
+    /// Write the impacts into a table of their own, csv or parquet as the ending of FILE says; the output then has only what is said of each point, and the
     /// column point joins both
     #[arg(long, value_name = "FILE")]
     pub states: Option<PathBuf>,
@@ -85,7 +86,7 @@ pub struct SweepArguments {
     /// Go on with what is in FILE.partial, if there is one
     #[arg(long, requires = "output")]
     pub resume: bool,
-    /// How the points are written [default: csv, of a shard jsonl]
+    /// How the points are written [default: as the ending of --output says, else csv, of a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
     /// Draw the bifurcation diagram, or of two keys the map of outcomes

@@ -44,9 +44,9 @@ pub struct TradeArguments {
     /// Bits that a rung takes at most
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::arguments::bits())]
     pub max_bits: u32,
-    /// How the rungs are written
-    #[arg(long, value_enum, default_value_t)]
-    pub format: TradeFormat,
+    /// How the rungs are written [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<TradeFormat>,
     /// Draw the rungs: the time of an impact over the certified digits
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,

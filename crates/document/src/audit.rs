@@ -42,6 +42,9 @@ pub struct AuditDocument {
     pub message: String,
     /// How many of each verdict.
     pub counts: Counts,
+    /// The columns of the list that are not read.
+    #[serde(default)]
+    pub unused_columns: Vec<String>,
     /// The first row or impact that differs.
     pub first_disagreement: Option<Disagreement>,
     /// From where on the list follows another orbit.

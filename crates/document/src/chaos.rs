@@ -151,14 +151,17 @@ pub struct ChaosCellsDocument {
     pub stretches: Vec<StretchDocument>,
 }
 
-/// Parts of a range, about; together 1.
+/// Parts of a range, about. A horseshoe and an orbit that is attracted do not exclude each other: `horseshoe + attracted - both + undecided` is 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SharesDocument {
-    /// With a horseshoe.
+    /// With a horseshoe that is proved, whatever becomes of the scene's own orbit.
     pub horseshoe: f64,
     /// Where the scene's own orbit converges to a stable periodic orbit.
     pub attracted: f64,
+    /// Of both.
+    #[serde(default)]
+    pub both: f64,
     /// Of which nothing is proved.
     pub undecided: f64,
 }
@@ -171,7 +174,7 @@ pub struct StretchDocument {
     pub low: Written,
     /// Its upper end.
     pub high: Written,
-    /// `horseshoe`, `attracted` (of the orbit of the scene's own start) or `undecided`.
+    /// `horseshoe`, `attracted` (of the orbit of the scene's own start; a horseshoe beside it is told by `entropy`) or `undecided`.
     pub verdict: String,
     /// Of a horseshoe, lower bounds of the topological entropy.
     #[serde(skip_serializing_if = "Option::is_none", default)]

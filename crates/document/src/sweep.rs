@@ -97,8 +97,12 @@ pub struct SweepRecord {
     pub wide_from: Option<u64>,
     /// Impacts a cycle of the reference after the transient.
     pub impacts_per_cycle: Option<ExtendedBounds>,
-    /// How a small disturbance grows.
+    /// How a small disturbance grows over the impacts after the transient: the finite-time exponent.
     pub exponent: SweepExponent,
+    /// What the exponent per impact tends to, of an orbit that is attracted: the logarithm of the spectral radius of its period's Jacobian,
+    /// per impact.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub exponent_limit: Option<ExtendedBounds>,
     /// What it is attracted to, or, without a state, the exact period.
     pub period: Option<SweepPeriod>,
     /// The impacts after the transient.
