@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
+use anyhow::Result;
 use clap::builder::RangedI64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -19,6 +20,7 @@ use impact_pair_certificate::Effort;
 use crate::audit::arguments as audit;
 use crate::chaos;
 use crate::cycles;
+use crate::ending;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
 use crate::trade::arguments as trade;
@@ -110,6 +112,10 @@ Scene: a TOML file with [excitation] amplitude, frequency, phase; [pair] gap, re
 and wall or position; optionally title and [run] impacts, until, digits. Numbers are exact decimals; strings are \
 expressions such as \"3*pi\" or intervals such as \"[9.42, 9.43]\".
 
+After the last impact run tries to prove that the motion converges to a stable periodic orbit: one with at most 128 impacts, near the \
+last impacts listed, whose attraction is proved in double precision. Where the last line does not mention it, that is undecided: the \
+motion may converge to a longer orbit, later, or more slowly than doubles resolve (chaos --over finds more).
+
 Table: 1.0000305639(24,68) means that the true value lies in [1.000030563924, 1.000030563968]. The digits before the \
 parenthesis are certain; the parenthesis holds the remaining digits of the lower and the upper bound, rounded \
 outward. Where no digits are certain, 2.00000(-1,+3) means [1.99999, 2.00003]. Runs with --arithmetic float are not \
@@ -122,12 +128,22 @@ output still holds what is certified); 2 usage, bad input, I/O.";
 /// Where an answer goes, and what is said beside it.
 #[derive(Args, Debug)]
 pub struct Destination {
-    /// Write to FILE, atomically, instead of stdout
+    /// Write to FILE, atomically, instead of stdout; its ending chooses the format
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Print no notes and no progress on stderr
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+impl Destination {
+    /// The format of the output: the one given, else that of its ending, else the usual one.
+    ///
+    /// # Errors
+    /// When the ending is of no format, or contradicts the one given.
+    pub fn format<F: ValueEnum + Default>(&self, given: Option<F>) -> Result<F> {
+        ending::format(given, ("--output", self.output.as_deref()), F::value_variants(), F::default())
+    }
 }
 
 #[derive(Args, Debug)]
@@ -156,9 +172,9 @@ pub struct RunArguments {
     /// Maximum precision of auto, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
-    /// Output format
-    #[arg(long, value_enum, default_value_t)]
-    pub format: Format,
+    /// Output format [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -207,9 +223,10 @@ pub struct PeriodicArguments {
     /// Maximum precision, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// Output format; json is schema impact-pair/periodic/1
-    #[arg(long, value_enum, default_value_t)]
-    pub format: PeriodicFormat,
+    /// Output format; json is schema impact-pair/periodic/1 [default: as the ending of --output says, else
+    /// table]
+    #[arg(long, value_enum)]
+    pub format: Option<PeriodicFormat>,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -262,9 +279,10 @@ pub struct BifurcationArguments {
     /// Maximum precision, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     max_bits: u32,
-    /// Output format; json is schema impact-pair/bifurcations/1
-    #[arg(long, value_enum, default_value_t)]
-    pub format: PeriodicFormat,
+    /// Output format; json is schema impact-pair/bifurcations/1 [default: as the ending of --output
+    /// says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<PeriodicFormat>,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -323,9 +341,9 @@ pub struct CheckArguments {
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub effort: u64,
-    /// Output format; json is schema impact-pair/check/1
-    #[arg(long, value_enum, default_value_t)]
-    pub format: CheckFormat,
+    /// Output format; json is schema impact-pair/check/1 [default: as the ending of --output says, else text]
+    #[arg(long, value_enum)]
+    pub format: Option<CheckFormat>,
     #[command(flatten)]
     pub destination: Destination,
 }
@@ -416,8 +434,10 @@ fn precision(digits: Option<u32>, max_bits: u32, scene: &Scene) -> Precision {
 }
 
 /// Reads a number of digits.
-pub fn digits() -> RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(i64::from(*DIGITS.start())..=i64::from(*DIGITS.end()))
+pub fn digits() -> impl Fn(&str) -> Result<u32, String> + Clone {
+    let whole = count(u64::from(*DIGITS.start())..=u64::from(*DIGITS.end()));
+    // exact: in the range of digits
+    move |text| whole(text).map(|digits| digits as u32)
 }
 
 /// Reads a number of bits.
@@ -436,14 +456,24 @@ pub fn count(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String>
             let meant = Exact::parse(text).ok().and_then(|number| number.as_rational().map(ToString::to_string));
             let meant = meant.unwrap_or_else(|| text.replace([',', '_', ' ', '\''], ""));
             let hint = if meant.parse::<u64>().is_ok() { format!("; did you mean {meant}?") } else { String::new() };
-            Err(format!("accepted are whole numbers{hint}"))
+            let range = match *range.end() {
+                u64::MAX => String::new(),
+                most => format!(" from {} to {most}", range.start()),
+            };
+            Err(format!("accepted are whole numbers{range}{hint}"))
         }
     }
 }
 
 /// Reads a single exact number.
 pub fn point(text: &str) -> Result<Exact, String> {
-    let number = Exact::parse(text).map_err(|error| error.to_string())?;
+    let unit = || match text.trim().split_once(' ') {
+        Some((number, unit)) if Exact::parse(number).is_ok() && unit.trim().chars().all(char::is_alphabetic) => {
+            format!("; numbers are in the units of the scene and have none of their own: did you mean {number}?")
+        }
+        _ => String::new(),
+    };
+    let number = Exact::parse(text).map_err(|error| format!("{error}{}", unit()))?;
     if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
 }
 

@@ -18,6 +18,7 @@ use crate::progress::{Progress, goes_on, interruption};
 use crate::scene;
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
     let wanted = arguments.wanted(&scene);
@@ -27,9 +28,12 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let out = Output::open(arguments.destination.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let progress = Progress::of("following branches", !arguments.destination.quiet);
-    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on).with_context(named)?;
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on);
+    let Over { key, low, high } = &wanted.over;
+    let range = [(*key, format!("{key}={low}..{high}"))];
+    let diagram = diagram.map_err(|error| scene::about(error, &range, &arguments.scene))?;
     progress.clear();
-    let text = match arguments.format {
+    let text = match format {
         PeriodicFormat::Table => table(&scene, &diagram)?,
         PeriodicFormat::Json => {
             let document = document::bifurcations(scene.start(), (word, cycles), &diagram).with_context(named)?;
@@ -37,7 +41,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
         }
     };
     let open = (!diagram.is_certified()).then(|| conclusion(&diagram));
-    out.answer(&text, open, (arguments.destination.quiet, arguments.format == PeriodicFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
 }
 
 fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {

@@ -13,6 +13,7 @@ use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::bifurcation::Over;
+use impact_pair::scene::Key;
 use impact_pair_plot::picture::Theme;
 use serde::Deserialize;
 
@@ -63,8 +64,9 @@ pub struct ChaosArguments {
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
     halvings: u32,
     /// Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
-    #[arg(long, value_enum, default_value_t)]
-    format: PeriodicFormat,
+    /// [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    format: Option<PeriodicFormat>,
     /// Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
@@ -110,7 +112,13 @@ impl FromStr for Range {
     }
 }
 
+/// What messages name of a range.
+fn range(over: &Over) -> (Key, String) {
+    (over.key, format!("{}={}..{}", over.key, over.low, over.high))
+}
+
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
     scene::keep_apart(&[&arguments.scene], output, plot)?;
@@ -118,7 +126,7 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     // From here on Ctrl-C keeps what is proved.
     interruption();
     let files = Files { out: Output::open(output)?, picture: plot.map(|path| Output::open(Some(path))).transpose()? };
-    let work = Work { arguments, scene: &scene, files };
+    let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
         Some(Range { over, cells: Some(cells) }) => {
             if !bases.is_empty() {
@@ -137,6 +145,7 @@ struct Files {
 
 struct Work<'w> {
     arguments: &'w ChaosArguments,
+    format: PeriodicFormat,
     scene: &'w Scene,
     files: Files,
 }
@@ -148,7 +157,11 @@ impl Work<'_> {
         let question = Question { depth, bases };
         let named = || scene::name(&self.arguments.scene);
         let pair = match over {
-            Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high)?).with_context(named)?,
+            Some(over) => {
+                let all = Exact::interval(&over.low, &over.high)?;
+                let path = &self.arguments.scene;
+                scene.pair().with(over.key, all).map_err(|error| scene::about(error, &[range(over)], path))?
+            }
             None => scene.pair().clone(),
         };
         let progress = Progress::boxes(!self.arguments.destination.quiet);
@@ -160,7 +173,7 @@ impl Work<'_> {
         let found = Chaos::of(&pair, scene.start(), &question, &watch).with_context(named)?;
         progress.clear();
         let document = document::chaos(scene, over, &question, &found);
-        let text = match self.arguments.format {
+        let text = match self.format {
             PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
             PeriodicFormat::Table => heading(scene) + &table::horseshoe(&document, &found)?,
         };
@@ -181,9 +194,9 @@ impl Work<'_> {
         };
         let found = Cells::of(scene.pair(), scene.start(), &asked, &watch);
         progress.clear();
-        let found = found.with_context(|| scene::name(&self.arguments.scene))?;
+        let found = found.map_err(|error| scene::about(error, &[range(over)], &self.arguments.scene))?;
         let document = document::cells(scene, &asked, &found);
-        let text = match self.arguments.format {
+        let text = match self.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
             PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
         };
@@ -192,7 +205,7 @@ impl Work<'_> {
     }
 
     fn answer(self, text: &str, open: Option<String>, svg: impl FnOnce() -> Result<String>) -> Result<Answer> {
-        let is_table = self.arguments.format == PeriodicFormat::Table;
+        let is_table = self.format == PeriodicFormat::Table;
         let answer = self.files.out.answer(text, open, (self.arguments.destination.quiet, is_table))?;
         if let (Some(picture), Some(path)) = (self.files.picture, &self.arguments.plot) {
             picture.draw(path, self.arguments.theme, svg)?;

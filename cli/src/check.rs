@@ -2,7 +2,8 @@
 
 use std::io::Write;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Error, Result, anyhow};
+use impact_pair::Scene;
 use impact_pair::json::one_a_line;
 use impact_pair_certificate::{Claims, Verdict};
 
@@ -14,8 +15,15 @@ use crate::scene;
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let (path, output) = (&arguments.certificate, arguments.destination.output.as_deref());
+    let format = arguments.destination.format(arguments.format)?;
     let text = scene::text(path)?;
-    let claims = Claims::parse(&text).with_context(|| scene::name(path))?;
+    let claims = Claims::parse(&text).map_err(|error| match Scene::parse(&text) {
+        Ok(_) => anyhow!(
+            "{0} is a scene, but accepted is a JSON document: impact-pair run {0} --format json | impact-pair check -",
+            scene::name(path)
+        ),
+        Err(_) => Error::from(error).context(scene::name(path)),
+    })?;
     scene::keep(path, output)?;
     let mut out = Output::open(output)?;
     let progress = Progress::new(Some(claims.count() as u64), !arguments.destination.quiet);
@@ -24,7 +32,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let judged = claims.judge(&arguments.effort(), stop, &mut |event| progress.reach(event as u64));
     let judged = judged.with_context(|| scene::name(path))?;
     progress.clear();
-    let said = match arguments.format {
+    let said = match format {
         CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),
         CheckFormat::Text => {
             let unjudged = claims.unjudged();

@@ -14,7 +14,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 
 use crate::Answer;
-use crate::arguments::{PeriodicFormat, digits};
+use crate::arguments::{Destination, PeriodicFormat, digits};
 use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{Progress, goes_on, interruption};
@@ -49,14 +49,11 @@ pub struct CyclesArguments {
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
     /// Output format; json is schema impact-pair/cycles/1
-    #[arg(long, value_enum, default_value_t)]
-    format: PeriodicFormat,
-    /// Write to FILE, atomically, instead of stdout
-    #[arg(long, short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Print no notes and no progress on stderr
-    #[arg(long, short)]
-    quiet: bool,
+    /// [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    format: Option<PeriodicFormat>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// Reads `LO..HI`, or one number.
@@ -70,15 +67,16 @@ fn impacts(text: &str) -> Result<RangeInclusive<u32>, String> {
 }
 
 pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
-    scene::keep(&arguments.scene, arguments.output.as_deref())?;
-    let out = Output::open(arguments.output.as_deref())?;
+    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
+    let out = Output::open(arguments.destination.output.as_deref())?;
     let usual = Precision::default();
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
     // From here on Ctrl-C keeps what is proved.
     interruption();
-    let progress = Progress::boxes(!arguments.quiet);
+    let progress = Progress::boxes(!arguments.destination.quiet);
     let watch = |stage: Stage| {
         match stage {
             Stage::Region(boxes) => progress.boxed("region: ", boxes as u64),
@@ -92,7 +90,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &watch).with_context(named)?;
     progress.clear();
     let found = found.as_ref().map_err(|why| *why);
-    let text = match arguments.format {
+    let text = match format {
         PeriodicFormat::Table => table(&scene, found)?,
         PeriodicFormat::Json => {
             serde_json::to_string(&document::cycles(&scene, &arguments.impacts, found).with_context(named)?)? + "\n"
@@ -100,7 +98,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     };
     let is_certified = found.is_ok_and(Cycles::is_certified);
     let open = (!is_certified).then(|| conclusion(found));
-    out.answer(&text, open, (arguments.quiet, arguments.format == PeriodicFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
 }
 
 fn table(scene: &Scene, found: Result<&Cycles, Untrapped>) -> Result<String, fmt::Error> {

@@ -6,6 +6,7 @@ mod bifurcations;
 mod chaos;
 mod check;
 mod cycles;
+mod ending;
 mod heading;
 mod listing;
 mod man;
@@ -85,6 +86,12 @@ fn with_a_verb(mut error: clap::Error) -> clap::Error {
         && (given.ends_with(".toml") || Path::new(given).exists())
     {
         let tip = format!("the verb comes before the scene: impact-pair run {given}").into();
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+    }
+    if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidArg)
+        && ["--precision", "--accuracy", "--prec"].contains(&given.as_str())
+    {
+        let tip = "widths are asked for by --digits D: at most 10^-D; bits by --arithmetic BITS".to_owned().into();
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
     }
     error

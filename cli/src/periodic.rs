@@ -17,6 +17,7 @@ use crate::progress::{Progress, interruption};
 use crate::scene;
 
 pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let named = || scene::name(&arguments.scene);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
@@ -39,12 +40,12 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         false => problem.find_while(start, precision, || !interrupted.load(Ordering::Relaxed)),
     };
     progress.clear();
-    let text = match arguments.format {
+    let text = match format {
         PeriodicFormat::Table => table(&scene, &problem, &units, &census)?,
         PeriodicFormat::Json => serde_json::to_string(&units.document(&problem, start, &census))? + "\n",
     };
     let open = (!census.is_certified()).then(|| conclusion(&census));
-    out.answer(&text, open, (arguments.destination.quiet, arguments.format == PeriodicFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
 }
 
 fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {

@@ -7,11 +7,13 @@ use impact_pair_certificate::{Certificate, ClaimKind};
 
 use crate::Answer;
 use crate::arguments::ProveArguments;
+use crate::ending;
 use crate::output::{Output, note};
 use crate::progress::Progress;
 use crate::scene;
 
 pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
+    ending::only("v", arguments.destination.output.as_deref())?;
     let path = &arguments.certificate;
     let certificate = Certificate::parse(&scene::text(path)?).with_context(|| scene::name(path))?;
     scene::keep(path, arguments.destination.output.as_deref())?;

@@ -15,6 +15,7 @@ use crate::progress::{Progress, interruption};
 use crate::scene;
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
     let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
@@ -24,9 +25,9 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
     let visible = !arguments.destination.quiet && io::stderr().is_terminal() && !out.is_terminal();
-    let said_already = arguments.format == Format::Table && out.is_stdout();
+    let said_already = format == Format::Table && out.is_stdout();
     let progress = Progress::new(settings.impacts, visible);
-    let mut listing = Listing::new(arguments.format, &scene, &settings, out);
+    let mut listing = Listing::new(format, &scene, &settings, out);
     let write = "cannot write the output";
     listing.begin(&orbit).context(write)?;
     let mut last = None;

@@ -4,12 +4,29 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
+use impact_pair::scene::Key;
 
 /// Reads the scene of a file, or of stdin when it is `-`.
 pub fn read(path: &Path) -> Result<Scene> {
-    Scene::parse(&text(path)?).with_context(|| name(path))
+    let text = text(path)?;
+    Scene::parse(&text).map_err(|error| match text.trim_start().chars().next() {
+        Some('{') => anyhow!(
+            "{0} is a JSON document, but accepted is a scene (TOML): impact-pair check {0} proves a document again",
+            name(path)
+        ),
+        _ => Error::from(error).context(name(path)),
+    })
+}
+
+/// An error with what it is about: one of the ranges that `--over` gives, each with its key, or else the scene.
+pub fn about(error: impl Into<Error>, ranges: &[(Key, String)], scene: &Path) -> Error {
+    let error = error.into();
+    let at = error.downcast_ref::<impact_pair::Error>().and_then(impact_pair::Error::key);
+    let own = ranges.iter().find(|(key, _)| at.is_some_and(|at| at.starts_with(&key.place())));
+    let place = own.map_or_else(|| name(scene), |(_, range)| format!("--over {range}"));
+    error.context(place)
 }
 
 /// Reads a file, or stdin when it is `-`.

@@ -40,8 +40,9 @@ pub struct TrapArguments {
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
     /// Output format; json is schema impact-pair/trap/1
-    #[arg(long, value_enum, default_value_t)]
-    format: PeriodicFormat,
+    /// [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    format: Option<PeriodicFormat>,
     /// Draw the region, and a floating-point orbit in it
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
@@ -53,6 +54,7 @@ pub struct TrapArguments {
 }
 
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let Destination { output, quiet } = &arguments.destination;
     let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
@@ -69,7 +71,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     };
     let found = Trap::of(&scene, arguments.finer, &watch).with_context(named)?;
     progress.clear();
-    let is_table = arguments.format == PeriodicFormat::Table;
+    let is_table = format == PeriodicFormat::Table;
     let region = match found {
         Ok(region) => region,
         Err(why) => {
@@ -82,7 +84,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         }
     };
     let document = document::trap(&scene, &region).with_context(named)?;
-    let text = match arguments.format {
+    let text = match format {
         PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
         PeriodicFormat::Table => table(&scene, &document)?,
     };

@@ -112,10 +112,10 @@ fn a_region_is_written_and_drawn() {
 #[test]
 fn files_are_opened_first() {
     let folder = folder("first");
-    let nowhere = folder.join("nowhere").join("file.svg");
-    let nowhere = nowhere.to_str().unwrap();
     for verb in ["trap", "chaos"] {
-        for option in ["--output", "--plot"] {
+        for (option, name) in [("--output", "file.json"), ("--plot", "file.svg")] {
+            let nowhere = folder.join("nowhere").join(name);
+            let nowhere = nowhere.to_str().unwrap();
             let begun = Instant::now();
             let output = program(&[verb, "scenes/figure-16.toml", option, nowhere]).output().unwrap();
             let said = String::from_utf8(output.stderr).unwrap();
@@ -146,4 +146,34 @@ fn cells_are_written_and_drawn() {
     assert_eq!((&stretch["period"]["impacts"], &stretch["period"]["cycles"]), (&2.into(), &1.into()));
     let drawn = fs::read_to_string(plot).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.contains("converges to a periodic one"));
+}
+
+/// "0.00 % hold a horseshoe" was said of a range where one is proved, since the scene's own orbit is attracted there.
+#[test]
+fn r35_a_horseshoe_and_an_orbit_that_is_attracted_do_not_exclude_each_other() {
+    let over = ["chaos", "scenes/figure-14-sink.toml", "--over", "gap=9.4248032651..9.4248032653:1"];
+    let said = program(&over).output().unwrap();
+    assert_eq!(said.status.code(), Some(0));
+    let said = String::from_utf8(said.stdout).unwrap();
+    let shares = "over 100.00 % of the range the scene's own orbit is attracted, 100.00 % are proved to hold a horseshoe (100.00 % both)";
+    assert!(
+        said.contains(shares) && said.contains("20 impacts in 8 cycles, beside a horseshoe: entropy at least"),
+        "{said}"
+    );
+    let document = program(&over).args(["--format", "json"]).output().unwrap();
+    let document: Value = serde_json::from_slice(&document.stdout).unwrap();
+    let stretch = &document["stretches"][0];
+    assert_eq!((&stretch["verdict"], &stretch["period"]["impacts"]), (&"attracted".into(), &20.into()));
+    assert!(stretch["entropy"]["per_impact"].as_str().unwrap().parse::<f64>().unwrap() > 0.3);
+    assert!(!stretch["bases"].as_array().unwrap().is_empty());
+    let shares = &document["shares"];
+    assert_eq!((&shares["horseshoe"], &shares["attracted"], &shares["both"]), (&1.0.into(), &1.0.into(), &1.0.into()));
+}
+
+/// Shares of a range that doubles do not tell from a point were not numbers.
+#[test]
+fn r35_shares_of_a_range_below_the_resolution_of_doubles() {
+    let over = ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.00000000000000000001:1"];
+    let said = String::from_utf8(program(&over).output().unwrap().stdout).unwrap();
+    assert!(said.contains("over 100.00 % of the range the scene's own orbit is attracted"), "{said}");
 }

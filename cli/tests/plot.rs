@@ -73,7 +73,7 @@ fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
         "certified: 60 impacts",
         "impact-pair\u{a0}",
         "d/2",
-        "Ωt mod 2π [rad]",
+        "Ωt + τ mod 2π [rad]",
         "3π/2",
         "impact on the right wall, Σ+",
         "(a), (b): 8 cycles; (c), (d): 29.9 cycles; (e)–(h): 60 impacts",

@@ -177,3 +177,27 @@ fn the_version_names_arithmetics_and_cpu_features() {
     assert!(text.starts_with(concat!("impact-pair ", env!("CARGO_PKG_VERSION"), "\n")));
     assert!(text.contains("arithmetics: auto, float, interval") && text.contains("fma "));
 }
+
+/// A stable orbit of 20 impacts was recognised or not, by the number of impacts that were asked for.
+#[test]
+fn r35_an_orbit_that_attracts_is_recognised_wherever_the_list_ends() {
+    for impacts in [22, 45, 60, 77, 100] {
+        let done = run(&["scenes/figure-14-sink.toml", "--impacts", &impacts.to_string()]).output().unwrap();
+        let said = String::from_utf8(done.stdout).unwrap();
+        let last = said.lines().next_back().unwrap();
+        assert!(
+            last.contains("proved to converge to a stable orbit of 20 impacts every 8 cycles"),
+            "{impacts}: {last}"
+        );
+    }
+}
+
+/// What was looked for is said where it may be missed.
+#[test]
+fn r35_the_help_says_which_orbits_are_looked_for() {
+    let said = String::from_utf8(run(&["--help"]).output().unwrap().stdout).unwrap();
+    assert!(
+        said.split_whitespace().collect::<Vec<_>>().join(" ").contains("periodic orbit: of at most 128 impacts"),
+        "{said}"
+    );
+}

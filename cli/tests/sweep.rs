@@ -387,3 +387,29 @@ fn the_command_line() {
     assert_cmd_snapshot!("no_parquet", with(&["--format", "parquet"]));
     assert_cmd_snapshot!("merge_of_no_file", sweep(&["--merge", "no-such.jsonl"]));
 }
+
+/// A point that is proved to be attracted had only a finite-time exponent, which may be positive.
+#[test]
+fn r35_attracted_points_have_the_limit_of_the_exponent() {
+    let over = ["scenes/figure-14-sink.toml", "--over", "gap=9.4248032652..9.42480326525:2", "--transient", "30"];
+    let jsonl = [&over[..], &["--impacts", "5", "--quiet", "--format", "jsonl"]].concat();
+    let number = |bound: &Value| bound.as_str().unwrap().parse::<f64>().unwrap();
+    for record in records(&sweep(&jsonl).output().unwrap()) {
+        assert_eq!(record["outcome"], "attracted");
+        assert!(number(&record["exponent"]["per_impact"][0]) > 0.5, "{record}");
+        let [low, high] = [0, 1].map(|end| number(&record["exponent_limit"][end]));
+        assert!(-0.5f64.ln().abs() <= low && low < high && high < -0.2, "{record}");
+    }
+    let csv = [&over[..], &["--impacts", "5", "--quiet", "--summary"]].concat();
+    let table = String::from_utf8(sweep(&csv).output().unwrap().stdout).unwrap();
+    assert!(
+        table.lines().next().unwrap().ends_with(",attracted_from,exponent_limit_lower,exponent_limit_upper"),
+        "{table}"
+    );
+    assert!(table.lines().skip(1).all(|line| line.rsplit(',').take(2).all(|end| end.starts_with("-0.2"))), "{table}");
+    // What is not attracted has none.
+    let chaos =
+        ["scenes/figure-14.toml", "--over", "gap=9.42497..9.425:2", "--transient", "5", "--impacts", "5", "--quiet"];
+    let table = String::from_utf8(sweep(&[&chaos[..], &["--summary"]].concat()).output().unwrap().stdout).unwrap();
+    assert!(table.lines().skip(1).all(|line| line.contains("not-attracted") && line.ends_with(",,")), "{table}");
+}

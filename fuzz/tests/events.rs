@@ -35,7 +35,7 @@ proptest! {
         let scene = scene();
         match read(&text, &Columns::default(), scene.pair()) {
             Ok(list) => {
-                let rows = list.len();
+                let rows = list.rows.len();
                 let asked = Asked { max_bits: 256, ..Asked::default() };
                 if let Ok(audit) = Audit::of(&scene, list, &asked, &|| true) {
                     prop_assert!(audit.findings().len() >= rows || asked.until.is_some());

@@ -5,6 +5,7 @@ from typing import final
 
 __all__ = [
     "PROGRAM",
+    "SCENES",
     "Orbit",
     "Scene",
     "Sweep",
@@ -31,6 +32,7 @@ __all__ = [
 ]
 __version__: str
 PROGRAM: str
+SCENES: list[str]
 
 _Progress = Callable[[int], object] | None
 # impacts, until, digits, arithmetic, splice, max_bits

@@ -7,6 +7,8 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ._file import ending, write
+
 if TYPE_CHECKING:
     import os
 
@@ -49,12 +51,17 @@ class Document:
         return self._text
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the document, or with the ending ``.svg`` the picture, to a file."""
+        """Write ``.json``, the document, or ``.svg``, the picture that was asked for; the file is written atomically.
+
+        Raises
+        ------
+        RangeError
+            When the name has another ending, or there is no picture.
+        """
         path = Path(path)
-        if path.suffix == ".svg" and self.svg is not None:
-            path.write_text(self.svg, encoding="utf-8")
-        else:
-            path.write_text(self.json().rstrip("\n") + "\n", encoding="utf-8")
+        accepted = (".json",) if self.svg is None else (".json", ".svg")
+        said = self.svg if ending(path, accepted) == ".svg" else self.json().rstrip("\n") + "\n"
+        write(path, [(said or "").encode()])
 
     def check(self, effort: int = 1) -> Check:
         """Prove every claim again, by another route; see :func:`impact_pair.check`."""

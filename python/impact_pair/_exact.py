@@ -7,7 +7,7 @@ import operator
 from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
-from typing import SupportsIndex, TypeAlias
+from typing import Any, SupportsIndex, TypeAlias
 
 from .errors import RangeError
 
@@ -18,8 +18,43 @@ Number: TypeAlias = "str | SupportsIndex | Fraction | Decimal | float"
 Value: TypeAlias = "Number | tuple[Number, Number]"
 
 
+def plain(value: Any) -> Any:
+    """Return a numpy scalar of any width, or an array of none, as the number of Python that it is; anything else as it is."""
+    is_single = getattr(value, "ndim", None) == 0 and hasattr(value, "item")
+    # A long double is more than a float: its item is itself.
+    return value.item() if is_single else value
+
+
+def whole(key: str, value: Any) -> int:
+    """Return a whole number, also one that is written as a float; ``key`` names it in errors.
+
+    Raises
+    ------
+    RangeError
+        When it is none, or below 0.
+    """
+    value = plain(value)
+    found: int | None = None
+    if not isinstance(value, (bool, str)):
+        try:
+            found = int(value) if isinstance(value, (float, Decimal, Fraction)) and value == int(value) else operator.index(value)
+        except (TypeError, ValueError, OverflowError):
+            found = None
+    if found is None:
+        raise RangeError(f"{key} is {value!r}, but must be a whole number", key, str(value))
+    if found < 0:
+        raise RangeError(f"{key} is {value!r}, but must not be negative", key, str(value))
+    return found
+
+
+def optional_whole(key: str, value: Any) -> int | None:
+    """Return a whole number, if there is one."""
+    return None if value is None else whole(key, value)
+
+
 def text(key: str, value: Value) -> str:
     """Return a number as exact text, an interval as ``[low, high]``; ``key`` names it in errors."""
+    value = plain(value)
     if isinstance(value, tuple):
         if len(value) != 2:
             raise RangeError(f"{key} is {value!r}, but an interval is a tuple of two numbers", key, repr(value))

@@ -318,7 +318,7 @@ class ChaosCells(Document):
 
     @property
     def shares(self) -> dict[str, float]:
-        """Fractions of the range proved to hold a ``horseshoe``, to be ``attracted``, or ``undecided``."""
+        """Fractions of the range proved to hold a ``horseshoe``, to be ``attracted``, ``both``, or neither: ``undecided``."""
         return dict(self.document["shares"])
 
     @property
@@ -374,6 +374,11 @@ class Audit(Document):
     def message(self) -> str:
         """The result in words."""
         return str(self.document["message"])
+
+    @property
+    def unused_columns(self) -> list[str]:
+        """The columns of the list that were not read."""
+        return list(self.document["unused_columns"])
 
     @property
     def counts(self) -> dict[str, int]:

@@ -6,16 +6,19 @@ import html
 import json
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core
 from ._document import Document
+from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from .bounds import Bounds, doubles, middles, radii
 
 if TYPE_CHECKING:
+    import os
     from collections.abc import Iterator
 
     import numpy.typing as npt
@@ -230,6 +233,46 @@ class Orbit(Document):
     def json(self) -> str:
         """Return the orbit JSON, as ``impact-pair run --format json`` writes it."""
         return self._core.json()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write .json, .jsonl or .csv as ``impact-pair run`` does, or ``to_arrow`` as .parquet, or ``savemat`` as .mat; atomically.
+
+        Raises
+        ------
+        RangeError
+            When the name has another ending.
+        """
+        path = Path(path)
+        match ending(path, (".json", ".jsonl", ".csv", ".parquet", ".mat")):
+            case ".json":
+                super().save(path)
+            case ".mat":
+                self.savemat(str(path))
+            case ".parquet":
+                write(path, [parquet(self.to_arrow())])
+            case ".csv":
+                write(path, (f"{line}\n".encode() for line in self._csv()))
+            case _:
+                write(path, (f"{line}\n".encode() for line in self._lines()))
+
+    def _csv(self) -> Iterator[str]:
+        """Yield the lines of the command line's CSV: a line an event, bounds in columns."""
+        yield "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper"
+        for event in self.events:
+            name, time = type(event).__name__.lower(), ",".join(event.time.decimals)
+            if isinstance(event, Impact):
+                velocity = ",".join(event.velocity.decimals)
+                yield f"{name},{event.index},{event.mapping or ''},{event.wall},{time},{velocity}"
+            else:
+                yield f"{name},,,{event.wall},{time},,"
+
+    def _lines(self) -> Iterator[str]:
+        """Yield JSON Lines: the head, an event a line, and the end."""
+        head, outcome = self._core.about()
+        yield head
+        yield from (str(self._core.event(i)) for i in range(len(self._names)))
+        end = {"outcome": json.loads(outcome), "arithmetic": json.loads(head)["arithmetic"]}
+        yield json.dumps(end, separators=(",", ":"), ensure_ascii=False)
 
     def prove(self, impacts: int | None = None) -> Theorem:
         """Return a Coq file whose theorem states the claims of this orbit; see :func:`impact_pair.prove`."""

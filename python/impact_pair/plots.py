@@ -123,14 +123,16 @@ def _impacts(orbit: Orbit, ax: Any, x: Doubles, y: Doubles, sides: tuple[int, ..
 
 
 def _phases(orbit: Orbit) -> Doubles:
-    return np.asarray(np.mod(orbit.t, _cycle(orbit)) * (2 * math.pi / _cycle(orbit)))
+    """W t + tau of the fastest harmonic modulo 2 pi [rad], in floats."""
+    _, w, tau = max(_terms(orbit), key=lambda term: term[1])
+    return np.asarray(np.mod(w * orbit.t + tau, 2 * math.pi))
 
 
 def switch_plane(orbit: Orbit, ax: Any | None = None, sides: tuple[int, ...] = (-1, 1)) -> Any:
-    """Draw (e): y' [length/time] before the impacts over W t mod 2 pi [rad], (18)-(21)."""
+    """Draw (e): y' [length/time] before the impacts over W t + tau mod 2 pi [rad], (18)-(21)."""
     ax = _axes(ax)
     _impacts(orbit, ax, _phases(orbit), orbit.v, sides)
-    ax.set(xlabel="Ωt mod 2π", ylabel="y'", xlim=(0, 2 * math.pi))
+    ax.set(xlabel="Ωt + τ mod 2π", ylabel="y'", xlim=(0, 2 * math.pi))
     return ax
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 import re
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core, answers
-from ._exact import Value, optional, text, texts
+from ._exact import Value, optional, optional_whole, text, texts, whole
 from ._progress import Progress, reporting
 from .bounds import doubles
 from .errors import Error, RangeError, SceneError
@@ -118,7 +119,9 @@ class Scene:
         """Return a scene of the repository, such as ``"figure-14"`` of the paper, ``"chatter"`` or ``"square-wave"``."""
         source = _core.paper(name)
         if source is None:
-            raise RangeError(f"the scene is {name!r}, but known are those of the folder scenes", "name", name)
+            near = difflib.get_close_matches(str(name), _core.SCENES, 1)
+            meant = f"; did you mean {near[0]!r}?" if near else ""
+            raise RangeError(f"the scene is {name!r}, but known are {', '.join(_core.SCENES)}{meant}", "name", str(name))
         return cls.from_text(source)
 
     @property
@@ -160,7 +163,8 @@ class Scene:
         Enclosures are asked to be at most 10^-``digits`` wide: of times relative to 2 pi/W, of velocities to A W (default 9).
         ``arithmetic`` is ``"auto"``, ``"float"``, ``"interval"``, ``"inari"``, ``"shadow"`` or a number of bits.
         """
-        asked = (impacts, optional("until", until), digits, str(arithmetic), splice, max_bits)
+        impacts = optional_whole("impacts", impacts)
+        asked = asked_of(impacts, until, digits, arithmetic, splice, max_bits)
         with reporting(progress, "impacts", impacts) as tell:
             return Orbit(_core.run(self._core, asked, tell))
 
@@ -198,8 +202,9 @@ class Scene:
         progress: Progress = None,
     ) -> SweepResult:
         """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
-        asked = {"transient": transient, "impacts": impacts, "digits": digits, "arithmetic": str(arithmetic)}
-        asked |= {"max_bits": max_bits, "summary": summary}
+        numbers = {"transient": transient, "impacts": impacts, "digits": digits, "max_bits": max_bits}
+        asked = {key: whole(key, value) for key, value in numbers.items()}
+        asked |= {"arithmetic": str(arithmetic), "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return sweep(self._text, over, asked, **how)  # type: ignore[arg-type]
 
@@ -215,7 +220,8 @@ class Scene:
     ) -> answers.Periodic:
         """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
         with reporting(progress, "cells") as tell:
-            return answers.Periodic(*_core.periodic(self._core, (word, cycles, all), (digits, max_bits), tell))
+            question = (word, whole("cycles", cycles), all)
+            return answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), tell))
 
     def two_impact(
         self,
@@ -231,9 +237,9 @@ class Scene:
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
         with reporting(progress, "cycles") as tell:
-            documents, complete = _core.two_impact(self._core, both_ends(cycles), (wall, solve_for), digits, tell)
+            documents, complete = _core.two_impact(self._core, both_ends("cycles", cycles), (wall, solve_for), digits, tell)
         found = [answers.Periodic(document, complete) for document in documents]
-        return found[0] if isinstance(cycles, int) else found
+        return found if isinstance(cycles, tuple) else found[0]
 
     def manifold(
         self,
@@ -249,7 +255,7 @@ class Scene:
         [(key, (low, high, count))] = over.items()
         question = (key, text("from", low), text("to", high), count)
         with reporting(progress, "points") as tell:
-            return answers.Manifold(*_core.manifold(self._core, both_ends(cycles), question, (wall, digits, picture), tell))
+            return answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, (wall, digits, picture), tell))
 
     def bifurcations(
         self,
@@ -263,9 +269,9 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Bifurcations:
         """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
-        question = (word, cycles, ranged(over), doublings)
+        question = (word, whole("cycles", cycles), ranged(over), whole("doublings", doublings))
         with reporting(progress, "steps") as tell:
-            return answers.Bifurcations(*_core.bifurcations(self._core, question, (digits, max_bits), tell))
+            return answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), tell))
 
     def trap(self, *, finer: int = 0, picture: bool = False, progress: Progress = None) -> answers.Trap:
         """Prove a trapping region; its boxes are bisected ``finer`` times."""
@@ -279,9 +285,9 @@ class Scene:
         self, impacts: int | tuple[int, int], *, finer: int = 0, digits: int | None = None, progress: Progress = None
     ) -> answers.Cycles:
         """Prove all periodic orbits in the region of ``trap`` with a number of impacts, or a range of numbers."""
-        ends = both_ends(impacts)
+        ends = both_ends("impacts", impacts)
         with reporting(progress, "impacts", ends[1]) as tell:
-            return answers.Cycles(*_core.cycles(self._core, ends, (finer, digits), tell))
+            return answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), tell))
 
     def chaos(
         self,
@@ -324,8 +330,9 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Trade:
         """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
+        impacts = optional_whole("impacts", impacts)
         with reporting(progress, "impacts", impacts) as tell:
-            return answers.Trade(*_core.trade(self._core, (impacts, max_bits, picture), tell))
+            return answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), tell))
 
     def audit(
         self,
@@ -348,7 +355,7 @@ class Scene:
         listed = (answers.listing(events), (time, wall, velocity, velocities))
         asked = (text("tolerance", tolerance), optional("until", until))
         with reporting(progress, "impacts") as tell:
-            return answers.Audit(*_core.audit(self._core, listed, asked, (digits, max_bits), tell))
+            return answers.Audit(*_core.audit(self._core, listed, asked, narrow(digits, max_bits), tell))
 
     def plot(
         self,
@@ -365,9 +372,11 @@ class Scene:
         progress: Progress = None,
     ) -> answers.Picture:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
-        asked = (impacts, optional("until", until), digits, str(arithmetic), splice, max_bits)
+        impacts = optional_whole("impacts", impacts)
+        asked = asked_of(impacts, until, digits, arithmetic, splice, max_bits)
+        shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
         with reporting(progress, "impacts", impacts) as tell:
-            return answers.Picture(*_core.plot(self._core, panels, (cycles, orbit_cycles), asked, tell))
+            return answers.Picture(*_core.plot(self._core, panels, shown, asked, tell))
 
     def __repr__(self) -> str:
         words = ", ".join(f"{key}={value!r}" for key, value in self._keywords().items() if value is not None)
@@ -393,9 +402,26 @@ class Scene:
         return Scene.from_text, (self._text,)
 
 
-def both_ends(counts: int | tuple[int, int]) -> tuple[int, int]:
+def both_ends(key: str, counts: int | tuple[int, int]) -> tuple[int, int]:
     """Return the first and the last of a range, or of a single number."""
-    return (counts, counts) if isinstance(counts, int) else counts
+    if isinstance(counts, tuple):
+        first, last = counts
+        return whole(key, first), whole(key, last)
+    count = whole(key, counts)
+    return count, count
+
+
+def narrow(digits: int | None, max_bits: int) -> tuple[int | None, int]:
+    """Return the requested digits and the greatest number of bits, as integers."""
+    return optional_whole("digits", digits), whole("max_bits", max_bits)
+
+
+def asked_of(
+    impacts: int | None, until: Value | None, digits: int | None, arithmetic: str | int, splice: int, max_bits: int
+) -> tuple[int | None, str | None, int | None, str, int, int]:
+    """Return the request of an orbit, as the compiled module takes it."""
+    narrowness = narrow(digits, max_bits)
+    return impacts, optional("until", until), narrowness[0], str(arithmetic), whole("splice", splice), narrowness[1]
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
@@ -422,6 +448,6 @@ def toml(tables: Mapping[str, Any]) -> str:
             if value is not None:
                 is_word = f"{name}.{key}" in WORDS
                 is_number = is_word and not isinstance(value, str)
-                value = int(value) if is_number else value
+                value = whole(f"{name}.{key}", value) if is_number else value
                 lines.append(f"{key} = {json.dumps(value if is_word else texts(f'{name}.{key}', value))}")
     return "\n".join(lines) + "\n"

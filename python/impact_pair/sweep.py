@@ -21,14 +21,18 @@ from typing import Any, Literal
 import numpy as np
 
 from . import _core
-from ._exact import Value, text
+from ._exact import Value, text, whole
+from ._file import ending, parquet, write
 from ._progress import Progress, reporting
 from ._store import Chunks, Files, Memory
 from .bounds import doubles
-from .errors import Error, Interrupted
+from .errors import Error, Interrupted, RangeError
 
 #: The rows of a table: impacts and points, distinguished by the column ``record``, or only one of these.
 Rows = Literal["mixed", "points", "states"]
+
+#: The endings of tables.
+TABLES = (".csv", ".parquet")
 
 #: How many times larger than the last ones a chunk may be: the first ones tell the rate.
 GROWTH = 8
@@ -112,7 +116,7 @@ def sweep(
     ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: called again
     after a crash of a worker, the scheduler or this process, the sweep continues from there.
     """
-    axes = tuple(f"{key}={text(key, low)}..{text(key, high)}:{int(count)}" for key, (low, high, count) in over.items())
+    axes = tuple(axis(key, values) for key, values in over.items())
     question = Question(scene, axes, **asked)
     core = question.core()
     core.check()
@@ -125,6 +129,14 @@ def sweep(
         else:
             run.on(executor)
     return SweepResult(question, chunks)
+
+
+def axis(key: str, values: Any) -> str:
+    """Return what varies in the words of the command line: exact values from one to another, evenly spread."""
+    if not isinstance(values, (tuple, list)) or len(values) != 3:
+        raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
+    low, high, count = values
+    return f"{key}={text(key, low)}..{text(key, high)}:{whole(f'{key} count', count)}"
 
 
 def workers_of(executor: Executor | None) -> int:
@@ -293,14 +305,18 @@ class SweepResult:
         return self._core.svg(b"".join(self.lines()), show)
 
     def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
-        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; the file is written atomically.
+        """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``, or .parquet by pyarrow; the file is written atomically.
 
-        With ``states``, a .csv beside a .csv, the impacts go into a separate table, and ``path`` holds only the result of each
-        point; both have the column ``point``.
+        With ``states``, a .csv or .parquet beside another one, the impacts go into a separate table, and ``path`` holds only the
+        result of each point; both have the column ``point``.
+
+        Raises
+        ------
+        RangeError
+            When a name has another ending, or there are no states.
         """
         path = Path(path)
-        if path.suffix not in (".csv", ".jsonl", ".svg"):
-            raise Error(f"the file is {path.name}, but accepted endings are .csv, .jsonl and .svg", "path", path.name)
+        ending(path, (".csv", ".jsonl", ".svg", ".parquet"))
         if states is not None:
             states = Path(states)
             self._keep(states, path)
@@ -309,28 +325,31 @@ class SweepResult:
 
     def _keep(self, states: Path, path: Path) -> None:
         """Refuse to write states where there are none, or no table of them."""
-        for file in (states, path):
-            if file.suffix != ".csv":
-                raise Error(f"the file is {file.name}, but points and states are two tables in .csv", "states", states.name)
+        for key, file in (("states", states), ("path", path)):
+            if file.suffix.lower() not in TABLES:
+                said = f"{key} is {file.name}, but points and states are two tables in {' or '.join(TABLES)}"
+                raise RangeError(said, key, file.name)
         if states.resolve() == path.resolve():
-            raise Error(f"path and states name the same file, {states.name}", "states", states.name)
+            raise RangeError(f"path and states name the same file, {states.name}", "states", states.name)
         if self.head["summary"]:
-            raise Error("states writes the impacts, but a sweep with summary has none", "states", states.name)
+            raise RangeError("states writes the impacts, but a sweep with summary has none", "states", states.name)
 
     def _write(self, path: Path, rows: Rows) -> None:
-        draft = path.with_name(f".{path.name}.{os.getpid()}")
-        with draft.open("wb") as out:
-            if path.suffix == ".svg":
-                out.write(self.svg().encode())
-            elif path.suffix == ".csv":
-                out.write(self._core.csv_head(rows).encode())
-                out.writelines(self._core.csv(lines, rows) for lines in self.lines())
-            else:
-                out.write(self._core.head().encode() + b"\n")
-                out.writelines(self.lines())
-            out.flush()
-            os.fsync(out.fileno())
-        draft.replace(path)
+        write(path, self._parts(path.suffix.lower(), rows))
+
+    def _parts(self, kind: str, rows: Rows) -> Iterator[bytes]:
+        """Yield the bytes of a file with this ending."""
+        match kind:
+            case ".svg":
+                yield self.svg().encode()
+            case ".csv":
+                yield self._core.csv_head(rows).encode()
+                yield from (self._core.csv(lines, rows) for lines in self.lines())
+            case ".parquet":
+                yield parquet(self.to_arrow(rows))
+            case _:
+                yield self._core.head().encode() + b"\n"
+                yield from self.lines()
 
     def __repr__(self) -> str:
         said = ", ".join(f"{count} {outcome}" for outcome, count in self.outcomes.items())

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from . import _core
 from ._document import Document
+from ._file import ending, write
 from ._progress import Progress, reporting
 
 if TYPE_CHECKING:
@@ -58,8 +59,10 @@ class Theorem:
     stop: str | None
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the file."""
-        Path(path).write_text(self.text, encoding="utf-8")
+        """Write the file, whose name ends in ``.v``."""
+        path = Path(path)
+        ending(path, (".v",))
+        write(path, [self.text.encode()])
 
 
 def text_of(source: Source) -> str:

@@ -39,6 +39,7 @@ mod _core {
     fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {
         use super::PyModuleMethods;
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("SCENES", super::scene::names())?;
         module.add("PROGRAM", impact_pair::json::PROGRAM)
     }
 }

@@ -52,7 +52,7 @@ pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// The scenes of the repository, by name.
-const PAPER: [(&str, &str); 16] = [
+const PAPER: [(&str, &str); 17] = [
     ("cascade", include_str!("../../scenes/cascade.toml")),
     ("chatter", include_str!("../../scenes/chatter.toml")),
     ("doublings", include_str!("../../scenes/doublings.toml")),
@@ -63,6 +63,7 @@ const PAPER: [(&str, &str); 16] = [
     ("figure-12", include_str!("../../scenes/figure-12.toml")),
     ("figure-13", include_str!("../../scenes/figure-13.toml")),
     ("figure-14", include_str!("../../scenes/figure-14.toml")),
+    ("figure-14-sink", include_str!("../../scenes/figure-14-sink.toml")),
     ("figure-15", include_str!("../../scenes/figure-15.toml")),
     ("figure-16", include_str!("../../scenes/figure-16.toml")),
     ("figure-17", include_str!("../../scenes/figure-17.toml")),
@@ -70,6 +71,11 @@ const PAPER: [(&str, &str); 16] = [
     ("square-wave", include_str!("../../scenes/square-wave.toml")),
     ("two-tones", include_str!("../../scenes/two-tones.toml")),
 ];
+
+/// The names of the scenes that the package has.
+pub fn names() -> Vec<&'static str> {
+    PAPER.iter().map(|(name, _)| *name).collect()
+}
 
 /// The text of a scene of the paper's figures, or of the other examples, by its name.
 #[pyfunction]

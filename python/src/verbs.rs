@@ -219,8 +219,8 @@ pub fn audit(
             digits: asked.map(|digits| accepted("digits", digits, DIGITS)).transpose()?,
             max_bits: accepted("max_bits", max_bits, BITS)?,
         };
-        let rows = read(&list, &columns, scene.pair())?;
-        let audit = Audit::of(&scene, rows, &asked, monitor)?;
+        let list = read(&list, &columns, scene.pair())?;
+        let audit = Audit::of(&scene, list, &asked, monitor)?;
         Ok((one_a_line(&audit.document(), &["events"]), audit.is_agreed()))
     })
 }

@@ -89,8 +89,8 @@ def test_points_and_states_are_tables_of_their_own(cli, tmp_path):
 @pytest.mark.parametrize(
     ("path", "states", "said"),
     [
-        ("a.jsonl", "b.csv", "a.jsonl, but points and states are two tables in .csv"),
-        ("a.csv", "b.svg", "b.svg, but points and states are two tables in .csv"),
+        ("a.jsonl", "b.csv", "a.jsonl, but points and states are two tables in .csv or .parquet"),
+        ("a.csv", "b.svg", "b.svg, but points and states are two tables in .csv or .parquet"),
         ("a.csv", "../kept/a.csv", "path and states name the same file"),
     ],
 )

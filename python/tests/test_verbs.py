@@ -105,6 +105,16 @@ def test_audit(cli, tmp_path):
         scene.audit({"time": ["x"], "wall": ["left"]})
 
 
+def test_r35_columns_that_are_not_read_are_named():
+    scene = Scene.named("figure-14")
+    orbit = scene.run(impacts=5)
+    listed = {"time": orbit.t, "wall": orbit.walls, "puck_speed": -orbit.v}
+    found = scene.audit(listed)
+    assert found.agreed and found.unused_columns == ["puck_speed"]
+    assert "not read: puck_speed" in found.message
+    assert not scene.audit({**listed, "v_minus": -orbit.v}).agreed
+
+
 def plain(row):
     t, wall, v = row
     return float(t), str(wall), float(v)

@@ -49,6 +49,7 @@ impl Audit<'_> {
                 undecided: count(Verdict::Undecided),
                 not_reached: count(Verdict::NotReached),
             },
+            unused_columns: self.unused.clone(),
             first_disagreement: self.first_disagreement().map(disagreement),
             another_orbit: judgement.departure.map(|found| Departure { impact: found.impact, row: row(found.row) }),
             double_precision: DoublePrecision {

@@ -29,7 +29,7 @@ mod verdict;
 
 pub use doubles::{Doubles, Parting};
 pub use judge::{Departure, Errors, Finding};
-pub use list::{Column, Columns, Listed, Number, read};
+pub use list::{Column, Columns, List, Listed, Number, read};
 pub use truth::{Rest, Site, SiteKind};
 pub use verdict::{Reason, Verdict};
 
@@ -100,6 +100,10 @@ pub struct Audit<'s> {
     pub rows: Vec<Listed>,
     /// Number of rows after the end of the comparison.
     pub left_out: usize,
+    /// Columns of the list that are not read.
+    pub unused: Vec<String>,
+    /// Whether the list has no velocities, although they are looked for.
+    lacks_velocities: bool,
     /// The end of the comparison: the requested time (an irrational one a little later), or the last one listed.
     end: BigRational,
     settings: Settings,
@@ -116,7 +120,9 @@ impl<'s> Audit<'s> {
     /// # Errors
     /// If there is no row, or the time to compare up to is out of range ([`Error::is_list`], or the
     /// key `until`), or the scene's values exceed the range of orbits.
-    pub fn of(scene: &'s Scene, mut rows: Vec<Listed>, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
+    pub fn of(scene: &'s Scene, list: List, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
+        let List { mut rows, unused, velocities } = list;
+        let lacks_velocities = velocities && rows.iter().all(|row| row.velocity.is_none());
         let listed = rows.len();
         let end = match &asked.until {
             Some(until) => {
@@ -139,7 +145,19 @@ impl<'s> Audit<'s> {
         let judgement = Judgement::new(&truth, &rows, &end, &tolerance);
         let doubles = Doubles::judge(scene, &settings, &truth, &end, &tolerance, watch)?;
         let left_out = listed - rows.len();
-        Ok(Self { scene, rows, left_out, end, settings, tolerance, truth, judgement, doubles })
+        Ok(Self {
+            scene,
+            rows,
+            left_out,
+            unused,
+            lacks_velocities,
+            end,
+            settings,
+            tolerance,
+            truth,
+            judgement,
+            doubles,
+        })
     }
 
     /// Returns the units of the tolerance.
@@ -225,6 +243,12 @@ impl<'s> Audit<'s> {
         };
         if let Some(hint) = self.hint() {
             said += &format!("; {hint}");
+        }
+        if !self.unused.is_empty() {
+            said += &format!("; not read: {}", self.unused.join(", "));
+            if self.lacks_velocities {
+                said += " (velocities are read from the column that --velocity-column names)";
+            }
         }
         said
     }

@@ -1,4 +1,4 @@
-//! The values of a parameter in cells: those that hold a horseshoe, those that attract the scene's own orbit. Lemma D14
+//! The values of a parameter in cells: those that hold a horseshoe, those that attract the scene's own orbit, or both. Lemma D14
 
 use std::iter;
 use std::sync::Mutex;
@@ -42,40 +42,55 @@ pub struct Asked {
 /// What is proved for all values of the parameter in a stretch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The impact map of each pair holds a horseshoe.
-    Horseshoe {
-        /// Lower bounds of the topological entropy an impact, and a cycle.
-        entropy: [f64; 2],
-        /// What it was proved with.
-        bases: Vec<Base>,
-    },
-    /// The orbit of the scene's own start converges to a stable periodic orbit; a horseshoe may be there all the same.
+    /// The impact map of each pair holds a horseshoe; what becomes of the scene's own orbit is not proved.
+    Horseshoe(Horseshoe),
+    /// The orbit of the scene's own start converges to a stable periodic orbit.
     Attracted {
         /// The word of the period, from that impact on that makes it the first one in the alphabet of L and R.
         word: Word,
         /// How many cycles it takes.
         cycles: u32,
+        /// A horseshoe beside it, if one is proved: both may be true.
+        beside: Option<Horseshoe>,
     },
-    /// Neither of both is proved.
+    /// Neither is proved.
     Undecided,
+}
+
+/// A horseshoe in the impact map of each pair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Horseshoe {
+    /// Lower bounds of the topological entropy per impact, and per forcing period.
+    pub entropy: [f64; 2],
+    /// What it was proved with.
+    pub bases: Vec<Base>,
 }
 
 impl Verdict {
     /// Returns the verdict in a word.
     pub fn name(&self) -> &'static str {
         match self {
-            Self::Horseshoe { .. } => "horseshoe",
+            Self::Horseshoe(_) => "horseshoe",
             Self::Attracted { .. } => "attracted",
             Self::Undecided => "undecided",
+        }
+    }
+
+    /// The horseshoe that is proved, whatever becomes of the scene's own orbit.
+    pub fn horseshoe(&self) -> Option<&Horseshoe> {
+        match self {
+            Self::Horseshoe(horseshoe) => Some(horseshoe),
+            Self::Attracted { beside, .. } => beside.as_ref(),
+            Self::Undecided => None,
         }
     }
 
     /// Whether it tells several periods where another one tells one. Lemma D15: of a common value both speak of one orbit
     fn is_round_of(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Attracted { word: round, .. }, Self::Attracted { word, .. }) => {
+            (Self::Attracted { word: round, beside, .. }, Self::Attracted { word, beside: own, .. }) => {
                 let [all, one] = [round, word].map(|word| word.mappings().len());
-                all > one && all.is_multiple_of(one)
+                all > one && all.is_multiple_of(one) && beside == own
             }
             _ => false,
         }
@@ -91,12 +106,22 @@ pub struct Stretch {
     pub high: Exact,
     /// What is proved.
     pub verdict: Verdict,
+    /// How often the widest cell in it was halved.
+    halved: u32,
+}
+
+impl Stretch {
+    /// How often the widest cell in either was halved.
+    fn widest(&self, other: &Self) -> u32 {
+        self.halved.min(other.halved) // exact: a count
+    }
 }
 
 /// The values of a parameter, by what is proved: without gaps, in their order.
 ///
 /// **Enclosure**: each verdict holds for every value in its stretch, endpoints included. Lemmas D11, D12, D14, D15
-/// **Cost**: some seconds of a processor for a cell with a horseshoe; milliseconds for one that attracts, as often as it is halved.
+/// **Cost**: some seconds of a processor for a cell with a horseshoe, or where one is looked for beside an orbit that is attracted; milliseconds
+/// to see that it is, as often as the cell is halved.
 #[derive(Clone, Debug)]
 pub struct Cells {
     /// What is proved.
@@ -166,12 +191,17 @@ const NAME: &str = "the parameter";
 /// Adds a stretch behind the others, to the last one where the same is proved of both. Lemma D14: they have the end in common
 fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
     match stretches.pop() {
-        Some(last) if last.verdict == stretch.verdict => stretches.push(Stretch { low: last.low, ..stretch }),
+        Some(last) if last.verdict == stretch.verdict => {
+            let halved = last.widest(&stretch);
+            stretches.push(Stretch { low: last.low, halved, ..stretch });
+        }
         Some(last) if last.verdict.is_round_of(&stretch.verdict) => {
-            join(stretches, Stretch { low: last.low, ..stretch });
+            let halved = last.widest(&stretch);
+            join(stretches, Stretch { low: last.low, halved, ..stretch });
         }
         Some(last) if stretch.verdict.is_round_of(&last.verdict) => {
-            stretches.push(Stretch { high: stretch.high, ..last });
+            let halved = last.widest(&stretch);
+            stretches.push(Stretch { high: stretch.high, halved, ..last });
         }
         last => stretches.extend(last.into_iter().chain([stretch])),
     }
@@ -193,9 +223,24 @@ impl Work<'_> {
 
     fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {
         let edge = |index| within(NAME, &self.asked.over.low, self.edge(index));
-        let mut stretches = Vec::new();
-        self.decide([edge(index)?, edge(index + 1)?], 0, &mut Vec::new(), &mut stretches)?;
+        let (mut stretches, mut known) = (Vec::new(), Vec::new());
+        self.decide([edge(index)?, edge(index + 1)?], 0, &mut known, &mut stretches)?;
+        let wide = |stretch: &Stretch| stretch.halved <= SEARCHED;
+        for stretch in stretches.iter_mut().filter(|stretch| wide(stretch)) {
+            self.look_beside(stretch, &mut known)?;
+        }
         Ok(stretches)
+    }
+
+    /// Looks for a horseshoe where the scene's own orbit is attracted: one does not exclude the other.
+    fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<Base>) -> Result<(), Error> {
+        let Stretch { low, high, verdict: Verdict::Attracted { beside, .. }, .. } = stretch else { return Ok(()) };
+        let middle = middle(low, high)?;
+        let pair = self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?;
+        if (self.goes_on)() {
+            *beside = self.horseshoe(&pair, [&middle, low, high], known, true)?;
+        }
+        Ok(())
     }
 
     /// Decides a cell, or its halves; `known` are h-sets that the last horseshoe was proved with.
@@ -208,19 +253,20 @@ impl Work<'_> {
     ) -> Result<(), Error> {
         let all = within(NAME, &low, Exact::interval(&low, &high))?;
         let pair = self.pair.with(self.asked.over.key, all)?;
-        let middle = within(NAME, &low, low.checked_add(&high).and_then(|sum| sum.checked_div(&Exact::from(2))))?;
+        let middle = middle(&low, &high)?;
         let mut verdict = Verdict::Undecided;
         if (self.goes_on)() {
             verdict = self.attracted(&pair)?;
             if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
-                verdict = self.horseshoe(&pair, [&middle, &low, &high], known)?;
+                let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
+                verdict = found.map_or(Verdict::Undecided, Verdict::Horseshoe); // exact: none is proved
             }
             if verdict == Verdict::Undecided && halved < self.asked.halvings {
                 self.decide([low, middle.clone()], halved + 1, known, found)?;
                 return self.decide([middle, high], halved + 1, known, found);
             }
         }
-        join(found, Stretch { low, high, verdict });
+        join(found, Stretch { low, high, verdict, halved });
         Ok(())
     }
 
@@ -228,25 +274,35 @@ impl Work<'_> {
         let first = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0);
         let law = Law::of(pair)?;
         Ok(match first.and_then(|first| attracted(&law, &first, self.goes_on)) {
-            Some((word, cycles)) => Verdict::Attracted { word: rotated_to_its_least(&word), cycles },
+            Some((word, cycles)) => Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None },
             None => Verdict::Undecided,
         })
     }
 
-    /// H-sets that are known, or else those that a floating-point orbit in the cell leads to, are tried for all of the cell.
-    fn horseshoe(&self, pair: &ImpactPair, values: [&Exact; 3], known: &mut Vec<Base>) -> Result<Verdict, Error> {
+    /// H-sets that are known, or else those that a floating-point orbit in the cell leads to, are tried for all of the cell; where it is
+    /// regular, with `transients` those that are seen before orbits come near it.
+    fn horseshoe(
+        &self,
+        pair: &ImpactPair,
+        values: [&Exact; 3],
+        known: &mut Vec<Base>,
+        transients: bool,
+    ) -> Result<Option<Horseshoe>, Error> {
         let law = Law::of(pair)?;
-        let mut chaotic = None;
+        let mut looked_at = None;
         for value in values {
             let one = self.pair.with(self.asked.over.key, value.clone())?;
             let guess = Guess::new(&Law::of(&one)?);
             let orbit = visited(&one, self.start, 1)?.last().and_then(|last| seen(&guess, last.middle()));
-            chaotic = orbit.filter(Seen::is_chaotic);
-            if chaotic.is_some() {
+            looked_at = match orbit {
+                Some(orbit) if transients && !orbit.is_chaotic() => Some(orbit.transients(&guess)),
+                orbit => orbit.filter(Seen::is_chaotic),
+            };
+            if looked_at.is_some() {
                 break;
             }
         }
-        let Some(orbit) = chaotic else { return Ok(Verdict::Undecided) };
+        let Some(orbit) = looked_at else { return Ok(None) };
         let found = || bases(&orbit, &law, self.asked.depth, ANY, self.goes_on);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
@@ -257,11 +313,16 @@ impl Work<'_> {
             if chaos.entropy() > 0.0 {
                 let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
                 known.clone_from(&bases);
-                return Ok(Verdict::Horseshoe { entropy, bases });
+                return Ok(Some(Horseshoe { entropy, bases }));
             }
         }
-        Ok(Verdict::Undecided)
+        Ok(None)
     }
+}
+
+/// The value in the middle of a range.
+fn middle(low: &Exact, high: &Exact) -> Result<Exact, Error> {
+    within(NAME, low, low.checked_add(high).and_then(|sum| sum.checked_div(&Exact::from(2))))
 }
 
 /// Impacts of a floating-point orbit after a transient, for pictures: nothing is proved of them. None where it ends.

@@ -31,7 +31,7 @@ mod tube;
 mod words;
 
 pub use blocks::Word;
-pub use cells::{Asked, Cells, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
+pub use cells::{Asked, Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
 pub use fate::{Entered, Fate};
 pub use horseshoe::{Chaos, MOST_DEPTH, Question};

@@ -11,7 +11,7 @@ use super::quad::{Chord, Quad, State};
 use super::trap::{Grid, Region};
 use super::tube::{Part, Tube, taken};
 use super::words::{Base, Path, Search};
-use super::{Asked, Cells, Chaos, Entered, Fate, Question, Trap, Verdict};
+use super::{Asked, Cells, Chaos, Entered, Fate, Horseshoe, Question, Trap, Verdict};
 use crate::Scene;
 use crate::contact::{self, Margins, Radii, first_contact};
 use crate::flight::Flight;
@@ -373,12 +373,12 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
         assert_eq!(format!("amplitude={}..{}", ends[0], ends[1]), over);
         for value in &ends {
             match &stretches[0].verdict {
-                Verdict::Horseshoe { entropy, bases } => {
+                Verdict::Horseshoe(Horseshoe { entropy, bases }) => {
                     let law = Law::of(scene(value).pair()).unwrap();
                     let chaos = Chaos::proved(&law, bases.clone(), 5, &|_, _| true);
                     assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());
                 }
-                Verdict::Attracted { word, cycles } => {
+                Verdict::Attracted { word, cycles, .. } => {
                     let settings = Settings { impacts: Some(300), attractor: true, ..Settings::default() };
                     let mut orbit = Orbit::of(&scene(value), settings).unwrap();
                     while !matches!(orbit.advance(), Progress::Ended) {}

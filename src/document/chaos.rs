@@ -11,7 +11,7 @@ use impact_pair_document::{
     SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WordDocument, bounds,
 };
 
-use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Question, Stretch, Trap, Verdict};
+use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Question, Stretch, Trap, Verdict};
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
 use crate::pair::{Wall, within};
@@ -128,18 +128,19 @@ fn period(word: &Word, cycles: u32) -> PeriodDocument {
 
 /// Returns the verdicts over a range of a parameter.
 pub fn cells(scene: &Scene, asked: &Asked, cells: &Cells) -> ChaosCellsDocument {
-    let width = |stretch: &Stretch| {
-        let [low, high] = [&stretch.low, &stretch.high].map(|end| end.enclose(BITS).mid_rad().0);
-        high - low
-    };
+    // A range may be narrower than doubles tell apart: in parts of all of it.
+    let long = |low: &Exact, high: &Exact| high.checked_sub(low).map(|long| long.enclose(BITS).mid_rad().0);
+    let unit = long(&asked.over.low, &asked.over.high).unwrap_or(1.0);
+    let width = |stretch: &Stretch| long(&stretch.low, &stretch.high).map_or(0.0, |long| long / unit);
     let all: f64 = cells.stretches.iter().map(width).sum();
     let share = |is: fn(&Verdict) -> bool| {
         let part = cells.stretches.iter().filter(|stretch| is(&stretch.verdict)).map(width).fold(0.0, |sum, x| sum + x);
         (1e6 * part / all).round() / 1e6
     };
     let shares = SharesDocument {
-        horseshoe: share(|verdict| matches!(verdict, Verdict::Horseshoe { .. })),
+        horseshoe: share(|verdict| verdict.horseshoe().is_some()),
         attracted: share(|verdict| matches!(verdict, Verdict::Attracted { .. })),
+        both: share(|verdict| matches!(verdict, Verdict::Attracted { beside: Some(_), .. })),
         undecided: share(|verdict| *verdict == Verdict::Undecided),
     };
     ChaosCellsDocument {
@@ -166,12 +167,15 @@ fn stretch(stretch: &Stretch) -> StretchDocument {
         bases: Vec::new(),
         period: None,
     };
-    match &stretch.verdict {
-        Verdict::Horseshoe { entropy: bounds, bases } => {
+    let proved = match stretch.verdict.horseshoe() {
+        Some(Horseshoe { entropy: bounds, bases }) => {
             StretchDocument { entropy: Some(entropy(*bounds)), bases: bases.iter().map(base).collect(), ..plain }
         }
-        Verdict::Attracted { word, cycles } => StretchDocument { period: Some(period(word, *cycles)), ..plain },
-        Verdict::Undecided => plain,
+        None => plain,
+    };
+    match &stretch.verdict {
+        Verdict::Attracted { word, cycles, .. } => StretchDocument { period: Some(period(word, *cycles)), ..proved },
+        Verdict::Horseshoe(_) | Verdict::Undecided => proved,
     }
 }
 

@@ -1,7 +1,7 @@
 //! From the last impacts of a motion to the periodic orbit that it is proved to converge to: Lemma Q3.
 
 use super::krawczyk::is_inside;
-use super::{PeriodicOrbit, Precision, Problem, Stability};
+use super::{Basin, PeriodicOrbit, Precision, Problem, Stability};
 use crate::mapping::{Mapping, Word};
 use crate::number::Ball;
 use crate::pair::Wall;
@@ -42,13 +42,25 @@ pub(crate) const LONGEST: usize = 128;
 const NEAR: f64 = 0.02;
 const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
+/// A period is tried from so many of its impacts: in doubles the contraction is seen from some and not from others.
+const ENDS: usize = 32;
 /// Bits that its orbit is enclosed in at most.
 const BITS: u32 = 1024;
 
-/// A guess of the period of a motion: the last impacts that may make it, and the cycles.
+/// A guess of the period of a motion: the impacts that may make it, with all before them and the one after, and the cycles.
 struct Guess<'s> {
-    states: &'s [Passing],
+    all: &'s [Passing],
+    impacts: usize,
     cycles: u32,
+}
+
+/// Why an orbit is not proved to attract a motion.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Open {
+    /// The ball has no such orbit, or it is unstable.
+    Never,
+    /// It may be proved from another impact of the period.
+    Here,
 }
 
 /// The periods that the end of a motion nearly repeats after, the shortest first.
@@ -64,7 +76,7 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
         let cycles = last.since(before).round(); // proposes
         (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
             // proposes: at most 10^6
-            .then(|| Guess { states: &states[count - 1 - period..count - 1], cycles: cycles as u32 })
+            .then(|| Guess { all: states, impacts: period, cycles: cycles as u32 })
     })
 }
 
@@ -83,19 +95,33 @@ impl Passing {
     }
 }
 
-impl Guess<'_> {
+impl<'s> Guess<'s> {
+    /// The same, told from earlier impacts of the period as well.
+    fn ends(&self) -> impl Iterator<Item = Guess<'s>> {
+        let Self { all, impacts, cycles } = *self;
+        let earliest = impacts.min(all.len() - impacts); // proposes: a period before each
+        let ends = (0..earliest).step_by(impacts.div_ceil(ENDS));
+        ends.map(move |earlier| Guess { all: &all[..all.len() - earlier], impacts, cycles })
+    }
+
+    /// The impacts of the period.
+    fn states(&self) -> &'s [Passing] {
+        let last = self.all.len() - 1;
+        &self.all[last - self.impacts..last]
+    }
+
     /// The mappings from each of the impacts to the next.
     fn word(&self) -> Option<Word> {
-        let next = self.states.iter().cycle().skip(1);
-        let mappings = self.states.iter().zip(next).map(|(from, to)| Mapping::between(from.wall, to.wall));
+        let next = self.states().iter().cycle().skip(1);
+        let mappings = self.states().iter().zip(next).map(|(from, to)| Mapping::between(from.wall, to.wall));
         Word::new(mappings.collect()).ok()
     }
 
     /// Phases in forcing periods, from the forcing period on that began the common period of the first impact.
     fn phases(&self, period: i64) -> Vec<f64> {
-        let first = self.states[0].turns;
+        let first = self.states()[0].turns;
         let base = first - first.rem_euclid(period);
-        self.states.iter().map(|state| (state.turns - base) as f64 + state.phase.mid()).collect() // proposes
+        self.states().iter().map(|state| (state.turns - base) as f64 + state.phase.mid()).collect() // proposes
     }
 }
 
@@ -109,36 +135,48 @@ pub(crate) fn find(
     mut problem: impl FnMut(&Word, u32) -> Option<Problem>,
 ) -> Option<Attractor> {
     // Under several harmonics not all cycles make a problem.
-    let problems = guesses(states).filter_map(|guess| Some((problem(&guess.word()?, guess.cycles)?, guess)));
-    problems
-        .take(TRIED)
-        .find_map(|(problem, guess)| problem.attracts(&guess.phases(problem.period().into()), states, digits))
+    let problems =
+        guesses(states).filter(|guess| guess.word().is_some_and(|word| problem(&word, guess.cycles).is_some()));
+    let tried: Vec<Guess<'_>> = problems.take(TRIED).collect();
+    tried.iter().find_map(|guess| {
+        for end in guess.ends() {
+            let problem = problem(&end.word()?, end.cycles)?;
+            match problem.attracts(&end.phases(problem.period().into()), end.all, digits) {
+                Ok(attractor) => return Some(attractor),
+                Err(Open::Never) => return None,
+                Err(Open::Here) => {}
+            }
+        }
+        None
+    })
 }
 
 impl Problem {
     /// Proves that the orbit near these phases is stable and attracts a motion from one of `states` on, the last at the
-    /// latest; `None` where that is not proved.
-    pub(crate) fn attracts(&self, guess: &[f64], states: &[Passing], digits: u32) -> Option<Attractor> {
-        let last = states.last()?;
+    /// latest.
+    fn attracts(&self, guess: &[f64], states: &[Passing], digits: u32) -> Result<Attractor, Open> {
+        let last = states.last().ok_or(Open::Never)?;
         if !self.chain().crosses() {
-            return None;
+            return Err(Open::Never);
         }
-        let guess = self.polished(guess)?;
-        let finding = self.prove_in_doubles(&guess)?;
-        if finding.stability != Stability::Stable || finding.physical != Some(true) {
-            return None;
+        let guess = self.polished(guess).ok_or(Open::Never)?;
+        let finding = self.prove_in_doubles(&guess).ok_or(Open::Never)?;
+        match (finding.stability, finding.physical) {
+            (Stability::Stable, Some(true)) => {}
+            (Stability::Unstable, _) | (_, Some(false)) => return Err(Open::Never),
+            _ => return Err(Open::Here),
         }
         let phase = |state: &Passing| self.in_period(state);
-        let basin = self.basins(&finding).find(|basin| basin.holds(last.wall, phase(last), last.velocity))?;
-        let precision = Precision { digits, max_bits: BITS };
-        let orbit = self.prove(&guess, precision)?;
+        let holds = |basin: &Basin, state: &Passing| basin.holds(state.wall, phase(state), state.velocity);
+        let basin = self.basins(&finding).find(|basin| holds(basin, last)).ok_or(Open::Here)?;
+        let orbit = self.prove(&guess, Precision { digits, max_bits: BITS }).ok_or(Open::Never)?;
         let is_it = is_inside(orbit.phases(), &finding.proved.domain);
         if !is_it || orbit.repeats != Some(1) || orbit.stability != Stability::Stable || orbit.physical != Some(true) {
-            return None;
+            return Err(Open::Never);
         }
-        let from = states.iter().find(|state| basin.holds(state.wall, phase(state), state.velocity))?.index;
+        let from = states.iter().find(|state| holds(&basin, state)).ok_or(Open::Here)?.index;
         let (word, cycles) = (self.word().clone(), self.chain().cycles());
-        Some(Attractor { word, cycles, orbit, from, factor: basin.factor() })
+        Ok(Attractor { word, cycles, orbit, from, factor: basin.factor() })
     }
 
     /// The phase of a state less whole periods of the excitation.

@@ -51,7 +51,7 @@ pub enum Cell<'r> {
 const IMPACT: [(&str, Kind); 3] = [("wall", Kind::Text), ("phase", Kind::Bounds), ("velocity", Kind::Bounds)];
 
 /// What is said of a point.
-const SAID: [(&str, Kind); 14] = [
+const SAID: [(&str, Kind); 15] = [
     ("outcome", Kind::Text),
     ("reason", Kind::Text),
     ("complete", Kind::Truth),
@@ -66,6 +66,7 @@ const SAID: [(&str, Kind); 14] = [
     ("period_impacts", Kind::Whole),
     ("period_cycles", Kind::Whole),
     ("attracted_from", Kind::Whole),
+    ("exponent_limit", Kind::Bounds),
 ];
 
 /// Returns the columns of a table, in order.
@@ -138,6 +139,7 @@ fn said(record: &SweepRecord) -> [Cell<'_>; SAID.len()] {
         whole(period.map(|period| period.impacts)),
         whole(period.and_then(|period| period.cycles)),
         whole(period.and_then(|period| period.from)),
+        bounds(record.exponent_limit.as_ref()),
     ]
 }
 

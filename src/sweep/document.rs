@@ -98,6 +98,10 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
         wide_from: point.first_wide,
         impacts_per_cycle: point.impacts_per_cycle.map(extended),
         exponent: exponent(point.exponent),
+        exponent_limit: point.attraction.as_ref().map(|attraction| {
+            let [low, high] = attraction.limit;
+            decimal_bounds_f64(low, high)
+        }),
         period,
         states: point.states.iter().map(impact).collect(),
     }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::Error;
 use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
-use crate::lyapunov::{Disturbance, Exponent};
+use crate::lyapunov::{Disturbance, Exponent, limit};
 use crate::mapping::Word;
 use crate::number::{Ball, Number};
 use crate::orbit::{Arithmetic, Impact, Orbit, Outcome, Progress, Settings, Shadowing};
@@ -60,6 +60,8 @@ pub struct Attraction {
     pub first: Option<State>,
     /// From this impact of the orbit on it is in a neighbourhood that the period contracts.
     pub from: u64,
+    /// Bounds of what the exponent per impact tends to. Lemma L4
+    pub limit: [f64; 2],
 }
 
 /// The certified results of a point.
@@ -231,6 +233,7 @@ fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit) -> Attraction {
         word: Word::new(mappings).expect("a closed word can be rotated"),
         first: in_reference(first).map(|phase| State { index: 1 + shift as u64, wall: first.wall, phase, velocity }),
         from: *from,
+        limit: limit(periodic),
     }
 }
 
@@ -289,6 +292,8 @@ mod tests {
         // Of the two eigenvalues 0.25764 is the larger: its logarithm for two impacts.
         let Exponent::Finite { per_cycle, .. } = point.exponent else { panic!("an exponent") };
         assert!((per_cycle.mid() - 0.25764f64.ln()).abs() < 0.5, "{per_cycle:?}");
+        let [low, high] = attraction.limit.map(|end| 2.0 * end);
+        assert!(high - low < 1e-12 && (low - 0.25764f64.ln()).abs() < 1e-4, "{low} {high}");
     }
 
     #[test]

@@ -22,8 +22,9 @@ Examples:
 The list: text with commas, semicolons, tabs or blanks between columns, with a header, with a header in a comment (# \
 or %), or without one: then time, wall and velocity are columns 1, 2 and 3. Or JSON: an array of objects, an object \
 of arrays, JSON Lines, or the orbit JSON. Walls are left and right, L and R, -1 and +1, or positions near -d/2 and \
-+d/2. Velocities are y' just before the impact, with their sign. Numbers are read exactly. The certified orbit goes \
-as far as the list, whatever [run] says.
++d/2. Velocities are y' just before the impact, with their sign. Numbers are read exactly. Columns that are not read \
+are named in the last line and in the JSON (unused_columns). The certified orbit goes as far as the list, whatever \
+[run] says.
 
 Verdicts on a row, or on a certified impact without a row:
   inside          certified; time and velocity are within the tolerance of the bounds
@@ -70,7 +71,8 @@ pub struct AuditArguments {
     /// The column of walls [default: wall or side, or the second one]
     #[arg(long, value_name = "NAME|N")]
     wall_column: Option<String>,
-    /// The column of velocities [default: velocity or v, or the third one, if there is one]
+    /// The column of velocities [default: v_minus, v_before, velocity, v, vel and
+    /// the like, or the third one of a list without a header]
     #[arg(long, value_name = "NAME|N")]
     velocity_column: Option<String>,
     /// Compare times and walls only
@@ -82,9 +84,9 @@ pub struct AuditArguments {
     /// Maximum precision of the certified orbit, in bits
     #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::arguments::bits())]
     max_bits: u32,
-    /// Output format
-    #[arg(long, value_enum, default_value_t)]
-    pub format: AuditFormat,
+    /// Output format [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<AuditFormat>,
     /// List every event in the table, not only the first ones that disagree
     #[arg(long)]
     pub all: bool,

@@ -4,6 +4,7 @@ pub mod arguments;
 mod table;
 
 use anyhow::{Context, Error, Result, anyhow, bail};
+use impact_pair::Scene;
 use impact_pair::audit::{Audit, read};
 use impact_pair::json::one_a_line;
 
@@ -17,10 +18,20 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     if arguments.scene.as_os_str() == "-" && arguments.events.as_os_str() == "-" {
         bail!("scene and events are both -, but stdin can only be one of them");
     }
-    let scene = scene::read(&arguments.scene)?;
+    let format = arguments.destination.format(arguments.format)?;
+    let scene = scene::read(&arguments.scene).map_err(|error| {
+        let is_scene = |path| scene::text(path).is_ok_and(|text| Scene::parse(&text).is_ok());
+        match !scene::is_stdio(&arguments.events) && is_scene(&arguments.events) {
+            true => {
+                let [events, scene] = [&arguments.scene, &arguments.events].map(|path| scene::name(path));
+                anyhow!("{scene} is a scene, and {events} is none: did you mean impact-pair audit {scene} {events}?")
+            }
+            false => error,
+        }
+    })?;
     let named = || scene::name(&arguments.events);
     let text = scene::text(&arguments.events)?;
-    let rows = read(&text, &arguments.columns(), scene.pair()).with_context(named)?;
+    let list = read(&text, &arguments.columns(), scene.pair()).with_context(named)?;
     for input in [&arguments.scene, &arguments.events] {
         scene::keep(input, arguments.destination.output.as_deref())?;
     }
@@ -28,18 +39,18 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     // From here on Ctrl-C keeps what is certified.
     interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
-    let progress = Progress::new(Some(rows.len() as u64), !arguments.destination.quiet);
-    let audit = Audit::of(&scene, rows, &arguments.asked(), &progress).map_err(|error| match error.key() {
+    let progress = Progress::new(Some(list.rows.len() as u64), !arguments.destination.quiet);
+    let audit = Audit::of(&scene, list, &arguments.asked(), &progress).map_err(|error| match error.key() {
         Some("until") => anyhow!("--{error}"),
         _ if error.is_list() => Error::from(error).context(named()),
         _ => Error::from(error).context(scene::name(&arguments.scene)),
     })?;
     progress.clear();
 
-    let text = match arguments.format {
+    let text = match format {
         AuditFormat::Table => table::table(&audit, &named(), arguments.all),
         AuditFormat::Json => format!("{}\n", one_a_line(&audit.document(), &["events"])),
     };
     let open = (!audit.is_agreed()).then(|| audit.conclusion().to_string());
-    out.answer(&text, open, (arguments.destination.quiet, arguments.format == AuditFormat::Table))
+    out.answer(&text, open, (arguments.destination.quiet, format == AuditFormat::Table))
 }

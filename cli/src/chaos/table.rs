@@ -101,16 +101,17 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
     writeln!(out, "{:>12} {:>12}  verdict", "from", "to")?;
     for stretch in &document.stretches {
         let [low, high] = [&stretch.low, &stretch.high].map(|end| end.0.text());
-        let what = match (&stretch.entropy, &stretch.period) {
-            (Some(entropy), _) => format!(
-                "entropy at least {} per impact, {} per forcing period",
-                entropy.per_impact.text(),
-                entropy.per_cycle.text()
-            ),
-            (_, Some(period)) => {
-                format!("{} in {}", counted(period.impacts, "impact"), counted(period.cycles, "cycle"))
-            }
-            _ => String::new(),
+        let entropy = stretch.entropy.as_ref().map(|entropy| {
+            let [impact, cycle] = [&entropy.per_impact, &entropy.per_cycle].map(Decimal::text);
+            format!("entropy at least {impact} per impact, {cycle} per forcing period")
+        });
+        let period = stretch
+            .period
+            .as_ref()
+            .map(|period| format!("{} in {}", counted(period.impacts, "impact"), counted(period.cycles, "cycle")));
+        let what = match (period, entropy) {
+            (Some(period), Some(entropy)) => format!("{period}, beside a horseshoe: {entropy}"),
+            (one, other) => one.or(other).unwrap_or_default(),
         };
         writeln!(out, "{}", format!("{low:>12} {high:>12}  {:10} {what}", stretch.verdict).trim_end())?;
     }
@@ -120,14 +121,15 @@ pub fn stretches(document: &ChaosCellsDocument) -> Result<String, fmt::Error> {
 
 /// How much of the range is proved.
 pub fn shares(document: &ChaosCellsDocument) -> String {
-    let SharesDocument { horseshoe, attracted, undecided } = &document.shares;
+    let SharesDocument { horseshoe, attracted, both, undecided } = &document.shares;
     let percent = |share: &f64| format!("{:.2} %", 100.0 * share);
     let said = if document.certified { "certified" } else { "not all certified" };
     let stopped = if document.interrupted { "interrupted: " } else { "" };
     format!(
-        "{stopped}{said}: of the range, {} hold a horseshoe, over {} the scene's own orbit is attracted, {} are undecided",
-        percent(horseshoe),
+        "{stopped}{said}: over {} of the range the scene's own orbit is attracted, {} are proved to hold a horseshoe ({} both), {} undecided",
         percent(attracted),
+        percent(horseshoe),
+        percent(both),
         percent(undecided)
     )
 }

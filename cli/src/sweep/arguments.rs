@@ -33,7 +33,9 @@ Outcome of a point: attracted, proved to converge to a stable periodic orbit; pe
 from a release on; rests-forever; never-impacts; not-attracted, all impacts are certified but nothing is proved \
 about the future (it may be chaotic or slow); undecided, with the reason and everything certified before. Exponent: \
 the logarithm of the spectral norm of the derivative over the impacts after the transient, in forcing periods and \
-gap widths per period, per impact and per forcing period; -inf after sticking.
+gap widths per period, per impact and per forcing period; -inf after sticking. It is a finite-time exponent, and may be \
+positive for an orbit that is attracted; exponent_limit, of points that are attracted, is its limit: the logarithm of \
+the spectral radius of the period's Jacobian, per impact.
 
 With --output FILE all finished points are kept in FILE.partial until FILE is written; after Ctrl-C or a crash \
 --resume continues from there. The output has the same bytes for any number of threads, interrupted or not, in \
@@ -70,8 +72,8 @@ pub struct SweepArguments {
     /// Write no impacts, only the result of each point
     #[arg(long)]
     pub summary: bool,
-    /// Write the impacts into a separate table, csv or parquet; the output then has one row per point, and the
-    /// column point joins the two
+    /// Write the impacts into a separate table, csv or parquet as the ending of FILE says; the output then has one row
+    /// per point, and the column point joins the two
     #[arg(long, value_name = "FILE")]
     pub states: Option<PathBuf>,
     /// Number of threads [default: the number of processors]
@@ -86,7 +88,7 @@ pub struct SweepArguments {
     /// Continue from FILE.partial, if it exists
     #[arg(long, requires = "output")]
     pub resume: bool,
-    /// Output format [default: csv; jsonl for a shard]
+    /// Output format [default: as the ending of --output says, else csv, for a shard jsonl]
     #[arg(long, value_enum)]
     pub format: Option<SweepFormat>,
     /// Draw the bifurcation diagram, or for two keys the map of outcomes

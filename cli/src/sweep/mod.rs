@@ -1,6 +1,7 @@
 //! `impact-pair sweep SCENE --over KEY=LO..HI:COUNT`: bifurcation diagrams, exponents and basins over a grid.
 
 pub mod arguments;
+mod formats;
 mod journal;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -26,13 +27,11 @@ use crate::output::Output;
 
 use crate::progress::interruption;
 use crate::scene;
-use arguments::{SweepArguments, SweepFormat};
+use arguments::SweepArguments;
+use formats::Formats;
 use journal::{Journal, difference};
 use work::Work;
 use write::Sweep;
-
-/// Parquet is left out of a build that does not ask for it.
-const NO_PARQUET: &str = "--format is parquet, but this build lacks Parquet: build with --features parquet";
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
     keep_files_apart(arguments)?;
@@ -61,39 +60,9 @@ fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
     Ok(())
 }
 
-/// Refuses to write states where there are none, or no table of them.
-fn keep_states(arguments: &SweepArguments, format: SweepFormat, is_summary: bool) -> Result<()> {
-    if arguments.states.is_none() {
-        return Ok(());
-    }
-    if arguments.shard.is_some() {
-        bail!("--states writes a table, but a shard is written as jsonl: request the states from --merge");
-    }
-    if format == SweepFormat::Jsonl {
-        bail!("--states writes a table, but a line of jsonl holds a point with its states: use csv or parquet");
-    }
-    if is_summary {
-        bail!("--states writes the impacts, but a sweep with --summary has none");
-    }
-    Ok(())
-}
-
-/// Returns the requested format, or the default.
-fn format(arguments: &SweepArguments) -> Result<SweepFormat> {
-    let usual = if arguments.shard.is_some() { SweepFormat::Jsonl } else { SweepFormat::Csv };
-    let format = arguments.format.unwrap_or(usual);
-    if arguments.shard.is_some() && format != SweepFormat::Jsonl {
-        bail!("--format is not jsonl, but shards are written as jsonl, to be merged by --merge");
-    }
-    if format == SweepFormat::Parquet && cfg!(not(feature = "parquet")) {
-        bail!(NO_PARQUET);
-    }
-    Ok(format)
-}
-
 fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
-    let format = format(arguments)?;
-    keep_states(arguments, format, arguments.summary)?;
+    let formats = Formats::of(arguments)?;
+    formats.keep_states(arguments, arguments.summary)?;
     let scene: Scene = scene::read(path)?;
     let grid = Grid::new(arguments.over.clone())?;
     let usual = if arguments.plot.is_some() { Arithmetic::Shadow } else { Arithmetic::Auto };
@@ -101,7 +70,8 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let (digits, max_bits) = (arguments.digits, arguments.max_bits);
     let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
     let SweepArguments { transient, impacts, summary, .. } = *arguments;
-    let reference = grid.reference(&scene).with_context(|| scene::name(path))?;
+    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key, axis.to_string())).collect();
+    let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
     let asked = Asked { transient, impacts, summary, reference, settings };
     let head = sweep::head(&scene, &grid, &asked, arguments.shard.map(|shard| [shard.number, shard.of]));
     let threads = match arguments.threads {
@@ -109,7 +79,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
         None => thread::available_parallelism().map_or(1, usize::from),
     };
     let work = Work { scene: &scene, grid: &grid, asked: &asked, threads };
-    work.check().with_context(|| scene::name(path))?;
+    work.check().map_err(|error| scene::about(error, &ranges, path))?;
     // What cannot be written is refused now and not after hours.
     for output in [&arguments.destination.output, &arguments.states, &arguments.plot].into_iter().flatten() {
         drop(Output::open(Some(output))?);
@@ -135,7 +105,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     let seconds = begun.elapsed().as_secs_f64();
     let rate = format!("{computed} in {seconds:.1} s, {:.1} a second", computed as f64 / seconds.max(1e-9));
     let mut sweep = Sweep { head, journals: vec![journal] };
-    let tally = finish(arguments, &mut sweep, format)?;
+    let tally = finish(arguments, &mut sweep, formats)?;
     sweep.journals.into_iter().try_for_each(Journal::finish)?;
     let lacks = if left > 0 { format!("; interrupted, {left} points are left") } else { String::new() };
     note(arguments, &format!("{tally} ({rate}){lacks}"));
@@ -144,6 +114,7 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
 
 /// Puts the shards of a sweep together.
 fn merge(arguments: &SweepArguments) -> Result<Answer> {
+    let formats = Formats::of(arguments)?;
     let journals: Vec<Journal> = arguments.merge.iter().map(|path| Journal::read(path)).collect::<Result<_>>()?;
     let whole = |journal: &Journal| SweepHead { shard: None, ..journal.head.clone() };
     let name = |i: usize| arguments.merge[i].display();
@@ -171,16 +142,15 @@ fn merge(arguments: &SweepArguments) -> Result<Answer> {
     if let Some(number) = (1..=of).find(|number| !seen.contains(number)) {
         bail!("shard {number}/{of} is missing");
     }
-    let format = format(arguments)?;
-    keep_states(arguments, format, head.summary)?;
+    formats.keep_states(arguments, head.summary)?;
     let mut sweep = Sweep { head, journals };
-    let tally = finish(arguments, &mut sweep, format)?;
+    let tally = finish(arguments, &mut sweep, formats)?;
     note(arguments, &tally.to_string());
     Ok(if tally.is_complete() { Answer::Complete } else { Answer::Incomplete })
 }
 
 /// Writes states, output and plot.
-fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) -> Result<Tally> {
+fn finish(arguments: &SweepArguments, sweep: &mut Sweep, formats: Formats) -> Result<Tally> {
     let mut tally = Tally::default();
     let certified = sweep.head.certified;
     sweep.each_record(|record| {
@@ -191,11 +161,11 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, format: SweepFormat) ->
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     if let Some(path) = &arguments.states {
         let mut states = Output::open(Some(path))?;
-        sweep.write(&mut states, format, Table::States).context("cannot write the states")?;
+        sweep.write(&mut states, formats.states, Table::States).context("cannot write the states")?;
         states.commit()?;
     }
     let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
-    sweep.write(&mut out, format, table).context("cannot write the output")?;
+    sweep.write(&mut out, formats.output, table).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?

@@ -40,7 +40,7 @@ impl Sweep {
             #[cfg(feature = "parquet")]
             SweepFormat::Parquet => super::parquet::write(self, out, table),
             #[cfg(not(feature = "parquet"))]
-            SweepFormat::Parquet => anyhow::bail!(super::NO_PARQUET),
+            SweepFormat::Parquet => anyhow::bail!("this build has no Parquet"),
         }
     }
 

@@ -45,9 +45,9 @@ pub struct TradeArguments {
     /// Maximum precision of a row, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::arguments::bits())]
     pub max_bits: u32,
-    /// Output format
-    #[arg(long, value_enum, default_value_t)]
-    pub format: TradeFormat,
+    /// Output format [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<TradeFormat>,
     /// Draw the time per impact over the certified digits
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,

@@ -15,6 +15,7 @@ use crate::scene;
 use arguments::{TradeArguments, TradeFormat};
 
 pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
     let scene = scene::read(&arguments.scene)?;
     let asked = arguments.settings(&scene);
     if asked.impacts == Some(0) {
@@ -32,7 +33,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     let trade = Trade::of(&scene, asked, &progress).with_context(|| scene::name(&arguments.scene))?;
     progress.clear();
 
-    let text = match arguments.format {
+    let text = match format {
         TradeFormat::Table => table::table(&trade),
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["rungs"])),
     };

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use impact_pair::exact::Exact;
 use impact_pair::pair::Wall;
@@ -12,6 +13,7 @@ use impact_pair_plot::picture::Theme;
 use impact_pair_plot::two_impact::Window;
 
 use crate::arguments::Destination;
+use crate::ending;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 everything is decided; 1 something is undecided (the output lists it, and all that is proved), or \
@@ -67,9 +69,9 @@ pub struct TwoImpactArguments {
     /// scene, or 9]
     #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
     pub digits: Option<u32>,
-    /// Output format
-    #[arg(long, value_enum, default_value_t)]
-    pub format: TwoImpactFormat,
+    /// Output format [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<TwoImpactFormat>,
     /// Draw the parameter manifold
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path, requires = "manifold")]
     pub plot: Option<PathBuf>,
@@ -81,6 +83,23 @@ pub struct TwoImpactArguments {
     pub theme: Theme,
     #[command(flatten)]
     pub destination: Destination,
+}
+
+impl TwoImpactArguments {
+    /// How the answer is written: points in columns are those of a manifold.
+    ///
+    /// # Errors
+    /// When the ending of the output is of no such format, or contradicts the one given.
+    pub fn format(&self) -> Result<TwoImpactFormat> {
+        let output = ("--output", self.destination.output.as_deref());
+        let all = TwoImpactFormat::value_variants();
+        let accepted = if self.manifold.is_some() { all } else { &[TwoImpactFormat::Table, TwoImpactFormat::Json] };
+        let format = ending::format(self.format, output, accepted, TwoImpactFormat::default())?;
+        if !accepted.contains(&format) {
+            bail!("--format is csv, but accepted without --manifold are table and json");
+        }
+        Ok(format)
+    }
 }
 
 /// How the answer of `two-impact` is written.

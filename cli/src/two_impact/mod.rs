@@ -4,7 +4,7 @@ pub mod arguments;
 mod csv;
 mod table;
 
-use anyhow::{Context, Error, Result, bail};
+use anyhow::{Context, Error, Result};
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -17,26 +17,27 @@ use crate::progress::{Progress, goes_on, interruption};
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
 
+/// The arguments, and how the answer is written.
+type Asked<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
+
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
+    let format = arguments.format()?;
     let scene = scene::read(&arguments.scene)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
     scene::keep_apart(&[&arguments.scene], arguments.destination.output.as_deref(), arguments.plot.as_deref())?;
     let named = || scene::name(&arguments.scene);
     match &arguments.manifold {
-        Some(range) => draw_manifold(arguments, &scene, range, digits).with_context(named),
-        None => list_motions(arguments, &scene, digits).with_context(named),
+        Some(range) => draw_manifold((arguments, format), &scene, range, digits).with_context(named),
+        None => list_motions((arguments, format), &scene, digits).with_context(named),
     }
 }
 
-fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> Result<Exit> {
+fn list_motions((arguments, format): Asked<'_>, scene: &Scene, digits: u32) -> Result<Exit> {
     let unknown = match arguments.solve_for {
         SolveFor::Velocity => Unknown::Velocity,
         SolveFor::Amplitude => Unknown::Amplitude(speed(scene)?),
         SolveFor::Gap => Unknown::Gap(speed(scene)?),
     };
-    if arguments.format == TwoImpactFormat::Csv {
-        bail!("--format is csv, but accepted without --manifold are table and json");
-    }
     let progress = Progress::of("isolating motions", !arguments.destination.quiet);
     let answers: Vec<Answer> = arguments
         .cycles
@@ -46,7 +47,7 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
         .collect::<Result<_, Error>>()?;
     progress.clear();
     let wall = arguments.wall.wall();
-    let text = match arguments.format {
+    let text = match format {
         TwoImpactFormat::Json => {
             let text = |answer: &Answer| one_a_line(&document::two_impact(scene.start(), answer, wall), &["orbits"]);
             let documents: Vec<String> = answers.iter().map(text).collect();
@@ -59,11 +60,11 @@ fn list_motions(arguments: &TwoImpactArguments, scene: &Scene, digits: u32) -> R
     };
     let open = "not everything requested is decided: see what is undecided or null in the output";
     let open = answers.iter().any(|answer| !answer.is_complete).then(|| open.to_owned());
-    let is_table = arguments.format == TwoImpactFormat::Table;
+    let is_table = format == TwoImpactFormat::Table;
     Output::open(arguments.destination.output.as_deref())?.answer(&text, open, (arguments.destination.quiet, is_table))
 }
 
-fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &ManifoldRange, digits: u32) -> Result<Exit> {
+fn draw_manifold((arguments, format): Asked<'_>, scene: &Scene, range: &ManifoldRange, digits: u32) -> Result<Exit> {
     let wall = arguments.wall.wall();
     let ManifoldRange { from, to, count, .. } = range.clone();
     let (axis, speed) = match range.over {
@@ -79,7 +80,7 @@ fn draw_manifold(arguments: &TwoImpactArguments, scene: &Scene, range: &Manifold
     let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, goes_on)?;
     progress.clear();
     let interrupted = !went_on;
-    let text = match arguments.format {
+    let text = match format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
         TwoImpactFormat::Json => {
             let document = document::manifolds(&range, scene.start(), &curves, interrupted);

@@ -42,6 +42,9 @@ pub struct AuditDocument {
     pub message: String,
     /// Number of rows and impacts with each verdict.
     pub counts: Counts,
+    /// The columns of the list that are not read.
+    #[serde(default)]
+    pub unused_columns: Vec<String>,
     /// The first row or impact that differs.
     pub first_disagreement: Option<Disagreement>,
     /// Where the list diverges from the true orbit.

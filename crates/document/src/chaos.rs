@@ -153,14 +153,17 @@ pub struct ChaosCellsDocument {
     pub stretches: Vec<StretchDocument>,
 }
 
-/// Approximate fractions of a range; their sum is 1.
+/// Approximate fractions of a range. A horseshoe and an attracted orbit do not exclude each other: `horseshoe + attracted - both + undecided` is 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct SharesDocument {
-    /// Fraction with a horseshoe.
+    /// Fraction with a proved horseshoe, whatever becomes of the scene's own orbit.
     pub horseshoe: f64,
     /// Fraction where the scene's own orbit converges to a stable periodic orbit.
     pub attracted: f64,
+    /// Fraction with both.
+    #[serde(default)]
+    pub both: f64,
     /// Undecided fraction.
     pub undecided: f64,
 }
@@ -173,7 +176,7 @@ pub struct StretchDocument {
     pub low: Written,
     /// Its upper end.
     pub high: Written,
-    /// `horseshoe`, `attracted` (of the orbit of the scene's own start) or `undecided`.
+    /// `horseshoe`, `attracted` (of the orbit of the scene's own start; a horseshoe beside it is told by `entropy`) or `undecided`.
     pub verdict: String,
     /// For a horseshoe, lower bounds of the topological entropy.
     #[serde(skip_serializing_if = "Option::is_none", default)]

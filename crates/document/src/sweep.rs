@@ -97,9 +97,12 @@ pub struct SweepRecord {
     pub wide_from: Option<u64>,
     /// Impacts per period of the reference, after the transient.
     pub impacts_per_cycle: Option<ExtendedBounds>,
-    /// Growth rate of small disturbances.
+    /// Growth rate of small disturbances over the impacts after the transient: the finite-time exponent.
     pub exponent: SweepExponent,
-    /// The orbit that attracts, or, without a state, the exact period.
+    /// Limit of the exponent per impact of an attracted orbit: the logarithm of the spectral radius of its period's Jacobian, per impact.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub exponent_limit: Option<ExtendedBounds>,
+    /// What it is attracted to, or, without a state, the exact period.
     pub period: Option<SweepPeriod>,
     /// The impacts after the transient.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]

@@ -109,7 +109,8 @@ impl Error {
     }
 
     /// The error with what was perhaps meant.
-    pub(crate) fn meant(mut self, meant: Option<String>) -> Self {
+    #[must_use]
+    pub fn meant(mut self, meant: Option<String>) -> Self {
         if let Some(meant) = meant {
             self.message.push_str(&format!("; did you mean `{meant}`?"));
         }

@@ -57,7 +57,9 @@ impl fmt::Display for Mapping {
 
 fn not_a_word(text: &str) -> Error {
     let accepted = "mappings P1 to P4 that chain, the first right-most (\"P2 P1\"), or walls in time order (\"RL\")";
-    Error::word(format!("the word is \"{text}\", but accepted are {accepted}"))
+    let upper = text.to_uppercase();
+    let meant = (upper != text && upper.parse::<Word>().is_ok()).then_some(upper);
+    Error::word(format!("the word is \"{text}\", but accepted are {accepted}")).meant(meant)
 }
 
 /// A composition of mappings, in time order; written as in the paper with the first mapping right-most.

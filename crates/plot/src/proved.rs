@@ -7,7 +7,7 @@ use impact_pair::exact::Exact;
 use plotters::prelude::*;
 
 use crate::chaos::{PHASE, parameters};
-use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Mark, SCALE, VERMILION};
+use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Mark, PURPLE, SCALE, VERMILION};
 use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
 const SIZE: (u32, u32) = (960, 680);
@@ -20,17 +20,19 @@ const BAR: i32 = 14 * SCALE;
 const ABOVE: i32 = 4 * SCALE;
 
 /// What is given, and in which colour.
-const LEGEND: [(&str, RGBColor); 3] = [
+const LEGEND: [(&str, RGBColor); 4] = [
     ("proved: a horseshoe, positive entropy", VERMILION),
     ("proved: the scene's orbit converges to a periodic one", BLUE),
+    ("proved: both", PURPLE),
     ("undecided", GREY),
 ];
 
 fn kind(verdict: &Verdict) -> usize {
     match verdict {
-        Verdict::Horseshoe { .. } => 0,
-        Verdict::Attracted { .. } => 1,
-        Verdict::Undecided => 2,
+        Verdict::Horseshoe(_) => 0,
+        Verdict::Attracted { beside: None, .. } => 1,
+        Verdict::Attracted { beside: Some(_), .. } => 2,
+        Verdict::Undecided => 3,
     }
 }
 

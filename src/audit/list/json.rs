@@ -2,24 +2,28 @@
 //!
 //! Numbers are taken as they are written, never through a double.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Deserializer;
 use serde_json::value::RawValue;
 
-use super::{Column, Columns, Listed, Number, Walls, read_wall, shortened};
+use super::{Column, Columns, List, Listed, Number, Walls, read_wall, shortened};
 use crate::Error;
 
 type Object<'j> = BTreeMap<String, &'j RawValue>;
 
-pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>, Error> {
+pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List, Error> {
     let values: Result<Vec<&RawValue>, _> = Deserializer::from_str(text).into_iter().collect();
     let values = values.map_err(|error| Error::list(format!("no JSON: {error}")).because(error))?;
+    let mut unused = BTreeSet::new();
     let rows = match values.as_slice() {
         [one] if one.get().starts_with('[') => objects("", &list(one)?)?,
         [one] => match object("the document", one)? {
             document if document.contains_key("events") => objects("events", &list(document["events"])?)?,
-            document => by_columns(&document, columns)?,
+            document => {
+                unused.extend(document.keys().cloned());
+                by_columns(&document, columns)?
+            }
         },
         lines => objects("", lines)?,
     };
@@ -29,15 +33,19 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<L
         Some(event) => event.get() == "\"impact\"",
         None => !is_ours,
     };
-    let rows: Vec<Listed> = rows
-        .iter()
-        .filter(|(_, row)| is_impact(row))
-        .map(|(place, row)| event(place, row, columns, walls))
-        .collect::<Result<_, _>>()?;
-    if rows.is_empty() {
+    let mut read = BTreeSet::from(["event".to_owned()]);
+    let mut listed = Vec::new();
+    for (place, row) in rows.iter().filter(|(_, row)| is_impact(row)) {
+        let (event, keys) = event(place, row, columns, walls)?;
+        unused.extend(row.keys().filter(|key| !unused.contains(*key)).cloned().collect::<Vec<_>>());
+        read.extend(keys.into_iter().filter(|&key| !read.contains(key)).map(str::to_owned).collect::<Vec<_>>());
+        listed.push(event);
+    }
+    if listed.is_empty() {
         refuse!("the list has no events: accepted is at least one");
     }
-    Ok(rows)
+    let unused = unused.difference(&read).map(|name| shortened(name)).collect();
+    Ok(List { rows: listed, unused, velocities: columns.velocity.is_some() })
 }
 
 fn list(value: &RawValue) -> Result<Vec<&RawValue>, Error> {
@@ -81,20 +89,33 @@ fn by_columns<'j>(document: &Object<'j>, columns: &Columns) -> Result<Vec<(Strin
     Ok(rows)
 }
 
-fn event(place: &str, row: &Object<'_>, columns: &Columns, walls: &Walls) -> Result<Listed, Error> {
+/// An event, and the keys that are read of it.
+fn event<'r>(
+    place: &str,
+    row: &'r Object<'_>,
+    columns: &Columns,
+    walls: &Walls,
+) -> Result<(Listed, Vec<&'r str>), Error> {
     let find = |column: &Column| column.names().find_map(|name| row.get_key_value(name));
     let need = |column: &Column| find(column).ok_or_else(|| column.missing(place));
     let (key, time) = need(&columns.time)?;
     let time = number(&format!("{place}.{key}"), time)?;
-    let (_, wall) = need(&columns.wall)?;
+    let mut keys = vec![key.as_str()];
+    let (key, wall) = need(&columns.wall)?;
+    keys.push(key);
     let wall = read_wall(place, &unquoted(wall), walls)?;
     let velocity = match &columns.velocity {
         Some(column) if column.given.is_some() => Some(need(column)?),
-        Some(column) => find(column).filter(|(_, value)| value.get() != "null"),
+        Some(column) => find(column),
         None => None,
     };
-    let velocity = velocity.map(|(key, value)| number(&format!("{place}.{key}"), value)).transpose()?;
-    Ok(Listed { place: place.to_owned(), wall, time, velocity })
+    keys.extend(velocity.map(|(key, _)| key.as_str()));
+    let is_given = |(_, value): &(&String, &&RawValue)| {
+        value.get() != "null" || columns.velocity.as_ref().is_some_and(|column| column.given.is_some())
+    };
+    let velocity =
+        velocity.filter(is_given).map(|(key, value)| number(&format!("{place}.{key}"), value)).transpose()?;
+    Ok((Listed { place: place.to_owned(), wall, time, velocity }, keys))
 }
 
 /// A number, a decimal in a string, or a list of two bounds.

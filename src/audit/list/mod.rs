@@ -33,6 +33,10 @@ impl Default for Columns {
     }
 }
 
+/// The usual names of `y'` just before an impact, those that say so first.
+const VELOCITIES: [&str; 8] =
+    ["v_minus", "v-", "v_before", "velocity_minus", "velocity_before", "velocity", "v", "vel"];
+
 /// What a column is called.
 #[derive(Clone, Debug)]
 pub struct Column {
@@ -57,7 +61,7 @@ impl Column {
 
     /// Returns the column of velocities.
     pub fn velocity(given: Option<String>) -> Self {
-        Self { flag: "--velocity-column", names: &["velocity", "v"], given }
+        Self { flag: "--velocity-column", names: &VELOCITIES, given }
     }
 
     /// The names it may have: the one given, or the usual ones.
@@ -71,6 +75,17 @@ impl Column {
         let (names, flag) = (self.names().collect::<Vec<_>>().join(" or "), self.flag);
         Error::list(format!("{what} has no {names}: say which one it is by {flag} NAME"))
     }
+}
+
+/// The events of another simulator, and what of its list is not read.
+#[derive(Clone, Debug)]
+pub struct List {
+    /// The events, in their order; at least one.
+    pub rows: Vec<Listed>,
+    /// The names of columns that are not read, `column 4` where one has no name.
+    pub unused: Vec<String>,
+    /// Whether velocities are looked for.
+    pub velocities: bool,
 }
 
 /// An event as listed.
@@ -168,7 +183,7 @@ impl Walls {
 ///
 /// # Errors
 /// If the list is malformed ([`Error::is_list`]): the message names the place, the value and what is accepted.
-pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<Vec<Listed>, Error> {
+pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<List, Error> {
     let walls = &Walls::new(pair.gap());
     let text = text.trim_start_matches('\u{feff}');
     match text.trim_start().chars().next() {

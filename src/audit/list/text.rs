@@ -1,14 +1,16 @@
 //! Lists in text: CSV, TSV, semicolons or blanks between columns, with a header, a commented one, or none.
 
+use std::collections::BTreeSet;
+
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::{Column, Columns, Listed, Number, Walls, read_wall, refused, shortened};
+use super::{Column, Columns, List, Listed, Number, Walls, read_wall, refused, shortened};
 use crate::Error;
 
 /// Lines that begin so are no data.
 const COMMENTS: [char; 2] = ['#', '%'];
 
-pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<Listed>, Error> {
+pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<List, Error> {
     let mut comment = None;
     let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim())).filter(|(_, line)| !line.is_empty());
     let first = lines.by_ref().find(|(_, line)| {
@@ -35,7 +37,8 @@ pub(super) fn read(text: &str, columns: &Columns, walls: &Walls) -> Result<Vec<L
     if rows.is_empty() {
         refuse!("the list has no events below its header: accepted is at least one");
     }
-    Ok(rows)
+    let unused = places.unused(&header, fields.len());
+    Ok(List { rows, unused, velocities: columns.velocity.is_some() })
 }
 
 /// What stands between columns.
@@ -123,6 +126,24 @@ impl Places {
         Ok(Self { event: named(&["event"], header), time, wall, velocity })
     }
 
+    /// The names of the columns that are in none of them.
+    fn unused(&self, header: &Header, width: usize) -> Vec<String> {
+        let names = header.names();
+        let ends = |place: Place| [place.lower, place.upper];
+        let read: BTreeSet<usize> = [Some(self.time), self.velocity]
+            .into_iter()
+            .flatten()
+            .flat_map(ends)
+            .chain([self.wall])
+            .chain(self.event)
+            .collect();
+        let name = |at: usize| match names.get(at) {
+            Some(name) if !name.is_empty() => shortened(name),
+            _ => format!("column {}", at + 1),
+        };
+        (0..width.max(names.len())).filter(|at| !read.contains(at)).map(name).collect()
+    }
+
     fn row(&self, number: usize, fields: &[String], walls: &Walls) -> Result<Listed, Error> {
         let field = |name: &str, place: usize| match fields.get(place) {
             Some(field) => Ok(field.as_str()),
@@ -187,5 +208,5 @@ fn bounds(column: &Column, header: &Header) -> Option<Place> {
 }
 
 fn named(names: &[&str], header: &Header) -> Option<usize> {
-    header.names().iter().position(|known| names.iter().any(|name| name.eq_ignore_ascii_case(known)))
+    names.iter().find_map(|name| header.names().iter().position(|known| name.eq_ignore_ascii_case(known)))
 }

@@ -126,7 +126,7 @@ fn orbits_of_values_in_a_cell_converge_as_it_says() {
         let scene = Scene::parse(&text.replace("amplitude = 8", &format!("amplitude = {amplitude}"))).unwrap();
         let asked = Asked { over: over.parse().unwrap(), cells, halvings: 3, depth: 3 };
         let found = Cells::of(scene.pair(), scene.start(), &asked, &|_| true).unwrap();
-        let [Stretch { low, high, verdict: Verdict::Attracted { word, cycles } }] = &found.stretches[..] else {
+        let [Stretch { low, high, verdict: Verdict::Attracted { word, cycles, .. }, .. }] = &found.stretches[..] else {
             panic!("{over}: {:?}", found.stretches)
         };
         assert_eq!((word.mappings().len(), *cycles), expected, "{over}");

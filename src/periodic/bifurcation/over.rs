@@ -33,7 +33,9 @@ pub struct Over {
 fn not_a_range(text: &str) -> Error {
     let accepted =
         "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
-    Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}"))
+    let key = text.split_once('=').map(|(key, _)| key.trim()).filter(|key| key.parse::<Key>().is_err());
+    let meant = key.and_then(Key::meant).map(str::to_owned);
+    Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}")).meant(meant)
 }
 
 impl FromStr for Over {

@@ -10,6 +10,26 @@ use impact_pair_exact::Exact;
 
 const NUMBER: &str = "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
 
+/// The symbols of the paper, and of programs, for keys of a scene.
+const SYMBOLS: [(&str, &str); 16] = [
+    ("A", "amplitude"),
+    ("a", "amplitude"),
+    ("W", "frequency"),
+    ("w", "frequency"),
+    ("omega", "frequency"),
+    ("Omega", "frequency"),
+    ("tau", "phase"),
+    ("d", "gap"),
+    ("e", "restitution"),
+    ("r", "restitution"),
+    ("t", "time"),
+    ("t0", "time"),
+    ("v", "velocity"),
+    ("v0", "velocity"),
+    ("y", "position"),
+    ("side", "wall"),
+];
+
 /// A table of the file, or the whole file.
 pub(super) struct Section<'t> {
     text: &'t str,
@@ -38,8 +58,14 @@ impl<'t> Section<'t> {
 
     /// Returns the table `name` of the file, whose keys are among `keys`.
     pub fn section(&self, name: &'static str, keys: &[&str]) -> Result<Self, Error> {
-        self.optional_section(name, keys)?
-            .ok_or_else(|| Error::entry(name, "missing", &format!("must be a table with {}", keys.join(", "))))
+        self.optional_section(name, keys)?.ok_or_else(|| {
+            let missing = Error::entry(name, "missing", &format!("must be a table with {}", keys.join(", ")));
+            // It may be added after the last line.
+            match self.text.trim_end().len() {
+                0 => missing,
+                end => missing.at(Excerpt::new(self.text, end..end)),
+            }
+        })
     }
 
     /// Returns the table `name` of the file, if it is there.
@@ -196,7 +222,10 @@ impl<'t> Entry<'t> {
 }
 
 /// The name that is most like one that is not known, if one is.
-fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
+pub(super) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
+    if let Some((_, meant)) = SYMBOLS.iter().find(|(symbol, meant)| *symbol == name && known.contains(meant)) {
+        return Some(meant);
+    }
     let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), other);
     let best = known.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
     (likeness(best) > 0.6).then_some(best)

@@ -5,6 +5,7 @@ use std::num::NonZeroU16;
 use std::str::FromStr;
 
 use super::Scene;
+use super::section::nearest;
 use crate::error::{Error, within};
 use crate::excitation::{Excitation, Harmonic};
 use crate::pair::ImpactPair;
@@ -142,8 +143,20 @@ const ON_A_WALL: &str = "the scene starts on a wall (give it a start.position in
 
 fn not_a_key(text: &str) -> Error {
     let keys = Key::ALL.map(Key::name).join(", ");
-    let terms = "with several terms followed by a number, such as amplitude.2";
-    Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}; {terms}"))
+    let terms = "of several terms with a number, such as amplitude.2";
+    let meant = Key::meant(text).map(str::to_owned);
+    Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}; {terms}")).meant(meant)
+}
+
+impl Key {
+    /// The name of the key that is perhaps meant by one that is none, such as `restitution` by `e`.
+    pub fn meant(text: &str) -> Option<&'static str> {
+        let names = Self::ALL.map(Self::name);
+        nearest(text, &names).or_else(|| {
+            let of_start = nearest(text, &["time", "velocity", "position"])?;
+            names.into_iter().find(|name| name.strip_prefix("start.") == Some(of_start))
+        })
+    }
 }
 
 impl fmt::Display for Key {

@@ -26,13 +26,13 @@ pub enum Panel {
     /// (d) x' over x, with x = y + E(t)
     #[cfg_attr(feature = "clap", value(alias = "d"))]
     AbsolutePhasePlane,
-    /// (e) impacts on both walls, y' over W t mod 2 pi, (18)-(21)
+    /// (e) impacts on both walls, y' over W t + tau mod 2 pi, (18)-(21)
     #[cfg_attr(feature = "clap", value(alias = "e"))]
     SwitchPlane,
     /// (f) impacts on both walls, x' over x, (22)
     #[cfg_attr(feature = "clap", value(alias = "f"))]
     AbsoluteSwitchPlane,
-    /// (g) impacts on the left wall, y' over W t mod 2 pi: the Poincaré section of Sigma-
+    /// (g) impacts on the left wall, y' over W t + tau mod 2 pi: the Poincaré section of Sigma-
     #[cfg_attr(feature = "clap", value(alias = "g"))]
     SectionLeft,
     /// (h) impacts on the right wall: the Poincaré section of Sigma+
@@ -98,7 +98,7 @@ impl Panel {
             Self::PhasePlane => ["$y$ [length]", "$y′$ [length/time]"],
             Self::AbsolutePhasePlane => ["$x = y + E(t)$ [length]", "$x′$ [length/time]"],
             Self::SwitchPlane | Self::SectionLeft | Self::SectionRight => {
-                ["$Ωt$ mod 2π [rad]", "$y′$ before the impact [length/time]"]
+                ["$Ωt + τ$ mod 2π [rad]", "$y′$ before the impact [length/time]"]
             }
             Self::AbsoluteSwitchPlane => ["$x$ [length]", "$x′$ before the impact [length/time]"],
         }

@@ -133,7 +133,7 @@ impl Recorder {
                 self.stroke(Part::Either, either);
             }
         }
-        self.trace.crossings.push(Crossing::new(orbit, impact, self.trace.period));
+        self.trace.crossings.push(Crossing::new(orbit, impact));
         (self.now, self.has_grazed) = (Now::Flies(orbit.course_after(impact)), false);
         (self.last, self.after) = (phase, ends.map(|[_, after]| after));
     }

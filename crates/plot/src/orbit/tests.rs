@@ -274,12 +274,16 @@ fn absolute_coordinates_move_with_no_force_between_impacts() {
 }
 
 #[test]
-fn crossings_lie_on_their_walls_at_their_phases() {
-    let (trace, impacts) = trace(&scene("figure-17"), &impacts(40), 0);
+fn r35_crossings_lie_on_their_walls_at_their_phases() {
+    let scene = scene("figure-17");
+    let (trace, impacts) = trace(&scene, &impacts(40), 0);
     assert!(trace.strokes.is_empty());
+    // As everywhere: W t + tau, not W t.
+    let tau = scene.pair().excitation().reference().phase().enclose(64).mid_rad().0;
+    assert!(tau > 1.0, "{tau}");
     for (crossing, (wall, time, velocity)) in trace.crossings.iter().zip(&impacts) {
         assert!((0.0..TAU).contains(&crossing.phase.low), "{crossing:?}");
-        let phase = (time.middle * TAU / trace.period).rem_euclid(TAU);
+        let phase = (time.middle * TAU / trace.period + tau).rem_euclid(TAU);
         assert!(abs_diff_eq!(phase, crossing.phase.middle, epsilon = DRAWN_PHASE), "{crossing:?}, but {phase}");
         assert!(crossing.wall == *wall && crossing.velocity == *velocity, "{crossing:?}");
         assert!(if *wall == Wall::Left { velocity.high <= 0.0 } else { velocity.low >= 0.0 }, "{crossing:?}");

@@ -105,7 +105,7 @@ pub struct Mark {
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing {
     pub wall: Wall,
-    /// `W t mod 2 pi` \[rad\]; the lower end lies in `[0, 2 pi)`.
+    /// `W t + tau mod 2 pi` \[rad\]; the lower end lies in `[0, 2 pi)`.
     pub phase: Span,
     /// `y'` just before the impact.
     pub velocity: Span,
@@ -114,11 +114,11 @@ pub struct Crossing {
 }
 
 impl Crossing {
-    /// Returns the impact of `orbit`, whose period is `period` \[time\].
-    pub fn new(orbit: &Orbit, impact: &impact_pair::orbit::Impact, period: f64) -> Self {
+    /// The impact of `orbit`.
+    pub fn new(orbit: &Orbit, impact: &impact_pair::orbit::Impact) -> Self {
         let point = orbit.switch_point(impact);
-        let phase = Span::from(&point.time).map(|time| time * TAU / period);
-        // The product may be rounded up to a whole turn.
+        let phase = Span::from(&orbit.phase(impact));
+        // The double above the lower end may be a whole turn.
         let phase = if phase.low < TAU { phase } else { phase.map(|phase| (phase - TAU).max(0.0)) };
         let absolute = ((&point.displacement).into(), (&point.absolute_velocity).into());
         Self { wall: point.wall, phase, velocity: (&point.relative_velocity).into(), absolute }

@@ -18,24 +18,29 @@ const ENDINGS: &str = match (cfg!(feature = "png"), cfg!(feature = "pdf")) {
 /// When its ending is none that this build writes.
 pub fn path(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
-    match path.extension().and_then(|ending| ending.to_str()) {
-        Some("svg") => Ok(path),
-        Some("png") if cfg!(feature = "png") => Ok(path),
-        Some("pdf") if cfg!(feature = "pdf") => Ok(path),
+    match ending(&path).as_str() {
+        "svg" => Ok(path),
+        "png" if cfg!(feature = "png") => Ok(path),
+        "pdf" if cfg!(feature = "pdf") => Ok(path),
         _ => Err(ENDINGS.into()),
     }
 }
 
-/// Returns the bytes of the picture for a file of this name.
+/// The ending of a name, in small letters.
+fn ending(path: &Path) -> String {
+    path.extension().map_or(String::new(), |ending| ending.to_string_lossy().to_ascii_lowercase())
+}
+
+/// The bytes of the picture for a file of this name.
 ///
 /// # Errors
 /// When it cannot be turned into a PNG or PDF.
 pub fn encoded(svg: String, path: &Path) -> Result<Vec<u8>> {
-    match path.extension().and_then(|ending| ending.to_str()) {
+    match ending(path).as_str() {
         #[cfg(feature = "png")]
-        Some("png") => png(&svg),
+        "png" => png(&svg),
         #[cfg(feature = "pdf")]
-        Some("pdf") => pdf(&svg),
+        "pdf" => pdf(&svg),
         _ => Ok(svg.into_bytes()),
     }
 }

@@ -305,9 +305,9 @@ impl Case {
                 [&contact.time, &contact.velocity_before].map(|x| x.to_string_radix(10, Some(LISTED)));
             list += &format!("{time},{wall},{velocity}\n");
         }
-        let rows = audit::read(&list, &Columns::default(), self.scene.pair())?;
+        let list = audit::read(&list, &Columns::default(), self.scene.pair())?;
         let asked = audit::Asked { max_bits: 256, ..audit::Asked::default() };
-        let found = Audit::of(&self.scene, rows, &asked, &|| true)?;
+        let found = Audit::of(&self.scene, list, &asked, &|| true)?;
         Ok(Answer::Audit(json!(found.document())))
     }
 }

@@ -1,0 +1,75 @@
+//! In which formats a sweep is written: as the endings of the files say, where nothing else is asked.
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use clap::ValueEnum;
+
+use super::arguments::{SweepArguments, SweepFormat};
+use crate::ending;
+
+/// The formats of the output and of the states.
+#[derive(Clone, Copy)]
+pub struct Formats {
+    pub output: SweepFormat,
+    pub states: SweepFormat,
+}
+
+impl Formats {
+    /// Those asked for, those of the endings, or those that suit.
+    ///
+    /// # Errors
+    /// When an ending is of none of them or contradicts what is asked; when this build does not write one.
+    pub fn of(arguments: &SweepArguments) -> Result<Self> {
+        let is_shard = arguments.shard.is_some();
+        let usual = if is_shard { SweepFormat::Jsonl } else { SweepFormat::Csv };
+        let file = arguments.destination.output.as_deref();
+        let output = ending::format(arguments.format, ("--output", file), SweepFormat::value_variants(), usual)?;
+        if is_shard && output != SweepFormat::Jsonl {
+            let asked = asked("--output", file.filter(|_| arguments.format.is_none()));
+            bail!("{asked} is not jsonl, but a shard is written as jsonl, to be put together by --merge");
+        }
+        keep_parquet(output, asked("--output", file.filter(|_| arguments.format.is_none())))?;
+        let tables = [SweepFormat::Csv, SweepFormat::Parquet];
+        let usual = if output == SweepFormat::Parquet { output } else { SweepFormat::Csv };
+        let file = arguments.states.as_deref();
+        let states = ending::format(None, ("--states", file), &tables, usual)?;
+        keep_parquet(states, asked("--states", file))?;
+        Ok(Self { output, states })
+    }
+
+    /// Refuses to write states where there are none, or no table of them.
+    ///
+    /// # Errors
+    /// When the sweep is a shard, a summary, or written with its states as JSON Lines.
+    pub fn keep_states(self, arguments: &SweepArguments, is_summary: bool) -> Result<()> {
+        if arguments.states.is_none() {
+            return Ok(());
+        }
+        if arguments.shard.is_some() {
+            bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
+        }
+        if self.output == SweepFormat::Jsonl {
+            bail!("--states writes a table, but a line of jsonl holds a point and its states: ask for csv or parquet");
+        }
+        if is_summary {
+            bail!("--states writes the impacts, but a sweep with --summary has none");
+        }
+        Ok(())
+    }
+}
+
+/// What asks for a format: the option of a file, with its name, or `--format`.
+fn asked(option: &str, file: Option<&Path>) -> String {
+    file.map_or("--format".to_owned(), |file| format!("{option} {}", file.display()))
+}
+
+/// Refuses Parquet in a build that has none.
+fn keep_parquet(format: SweepFormat, asked: String) -> Result<()> {
+    if format == SweepFormat::Parquet && cfg!(not(feature = "parquet")) {
+        bail!(
+            "{asked} is parquet, but this build has no Parquet: ask for csv or jsonl, or build with --features parquet"
+        );
+    }
+    Ok(())
+}

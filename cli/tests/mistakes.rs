@@ -1,0 +1,96 @@
+//! What people type by mistake: the message says what was perhaps meant.
+
+use std::fs;
+
+use crate::common::{folder, program};
+
+const SCENE: &str = "scenes/figure-14.toml";
+
+/// What is said of a command that cannot be asked.
+fn said(arguments: &[&str]) -> String {
+    let done = program(arguments).output().unwrap();
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(2), "{arguments:?}: {said}");
+    said
+}
+
+/// The scene of figure 14 with one text in the place of another one.
+fn changed(name: &str, [from, to]: [&str; 2]) -> String {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/figure-14.toml")).unwrap();
+    assert!(text.contains(from));
+    let path = folder("mistakes").with_file_name(name);
+    fs::write(&path, text.replacen(from, to, 1)).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn r35_symbols_of_the_paper_lead_to_the_keys() {
+    for (symbol, key) in [("A", "amplitude"), ("W", "frequency"), ("d", "gap"), ("e", "restitution")] {
+        let scene = changed(&format!("symbol-{symbol}.toml"), [&format!("{key} ="), &format!("{symbol} =")]);
+        assert!(said(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
+        for verb in [&["sweep", SCENE, "--over"][..], &["chaos", SCENE, "--over"]] {
+            let range = format!("{symbol}=1..2:2");
+            let said = said(&[verb, &[&range]].concat());
+            assert!(said.contains(&format!("did you mean `{key}`?")), "{said}");
+        }
+    }
+    assert!(said(&["sweep", SCENE, "--over", "v=-2..-1:2"]).contains("did you mean `start.velocity`?"));
+}
+
+#[test]
+fn r35_values_of_over_are_the_options_and_not_the_files() {
+    let bifurcations = ["bifurcations", SCENE, "--word", "RL", "--cycles", "1", "--over", "gap=-1..1"];
+    for (arguments, range) in [
+        (&["sweep", SCENE, "--over", "gap=-1..1:3"][..], "gap=-1..1:3"),
+        (&["chaos", SCENE, "--over", "gap=-1..1"], "gap=-1..1"),
+        (&["chaos", SCENE, "--over", "gap=-1..1:2"], "gap=-1..1"),
+        (&bifurcations, "gap=-1..1"),
+    ] {
+        let said = said(arguments);
+        assert!(said.starts_with(&format!("error: --over {range}: pair.gap is ")), "{said}");
+    }
+}
+
+#[test]
+fn r35_a_word_in_small_letters_leads_to_the_word() {
+    let word = |word: &str| said(&["periodic", SCENE, "--word", word, "--cycles", "1"]);
+    assert!(word("lr").contains("did you mean `LR`?"));
+    assert!(word("p2 p1").contains("did you mean `P2 P1`?"));
+    assert!(!word("xy").contains("did you mean"));
+}
+
+#[test]
+fn r35_files_in_each_others_places_are_named() {
+    let folder = folder("mistaken-files");
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    fs::write(path("events.csv"), "time,wall\n0.5,right\n").unwrap();
+    let swapped = said(&["audit", &path("events.csv"), SCENE]);
+    assert!(swapped.contains(&format!("did you mean impact-pair audit {SCENE} {}?", path("events.csv"))), "{swapped}");
+    let scene = said(&["check", SCENE]);
+    assert!(scene.contains("is a scene, but accepted is a JSON document: impact-pair run"), "{scene}");
+    assert!(program(&["run", SCENE, "--impacts", "2", "--output", &path("orbit.json")]).status().unwrap().success());
+    let orbit = said(&["run", &path("orbit.json")]);
+    assert!(orbit.contains("is a JSON document, but accepted is a scene (TOML): impact-pair check"), "{orbit}");
+}
+
+#[test]
+fn r35_numbers_that_are_none_say_what_is_accepted() {
+    assert!(said(&["run", SCENE, "--digits", "abc"]).contains("accepted are whole numbers from 1 to 400"));
+    let unit = said(&["run", SCENE, "--until", "2 s"]);
+    assert!(
+        unit.contains("numbers are in the units of the scene and have none of their own: did you mean 2?"),
+        "{unit}"
+    );
+    assert!(said(&["run", SCENE, "--precision", "30"]).contains("--digits D"));
+}
+
+#[test]
+fn r35_a_missing_table_names_its_line() {
+    let scene = changed("missing-table.toml", ["[pair]\ngap = 9.42497\nrestitution = 0.5\n", ""]);
+    let last = fs::read_to_string(&scene).unwrap().trim_end().lines().count();
+    let said = said(&["run", &scene]);
+    assert!(
+        said.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
+        "{said}"
+    );
+}
