@@ -200,7 +200,7 @@ fn states_that_are_no_table_of_their_own_are_refused() {
         (&["--format", "jsonl"], "--states writes a table, but a line of jsonl holds a point with its states"),
         (&["--summary"], "--states writes the impacts, but a sweep with --summary has none"),
         (&["--shard", "1/3"], "--states writes a table, but a shard is written as jsonl"),
-        (&["--shard", "1/3", "--format", "csv"], "--format is not jsonl, but a shard is written as jsonl"),
+        (&["--shard", "1/3", "--format", "csv"], "--format is not jsonl, but shards are written as jsonl"),
         (&["--output", "states.csv"], "cannot write states.csv: --output and --states name the same file"),
         (&["--output", "./states.csv"], "cannot write states.csv: --output and --states name the same file"),
         (&["--states", "scene.toml"], "cannot write scene.toml: it is the input"),
