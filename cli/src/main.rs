@@ -91,7 +91,7 @@ fn with_a_verb(mut error: clap::Error) -> clap::Error {
     if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidArg)
         && ["--precision", "--accuracy", "--prec"].contains(&given.as_str())
     {
-        let tip = "widths are asked for by --digits D: at most 10^-D; bits by --arithmetic BITS".to_owned().into();
+        let tip = "widths are set by --digits D: at most 10^-D; bits by --arithmetic BITS".to_owned().into();
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
     }
     error

@@ -51,7 +51,7 @@ class Document:
         return self._text
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``.json``, the document, or ``.svg``, the picture that was asked for; the file is written atomically.
+        """Write ``.json``, the document, or ``.svg``, the picture that was requested; the file is written atomically.
 
         Raises
         ------

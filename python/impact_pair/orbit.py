@@ -256,7 +256,7 @@ class Orbit(Document):
                 write(path, (f"{line}\n".encode() for line in self._lines()))
 
     def _csv(self) -> Iterator[str]:
-        """Yield the lines of the command line's CSV: a line an event, bounds in columns."""
+        """Yield the lines of the command line's CSV: one line per event, bounds in columns."""
         yield "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper"
         for event in self.events:
             name, time = type(event).__name__.lower(), ",".join(event.time.decimals)

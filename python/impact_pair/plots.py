@@ -123,7 +123,7 @@ def _impacts(orbit: Orbit, ax: Any, x: Doubles, y: Doubles, sides: tuple[int, ..
 
 
 def _phases(orbit: Orbit) -> Doubles:
-    """W t + tau of the fastest harmonic modulo 2 pi [rad], in floats."""
+    """W t + tau of the fastest harmonic modulo 2 pi [rad], in floating point."""
     _, w, tau = max(_terms(orbit), key=lambda term: term[1])
     return np.asarray(np.mod(w * orbit.t + tau, 2 * math.pi))
 

@@ -16,7 +16,7 @@ pub struct Formats {
 }
 
 impl Formats {
-    /// Those asked for, those of the endings, or those that suit.
+    /// The requested ones, those of the endings, or the default ones.
     ///
     /// # Errors
     /// When an ending is of none of them or contradicts what is asked; when this build does not write one.

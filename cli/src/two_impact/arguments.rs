@@ -86,7 +86,7 @@ pub struct TwoImpactArguments {
 }
 
 impl TwoImpactArguments {
-    /// How the answer is written: points in columns are those of a manifold.
+    /// Output format: points in columns are those of a parameter manifold.
     ///
     /// # Errors
     /// When the ending of the output is of no such format, or contradicts the one given.
