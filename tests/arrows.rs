@@ -40,7 +40,7 @@ const ROOMS: [(&str, &[&str]); 23] = [
             "periodic",
         ],
     ),
-    ("lyapunov", &["number", "orbit"]),
+    ("lyapunov", &["number", "periodic", "orbit"]),
     ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
     ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),

@@ -59,10 +59,10 @@ mod tests {
         problem.find(scene.start(), Precision::default()).orbits
     }
 
-    fn scene(amplitude: &str, restitution: &str) -> String {
+    fn scene(amplitude: &str, gap: &str, restitution: &str) -> String {
         format!(
             "excitation = {{ amplitude = \"{amplitude}\", frequency = \"pi\", phase = 0 }}\n\
-             pair = {{ gap = \"3*pi\", restitution = \"{restitution}\" }}\n\
+             pair = {{ gap = \"{gap}\", restitution = \"{restitution}\" }}\n\
              start = {{ time = 0, wall = \"left\", velocity = \"-4*pi\" }}"
         )
     }
@@ -73,7 +73,7 @@ mod tests {
         let complex = |orbit: &&PeriodicOrbit| orbit.eigenvalues[0].im.sign() == Some(std::cmp::Ordering::Greater);
         let mut seen = 0;
         for restitution in ["0.5", "0.6", "0.7", "0.8", "0.9"] {
-            for orbit in orbits(&scene("1", restitution), "RL").iter().filter(complex) {
+            for orbit in orbits(&scene("1", "3*pi", restitution), "RL").iter().filter(complex) {
                 let [low, high] = limit(orbit);
                 let truth = restitution.parse::<f64>().unwrap().ln();
                 assert!(low <= truth && truth <= high && high - low < 1e-12, "{restitution}: {low} {high}");
@@ -88,11 +88,11 @@ mod tests {
     fn of_a_real_pair_it_gives_back_the_trace() {
         let real = |orbit: &&PeriodicOrbit| orbit.eigenvalues[0].im.is_point() && orbit.stability == Stability::Stable;
         let mut seen = 0;
-        for amplitude in ["1", "1.05", "1.1"] {
-            for orbit in orbits(&scene(amplitude, "0.5"), "RL").iter().filter(real) {
+        for gap in ["9.42497", "9.425", "9.43"] {
+            for orbit in orbits(&scene("1", gap, "0.5"), "RL").iter().filter(real) {
                 let [low, high] = limit(orbit).map(|end| (2.0 * end).exp());
                 let trace = orbit.trace.mid_rad().0.abs();
-                assert!((low + 0.0625 / low - trace).abs() < 1e-9 && high - low < 1e-12, "{low} {high} {trace}");
+                assert!((low + 0.0625 / low - trace).abs() < 1e-8 && high - low < 1e-8, "{low} {high} {trace}");
                 seen += 1;
             }
         }

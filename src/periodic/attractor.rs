@@ -54,6 +54,9 @@ struct Guess<'s> {
     cycles: u32,
 }
 
+/// Of a stable orbit of a period that contracts areas the trace is smaller.
+const MOST_TRACE: f64 = 2.0;
+
 /// Why an orbit is not proved to attract a motion.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Open {
@@ -76,7 +79,7 @@ fn guesses(states: &[Passing]) -> impl Iterator<Item = Guess<'_>> {
         let cycles = last.since(before).round(); // proposes
         (is_near && (1.0..=1e6).contains(&cycles) && earlier.clone().all(repeats))
             // proposes: at most 10^6
-            .then(|| Guess { all: states, impacts: period, cycles: cycles as u32 })
+            .then_some(Guess { all: states, impacts: period, cycles: cycles as u32 })
     })
 }
 
@@ -164,7 +167,8 @@ impl Problem {
         match (finding.stability, finding.physical) {
             (Stability::Stable, Some(true)) => {}
             (Stability::Unstable, _) | (_, Some(false)) => return Err(Open::Never),
-            _ => return Err(Open::Here),
+            // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
+            _ => return Err(if finding.trace.mid().abs() < MOST_TRACE { Open::Here } else { Open::Never }),
         }
         let phase = |state: &Passing| self.in_period(state);
         let holds = |basin: &Basin, state: &Passing| basin.holds(state.wall, phase(state), state.velocity);

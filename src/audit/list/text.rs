@@ -141,6 +141,7 @@ impl Places {
             Some(name) if !name.is_empty() => shortened(name),
             _ => format!("column {}", at + 1),
         };
+        // exact: columns of the header, or of the first row
         (0..width.max(names.len())).filter(|at| !read.contains(at)).map(name).collect()
     }
 
