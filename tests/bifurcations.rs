@@ -226,7 +226,7 @@ fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
     let incommensurate = said(["1, 1", "1, \"sqrt(2)\"", phases], 2, "gap=1..2");
     assert!(incommensurate.contains("ratios are proved to be fractions"), "{incommensurate}");
     let open = said(["1, 1", waves, "\"[0, 0.1]\", 0"], 3, "amplitude.1=0.1..0.2");
-    assert!(open.contains("whose frequency and phase are no intervals"), "{open}");
+    assert!(open.contains("whose frequency and phase are not intervals"), "{open}");
 }
 
 /// What is kept when a survey is ended early is among what the whole one proves, and it is not called all.

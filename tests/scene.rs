@@ -181,7 +181,7 @@ fn unknown_missing_and_duplicate_keys_are_named() {
         assert_eq!(refusal(&text), message);
     }
     let no_pair = FIGURE_14.replace("[pair]\ngap = 9.42497\nrestitution = 0.5\n", "");
-    assert_eq!(refusal(&no_pair), "pair is missing, but must be a table with gap, restitution");
+    assert_eq!(refusal(&no_pair), "line 12: pair is missing, but must be a table with gap, restitution");
 }
 
 #[test]

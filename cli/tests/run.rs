@@ -197,7 +197,7 @@ fn r35_an_orbit_that_attracts_is_recognised_wherever_the_list_ends() {
 fn r35_the_help_says_which_orbits_are_looked_for() {
     let said = String::from_utf8(run(&["--help"]).output().unwrap().stdout).unwrap();
     assert!(
-        said.split_whitespace().collect::<Vec<_>>().join(" ").contains("periodic orbit: of at most 128 impacts"),
+        said.split_whitespace().collect::<Vec<_>>().join(" ").contains("periodic orbit: one with at most 128 impacts"),
         "{said}"
     );
 }

@@ -50,7 +50,7 @@ impl Formats {
             bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
         }
         if self.output == SweepFormat::Jsonl {
-            bail!("--states writes a table, but a line of jsonl holds a point and its states: ask for csv or parquet");
+            bail!("--states writes a table, but a line of jsonl holds a point with its states: use csv or parquet");
         }
         if is_summary {
             bail!("--states writes the impacts, but a sweep with --summary has none");
@@ -67,9 +67,7 @@ fn asked(option: &str, file: Option<&Path>) -> String {
 /// Refuses Parquet in a build that has none.
 fn keep_parquet(format: SweepFormat, asked: String) -> Result<()> {
     if format == SweepFormat::Parquet && cfg!(not(feature = "parquet")) {
-        bail!(
-            "{asked} is parquet, but this build has no Parquet: ask for csv or jsonl, or build with --features parquet"
-        );
+        bail!("{asked} is parquet, but this build lacks Parquet: use csv or jsonl, or build with --features parquet");
     }
     Ok(())
 }

@@ -64,7 +64,7 @@ fn errors_say_what_where_and_what_else() {
         ("sqrt(-1)", "column 1: the square root of `-1` needs"),
         ("1e10001", "column 1: found a number of magnitude `1e10001`"),
         ("1 + [1, 2]", "column 5: found an interval inside"),
-        ("[2, 1]", "column 1: the interval needs a lower end"),
+        ("[2, 1]", "column 1: the interval needs a lower bound"),
         ("[1, 2", "column 6: found the end, accepted are `+`, `-`, `*`, `/`, `^` or `]`"),
         ("[1]", "column 3: found `]`"),
         (".", "column 1: found `.`"),
