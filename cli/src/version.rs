@@ -8,11 +8,12 @@ pub fn text() -> &'static str {
     static TEXT: OnceLock<String> = OnceLock::new();
     TEXT.get_or_init(|| {
         let number = env!("CARGO_PKG_VERSION");
-        let doubles = "auto, float, interval (53 bits, rounded to nearest, error bounds proved), inari (53 bits, rounded outward)";
-        let (beyond, features) = beyond_doubles();
+        let doubles = "auto, float, interval (53 bits, rounded to nearest, error bounds proved)";
+        let inari = if cfg!(feature = "inari") { ", inari (53 bits, rounded outward)" } else { "" };
+        let (beyond, features) = (beyond_doubles(), features());
         let fused = if FUSED { "yes" } else { "no (same results, slower)" };
         format!(
-            "{number}\narithmetics: {doubles}{beyond}\nfeatures: {features}\nbuilt for {ARCH} {OS}, CPU features: fma {fused}"
+            "{number}\narithmetics: {doubles}{inari}{beyond}\nfeatures: {features}\nbuilt for {ARCH} {OS}, CPU features: fma {fused}"
         )
     })
 }
@@ -20,13 +21,20 @@ pub fn text() -> &'static str {
 /// Whether a fused product and sum is one instruction.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
+/// The features of the build.
+fn features() -> String {
+    let all = [("multiprecision", cfg!(feature = "multiprecision")), ("inari", cfg!(feature = "inari"))];
+    let built: Vec<&str> = all.into_iter().filter_map(|(name, is_built)| is_built.then_some(name)).collect();
+    if built.is_empty() { "none".to_owned() } else { built.join(", ") }
+}
+
 #[cfg(feature = "multiprecision")]
-fn beyond_doubles() -> (String, &'static str) {
+fn beyond_doubles() -> String {
     let mpfr = impact_pair::number::mpfr_version();
-    (format!(", BITS (MPFR {mpfr}, correctly rounded, error bounds proved)"), "multiprecision")
+    format!(", BITS (MPFR {mpfr}, correctly rounded, error bounds proved)")
 }
 
 #[cfg(not(feature = "multiprecision"))]
-fn beyond_doubles() -> (String, &'static str) {
-    (String::new(), "none (built without multiprecision)")
+fn beyond_doubles() -> String {
+    String::new()
 }

@@ -87,7 +87,7 @@ fn r35_parquet_is_not_written_as_anything_else() {
     for option in ["--output", "--states"] {
         let (code, said) = answer(&sweep, &[option, "x.parquet"]);
         assert_eq!(code, Some(2), "{said}");
-        assert!(said.contains(&format!("{option} x.parquet is parquet, but this build has no Parquet")), "{said}");
+        assert!(said.contains(&format!("{option} x.parquet is parquet, but this build lacks Parquet")), "{said}");
     }
     assert!(!Path::new("x.parquet").exists());
 }

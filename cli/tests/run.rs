@@ -104,16 +104,24 @@ fn what_happens_for_ever_is_said() {
     assert_eq!(outcome["kind"], "periodic");
 }
 
+#[cfg(not(feature = "inari"))]
+#[test]
+fn a_build_without_the_textbooks_method_says_so() {
+    let answer = run(&["scenes/figure-12.toml", "--arithmetic", "inari"]).output().unwrap();
+    let text = String::from_utf8(answer.stderr).unwrap();
+    assert_eq!(answer.status.code(), Some(2));
+    assert!(text.contains("build impact-pair with the cargo feature \"inari\""), "{text}");
+}
+
 #[cfg(not(feature = "multiprecision"))]
 #[test]
 fn a_build_in_doubles_says_so() {
     let answer = run(&["scenes/figure-12.toml", "--arithmetic", "128"]).output().unwrap();
     let text = String::from_utf8(answer.stderr).unwrap();
     assert_eq!(answer.status.code(), Some(2));
-    assert!(
-        text.contains("auto, float, interval, inari and, in a build with multiprecision, numbers of bits"),
-        "{text}"
-    );
+    let inari = if cfg!(feature = "inari") { "inari, " } else { "" };
+    let accepted = format!("auto, float, interval, {inari}shadow and, in a build with multiprecision, numbers of bits");
+    assert!(text.contains(&accepted), "{text}");
 }
 
 #[cfg(not(feature = "multiprecision"))]

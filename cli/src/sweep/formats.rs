@@ -27,7 +27,7 @@ impl Formats {
         let output = ending::format(arguments.format, ("--output", file), SweepFormat::value_variants(), usual)?;
         if is_shard && output != SweepFormat::Jsonl {
             let asked = asked("--output", file.filter(|_| arguments.format.is_none()));
-            bail!("{asked} is not jsonl, but a shard is written as jsonl, to be put together by --merge");
+            bail!("{asked} is not jsonl, but shards are written as jsonl, to be merged by --merge");
         }
         keep_parquet(output, asked("--output", file.filter(|_| arguments.format.is_none())))?;
         let tables = [SweepFormat::Csv, SweepFormat::Parquet];
