@@ -57,6 +57,7 @@ class Document:
         ------
         RangeError
             When the name has another ending, or there is no picture.
+
         """
         path = Path(path)
         accepted = (".json",) if self.svg is None else (".json", ".svg")

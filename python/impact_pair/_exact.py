@@ -32,6 +32,7 @@ def whole(key: str, value: Any) -> int:
     ------
     RangeError
         When it is none, or below 0.
+
     """
     value = plain(value)
     found: int | None = None

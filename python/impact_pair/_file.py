@@ -18,6 +18,7 @@ def ending(path: Path, accepted: Sequence[str], key: str = "path") -> str:
     ------
     RangeError
         When it is another one, or none.
+
     """
     found = path.suffix.lower()
     if found not in accepted:

@@ -241,6 +241,7 @@ class Orbit(Document):
         ------
         RangeError
             When the name has another ending.
+
         """
         path = Path(path)
         match ending(path, (".json", ".jsonl", ".csv", ".parquet", ".mat")):

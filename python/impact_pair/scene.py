@@ -164,7 +164,7 @@ class Scene:
         ``arithmetic`` is ``"auto"``, ``"float"``, ``"interval"``, ``"inari"``, ``"shadow"`` or a number of bits.
         """
         impacts = optional_whole("impacts", impacts)
-        asked = asked_of(impacts, until, digits, arithmetic, splice, max_bits)
+        asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         with reporting(progress, "impacts", impacts) as tell:
             return Orbit(_core.run(self._core, asked, tell))
 
@@ -203,7 +203,7 @@ class Scene:
     ) -> SweepResult:
         """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
         numbers = {"transient": transient, "impacts": impacts, "digits": digits, "max_bits": max_bits}
-        asked = {key: whole(key, value) for key, value in numbers.items()}
+        asked: dict[str, Any] = {key: whole(key, value) for key, value in numbers.items()}
         asked |= {"arithmetic": str(arithmetic), "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return sweep(self._text, over, asked, **how)  # type: ignore[arg-type]
@@ -373,7 +373,7 @@ class Scene:
     ) -> answers.Picture:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
         impacts = optional_whole("impacts", impacts)
-        asked = asked_of(impacts, until, digits, arithmetic, splice, max_bits)
+        asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
         shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
         with reporting(progress, "impacts", impacts) as tell:
             return answers.Picture(*_core.plot(self._core, panels, shown, asked, tell))
@@ -417,11 +417,11 @@ def narrow(digits: int | None, max_bits: int) -> tuple[int | None, int]:
 
 
 def asked_of(
-    impacts: int | None, until: Value | None, digits: int | None, arithmetic: str | int, splice: int, max_bits: int
+    impacts: int | None, until: Value | None, narrowness: tuple[int | None, int], arithmetic: str | int, splice: int
 ) -> tuple[int | None, str | None, int | None, str, int, int]:
     """Return the request of an orbit, as the compiled module takes it."""
-    narrowness = narrow(digits, max_bits)
-    return impacts, optional("until", until), narrowness[0], str(arithmetic), whole("splice", splice), narrowness[1]
+    digits, max_bits = narrowness
+    return impacts, optional("until", until), digits, str(arithmetic), whole("splice", splice), max_bits
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:

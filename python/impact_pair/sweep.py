@@ -314,6 +314,7 @@ class SweepResult:
         ------
         RangeError
             When a name has another ending, or there are no states.
+
         """
         path = Path(path)
         ending(path, (".csv", ".jsonl", ".svg", ".parquet"))

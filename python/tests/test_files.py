@@ -2,8 +2,9 @@
 
 import json
 
-import impact_pair
 import pytest
+
+import impact_pair
 from impact_pair import Scene
 
 
