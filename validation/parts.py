@@ -53,7 +53,7 @@ GMP = subprocess.run([ROOT / "validation/gmp"], check=True, capture_output=True,
 ALL = f"{' '.join(PROFILE)} --workspace {GMP}"
 TEST = f"cargo test {ALL}"
 # Runs the tests of all executables side by side, where it is there.
-QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --lib --bins --tests"
+QUICK = f"cargo nextest run --cargo-profile validation --workspace {GMP} --no-fail-fast --status-level fail" if shutil.which("cargo-nextest") else f"{TEST} --lib --bins --tests"
 LINT = f"cargo clippy {' '.join(PROFILE)} {GMP} --all-targets"
 NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"

@@ -123,7 +123,7 @@ fn r35_each_table_has_its_own_ending() {
     );
     let (code, said) = answer(&sweep, &["--shard", "1/2", "--output", "one.csv"]);
     assert!(
-        code == Some(2) && said.contains("--output one.csv is not jsonl, but a shard is written as jsonl"),
+        code == Some(2) && said.contains("--output one.csv is not jsonl, but shards are written as jsonl"),
         "{said}"
     );
     let (code, said) = answer(&["two-impact", "nowhere", "--cycles", "1"], &["--output", "motions.csv"]);
