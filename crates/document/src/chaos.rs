@@ -176,7 +176,7 @@ pub struct StretchDocument {
     pub low: Written,
     /// Its upper end.
     pub high: Written,
-    /// `horseshoe`, `attracted` (of the orbit of the scene's own start; a horseshoe beside it is told by `entropy`) or `undecided`.
+    /// `horseshoe`, `attracted` (of the orbit of the scene's own start; a horseshoe beside it is given by `entropy`) or `undecided`.
     pub verdict: String,
     /// For a horseshoe, lower bounds of the topological entropy.
     #[serde(skip_serializing_if = "Option::is_none", default)]

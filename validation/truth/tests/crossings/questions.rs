@@ -234,19 +234,20 @@ impl Case {
 
     fn bifurcations(&mut self, key: &str) -> Result<Answer, Error> {
         let (name, own) = self.key(key);
+        let is_near_fold = self.scene.pair().excitation().terms()[0].amplitude().text() == NEAR_FOLD[0];
         let (low, high) = match key.trim_end_matches(".K") {
             "restitution" => (0.05, 0.95),
+            _ if is_near_fold => (own * 0.5, own * 1.75),
             _ => (if self.random.below(2) == 0 { 0.0 } else { own * 0.5 }, own * 1.75 + 0.125),
         };
         let over: Over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
         let wanted = Wanted { over, doublings: 0, precision };
-        let is_near_fold = self.scene.pair().excitation().terms()[0].amplitude().text() == NEAR_FOLD[0];
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
         let asked = Cell::new(0);
         let goes_on = || {
             asked.set(asked.get() + 1);
-            asked.get() < 400
+            asked.get() < if is_near_fold { 4_000 } else { 400 }
         };
         let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, goes_on)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;

@@ -277,7 +277,9 @@ fn restitution(random: &mut Random, kind: Restitution) -> &'static str {
 fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
     let size = match crossing.question {
         Question::Chaos => SIZES[0],
-        Question::Bifurcations(_) if random.below(2) == 0 => NEAR_FOLD,
+        Question::Bifurcations(_) if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
+            NEAR_FOLD
+        }
         Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
         _ => random.pick(&SIZES),
     };
