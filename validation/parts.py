@@ -79,7 +79,7 @@ PARTS = [
           f" && FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
-          f" && {LINT} -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
+          f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
     cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair --no-default-features --test library", after=("lints",)),
     cargo("dependent", "validation/dependent", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
