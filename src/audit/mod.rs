@@ -91,8 +91,8 @@ impl Asked {
 
 /// A list compared with the certified orbit.
 ///
-/// **Cost**: of a list of `n` rows the orbit is followed to its end, but not beyond `2 n + 1000` impacts: then the list lacks more
-/// impacts than it has rows, and the rows that come later are [not reached](Verdict::NotReached).
+/// **Cost**: of a list of `n` rows the orbit is followed to its end, but not beyond `2 n + 1000` impacts, and `2^16` more in a row on
+/// one wall: then the list lacks more impacts than it has rows, and the rows that come later are [not reached](Verdict::NotReached).
 pub struct Audit<'s> {
     /// The scene of the impacts.
     pub scene: &'s Scene,

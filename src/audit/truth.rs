@@ -16,6 +16,8 @@ use crate::{Error, Scene};
 const PER_ROW: usize = 2;
 /// ... and beyond those.
 const SPARE: usize = 1000;
+/// Impacts in a row on one wall that are not counted: they may be a chatter's.
+const PER_RUN: usize = 1 << 16;
 
 /// A certified contact that a list may have, in time order.
 #[derive(Clone, Debug)]
@@ -81,8 +83,9 @@ impl Truth {
     /// Follows the orbit of the scene for a list of so many rows; when interrupted, as far as it came.
     ///
     /// A row is at most one contact. So of more than `2 n + 1000` impacts the list of `n` rows lacks more than `n`: it is wrong, and
-    /// where its later rows go is not worth an orbit to times that may be arbitrarily late. Impacts of a chatter that has not
-    /// ended are not counted, for they need not be listed.
+    /// where its later rows go is not worth an orbit to times that may be arbitrarily late. Of the impacts since the ball left the
+    /// other wall the first `2^16` are not counted, for they may be a chatter's, which need not be listed. More are: with `e = 1`, or
+    /// next to it, hops on one wall have no end that can be waited for.
     pub fn follow(
         scene: &Scene,
         settings: Settings,
@@ -105,9 +108,10 @@ impl Truth {
                     // The run that ended keeps what it has.
                     impacts += sites[counted..].iter().filter(|site| site.kind == SiteKind::Impact).count();
                     counted = sites.len();
-                    if impacts > most {
-                        return ControlFlow::Break(());
-                    }
+                }
+                let in_run = sites.len().saturating_sub(counted); // exact: a rest may leave out some of those counted
+                if impacts > most || in_run > most.saturating_add(PER_RUN) {
+                    return ControlFlow::Break(());
                 }
             }
             ControlFlow::Continue(())
