@@ -9,6 +9,7 @@ mod checked_bifurcations;
 mod checked_chaos;
 mod checked_documents;
 mod checked_shadows;
+mod environment;
 mod extremes;
 mod flight;
 mod forger;

@@ -27,11 +27,12 @@ mod sweeps;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
+use crate::environment::number;
 use forged::{Forged, Forgery, Original, are_named, changed};
 use impact_pair_certificate::{Claims, Effort, Verdict};
 
 /// Forgeries of one kind of one document by default.
-const CASES: usize = 1;
+const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
 const FORGERIES: [&[Forgery]; 8] = [
@@ -46,11 +47,7 @@ const FORGERIES: [&[Forgery]; 8] = [
 ];
 
 fn cases() -> usize {
-    match std::env::var("FORGER_CASES") {
-        Ok(text) if text == "all" => usize::MAX,
-        Ok(text) => text.parse().unwrap_or_else(|_| panic!("FORGER_CASES must be a number or `all`, got {text:?}")),
-        Err(_) => CASES,
-    }
+    usize::try_from(number("FORGER_CASES", CASES)).unwrap_or(usize::MAX)
 }
 
 /// The forgeries that are asked for.

@@ -1,7 +1,7 @@
 //! `run`, then `check`: two independent routes judge each other, from starts that straddle every branch of the code.
 //!
 //! `check` shares no isolation, no units and no arithmetic with `run` (Lemma V1), so a wrong certificate is refuted by it,
-//! wherever the fault is. `STRADDLE_CASES` starts (3,000) from `STRADDLE_SEED`, a number or `fresh` (printed, so that it can be
+//! wherever the fault is. `STRADDLE_CASES` starts (1,500) from `STRADDLE_SEED`, a number or `fresh` (printed, so that it can be
 //! given again); `--nocapture` shows the counts by family.
 
 mod judge;
@@ -10,24 +10,13 @@ mod starts;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{SystemTime, UNIX_EPOCH};
 
+use crate::environment::number;
 use judge::{Judgement, judge};
 use starts::{Dice, FAMILIES, case};
 
 /// The default seed.
 const SEED: u64 = 1995;
-
-/// A number from the environment, or the default; other words are refused.
-fn asked(name: &str, default: u64) -> u64 {
-    match std::env::var(name) {
-        Ok(text) if text == "fresh" => {
-            SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_nanos() as u64
-        }
-        Ok(text) => text.parse().unwrap_or_else(|_| panic!("{name} must be a number, got {text:?}")),
-        Err(_) => default,
-    }
-}
 
 /// How often each judgement was found in each family.
 type Counts = BTreeMap<(&'static str, &'static str), u64>;
@@ -44,7 +33,7 @@ fn table(counts: &Counts) -> String {
 
 #[test]
 fn no_certificate_of_a_straddling_start_is_refuted() {
-    let (cases, seed) = (asked("STRADDLE_CASES", 3_000), asked("STRADDLE_SEED", SEED));
+    let (cases, seed) = (number("STRADDLE_CASES", 1_500), number("STRADDLE_SEED", SEED));
     println!("{cases} starts from seed {seed}");
     let (next, counts, wrong) = (AtomicU64::new(0), Mutex::new(Counts::new()), Mutex::new(Vec::new()));
     let work = || loop {

@@ -5,6 +5,8 @@ mod check;
 mod closed_forms;
 mod common;
 mod crossings;
+#[path = "../../../tests/environment/mod.rs"]
+mod environment;
 mod extremes;
 mod flights;
 mod grazes;

@@ -20,9 +20,10 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant};
 
 use crate::common::Random;
+use crate::environment::number;
 use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
@@ -51,17 +52,6 @@ const OUTCOMES: [&str; 17] = [
 const SEED: u64 = 1995;
 /// More than an answer takes: one that does is shown.
 const SLOW: Duration = Duration::from_secs(1);
-
-/// A number from the environment, or the default; other words are refused.
-fn asked(name: &str, default: u64) -> u64 {
-    match std::env::var(name) {
-        Ok(text) if text == "fresh" => {
-            SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_nanos() as u64
-        }
-        Ok(text) => text.parse().unwrap_or_else(|_| panic!("{name} must be a number, got {text:?}")),
-        Err(_) => default,
-    }
-}
 
 /// Findings of `check` and of the truth, and how long they took.
 #[derive(Default)]
@@ -203,7 +193,7 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
 
 #[test]
 fn no_answer_of_a_crossing_is_false() {
-    let (cases, seed) = (asked("CROSSINGS_CASES", 3_000), asked("CROSSINGS_SEED", SEED));
+    let (cases, seed) = (number("CROSSINGS_CASES", 3_000), number("CROSSINGS_SEED", SEED));
     println!("{cases} answers from seed {seed}");
     let (array, tally, next) = (array(seed), Mutex::new(Tally::default()), AtomicU64::new(0));
     if let Ok(only) = std::env::var("CROSSINGS_ONLY") {
