@@ -1,4 +1,4 @@
-//! Chaos, proved, in a second: `cargo run --release --example horseshoe`.
+//! A horseshoe, proved: `cargo run --release --example horseshoe`.
 //!
 //! Figure 14 of the paper: a horseshoe, two blocks of impacts that follow one another
 //! in any order whatever, for ever.
@@ -16,7 +16,11 @@ fn main() -> Result<(), Error> {
     let scene = Scene::parse(SCENE)?;
     let chaos = Chaos::of_scene(&scene, &Question { depth: 8, bases: Vec::new() }, &|_, _| true)?;
     println!("{} words of at most {} impacts, {} boxes", chaos.words().len(), chaos.depth(), chaos.boxes());
-    println!("topological entropy at least {:.4} an impact, {:.4} a cycle", chaos.entropy(), chaos.entropy_a_cycle());
+    println!(
+        "topological entropy at least {:.4} per impact, {:.4} per forcing period",
+        chaos.entropy(),
+        chaos.entropy_a_cycle()
+    );
     if let Some(pair) = chaos.horseshoe() {
         let [one, other] = pair.map(Word::as_block);
         println!("each block is {one} or {other}, in any order");

@@ -20,6 +20,7 @@
 //! | (18)-(23) | switch-planes, in three coordinates | [`switch_plane::SwitchPoint`], [`orbit::Orbit::switch_point`] |
 //! | (24)-(27) | mappings P1-P4 | [`mapping::Mapping`] |
 //! | (28), (29), (33), (52), (55) | models: words of mappings | [`mapping::Word`] |
+//! | (24)-(27), (A.7) | the impact map over sets of states, with its Jacobian | [`impact_map::ImpactMap`] |
 //! | (A.7) | Jacobian of a mapping | [`mapping::jacobian`] |
 //! | (56)-(73), figs 10, 11 | two impacts in N cycles: closed forms, all others, first contacts, stability, parameter manifolds | [`two_impact`] |
 //! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
@@ -81,6 +82,7 @@ pub mod covering;
 pub mod document;
 pub mod excitation;
 pub mod flight;
+pub mod impact_map;
 pub mod lyapunov;
 pub mod mapping;
 pub mod number;
@@ -111,7 +113,10 @@ pub use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Scene};
 #[cfg(feature = "inari")]
 pub use inari;
 
-/// The examples of the README are tests as well.
+/// The examples of the README and of the manual are tests as well.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+#[cfg(all(doctest, feature = "multiprecision"))]
+#[doc = include_str!("../docs/howto/programs.md")]
+struct Programs;

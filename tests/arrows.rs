@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 23] = [
+const ROOMS: [(&str, &[&str]); 24] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -40,6 +40,7 @@ const ROOMS: [(&str, &[&str]); 23] = [
             "periodic",
         ],
     ),
+    ("impact_map", &["number", "turns", "pair", "clock", "mapping", "contact", "shaken", "orbit"]),
     ("lyapunov", &["number", "periodic", "orbit"]),
     ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
     ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos"]),

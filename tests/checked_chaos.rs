@@ -145,17 +145,17 @@ fn long_words_are_confirmed() {
 
 #[test]
 fn spoiled_words_are_refused() {
-    refuses_spoiled_words(3);
+    refuses_spoiled_words(3, 1);
 }
 
 #[test]
 #[ignore = "deep"]
 fn spoiled_longer_words_are_refused() {
-    refuses_spoiled_words(5);
+    refuses_spoiled_words(5, usize::MAX);
 }
 
-/// Each word of the horseshoe to this depth changed in each way.
-fn refuses_spoiled_words(depth: usize) {
+/// The first words of the horseshoe to this depth, each changed in each way.
+fn refuses_spoiled_words(depth: usize, most: usize) {
     let document = chaos(depth, None);
     assert!(is_confirmed(&document));
     let words = document["words"].as_array().unwrap();
@@ -164,7 +164,7 @@ fn refuses_spoiled_words(depth: usize) {
         edit(copy["words"].as_array_mut().unwrap());
         copy
     };
-    for k in 0..words.len() {
+    for k in 0..words.len().min(most) {
         let listed = format!("words[{k}]");
         let twice = edited(&|words| words.push(words[k].clone()));
         let left = format!("the {} of {} words that are proved have an entropy", words.len(), words.len() + 1);

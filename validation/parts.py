@@ -61,6 +61,8 @@ MANY = "IMPACT_PAIR_MULTIPLIER=5 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
 CROSSED = "CROSSINGS_CASES=${CROSSINGS_CASES:-100000} CROSSINGS_SEED=fresh"
 
+# Those of the folder that prove something in a second.
+EXAMPLES = 'for example in events impact_map symmetry_lost; do "${IMPACT_PAIR%/*}/examples/$example" >/dev/null || exit 1; done'
 # A README that is read: at most 150 lines of at most 120 characters.
 MANUAL = "! awk 'NR > 150 || length > 120' README.md | grep . && docs/reference/make --check && docs/manual"
 
@@ -70,7 +72,7 @@ PARTS = [
     Part("bounds", "validation/bounds/prove --quick", "validation/bounds/prove",
          inputs=("src/number", "src/contact", "src/flight.rs", "validation/bounds", "validation/proving.py")),
     cargo("formatting", "cargo fmt --all --check"),
-    cargo("program", f"cargo build {ALL} --bin impact-pair --example instructions", after=("formatting",))._replace(inputs=()),
+    cargo("program", f"cargo build {ALL} --bin impact-pair --examples", after=("formatting",))._replace(inputs=()),
     cargo("tests", f"{QUICK} && {TEST} --doc",
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
@@ -84,8 +86,8 @@ PARTS = [
     cargo("dependent", "validation/dependent", after=("lints",)),
     cargo("documentation", f"RUSTDOCFLAGS='-D warnings' cargo doc {ALL} --no-deps --quiet", after=("lints",)),
     cargo("instructions", "validation/instructions --profile validation", "validation/instructions", after=("tests",)),
-    Part("scenes", *2 * ('for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done',),
-         ("program",), inputs=SOURCES),
+    Part("scenes", *2 * (f'for scene in scenes/*.toml; do "$IMPACT_PAIR" run "$scene" --quiet --format csv >/dev/null || exit 1; done; {EXAMPLES}',),
+         ("program",), inputs=(*SOURCES, "examples")),
     Part("gallery", *2 * ("docs/gallery/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),

@@ -110,7 +110,8 @@ impl Truth {
                     counted = sites.len();
                 }
                 let in_run = sites.len().saturating_sub(counted); // exact: a rest may leave out some of those counted
-                if impacts > most || in_run > most.saturating_add(PER_RUN) {
+                let most_in_run = most.saturating_add(PER_RUN); // exact: of what fits into memory
+                if impacts > most || in_run > most_in_run {
                     return ControlFlow::Break(());
                 }
             }

@@ -35,6 +35,7 @@ pub use event::{Graze, Impact, Outcome, Progress, Release, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings, Start};
 #[cfg(feature = "multiprecision")]
 pub use plan::Plan;
+pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;
 pub use watch::Watch;
 

@@ -10,6 +10,7 @@ mod environment;
 mod extremes;
 mod flights;
 mod grazes;
+mod impact_maps;
 mod intervals;
 mod orbits;
 mod random;

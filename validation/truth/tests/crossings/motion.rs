@@ -61,8 +61,11 @@ impl<'a> Motion<'a> {
         self.touches += 1;
     }
 
-    /// Whether the last bounce is so slow that the rest has come.
+    /// Whether the last bounce is so slow that the rest has come; without a loss of speed none comes.
     fn has_ended(&self) -> bool {
+        if self.shaken.restitution == 1 {
+            return false;
+        }
         let speed = self.shaken.tones.iter().fold(float(0), |sum, tone| sum + float(&tone.amplitude * &tone.frequency));
         float(self.state.velocity_after.abs_ref()) < (speed >> ENDS)
     }
