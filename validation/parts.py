@@ -100,11 +100,12 @@ PARTS = [
 ]
 
 
-# What `--fast` looks at: the crates by their folders, and the tests that are asked whatever has changed.
+# What `--fast` looks at: the crates by their folders, and the tests that are asked of what has changed, by the name of their executable.
 CRATES = {"src": "impact-pair", "cli": "impact-pair-cli", "fuzz": "impact-pair-fuzz", "validation/truth": "impact-pair-truth",
           **{f"crates/{name}": f"impact-pair-{name}" for name in ("certificate", "document", "exact", "model", "plot")}}
-ALWAYS = ["binary(library) & test(/^(arrows|labels|soundness)::/)", "binary(cli) & test(/^(audit|help|output|periodic|run|two_impact)::/)"]
-LIBRARY = ["src", "crates/exact", "crates/model"]
+LIBRARY = {"src", "crates/exact", "crates/model"}
+CHECKER = {"crates/certificate", "crates/document", "crates/exact", "crates/model"}
+COMMANDS = {"cli", "crates/plot", "crates/document", *LIBRARY}
 
 
 def changed():
@@ -118,19 +119,27 @@ def changed():
 def fast_parts():
     """Formatting, what the compiler says, and the tests that concern the change since main."""
     files = changed()
-    touched = {crate for folder, crate in CRATES.items() if any(file.startswith(f"{folder}/") for file in files)}
-    is_library = any(file.startswith(tuple(f"{folder}/" for folder in LIBRARY)) for file in files)
-    wanted = [*(f"package({crate}) & kind(lib)" for crate in sorted(touched)), *ALWAYS]
-    targets = "--lib --test library --test cli"
-    if is_library:
-        wanted.append("test(/^crossings::no_answer/)")
-        targets += " --test truth"
+    touched = {folder for folder in CRATES if any(file.startswith(f"{folder}/") for file in files)}
+    targets, wanted = ["--lib"], [f"package({CRATES[folder]}) & kind(lib)" for folder in sorted(touched)]
+    for folders, executable, tests in [
+        (LIBRARY, "library", "/^(arrows|labels|soundness)::/"),
+        (LIBRARY, "truth", "/^crossings::no_answer/"),
+        (CHECKER, "recorded", "/every_value/"),
+        (COMMANDS, "cli", "/^(audit|help::every_verb|output|periodic|run|two_impact)::?/"),
+    ]:
+        if touched & folders:
+            targets.append(f"--test {executable}")
+            wanted.append(f"binary({executable}) & test({tests})")
+    form = cargo("formatting", "cargo fmt --all --check")._replace(inputs=())
+    if not touched:
+        return [form]
     chosen = " | ".join(f"({one})" for one in wanted)
     # Incremental: a change of a line is not a build of the library; in files of their own, beside those of all other parts.
-    tests = f"CARGO_INCREMENTAL=1 CROSSINGS_CASES=${{CROSSINGS_CASES:-300}} cargo nextest run --cargo-profile validation --workspace {GMP} {targets} --status-level fail -E '{chosen}'"
+    tests = (f"CARGO_INCREMENTAL=1 CROSSINGS_CASES=${{CROSSINGS_CASES:-300}} cargo nextest run --cargo-profile validation --workspace {GMP}"
+             f" {' '.join(targets)} --status-level fail -E '{chosen}'")
     if not shutil.which("cargo-nextest"):
         tests = f"{TEST} --lib && {TEST} --test library soundness:: && {TEST} --test cli run::"
-    return [cargo("formatting", "cargo fmt --all --check")._replace(inputs=()), cargo("tests", tests)._replace(inputs=())]
+    return [form, cargo("tests", tests)._replace(inputs=())]
 
 
 def stamp(part, full):

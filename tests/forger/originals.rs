@@ -196,12 +196,12 @@ fn left_open(all: &[Original]) -> Vec<Original> {
         Original::new(original.kind, &format!("{}, open whether physical", original.name), document)
     };
     let names =
-        ["one stable, one not", "two impacts", "over the amplitude", "over the first of two", "of three impacts"];
+        ["stable and unstable", "two impacts", "over the amplitude", "over the first of two", "of three impacts"];
     all.iter().filter(|original| names.contains(&original.name.as_str())).map(opened).collect()
 }
 
 fn lists(all: &[Original]) -> Vec<Original> {
     let named = |name: &str| all.iter().find(|original| original.name == name).unwrap().document.clone();
     let of = |name: &str, documents: [&str; 2]| Original::new("list", name, json!(documents.map(named)));
-    vec![of("orbits", ["two impacts", "every orbit"]), of("motions", ["one stable, one not", "time"])]
+    vec![of("orbits", ["two impacts", "every orbit"]), of("motions", ["stable and unstable", "time"])]
 }

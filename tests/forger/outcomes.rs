@@ -82,7 +82,7 @@ fn attractors() -> [Value; 2] {
     let all = documents::all();
     let document =
         |wanted: &str| all.iter().find(|(name, _)| name == wanted).map(|(_, document)| document.clone()).unwrap();
-    let (attracted, orbits) = (document("attracted"), document("one stable, one not"));
+    let (attracted, orbits) = (document("attracted"), document("stable and unstable"));
     let mut outcome = attracted["outcome"].clone();
     let outcome = outcome.as_object_mut().unwrap();
     for key in ["impacts", "message", "until"] {

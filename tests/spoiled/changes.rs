@@ -1,6 +1,9 @@
 //! Documents with one thing changed.
 
-use impact_pair::json::OutcomeDocument;
+#![allow(dead_code, reason = "the library and the checker take their own")]
+
+use impact_pair_document::OutcomeDocument;
+use impact_pair_exact::{Exact, decimal_bounds};
 use serde_json::{Value, json};
 
 /// A document with one thing changed.
@@ -206,8 +209,8 @@ fn units(lower: &str, upper: &str) -> i64 {
 
 /// An expression as a decimal of 25 places.
 fn decimal(expression: &str) -> String {
-    let exact = impact_pair::exact::Exact::parse(expression).unwrap();
-    impact_pair::exact::decimal_bounds(&exact.enclose(96))[0].clone()
+    let exact = Exact::parse(expression).unwrap();
+    decimal_bounds(&exact.enclose(96))[0].clone()
 }
 
 /// The document with all that follows from the rest told anew: numbers and mappings of impacts, their count, the message.

@@ -235,7 +235,7 @@ pub fn all() -> Vec<(String, Value)> {
     orbits
         .chain(shadows)
         .chain([
-            ("one stable, one not".to_owned(), periodic((&one.0, &one.1), &"P1 P2".parse().unwrap(), 1, 9)),
+            ("stable and unstable".to_owned(), periodic((&one.0, &one.1), &"P1 P2".parse().unwrap(), 1, 9)),
             ("five impacts".to_owned(), periodic((&unstable.0, &unstable.1), &"P4 P4 P1 P3 P2".parse().unwrap(), 1, 9)),
             ("three turns".to_owned(), periodic((&several.0, &several.1), &"P1 P2".parse().unwrap(), 3, 9)),
             ("two impacts".to_owned(), two_impact((&even.0, &even.1), 2, 9, Wall::Left)),

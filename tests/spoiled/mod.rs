@@ -8,10 +8,9 @@
 #![cfg(feature = "multiprecision")]
 
 mod changes;
-mod claimed;
 pub mod documents;
 mod others;
-mod schemas;
+mod recorded;
 pub mod shadow;
 pub mod truth;
 

@@ -13,13 +13,13 @@ pub enum Step {
 
 /// The names of all schemas.
 pub fn names() -> Vec<String> {
-    let files = fs::read_dir(format!("{}/docs/schemas", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let files = fs::read_dir(format!("{}/../../docs/schemas", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let name = |file: fs::DirEntry| file.file_name().into_string().unwrap().trim_end_matches(".json").to_owned();
     files.map(|file| name(file.unwrap())).collect()
 }
 
 pub fn read(name: &str) -> Value {
-    let path = format!("{}/docs/schemas/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../docs/schemas/{name}.json", env!("CARGO_MANIFEST_DIR"));
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }
 

@@ -1,0 +1,9 @@
+//! The checker's tests on recorded documents, which need no producer.
+
+#[path = "../../../tests/spoiled/changes.rs"]
+mod changes;
+mod claimed;
+#[path = "../../../tests/environment/mod.rs"]
+mod environment;
+mod recorded;
+mod schemas;
