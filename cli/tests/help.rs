@@ -81,11 +81,6 @@ fn every_example_runs() {
     let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap());
     for verb in VERBS {
         for example in examples(&help(verb)) {
-            // Sixteen seconds of search for bases, which the tests of `chaos` have as well.
-            let example = match example.as_str() {
-                "impact-pair chaos scenes/figure-14.toml --depth 4" => format!("{example} --bases bases.json"),
-                _ => example,
-            };
             let answer = std::process::Command::new("sh")
                 .args(["-c", &example])
                 .current_dir(&folder)
