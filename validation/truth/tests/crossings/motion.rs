@@ -281,7 +281,7 @@ impl<'a> Motion<'a> {
         Err(Halt::Open("no release comes"))
     }
 
-    /// After many periods it is as near to the orbit as its bounds are wide, and nearer than at first.
+    /// After many periods it is within the bounds of the orbit, or nearer to it than at first: intervals among the data are as many orbits.
     fn converges(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let impacts = outcome["orbit"]["impacts"].as_array().map_or(&[][..], Vec::as_slice);
         let speeds: Option<Vec<_>> =
@@ -299,8 +299,13 @@ impl<'a> Motion<'a> {
             let one = |i: usize| {
                 let (wall, velocity) = &speeds[(i + shift) % speeds.len()];
                 let (contact, middle) = (&passed[from + i], velocity.middle());
-                let off = float(&contact.velocity_before - &middle).to_f64().abs() / scale;
-                if contact.wall == *wall { off } else { f64::INFINITY }
+                if contact.wall != *wall {
+                    f64::INFINITY
+                } else if velocity.holds(&contact.velocity_before) {
+                    0.0
+                } else {
+                    float(&contact.velocity_before - &middle).to_f64().abs() / scale
+                }
             };
             (0..speeds.len()).map(one).fold(0.0, f64::max)
         };
