@@ -20,6 +20,7 @@ use impact_pair_certificate::Effort;
 use crate::audit::arguments as audit;
 use crate::chaos;
 use crate::cycles;
+use crate::describe;
 use crate::ending;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
@@ -55,6 +56,9 @@ pub enum Verb {
     /// List the certified impacts of a scene
     #[command(after_help = EXIT_CODES, after_long_help = RUN_HELP)]
     Run(RunArguments),
+    /// Describe a motion: attracted, periodic, at rest or in a trapping region; its exponent, a horseshoe, what is undecided
+    #[command(after_help = describe::EXIT_CODES, after_long_help = describe::HELP)]
+    Describe(describe::DescribeArguments),
     /// Prove the periodic orbits of a word of mappings, and their stability
     #[command(after_help = EXIT_CODES, after_long_help = PERIODIC_HELP)]
     Periodic(PeriodicArguments),
