@@ -107,7 +107,7 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
     let answer = out.answer(&text, open, (*quiet, format == DescribeFormat::Text))?;
     if let (Some(picture), Some(path)) = (picture, plot) {
-//TMP        picture.draw(path, arguments.theme, || impact_pair_plot::describe::describe(&scene, &found, &document))?;
+        picture.draw(path, arguments.theme, || impact_pair_plot::describe::describe(&scene, &found, &document))?;
     }
     Ok(answer)
 }

@@ -12,8 +12,6 @@ const BITS: u32 = 65_536;
 /// The factor of the impacts of a next attempt.
 const MORE: u64 = 10;
 
-const REGION: &str = "a trapping region";
-const HORSESHOE: &str = "a horseshoe";
 
 impl Description {
     /// Returns the questions that are undecided, each with a command on the scene of this name.
@@ -75,19 +73,14 @@ impl Description {
             question: question.to_owned(),
             reason: reason.to_owned(),
         };
-        let mut all = Vec::new();
-        match &self.region {
-            Region::NotExamined(why) => all.push(not_examined(REGION, why)),
-            Region::Unproved(_) | Region::Proved(_) => {}
-        }
-        match (&self.horseshoe, &self.region) {
-            (Horseshoe::NotExamined(_), Region::Unproved(why)) => {
-                all.push(not_examined(HORSESHOE, &format!("no trapping region is proved: {why}")));
+        match (&self.region, &self.horseshoe) {
+            (Region::NotExamined(why), _) => vec![not_examined("a trapping region and a horseshoe", why)],
+            (Region::Unproved(why), _) => {
+                vec![not_examined("a horseshoe", &format!("no trapping region is proved: {why}"))]
             }
-            (Horseshoe::NotExamined(why), _) => all.push(not_examined(HORSESHOE, why)),
-            (Horseshoe::Searched(_), _) => {}
+            (Region::Proved(_), Horseshoe::NotExamined(why)) => vec![not_examined("a horseshoe", why)],
+            (Region::Proved(_), Horseshoe::Searched(_)) => Vec::new(),
         }
-        all
     }
 }
 
