@@ -15,6 +15,7 @@ const VERBS: [(&[&str], &[&str]); 10] = [
         &["txt", "json"],
     ),
     (&["trap", "scenes/figure-12.toml"], &["txt", "json"]),
+    (&["describe", "scenes/figure-12.toml"], &["txt", "json"]),
     (&["cycles", "scenes/figure-12.toml", "--impacts", "1"], &["txt", "json"]),
     (&["chaos", "scenes/figure-12.toml", "--depth", "1"], &["txt", "json"]),
     (&["audit", "scenes/figure-12.toml", "cli/tests/endings/list.csv"], &["txt", "json"]),

@@ -1,8 +1,8 @@
 //! A description as a document.
 
 use impact_pair_document::{
-    DESCRIPTION_SCHEMA, DescribedExponent, DescriptionDocument, FateDocument,
-    FateName, HorseshoeDocument, OutcomeDocument, PROGRAM, SceneDocument,
+    DESCRIPTION_SCHEMA, DescribedExponent, DescriptionDocument, FateDocument, FateName, HorseshoeDocument,
+    OutcomeDocument, PROGRAM, SceneDocument,
 };
 
 use super::Description;
@@ -76,6 +76,7 @@ impl Description {
 fn of_outcome(kind: FateName, outcome: &OutcomeDocument, plain: FateDocument) -> FateDocument {
     let OutcomeDocument { word, cycles, from, wall, orbit, period, .. } = outcome.clone();
     let impacts = |word: &String| word.parse::<Word>().map_or(0, |word| word.mappings().len() as u64);
-    let of_word = word.as_ref().zip(cycles).map(|(word, cycles)| Period { impacts: impacts(word), cycles: cycles.into() });
+    let of_word =
+        word.as_ref().zip(cycles).map(|(word, cycles)| Period { impacts: impacts(word), cycles: cycles.into() });
     FateDocument { kind, from, word, wall, orbit, period: period.or(of_word), ..plain }
 }

@@ -1,8 +1,6 @@
 //! A description in words: a few lines, each with a label.
 
-use impact_pair_document::{
-    DescribedExponent, DescriptionDocument, ExtendedBounds, HorseshoeDocument, TrapDocument,
-};
+use impact_pair_document::{DescribedExponent, DescriptionDocument, ExtendedBounds, HorseshoeDocument, TrapDocument};
 
 use crate::document::bounds_text;
 use crate::exact::{Exact, decimal_digits};

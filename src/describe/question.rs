@@ -12,7 +12,6 @@ const BITS: u32 = 65_536;
 /// The factor of the impacts of a next attempt.
 const MORE: u64 = 10;
 
-
 impl Description {
     /// Returns the questions that are undecided, each with a command on the scene of this name.
     pub(super) fn undecided(&self, fate: FateName, name: &str) -> Vec<QuestionDocument> {

@@ -88,7 +88,7 @@ fn all() -> Vec<(String, Vec<Value>)> {
 }
 
 /// The schemas, and which document has the values that are of none of their properties.
-const SCHEMAS: [(&str, &str, usize); 16] = [
+const SCHEMAS: [(&str, &str, usize); 17] = [
     ("orbit", "attracted", 0),
     ("orbit-lines-head", "lines", 0),
     ("orbit-lines-event", "lines", 1),
@@ -99,6 +99,7 @@ const SCHEMAS: [(&str, &str, usize); 16] = [
     ("trap", "trap", 0),
     ("chaos", "chaos", 0),
     ("cycles", "cycles", 0),
+    ("description", "description", 0),
     ("sweep-head", "sweep", 0),
     ("sweep-point", "sweep", 1),
     ("manifold", "", 0),

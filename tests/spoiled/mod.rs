@@ -10,7 +10,7 @@
 mod changes;
 mod claimed;
 pub mod documents;
-mod others;
+pub mod others;
 mod schemas;
 pub mod shadow;
 pub mod truth;

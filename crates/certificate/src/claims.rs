@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::{
-    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate, Effort, Finding, Judged,
-    PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
+    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate,
+    Effort, Finding, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
 };
 use impact_pair_document::{
-    AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA, MANIFOLD_SCHEMA,
-    PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
+    AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA,
+    MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
 };
 use impact_pair_model::Error;
 

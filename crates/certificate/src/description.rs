@@ -19,8 +19,7 @@ pub struct DescriptionCertificate {
 const PROOF: &str = "proof";
 const REGION: &str = "region";
 /// What no lemma of `check` is about, or claims nothing.
-const UNJUDGED: [&str; 7] =
-    ["entropy", "exponent", "horseshoe", "interrupted", "not_examined", "program", "undecided"];
+const UNJUDGED: [&str; 7] = ["entropy", "exponent", "horseshoe", "interrupted", "not_examined", "program", "undecided"];
 
 impl DescriptionCertificate {
     /// Reads a description.

@@ -182,7 +182,10 @@ impl FateDocument {
             FateName::RestsForever => format!("the ball rests on the {} wall for ever", self.wall?.name()),
             FateName::NeverImpacts => format!("no wall is ever touched after {}", since(self.impacts)),
             FateName::StaysInRegion => {
-                format!("stays in a trapping region from {} on, without sticking and complete chatter", since(self.from?))
+                format!(
+                    "stays in a trapping region from {} on, without sticking and complete chatter",
+                    since(self.from?)
+                )
             }
             FateName::Undecided => {
                 format!("undecided after {}", counted(self.impacts, "certified impact"))

@@ -53,7 +53,8 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
     // A transient that fills the picture is not told from the rest.
     let transient = if settled < trace.crossings.len() / 2 { settled } else { 0 };
     let style = Style { is_certified: true, transient };
-    let planes = if found.region().is_some() { &[Panel::PhasePlane][..] } else { &[Panel::PhasePlane, Panel::SwitchPlane] };
+    let planes =
+        if found.region().is_some() { &[Panel::PhasePlane][..] } else { &[Panel::PhasePlane, Panel::SwitchPlane] };
     let drawn = |height: u32| {
         let mut top = 0;
         let svg = picture::svg((2 * PANEL.0 as u32, height), SCALE, |root| {

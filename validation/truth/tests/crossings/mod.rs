@@ -27,7 +27,7 @@ use judge::{Finding, Judgement, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
 /// Outcomes that must occur.
-const OUTCOMES: [&str; 17] = [
+const OUTCOMES: [&str; 20] = [
     "impacts-reached",
     "time-reached",
     "rests-forever",
@@ -43,6 +43,9 @@ const OUTCOMES: [&str; 17] = [
     "no orbit, and no others",
     "bifurcations",
     "a horseshoe",
+    "described: attracted",
+    "described: periodic",
+    "described: undecided",
     "agreed",
     "refused",
 ];
