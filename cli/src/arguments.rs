@@ -331,7 +331,8 @@ stability, symmetry, and whether a wall is touched earlier. That there are no ot
 cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
 is proved again, the grazes are not. For sweep, the listed impacts are proved again, the long-term outcome is not. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
-boxes computed anew, and the entropies are proved to follow from the words. Parameter manifolds are not checked. A \
+boxes computed anew, and the entropies are proved to follow from the words. For describe, the orbit and the region in \
+it are proved again, and the fate is compared with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 
@@ -340,7 +341,7 @@ usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// JSON of run or sweep (or JSON Lines), periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
+    /// JSON of run or sweep (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
     pub certificate: PathBuf,
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
