@@ -9,10 +9,11 @@ use impact_pair::Scene;
 use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, Stage, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
+use impact_pair::orbit::MAX_BITS;
 use impact_pair_plot::picture::Theme;
 
 use crate::Answer;
-use crate::arguments::{Destination, count};
+use crate::arguments::{Destination, bits, count};
 use crate::heading::heading;
 use crate::output::Output;
 use crate::progress::{Progress, goes_on, interruption};
@@ -52,6 +53,9 @@ pub struct DescribeArguments {
     /// Maximum number of impacts of a word of the horseshoe
     #[arg(long, value_name = "K", default_value_t = Request::default().depth as u32, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
     depth: u32,
+    /// Maximum precision of the orbit, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
     /// Output format; json is schema impact-pair/description/1 [default: as the ending of --output says, else text]
     #[arg(long, value_enum)]
     format: Option<DescribeFormat>,
@@ -86,7 +90,8 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
     let named = || scene::name(&arguments.scene);
-    let request = Request { impacts: arguments.impacts, depth: arguments.depth as usize };
+    let DescribeArguments { impacts, max_bits, .. } = *arguments;
+    let request = Request { impacts, depth: arguments.depth as usize, max_bits };
     let progress = Progress::described(!quiet);
     let watch = |stage: Stage| {
         match stage {

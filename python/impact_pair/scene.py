@@ -176,7 +176,7 @@ class Scene:
             return Orbit(_core.run(self._core, asked, tell))
 
     def describe(
-        self, *, impacts: int = 2000, depth: int = 6, picture: bool = False, progress: Progress = None
+        self, *, impacts: int = 2000, depth: int = 6, max_bits: int = MAX_BITS, picture: bool = False, progress: Progress = None
     ) -> answers.Description:
         """Describe the motion: what becomes of it, its exponent, a trapping region and a horseshoe, and what is undecided.
 
@@ -189,6 +189,8 @@ class Scene:
             Maximum number of impacts that are certified to decide the fate; in double precision ten times as many.
         depth : int, default 6
             Maximum number of impacts of a word of the horseshoe.
+        max_bits : int, default 1000000
+            Maximum precision of the orbit, in bits.
         picture : bool, default False
             Whether to draw time series, phase plane, impacts with region and h-sets, and itinerary.
         progress : bool or callable, optional
@@ -213,7 +215,7 @@ class Scene:
         Bounds('-0.693147180559(95,89)')
 
         """
-        question = (whole("impacts", impacts), whole("depth", depth), picture)
+        question = (whole("impacts", impacts), whole("depth", depth), whole("max_bits", max_bits), picture)
         with reporting(progress, "impacts and boxes") as tell:
             return answers.Description(*_core.describe(self._core, self._path, question, tell))
 
@@ -236,7 +238,7 @@ class Scene:
 
     def sweep(
         self,
-        over: Mapping[str, tuple[Value, Value, int]],
+        over: Mapping[str, tuple[Value, Value, int] | npt.NDArray[np.float64]],
         *,
         transient: int = 500,
         impacts: int = 300,

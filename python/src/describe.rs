@@ -3,6 +3,7 @@
 use impact_pair::chaos::MOST_DEPTH;
 use impact_pair::describe::{Request, Stage, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
+use impact_pair::orbit::BITS;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -17,14 +18,15 @@ pub fn describe(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     name: String,
-    question: (u64, u32, bool),
+    question: (u64, u32, u32, bool),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
-    let (impacts, depth, picture) = question;
+    let (impacts, depth, max_bits, picture) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let impacts = accepted("impacts", impacts, 1..=100_000_000)?;
-        let request = Request { impacts, depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize };
+        let depth = accepted("depth", depth, 1..=MOST_DEPTH)? as usize;
+        let request = Request { impacts, depth, max_bits: accepted("max_bits", max_bits, BITS)? };
         let watch = |stage: Stage| {
             monitor.tell(match stage {
                 Stage::Orbit(impacts) => impacts,

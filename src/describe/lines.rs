@@ -57,5 +57,5 @@ fn entropy(document: &DescriptionDocument) -> Option<String> {
     let HorseshoeDocument { words, in_region, .. } = horseshoe;
     let place = if *in_region { " in the region" } else { "" };
     let blocks = words.as_ref().map_or(String::new(), |[a, b]| format!(" of the blocks {a} and {b}"));
-    Some(format!("a horseshoe{place}{blocks}: entropy at least {impact} per impact, {cycle} per forcing period"))
+    Some(format!("a horseshoe{blocks}{place}: entropy at least {impact} per impact, {cycle} per forcing period"))
 }

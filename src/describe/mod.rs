@@ -13,6 +13,7 @@ mod tests;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::chaos::{Chaos, Question, Trap};
+use crate::orbit::MAX_BITS;
 use crate::{Error, Scene};
 pub use lines::lines;
 use orbit::Followed;
@@ -24,11 +25,13 @@ pub struct Request {
     pub impacts: u64,
     /// Maximum number of impacts of a word of the horseshoe.
     pub depth: usize,
+    /// Maximum precision of the orbit, in bits.
+    pub max_bits: u32,
 }
 
 impl Default for Request {
     fn default() -> Self {
-        Self { impacts: 2000, depth: 6 }
+        Self { impacts: 2000, depth: 6, max_bits: MAX_BITS }
     }
 }
 
@@ -108,7 +111,7 @@ pub fn describe(
     watch: &(dyn Fn(Stage) -> bool + Sync),
 ) -> Result<Description, Error> {
     let watch = Watched { watch, is_stopped: AtomicBool::new(false) };
-    let orbit = orbit::followed(scene, request.impacts, &watch)?;
+    let orbit = orbit::followed(scene, request, &watch)?;
     let region = region(scene, &orbit, &watch);
     let horseshoe = horseshoe(scene, request, &region, &watch);
     Ok(Description { request: *request, orbit, region, horseshoe, is_interrupted: watch.is_stopped() })

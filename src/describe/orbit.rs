@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use impact_pair_document::{FateName, OrbitDocument};
 
-use super::{Stage, Watched};
+use super::{Request, Stage, Watched};
 use crate::document;
 use crate::lyapunov::{Disturbance, Exponent, limit};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Watch};
@@ -38,8 +38,7 @@ impl Followed {
         self.document.outcome.impacts.unwrap_or_default()
     }
 
-    fn of(scene: &Scene, arithmetic: Arithmetic, impacts: u64, watch: &Watched<'_>) -> Result<Self, Error> {
-        let settings = Settings { impacts: Some(impacts), arithmetic, attractor: true, ..Settings::default() };
+    fn of(scene: &Scene, settings: Settings, watch: &Watched<'_>) -> Result<Self, Error> {
         let mut orbit = Orbit::of(scene, settings)?;
         let mut disturbance = Disturbance::of(&orbit);
         let watch = Counted { watch, impacts: Cell::new(0) };
@@ -53,11 +52,19 @@ impl Followed {
     }
 }
 
-/// Follows the orbit until its outcome decides the fate, for at most this number of impacts, and in double precision for ten times as many.
-pub(super) fn followed(scene: &Scene, most: u64, watch: &Watched<'_>) -> Result<Followed, Error> {
+/// Follows the orbit until its outcome decides the fate, for at most the requested impacts, and in double precision for ten times as many.
+pub(super) fn followed(scene: &Scene, request: &Request, watch: &Watched<'_>) -> Result<Followed, Error> {
+    let Request { impacts: most, max_bits, .. } = *request;
+    let settings = |arithmetic: Arithmetic, impacts: u64| Settings {
+        impacts: Some(impacts),
+        arithmetic,
+        max_bits,
+        attractor: true,
+        ..Settings::default()
+    };
     let mut impacts = FIRST.min(most);
     let found = loop {
-        let found = Followed::of(scene, Arithmetic::Auto, impacts, watch)?;
+        let found = Followed::of(scene, settings(Arithmetic::Auto, impacts), watch)?;
         let is_open = found.document.outcome.kind == "impacts-reached";
         if !is_open || impacts >= most || watch.is_stopped() {
             break found;
@@ -67,7 +74,7 @@ pub(super) fn followed(scene: &Scene, most: u64, watch: &Watched<'_>) -> Result<
     if found.decides().is_some() || watch.is_stopped() {
         return Ok(found);
     }
-    let longer = Followed::of(scene, Arithmetic::Interval, most.saturating_mul(IN_DOUBLES), watch)?;
+    let longer = Followed::of(scene, settings(Arithmetic::Interval, most.saturating_mul(IN_DOUBLES)), watch)?;
     Ok(if longer.decides().is_some() { longer } else { found })
 }
 

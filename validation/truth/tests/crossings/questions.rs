@@ -259,7 +259,7 @@ impl Case {
 
     /// Without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
-        let request = Request { impacts: 1 + self.random.below(40), depth: 2 };
+        let request = Request { impacts: 1 + self.random.below(40), depth: 2, max_bits: MAX_BITS };
         let watch = |stage: Stage| match stage {
             Stage::Orbit(_) => true,
             Stage::Region(boxes) => boxes < BOXES,
