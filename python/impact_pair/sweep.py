@@ -110,10 +110,10 @@ def sweep(
     """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
 
     ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
-    endpoints included; an array such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number, the values
-    between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude, frequency, phase, gap,
-    restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2 and so on. Of each orbit
-    ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
+    endpoints included; an array such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number, and the
+    values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
+    frequency, phase, gap, restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2
+    and so on. Of each orbit ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
 
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
