@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of `src`, each with those it may import, which stand before it.
-const ROOMS: [(&str, &[&str]); 24] = [
+const ROOMS: [(&str, &[&str]); 25] = [
     ("number", &[]),
     ("scales", &[]),
     ("turns", &[]),
@@ -45,6 +45,7 @@ const ROOMS: [(&str, &[&str]); 24] = [
     ("chaos", &["number", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
     ("document", &["turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos"]),
     ("sweep", &["number", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
+    ("describe", &["mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
     ("audit", &["pair", "scales", "contact", "orbit", "document"]),
     ("trade", &["pair", "scales", "orbit", "document"]),
 ];

@@ -20,6 +20,7 @@ use impact_pair_certificate::Effort;
 use crate::audit::arguments as audit;
 use crate::chaos;
 use crate::cycles;
+use crate::describe;
 use crate::ending;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
@@ -55,6 +56,9 @@ pub enum Verb {
     /// List the certified impacts of a scene
     #[command(after_help = EXIT_CODES, after_long_help = RUN_HELP)]
     Run(RunArguments),
+    /// Describe a motion: attracted, periodic, at rest or in a trapping region; its exponent, a horseshoe, what is undecided
+    #[command(after_help = describe::EXIT_CODES, after_long_help = describe::HELP)]
+    Describe(describe::DescribeArguments),
     /// Prove the periodic orbits of a word of mappings, and their stability
     #[command(after_help = EXIT_CODES, after_long_help = PERIODIC_HELP)]
     Periodic(PeriodicArguments),
@@ -327,7 +331,8 @@ stability, symmetry, and whether a wall is touched earlier. That there are no ot
 cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
 is proved again, the grazes are not. For sweep, the listed impacts are proved again, the long-term outcome is not. \
 For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
-boxes computed anew, and the entropies are proved to follow from the words. Parameter manifolds are not checked. A \
+boxes computed anew, and the entropies are proved to follow from the words. For describe, the orbit and the region in \
+it are proved again, and the fate is compared with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 
@@ -336,7 +341,7 @@ usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// JSON of run or sweep (or JSON Lines), periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
+    /// JSON of run or sweep (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
     pub certificate: PathBuf,
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]

@@ -6,6 +6,7 @@ mod bifurcations;
 mod chaos;
 mod check;
 mod cycles;
+mod describe;
 mod ending;
 mod heading;
 mod listing;
@@ -53,6 +54,7 @@ fn main() -> ExitCode {
     let cli = Cli::try_parse().unwrap_or_else(|error| with_a_verb(error).exit());
     let answer = match cli.verb {
         Verb::Run(arguments) => run::run(&arguments),
+        Verb::Describe(arguments) => describe::describe(&arguments),
         Verb::Periodic(arguments) => periodic::periodic(&arguments),
         Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
         Verb::Trap(arguments) => trap::trap(&arguments),

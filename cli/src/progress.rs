@@ -51,6 +51,11 @@ impl Progress {
         if wanted { Self::drawn(None, "{prefix}{pos} boxes") } else { Self(None) }
     }
 
+    /// Counts what each stage of a description counts.
+    pub fn described(wanted: bool) -> Self {
+        if wanted { Self::drawn(None, "{prefix}{pos}") } else { Self(None) }
+    }
+
     /// Counts the cells of a parameter's range.
     pub fn cells(cells: u32, wanted: bool) -> Self {
         if wanted { Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}") } else { Self(None) }

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::common::{folder, program};
 
 /// The verbs that write data, each with a quick question, and the endings that it writes.
-const VERBS: [(&[&str], &[&str]); 10] = [
+const VERBS: [(&[&str], &[&str]); 11] = [
     (&["run", "scenes/figure-12.toml", "--impacts", "3"], &["txt", "json", "jsonl", "csv"]),
     (&["periodic", "scenes/figure-12.toml", "--word", "RL", "--cycles", "1"], &["txt", "json"]),
     (&["two-impact", "scenes/figure-12.toml", "--cycles", "1"], &["txt", "json"]),
@@ -15,6 +15,7 @@ const VERBS: [(&[&str], &[&str]); 10] = [
         &["txt", "json"],
     ),
     (&["trap", "scenes/figure-12.toml"], &["txt", "json"]),
+    (&["describe", "scenes/figure-12.toml"], &["txt", "json"]),
     (&["cycles", "scenes/figure-12.toml", "--impacts", "1"], &["txt", "json"]),
     (&["chaos", "scenes/figure-12.toml", "--depth", "1"], &["txt", "json"]),
     (&["audit", "scenes/figure-12.toml", "cli/tests/endings/list.csv"], &["txt", "json"]),

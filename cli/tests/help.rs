@@ -5,8 +5,9 @@ use std::path::PathBuf;
 
 use crate::common::program;
 
-const VERBS: [&str; 15] = [
+const VERBS: [&str; 16] = [
     "run",
+    "describe",
     "periodic",
     "bifurcations",
     "trap",

@@ -6,6 +6,7 @@ mod certificates;
 mod chaos;
 mod common;
 mod cycles;
+mod describe;
 mod endings;
 mod help;
 mod mistakes;

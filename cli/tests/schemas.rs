@@ -6,8 +6,8 @@ use std::process::Command;
 
 use impact_pair_certificate::document::{
     AuditDocument, BifurcationDocument, ChaosCellsDocument, ChaosDocument, CheckDocument, CyclesDocument,
-    EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead, PeriodicDocument, SweepHead, SweepRecord,
-    TradeDocument, TrapDocument, TwoImpactDocument,
+    DescriptionDocument, EventDocument, ManifoldDocument, OrbitDocument, OrbitEnd, OrbitHead, PeriodicDocument,
+    SweepHead, SweepRecord, TradeDocument, TrapDocument, TwoImpactDocument,
 };
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
@@ -39,6 +39,7 @@ fn the_schemas_are_those_of_the_documents() {
     assert_is_kept::<ChaosDocument>("chaos");
     assert_is_kept::<ChaosCellsDocument>("chaos-cells");
     assert_is_kept::<CyclesDocument>("cycles");
+    assert_is_kept::<DescriptionDocument>("description");
     assert_is_kept::<CheckDocument>("check");
     assert_is_kept::<AuditDocument>("audit");
     assert_is_kept::<SweepHead>("sweep-head");
@@ -87,6 +88,7 @@ fn what_is_written_is_read_back_the_same() {
     assert_is::<ChaosDocument>(&written(&["chaos", "scene.toml", "--format", "json"]));
     let cells = ["chaos", "scene.toml", "--over", "amplitude=1..1.01:1", "--format", "json"];
     assert_is::<ChaosCellsDocument>(&written(&cells));
+    assert_is::<DescriptionDocument>(&written(&["describe", "scene.toml", "--format", "json"]));
     assert_is::<CyclesDocument>(&written(&["cycles", "scene.toml", "--impacts", "1..2", "--format", "json"]));
     assert_is::<TwoImpactDocument>(&written(&["two-impact", "scene.toml", "--format", "json"]));
     let manifold = ["two-impact", "scene.toml", "--manifold", "frequency=2..4:5", "--format", "json"];

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import html
 import io
 import json
 import os
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _core
 from ._document import Document
 from .bounds import Bounds, outward, pair
 
@@ -329,6 +331,104 @@ class ChaosCells(Document):
     def __repr__(self) -> str:
         parts = ", ".join(f"{part:.2%} {said}" for said, part in self.shares.items())
         return f"<{self.document['over']['key']} in {len(self.stretches)} stretches: {parts}>"
+
+
+class Description(Document):
+    """What is proved of a motion: its fate, exponent, region, horseshoe, and what is undecided."""
+
+    @property
+    def fate(self) -> str:
+        """The kind: attracted, periodic, rests-forever, never-impacts, stays-in-region or undecided."""
+        return str(self.document["fate"]["kind"])
+
+    @property
+    def message(self) -> str:
+        """The fate in words."""
+        return str(self.document["fate"]["message"])
+
+    @property
+    def since(self) -> int | None:
+        """The impact from which on the motion is near the attracting orbit, or in the region; 0 is the start."""
+        found: int | None = self.document["fate"].get("from")
+        return found
+
+    @property
+    def period(self) -> tuple[int, int] | None:
+        """Impacts and forcing periods of the attracting orbit, or of the periodic motion."""
+        found = self.document["fate"].get("period")
+        return None if found is None else (found["impacts"], found["cycles"])
+
+    @property
+    def word(self) -> str | None:
+        """The word of the attracting orbit, the right-most mapping first in time."""
+        found: str | None = self.document["fate"].get("word")
+        return found
+
+    @property
+    def orbit(self) -> PeriodicOrbit | None:
+        """The attracting orbit."""
+        found = self.document["fate"].get("orbit")
+        return None if found is None else PeriodicOrbit(found)
+
+    @property
+    def exponent_limit(self) -> Bounds | None:
+        """Bounds of the Lyapunov exponent per impact in the limit; None where the motion is not attracted."""
+        return pair(self.document["exponent"]["limit"])
+
+    @property
+    def exponent_finite_time(self) -> Bounds | None:
+        """Bounds of the exponent per impact over the certified impacts; ``-inf`` where the ball comes to rest."""
+        return pair(self.document["exponent"]["finite_time"])
+
+    @property
+    def region(self) -> Trap | None:
+        """The trapping region, if one is proved."""
+        found = self.document["region"]
+        return None if found is None else Trap(json.dumps(found), found["entered_at_impact"] is not None)
+
+    @property
+    def entropy(self) -> float | None:
+        """A lower bound of the topological entropy of the impact map [nats per impact]; None if no horseshoe is proved."""
+        return self._down("per_impact")
+
+    @property
+    def entropy_per_cycle(self) -> float | None:
+        """A lower bound of the topological entropy [nats per forcing period]; None if no horseshoe is proved."""
+        return self._down("per_cycle")
+
+    def _down(self, key: str) -> float | None:
+        found = self.document["entropy"]
+        return None if found is None else float(outward([(found[key], found[key])])[0, 0])
+
+    @property
+    def undecided(self) -> list[dict[str, str]]:
+        """The questions that are undecided, each with a ``command`` that goes on."""
+        return list(self.document["undecided"])
+
+    @property
+    def not_examined(self) -> list[dict[str, str]]:
+        """The questions that were not examined, each with the ``reason``."""
+        return list(self.document.get("not_examined", []))
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether it was stopped: what is proved so far is kept."""
+        return bool(self.document.get("interrupted", False))
+
+    @property
+    def lines(self) -> list[tuple[str, str]]:
+        """The description in words: lines, each with its label."""
+        return _core.description_lines(self.json())
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f'<tr><th style="text-align: left">{html.escape(label)}</th><td style="text-align: left">{html.escape(text)}</td></tr>'
+            for label, text in self.lines
+        )
+        return f"<table>{rows}</table>" + (self.svg or "")
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{label:12}  {text}" for label, text in self.lines)
 
 
 class Trade(Document):

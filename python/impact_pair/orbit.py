@@ -7,7 +7,7 @@ import json
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 import numpy as np
 
@@ -207,8 +207,16 @@ class Orbit(Document):
             case _:
                 return Release(wall, time)
 
-    def __getitem__(self, i: int) -> Impact:
-        """Return impact number i, from 0, with exact decimals."""
+    @overload
+    def __getitem__(self, i: SupportsIndex) -> Impact: ...
+
+    @overload
+    def __getitem__(self, i: slice) -> list[Impact]: ...
+
+    def __getitem__(self, i: SupportsIndex | slice) -> Impact | list[Impact]:
+        """Return impact number i, from 0, with exact decimals; of a slice the list of its impacts."""
+        if isinstance(i, slice):
+            return [self[k] for k in range(*i.indices(len(self)))]
         found = self.event(int(np.flatnonzero(self._at)[i]))
         assert isinstance(found, Impact)
         return found

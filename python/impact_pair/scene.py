@@ -85,6 +85,9 @@ class Scene:
         }
         self._read(toml(given), has_lines=False)
 
+    #: The path of its file, by which commands name it; one that is in no file is named as if it were saved here.
+    _path = "scene.toml"
+
     def _read(self, source: str, *, has_lines: bool) -> None:
         self._text = source
         try:
@@ -105,7 +108,9 @@ class Scene:
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Scene:
         """Read a scene file (TOML)."""
-        return cls.from_text(Path(path).read_text(encoding="utf-8"))
+        scene = cls.from_text(Path(path).read_text(encoding="utf-8"))
+        scene._path = os.fspath(path)
+        return scene
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any]) -> Scene:
@@ -122,7 +127,9 @@ class Scene:
             near = difflib.get_close_matches(str(name), _core.SCENES, 1)
             meant = f"; did you mean {near[0]!r}?" if near else ""
             raise RangeError(f"the scene is {name!r}, but known are {', '.join(_core.SCENES)}{meant}", "name", str(name))
-        return cls.from_text(source)
+        scene = cls.from_text(source)
+        scene._path = f"scenes/{name}.toml"
+        return scene
 
     @property
     def text(self) -> str:
@@ -168,6 +175,50 @@ class Scene:
         with reporting(progress, "impacts", impacts) as tell:
             return Orbit(_core.run(self._core, asked, tell))
 
+    def describe(
+        self, *, impacts: int = 2000, depth: int = 6, max_bits: int = MAX_BITS, picture: bool = False, progress: Progress = None
+    ) -> answers.Description:
+        """Describe the motion: what becomes of it, its exponent, a trapping region and a horseshoe, and what is undecided.
+
+        The questions are examined in the order of their cost, and only as far as the fate requires: no region and no horseshoe are
+        looked for where the motion is attracted, periodic or at rest. Region and horseshoe need one harmonic.
+
+        Parameters
+        ----------
+        impacts : int, default 2000
+            Maximum number of impacts that are certified to decide the fate; in double precision ten times as many.
+        depth : int, default 6
+            Maximum number of impacts of a word of the horseshoe.
+        max_bits : int, default 1000000
+            Maximum precision of the orbit, in bits.
+        picture : bool, default False
+            Whether to draw time series, phase plane, impacts with region and h-sets, and itinerary.
+        progress : bool or callable, optional
+            A bar of tqdm, or a function that receives the amount done.
+
+        Returns
+        -------
+        Description
+            The answer, with ``fate``, ``exponent_limit``, ``region``, ``entropy`` and ``undecided``.
+
+        Raises
+        ------
+        RangeError
+            When ``impacts`` or ``depth`` is out of range, or a value of the scene is beyond the range of flights.
+
+        Examples
+        --------
+        >>> found = Scene.named("figure-13").describe()
+        >>> found.fate, found.period
+        ('attracted', (2, 1))
+        >>> found.exponent_limit  # ln 0.5: both eigenvalues have the modulus e^2
+        Bounds('-0.693147180559(95,89)')
+
+        """
+        question = (whole("impacts", impacts), whole("depth", depth), whole("max_bits", max_bits), picture)
+        with reporting(progress, "impacts and boxes") as tell:
+            return answers.Description(*_core.describe(self._core, self._path, question, tell))
+
     def flights(self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None) -> Flights:
         """Return the next certified impacts of n states of this pair, each by itself, in doubles.
 
@@ -187,7 +238,7 @@ class Scene:
 
     def sweep(
         self,
-        over: Mapping[str, tuple[Value, Value, int]],
+        over: Mapping[str, tuple[Value, Value, int] | npt.NDArray[np.float64]],
         *,
         transient: int = 500,
         impacts: int = 300,

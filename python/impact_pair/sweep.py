@@ -16,7 +16,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from ._progress import Progress, reporting
 from ._store import Chunks, Files, Memory
 from .bounds import doubles
 from .errors import Error, Interrupted, RangeError
+
+if TYPE_CHECKING:
+    from .bounds import Doubles
 
 #: The rows of a table: impacts and points, distinguished by the column ``record``, or only one of these.
 Rows = Literal["mixed", "points", "states"]
@@ -95,7 +98,7 @@ class Rate:
 
 def sweep(
     scene: str,
-    over: Mapping[str, tuple[Value, Value, int]],
+    over: Mapping[str, tuple[Value, Value, int] | Doubles],
     asked: dict[str, Any],
     *,
     executor: Executor | None = None,
@@ -107,9 +110,10 @@ def sweep(
     """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
 
     ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
-    endpoints included; of two keys the second one varies faster. Keys are those of the command line: amplitude, frequency, phase, gap,
-    restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2 and so on. Of each orbit
-    ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
+    endpoints included; an array such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number, and the
+    values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
+    frequency, phase, gap, restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2
+    and so on. Of each orbit ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
 
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
@@ -131,8 +135,19 @@ def sweep(
     return SweepResult(question, chunks)
 
 
+def spread(key: str, values: Any) -> tuple[Value, Value, int]:
+    """Return first value, last value and number of an array of evenly spaced values, such as that of ``np.linspace``."""
+    evenly = np.linspace(values[0], values[-1], len(values)) if values.ndim == 1 and len(values) > 1 else None
+    if evenly is None or not np.allclose(values, evenly, rtol=1e-12, atol=0):
+        message = f"over of {key} is an array, but must be one of two or more evenly spaced values, or (low, high, count)"
+        raise RangeError(message, key, repr(values))
+    return values[0], values[-1], len(values)
+
+
 def axis(key: str, values: Any) -> str:
     """Return what varies in the words of the command line: exact values from one to another, evenly spread."""
+    if isinstance(values, np.ndarray):
+        values = spread(key, values)
     if not isinstance(values, (tuple, list)) or len(values) != 3:
         raise RangeError(f"over of {key} is {values!r}, but must be (low, high, count)", key, repr(values))
     low, high, count = values

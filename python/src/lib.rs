@@ -3,6 +3,7 @@
 //! the documentation for people are in the package above it.
 
 mod chaos;
+mod describe;
 mod errors;
 mod flights;
 mod numbers;
@@ -20,6 +21,8 @@ use pyo3::prelude::*;
 mod _core {
     #[pymodule_export]
     use super::chaos::{chaos, chaos_cells, cycles, trap};
+    #[pymodule_export]
+    use super::describe::{describe, description_lines};
     #[pymodule_export]
     use super::flights::flights;
     #[pymodule_export]

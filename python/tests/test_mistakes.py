@@ -62,3 +62,21 @@ def test_r35_sections_are_at_the_phases_of_the_documents():
     orbit = Scene.named("figure-17").run(impacts=30)
     drawn = plots.section_left(orbit).lines[0].get_xdata()
     assert np.allclose(drawn, np.mod(200 * np.pi * orbit.t[orbit.sides < 0] + 1.047196, 2 * np.pi), atol=1e-9)
+
+
+def test_r35_an_evenly_spaced_array_is_a_grid():
+    scene, how = Scene.named("figure-12"), {"transient": 1, "impacts": 1}
+    by_array = scene.sweep({"gap": np.linspace(9, 10, 5)}, **how)
+    assert by_array.head == scene.sweep({"gap": (9, 10, 5)}, **how).head
+    for values in (np.array([9.0, 9.1, 10.0]), np.array([9.0]), np.ones((2, 2))):
+        with pytest.raises(impact_pair.RangeError, match="evenly spaced") as caught:
+            scene.sweep({"gap": values}, **how)
+        assert caught.value.key == "gap"
+
+
+def test_r35_a_slice_of_an_orbit_is_a_list_of_impacts():
+    orbit = Scene.named("chatter").run(impacts=8)
+    assert orbit[2:5] == [orbit[2], orbit[3], orbit[4]]
+    assert [impact.index for impact in orbit[::-3]] == [8, 5, 2]
+    assert orbit[np.int64(1)] == orbit[1]
+    assert orbit[20:] == []

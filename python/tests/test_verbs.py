@@ -67,6 +67,43 @@ def test_trap_and_chaos(cli):
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
 
 
+def test_describe(cli, tmp_path):
+    for name, fate in {"figure-13": "attracted", "chatter": "periodic", "two-tones": "undecided"}.items():
+        found = Scene.named(name).describe()
+        assert found.document == cli.json("describe", f"scenes/{name}.toml")
+        assert found.fate == fate
+        assert found.complete == found.certified == (fate != "undecided")
+        assert found.entropy is found.region is None
+        assert pickle.loads(pickle.dumps(found)).lines == found.lines
+    found = Scene.named("figure-13").describe(picture=True)
+    cli.text("describe", "scenes/figure-13.toml", "--plot", tmp_path / "told.svg")
+    assert found.svg == (tmp_path / "told.svg").read_text()
+    assert (found.period, found.word, found.orbit.stability) == ((2, 1), "P1 P2", "stable")
+    assert found.check().verdict == "confirmed"
+    told = found.document["exponent"]["limit"]
+    assert found.exponent_limit.decimals == tuple(told)
+    assert found.exponent_limit.float64[0] <= np.log(0.5) <= found.exponent_limit.float64[1]
+    assert found.message in repr(found)
+    assert found._repr_html_().startswith("<table>")
+    assert "<svg" in found._repr_html_()
+    assert Scene.named("chatter").describe().exponent_finite_time.float64 == (-np.inf, -np.inf)
+    elsewhere = tmp_path / "my scene.toml"
+    elsewhere.write_text(Scene.named("two-tones").text)
+    [question] = Scene.from_file(elsewhere).describe(impacts=50).undecided
+    assert question["command"] == f"impact-pair describe '{elsewhere}' --impacts 500"
+    with pytest.raises(impact_pair.RangeError, match="impacts is 0"):
+        Scene.named("figure-13").describe(impacts=0)
+
+
+def test_a_motion_in_a_region_is_described(cli):
+    found = Scene.named("figure-14").describe(depth=3)
+    assert found.document == cli.json("describe", "scenes/figure-14.toml", "--depth", 3)
+    assert (found.fate, found.since, found.region.boxes) == ("stays-in-region", 2, 431)
+    # Two blocks of one forcing period each: ln 2.
+    assert 0.6931 < found.entropy_per_cycle <= np.log(2)
+    assert found.check().verdict == "confirmed"
+
+
 def test_chaos_cells(cli):
     told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=2..4:10", "--halvings", 3)
     found = Scene.named("figure-14").chaos_cells({"amplitude": ("2", "4", 10)}, depth=4, halvings=3, picture=True)
@@ -178,6 +215,7 @@ def test_defaults_are_those_of_the_command_line(cli):
     compared = set()
     for verb, method in {
         "run": Scene.run,
+        "describe": Scene.describe,
         "sweep": Scene.sweep,
         "bifurcations": Scene.bifurcations,
         "chaos": Scene.chaos,

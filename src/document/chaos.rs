@@ -107,7 +107,8 @@ fn range(Over { key, low, high }: &Over) -> ParameterRange {
     ParameterRange { key: key.place(), low: low.into(), high: high.into() }
 }
 
-fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
+/// Returns lower bounds of the entropy per impact and per forcing period.
+pub(crate) fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
     EntropyDocument { per_impact: lower(impact), per_cycle: lower(cycle) }
 }
 

@@ -11,12 +11,13 @@ mod periodic;
 mod two_impact;
 
 pub use bifurcation::bifurcations;
+pub(crate) use chaos::entropy;
 pub use chaos::{bases, bounds_text, cells, chaos, trap};
 pub use conclusion::{Conclusion, counted};
 pub use cycles::cycles;
 pub use ending::Ending;
 pub use event::{Bounds, Event, Events, Kind};
-pub use orbit::{arithmetic, head, is_certified, orbit};
+pub use orbit::{arithmetic, follow, head, is_certified, orbit};
 pub use periodic::Units;
 pub use two_impact::{manifolds, two_impact, word};
 

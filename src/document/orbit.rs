@@ -7,7 +7,7 @@ use impact_pair_document::{
 };
 
 use super::{Conclusion, Event};
-use crate::orbit::{Arithmetic, Orbit, Settings, Start};
+use crate::orbit::{Arithmetic, Orbit, Progress, Settings, Start, Watch};
 use crate::{Error, ImpactPair};
 
 /// Returns the orbit of `pair` from `start`, followed to its end, as a document.
@@ -29,19 +29,31 @@ use crate::{Error, ImpactPair};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn orbit(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<OrbitDocument, Error> {
-    let asked = settings.arithmetic;
     let mut orbit = Orbit::new(pair, start, settings)?;
+    Ok(follow(&mut orbit, (pair, start), &|| true, |_, _| ()))
+}
+
+/// Follows an orbit to its end, or the watch's, and returns it as a document; `each` receives every event.
+///
+/// The pair and the start are those of the orbit.
+pub fn follow(
+    orbit: &mut Orbit,
+    (pair, start): (&ImpactPair, &Start),
+    watch: &dyn Watch,
+    mut each: impl FnMut(&Orbit, &Progress),
+) -> OrbitDocument {
     let mut events: Vec<Event> = Vec::new();
-    let _ = orbit.follow(&|| true, |orbit, step| {
+    let _ = orbit.follow(watch, |orbit, step| {
+        each(orbit, &step);
         let index = events.last().map_or(0, |event| event.index);
         events.extend(Event::of(orbit, &step, index));
         ControlFlow::<()>::Continue(())
     });
-    Ok(OrbitDocument {
-        head: head(pair, start, asked, arithmetic(&orbit)),
-        outcome: Conclusion::of(&orbit, start, events.last()).document(),
+    OrbitDocument {
+        head: head(pair, start, orbit.arithmetic(), arithmetic(orbit)),
+        outcome: Conclusion::of(orbit, start, events.last()).document(),
         events: events.iter().map(EventDocument::from).collect(),
-    })
+    }
 }
 
 /// Returns the head of the orbit JSON: scene, program and arithmetic.

@@ -136,7 +136,8 @@ fn extended(ball: Ball) -> ExtendedBounds {
     }
 }
 
-fn exponent(exponent: Exponent) -> SweepExponent {
+/// Returns bounds of an exponent per impact and per forcing period, or the reason why there are none.
+pub(crate) fn exponent(exponent: Exponent) -> SweepExponent {
     let rest = || Some(["-inf".to_owned(), "-inf".to_owned()]);
     match exponent {
         Exponent::Finite { per_impact, per_cycle } => {

@@ -13,6 +13,7 @@ mod point;
 mod unit;
 
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows};
+pub(crate) use document::exponent;
 pub use document::{grid, head, record};
 pub use grid::{Axis, Grid, MOST_POINTS};
 pub use point::{Asked, Attraction, MOST_IMPACTS, Point, State, follow};

@@ -11,6 +11,7 @@
 
 #![cfg(feature = "multiprecision")]
 
+mod descriptions;
 mod edges;
 mod events;
 mod forged;
@@ -35,7 +36,7 @@ use impact_pair_certificate::{Claims, Effort, Verdict};
 const CASES: u64 = 1;
 
 /// All forgeries, by what they forge.
-const FORGERIES: [&[Forgery]; 8] = [
+const FORGERIES: [&[Forgery]; 9] = [
     scenes::FORGERIES,
     outcomes::FORGERIES,
     events::FORGERIES,
@@ -43,6 +44,7 @@ const FORGERIES: [&[Forgery]; 8] = [
     orbits::FORGERIES,
     edges::FORGERIES,
     regions::FORGERIES,
+    descriptions::FORGERIES,
     sweeps::FORGERIES,
 ];
 

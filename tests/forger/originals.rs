@@ -14,11 +14,22 @@ use impact_pair::sweep::{self, Asked, Grid};
 use serde_json::{Value, json};
 
 use super::forged::{Original, with};
-use crate::spoiled::documents;
+use crate::spoiled::{documents, others};
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 10] =
-    ["orbit", "shadow", "periodic", "two-impact", "bifurcations", "cycles", "trap", "chaos", "sweep", "list"];
+const KINDS: [&str; 11] = [
+    "orbit",
+    "shadow",
+    "periodic",
+    "two-impact",
+    "bifurcations",
+    "cycles",
+    "trap",
+    "chaos",
+    "description",
+    "sweep",
+    "list",
+];
 
 pub fn all() -> Vec<Original> {
     let mut all: Vec<Original> = documents::all().into_iter().map(|(name, document)| named(&name, document)).collect();
@@ -26,6 +37,8 @@ pub fn all() -> Vec<Original> {
     all.push(every_orbit());
     all.extend(bifurcations());
     all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
+    let described = ["figure-13", "chatter", "figure-14"];
+    all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());
     all.extend(left_open(&all));
     all.extend(lists(&all));

@@ -9,7 +9,7 @@
 
 mod changes;
 pub mod documents;
-mod others;
+pub mod others;
 mod recorded;
 pub mod shadow;
 pub mod truth;

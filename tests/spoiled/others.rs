@@ -4,6 +4,7 @@ use std::fs;
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
+use impact_pair::describe::{Request, Stage, describe};
 use impact_pair::document;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
@@ -48,6 +49,13 @@ fn trap() -> Value {
     json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap())
 }
 
+/// What becomes of a motion, without a search for a horseshoe.
+pub fn description(name: &str) -> Value {
+    let (scene, request) = (figure(name), Request { impacts: 60, ..Request::default() });
+    let found = describe(&scene, &request, &|stage| !matches!(stage, Stage::Horseshoe { .. })).unwrap();
+    json!(found.document(&scene, name).unwrap())
+}
+
 /// All cycles of figure 14 with one to so many impacts.
 pub fn cycles(most: u32) -> Value {
     let (scene, asked) = (figure("figure-14"), 1..=most);
@@ -85,6 +93,8 @@ pub fn all() -> Vec<(&'static str, Vec<Value>)> {
         ("chaos", vec![chaos()]),
         ("trap", vec![trap()]),
         ("cycles", vec![cycles(3)]),
+        ("description", vec![description("figure-13")]),
+        ("description of a region", vec![description("figure-14")]),
         ("sweep", sweep(one, &["amplitude=7..9:2", "start.phase=0..1:2"])),
         ("sweep over a term", sweep(two, &["amplitude.2=0..1:2"])),
     ]

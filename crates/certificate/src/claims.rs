@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use serde_json::{Deserializer, Value};
 
 use crate::{
-    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, Effort, Finding, Judged,
-    PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
+    BifurcationCertificate, Certificate, ChaosCertificate, ClaimKind, CyclesCertificate, DescriptionCertificate,
+    Effort, Finding, Judged, PeriodicCertificate, SweepCertificate, TrapCertificate, Verdict,
 };
 use impact_pair_document::{
-    AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, MANIFOLD_SCHEMA,
-    PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
+    AUDIT_SCHEMA, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA, DESCRIPTION_SCHEMA,
+    MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
 };
 use impact_pair_model::Error;
 
@@ -31,6 +31,8 @@ pub enum Claims {
     Chaos(Box<ChaosCertificate>),
     /// A trap JSON: that the region is closed is checked, and what is said of it.
     Trap(Box<TrapCertificate>),
+    /// A description: the orbit and the region in it are checked, and that its fate is theirs.
+    Description(Box<DescriptionCertificate>),
     /// Several documents in a list: one by one.
     List(Vec<Claims>),
     /// Not checked, for the given reason.
@@ -71,6 +73,7 @@ impl Claims {
             Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
             Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
             Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
+            Some(DESCRIPTION_SCHEMA) => Self::Description(Box::new(DescriptionCertificate::parse(text)?)),
             _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
         })
     }
@@ -84,15 +87,28 @@ impl Claims {
         Ok(Self::List(documents.map(parse).collect::<Result<_, _>>()?))
     }
 
+    /// The documents of a list or a description, each with its place; `None` of all others.
+    pub(super) fn documents(&self) -> Option<Vec<(String, &Self)>> {
+        match self {
+            Self::List(documents) => {
+                Some(documents.iter().enumerate().map(|(i, document)| (format!("[{i}]"), document)).collect())
+            }
+            Self::Description(certificate) => {
+                Some(certificate.parts().iter().map(|(key, document)| ((*key).to_owned(), document)).collect())
+            }
+            _ => None,
+        }
+    }
+
     /// Judges one document after another; the first that is not confirmed says why.
-    fn judge_list(
-        documents: &[Self],
+    fn judge_each(
+        documents: &[(String, &Self)],
         effort: &Effort,
         stop: Option<&'static AtomicBool>,
         progress: &mut dyn FnMut(usize),
     ) -> Result<Judged, Error> {
         let (mut before, mut most) = (0, (0, 0));
-        for document in documents {
+        for (_, document) in documents {
             let Judged { verdict, confirmed } = document.judge(effort, stop, &mut |event| progress(before + event))?;
             let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
             let verdict = match verdict {
@@ -141,8 +157,13 @@ impl Claims {
         progress: &mut dyn FnMut(usize),
     ) -> Result<Judged, Error> {
         let mut reached = 0;
-        if let Self::List(documents) = self {
-            return Self::judge_list(documents, effort, stop, progress);
+        if let Self::Description(certificate) = self
+            && let Some(finding) = certificate.contradiction()
+        {
+            return Ok(Judged { verdict: Verdict::Refuted(finding), confirmed: 0 });
+        }
+        if let Some(documents) = self.documents() {
+            return Self::judge_each(&documents, effort, stop, progress);
         }
         if let Self::Sweep(certificate) = self {
             let verdict = certificate.judge_until(effort, stop, |point, are_confirmed| {
@@ -162,7 +183,7 @@ impl Claims {
             Self::Bifurcations(certificate) => certificate.check_until(effort, stop, watch),
             Self::Chaos(certificate) => certificate.check_until(effort, stop, watch),
             Self::Trap(certificate) => certificate.check_until(effort, stop, watch),
-            Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
+            Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
         }?;
@@ -188,7 +209,9 @@ impl Claims {
             Self::Chaos(certificate) => certificate.count(),
             Self::Trap(certificate) => certificate.count(),
             // One more each for what is said of the whole document.
-            Self::List(documents) => documents.iter().map(|document| document.count() + 1).sum(),
+            Self::List(_) | Self::Description(_) => {
+                self.documents().into_iter().flatten().map(|(_, document)| document.count() + 1).sum()
+            }
             Self::Unchecked(_) => 0,
         }
     }
@@ -203,11 +226,12 @@ impl Claims {
             Self::Sweep(certificate) => certificate.unjudged().to_vec(),
             Self::Chaos(certificate) => certificate.unjudged().to_vec(),
             Self::Trap(certificate) => certificate.unjudged().to_vec(),
-            Self::List(documents) => {
-                let of = |(i, document): (usize, &Self)| {
-                    document.unjudged().into_iter().map(move |key| format!("[{i}].{key}"))
+            Self::List(_) | Self::Description(_) => {
+                let of = |(at, document): (String, &Self)| {
+                    document.unjudged().into_iter().map(move |key| format!("{at}.{key}"))
                 };
-                documents.iter().enumerate().flat_map(of).collect()
+                let own = if let Self::Description(certificate) = self { certificate.own_unjudged() } else { &[] };
+                own.iter().cloned().chain(self.documents().into_iter().flatten().flat_map(of)).collect()
             }
             Self::Unchecked(why) => vec![(*why).to_owned()],
         }
@@ -226,9 +250,10 @@ impl Claims {
             Self::Sweep(_) => counted(count, "point"),
             Self::Chaos(_) => counted(count, "word"),
             Self::Trap(_) => boxes(count),
-            Self::List(documents) => {
+            Self::List(_) | Self::Description(_) => {
                 let mut left = count;
-                let whole = documents.iter().take_while(|document| {
+                let documents = self.documents().unwrap_or_default();
+                let whole = documents.iter().take_while(|(_, document)| {
                     let size = document.count() + 1;
                     let is_whole = left >= size;
                     left = left.saturating_sub(size);
@@ -254,6 +279,10 @@ impl Claims {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
             }
             Self::Trap(certificate) => format!("a trapping region of {} and its bounds", boxes(certificate.count())),
+            Self::Description(certificate) => {
+                let each: Vec<_> = certificate.parts().iter().map(|(_, document)| document.all()).collect();
+                format!("the fate: {}", each.join(", "))
+            }
             Self::List(documents) => {
                 let each: Vec<_> = documents.iter().map(Self::all).collect();
                 format!("{}: {}", counted(documents.len(), "document"), each.join(", "))
@@ -271,12 +300,12 @@ impl Claims {
             Self::Sweep(certificate) if *event < certificate.count() => format!("points[{event}]: {message}"),
             Self::Chaos(certificate) if *event < certificate.count() => format!("words[{event}]: {message}"),
             Self::Trap(certificate) if *event < certificate.count() => format!("box {event}: {message}"),
-            Self::List(documents) => {
+            Self::List(_) | Self::Description(_) => {
                 let mut left = *event;
-                for (i, document) in documents.iter().enumerate() {
+                for (at, document) in self.documents().unwrap_or_default() {
                     if left <= document.count() {
                         let finding = Finding { event: left, message: message.clone() };
-                        return format!("[{i}]: {}", document.described(&finding));
+                        return format!("{at}: {}", document.described(&finding));
                     }
                     left -= document.count() + 1;
                 }

@@ -63,7 +63,7 @@ impl Claims {
             Self::Bifurcations(_) | Self::Sweep(_) => Some("points"),
             Self::Chaos(_) => Some("words"),
             Self::Trap(_) => Some("region"),
-            Self::List(_) | Self::Unchecked(_) => None,
+            Self::Description(_) | Self::List(_) | Self::Unchecked(_) => None,
         }
     }
 
@@ -106,17 +106,22 @@ impl Claims {
     }
 
     fn parts<'c>(&'c self, values: &'c [Value]) -> Vec<Part<'c>> {
-        let Self::List(documents) = self else {
-            return vec![Part { claims: self, prefix: String::new(), values: values.iter().collect(), first: 0 }];
-        };
-        let items = values[0].as_array().expect("a list of documents");
-        let mut first = 0;
-        let part = |(i, (claims, value)): (usize, (&'c Self, &'c Value))| {
-            let part = Part { claims, prefix: format!("[{i}]."), values: vec![value], first };
-            first += claims.count() + 1;
-            part
-        };
-        documents.iter().zip(items).enumerate().map(part).collect()
+        let mut parts = Vec::new();
+        self.add_parts(&mut parts, String::new(), values.iter().collect(), 0);
+        parts
+    }
+
+    /// Adds the parts of a document that stands at a place, of its first claim on, to others.
+    fn add_parts<'c>(&'c self, parts: &mut Vec<Part<'c>>, prefix: String, values: Vec<&'c Value>, first: usize) {
+        let mut next = first;
+        for (i, (at, document)) in self.documents().into_iter().flatten().enumerate() {
+            let value = if let Self::List(_) = self { &values[0][i] } else { &values[0][at.as_str()] };
+            document.add_parts(parts, format!("{prefix}{at}."), vec![value], next);
+            next += document.count() + 1;
+        }
+        if !matches!(self, Self::List(_)) {
+            parts.push(Part { claims: self, prefix, values, first: next });
+        }
     }
 }
 
@@ -137,6 +142,11 @@ impl Part<'_> {
             (Claims::Unchecked(_), values) => {
                 let keys = values.iter().filter_map(|value| value.as_object()).flat_map(|value| value.keys());
                 leaves.others.extend(keys.cloned());
+            }
+            (Claims::Description(certificate), [head, ..]) => {
+                let is_own = |key: &str| certificate.parts().iter().all(|(part, _)| *part != key);
+                let entries = head.as_object().into_iter().flatten().filter(|(key, _)| is_own(key));
+                entries.for_each(|(key, value)| leaves.add(key, key, value));
             }
             (Claims::Orbit(_), [head, events @ .., end]) => {
                 leaves.add("", "", head);
@@ -167,6 +177,11 @@ impl Part<'_> {
     /// The claim that decides, and why, where it is one of this document.
     fn decisive(&self, judged: &Judged) -> Option<(String, String)> {
         let Finding { event, message } = judged.finding()?;
+        if let Claims::Description(_) = self.claims {
+            // What contradicts its documents begins with the key.
+            let key = message.split(' ').next().filter(|_| *event == self.first)?;
+            return Some((key.to_owned(), message.clone()));
+        }
         let at = event.checked_sub(self.first).filter(|at| *at <= self.claims.count())?;
         let path = match (self.claims, self.claims.items()) {
             (Claims::Unchecked(_) | Claims::List(_), _) | (_, None) => return None,

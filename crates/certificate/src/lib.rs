@@ -9,6 +9,7 @@ mod chaos;
 mod check;
 mod claims;
 mod cycles;
+mod description;
 mod judged;
 mod leaves;
 mod periodic;
@@ -25,6 +26,7 @@ pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
 pub use cycles::CyclesCertificate;
+pub use description::DescriptionCertificate;
 #[doc(inline)]
 pub use impact_pair_document as document;
 pub use judged::Judged;

@@ -85,7 +85,7 @@ fn assert_all_are_told(name: &str, lines: &[Value], found: &CheckDocument) {
 }
 
 /// The schemas, and which document has the values that are of none of their properties.
-const SCHEMAS: [(&str, &str, usize); 16] = [
+const SCHEMAS: [(&str, &str, usize); 17] = [
     ("orbit", "attracted", 0),
     ("orbit-lines-head", "lines", 0),
     ("orbit-lines-event", "lines", 1),
@@ -96,6 +96,7 @@ const SCHEMAS: [(&str, &str, usize); 16] = [
     ("trap", "trap", 0),
     ("chaos", "chaos", 0),
     ("cycles", "cycles", 0),
+    ("description", "description", 0),
     ("sweep-head", "sweep", 0),
     ("sweep-point", "sweep", 1),
     ("manifold", "", 0),

@@ -36,11 +36,7 @@ const SPEED: &str = "speed before the impact, in $AΩ$";
 /// When it cannot be drawn.
 pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
     let (columns, rows) = region.grid();
-    let width = 1.0 / columns as f64;
-    let runs =
-        || region.columns().into_iter().flat_map(|(column, runs)| runs.into_iter().map(move |run| (column, run)));
-    let phase = |column: i32| f64::from(column) * width;
-    let arc = Arc::holding(runs().map(|(column, _)| [phase(column), phase(column + 1)]));
+    let arc = Arc::holding(phases(region));
     let states = seen_impacts(scene.pair(), scene.start(), [TRANSIENT, IMPACTS])?;
     let entered = match region.entered() {
         Some(0) => "; the scene's start and all impacts after it are in it".to_owned(),
@@ -56,15 +52,7 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
         let (_, below) = root.split_vertically(top + height);
         let axes = [arc.axis(), speeds(region.speed())];
         let plane = Plane::draw(&below, axes, [PHASE, SPEED], RIGHT)?;
-        let mut cells = Cells::default();
-        for (column, (first, last)) in runs() {
-            let left = arc.place(phase(column) + 0.5 * width) - std::f64::consts::PI * width;
-            let [low, high] = [first, last + 1].map(|row| f64::from(row) / rows);
-            let right = left + std::f64::consts::TAU * width;
-            let ((x0, y0), (x1, y1)) = (plane.pixel([left, high]), plane.pixel([right, low]));
-            cells.add((x0, y0), (x1 - x0, y1 - y0));
-        }
-        root.draw(&Element(cells.element(SKY)))?;
+        root.draw(&cells(region, arc, &plane))?;
         root.draw(&dots(states.iter().map(|state| in_turn(arc, state)).collect(), &plane))?;
         Ok(())
     })
@@ -94,6 +82,47 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String
         whole(found, &areas[0].1, root)?;
         leaf::draw(scene, found, &areas[1].1, root)
     })
+}
+
+/// The phases of the columns of a region, from one to another, in forcing periods.
+fn phases(region: &Trap) -> impl Iterator<Item = [f64; 2]> {
+    let columns = region.grid().0 as f64;
+    region.columns().into_keys().map(move |column| [column, column + 1].map(|column| f64::from(column) / columns))
+}
+
+/// The boxes of a region.
+fn cells(region: &Trap, arc: Arc, plane: &Plane) -> Element {
+    let (columns, rows) = region.grid();
+    let width = 1.0 / columns as f64;
+    let mut cells = Cells::default();
+    let runs = region.columns().into_iter().flat_map(|(column, runs)| runs.into_iter().map(move |run| (column, run)));
+    for (column, (first, last)) in runs {
+        let left = arc.place((f64::from(column) + 0.5) * width) - std::f64::consts::PI * width;
+        let [low, high] = [first, last + 1].map(|row| f64::from(row) / rows);
+        let right = left + std::f64::consts::TAU * width;
+        let ((x0, y0), (x1, y1)) = (plane.pixel([left, high]), plane.pixel([right, low]));
+        cells.add((x0, y0), (x1 - x0, y1 - y0));
+    }
+    Element(cells.element(SKY))
+}
+
+/// Draws a region, these states, phases in forcing periods, and the h-sets of a horseshoe, if there is one, into an area.
+pub(crate) fn section(
+    region: &Trap,
+    horseshoe: Option<&Chaos>,
+    states: &[State],
+    (area, root): (&Canvas<'_>, &Canvas<'_>),
+) -> Drawn {
+    let arc = Arc::holding(phases(region).chain(states.iter().map(|[phase, _]| [*phase; 2])));
+    let fastest = states.iter().map(|[_, speed]| *speed).fold(region.speed()[1], f64::max);
+    let axes = [arc.axis(), speeds([region.speed()[0], fastest])];
+    let plane = Plane::draw(area, axes, [PHASE, SPEED], RIGHT)?;
+    root.draw(&cells(region, arc, &plane))?;
+    root.draw(&dots(states.iter().map(|state| in_turn(arc, state)).collect(), &plane))?;
+    let bases = horseshoe.map_or(&[][..], Chaos::bases).iter();
+    let bases: Vec<Vec<State>> = bases.flat_map(|base| pieces(arc, &round(base))).collect();
+    root.draw(&Element(plane.clipped(&lines(&bases, &plane, (VERMILION, OUTLINE)))))?;
+    Ok(())
 }
 
 /// What is proved.

@@ -3,6 +3,7 @@
 //! All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a band or a box.
 
 pub mod chaos;
+pub mod describe;
 pub mod orbit;
 pub mod picture;
 pub mod proved;

@@ -62,6 +62,8 @@ impl Panel {
 /// A panel of a trace: its axes and what is drawn on them.
 pub struct Frame<'t> {
     pub panel: Panel,
+    /// The letter that it is named by on its sheet: the paper's, or another one.
+    letter: char,
     trace: &'t Trace,
     /// Forcing periods since the start from which and up to which curves are drawn, and the axis of time goes.
     begin: f64,
@@ -115,13 +117,24 @@ impl<'t> Frame<'t> {
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
         // Where nothing more is proved the rest of what was asked is shown as open.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
-        Self { panel, trace, begin: 0.0, end, is_magnified: false }
+        Self { panel, letter: panel.letter(), trace, begin: 0.0, end, is_magnified: false }
+    }
+
+    /// Returns the panel named by another letter than the paper's.
+    pub fn lettered(self, letter: char) -> Self {
+        Self { letter, ..self }
+    }
+
+    /// Returns what the panel is headed by: its letter, and what the paper calls it.
+    pub fn heading(&self) -> String {
+        let magnified = if self.is_magnified { ", magnified" } else { "" };
+        format!("({})  {}{magnified}", self.letter, self.panel.title())
     }
 
     /// Returns the panel of time between these two times.
     pub fn magnified(panel: Panel, trace: &'t Trace, [from, to]: [f64; 2]) -> Self {
         let turns = |time: f64| (time - trace.start) / trace.period;
-        Self { panel, trace, begin: turns(from), end: turns(to), is_magnified: true }
+        Self { panel, letter: panel.letter(), trace, begin: turns(from), end: turns(to), is_magnified: true }
     }
 
     /// Returns where a state is on this panel.

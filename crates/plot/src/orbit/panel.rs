@@ -124,12 +124,16 @@ fn impacts(
     Ok(has_boxes)
 }
 
+/// Writes the title of a panel; returns the area below it.
+pub fn title<'c>(area: &Canvas<'c>, text: &str) -> Result<Canvas<'c>, Box<dyn std::error::Error>> {
+    let (title, below) = area.split_vertically(28 * SCALE);
+    title.draw(&Text::new(text.to_owned(), (14 * SCALE, 16 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
+    Ok(below)
+}
+
 /// Title, mesh and names of the axes.
 fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::error::Error>> {
-    let (title, below) = area.split_vertically(28 * SCALE);
-    let magnified = if frame.is_magnified { ", magnified" } else { "" };
-    let text = format!("({})  {}{magnified}", frame.panel.letter(), frame.panel.title());
-    title.draw(&Text::new(text, (14 * SCALE, 16 * SCALE), words(FONT, &BLACK, HPos::Left)))?;
+    let below = title(area, &frame.heading())?;
     let axes = frame.axes();
     let [x, y] = axes.clone();
     // The names of walls may stand above.

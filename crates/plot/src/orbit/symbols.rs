@@ -165,3 +165,16 @@ pub fn draw(entry: Entry, style: Style, root: &Canvas<'_>, (x, y): (i32, i32)) -
     root.draw(&Text::new(entry.words(style), (x + 34 * SCALE, middle), words(FONT, &BLACK, HPos::Left)))?;
     Ok(())
 }
+
+/// Draws the legend of these panels of a trace below `top`, with this margin on both sides; returns its height.
+pub fn explain(
+    (trace, panels, style): (&Trace, &[Panel], Style),
+    (root, top, margin): (&Canvas<'_>, i32, i32),
+) -> Result<i32, Box<dyn std::error::Error>> {
+    let width = root.dim_in_pixel().0 as i32 - 2 * margin;
+    let (places, lines) = lay_out(&entries(trace, panels, style, false), style, width);
+    for (entry, (x, y)) in places {
+        draw(entry, style, root, (margin + x, top + y))?;
+    }
+    Ok(lines * LINE)
+}

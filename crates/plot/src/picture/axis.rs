@@ -23,6 +23,8 @@ enum Labels {
     Step(f64, usize),
     /// So many eighths of a forcing period, and multiples of them.
     Angle(i32),
+    /// Names of 0, 1, 2, ...
+    Names(&'static [&'static str]),
 }
 
 impl Axis {
@@ -55,6 +57,11 @@ impl Axis {
         let lacking = (least * low.abs().max(high.abs()) - (high - low)).max(0.0) / 2.0;
         let room = lacking + MARGIN * (high - low);
         Self::over(low - room, high + room)
+    }
+
+    /// Rows of these names, from the lowest at 0 on.
+    pub fn named(names: &'static [&'static str]) -> Self {
+        Self { range: -0.5..names.len() as f64 - 0.5, labels: Labels::Names(names) }
     }
 
     /// Angles in `[0, 2 pi]`.
@@ -120,6 +127,7 @@ impl Ranged for Axis {
                 let (first, last) = ((self.range.start / step).ceil() as i64, (self.range.end / step).floor() as i64);
                 (first..=last).map(|k| k as f64 * step).collect()
             }
+            Labels::Names(names) => (0..names.len()).map(|k| k as f64).collect(),
             Labels::Angle(step) => {
                 let step = f64::from(step) * FRAC_PI_4;
                 let (first, last) = ((self.range.start / step).ceil() as i32, (self.range.end / step).floor() as i32);
@@ -144,6 +152,7 @@ impl ValueFormatter<f64> for Axis {
                     "0".into()
                 }
             }
+            Labels::Names(names) => names.get(value.round() as usize).copied().unwrap_or_default().to_owned(),
             Labels::Angle(_) => angle((value / FRAC_PI_4).round() as i32),
         }
     }

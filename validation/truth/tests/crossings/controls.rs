@@ -7,12 +7,14 @@ use super::flight::{Next, float};
 use super::members::Member;
 use super::motion::{self, Halt};
 use super::scenes::{Case, case};
-use super::traits::{Excitation, array};
+use super::traits::{Excitation, array, crossing};
 use crate::common::Random;
 
-/// Scenes of points from the covering array.
+/// Scenes of points from the covering array, which is gone through as often as it takes.
 fn cases(count: usize) -> impl Iterator<Item = Case> {
-    let rows = array(7).into_iter().filter(|row| row.excitation != Excitation::MayVanish);
+    let array = array(7);
+    let rows = (0..).map(move |number| crossing(&array, number));
+    let rows = rows.filter(|row| row.excitation != Excitation::MayVanish);
     let cases = rows.enumerate().filter_map(|(number, row)| case(row, Random::new(number as u64)));
     cases.filter(|case| case.scene.pair().is_point() && case.scene.start().is_point()).take(count)
 }
@@ -20,7 +22,7 @@ fn cases(count: usize) -> impl Iterator<Item = Case> {
 #[test]
 fn steps_that_no_contact_can_come_within_lead_to_the_contact_of_the_pieces() {
     let mut agreed = 0;
-    for case in cases(300) {
+    for case in cases(600) {
         let member = Member::new(&case.scene, || 0.0);
         let (shaken, start) = (&member.shaken, &member.start);
         if shaken.tones.len() != 1 {

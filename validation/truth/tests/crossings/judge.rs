@@ -144,6 +144,21 @@ fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     if last.is_some() { Ok(()) } else { Err(Halt::Open("it chatters before the region")) }
 }
 
+/// The orbit and the region that a description has are true, and its fate is theirs.
+fn description(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
+    let kind = document["fate"]["kind"].as_str().unwrap_or_default();
+    if document["certified"] != (kind != "undecided") {
+        return wrong(format!("certified is {}, but the fate is {kind}", document["certified"]));
+    }
+    if document["proof"].is_object() {
+        if document["proof"]["outcome"]["kind"] != kind {
+            return wrong(format!("the fate is {kind}, but the orbit is {}", document["proof"]["outcome"]["kind"]));
+        }
+        return motion::judge(&document["proof"], member);
+    }
+    if document["region"].is_object() { trap(&document["region"], scene, member) } else { Err(Halt::Open("no proof")) }
+}
+
 /// True impacts are neither missed nor false nor outside.
 fn audit(document: &Value) -> Judged<()> {
     let counts = &document["counts"];
@@ -199,6 +214,7 @@ fn truth(case: &mut Case, answer: &Answer) -> Judged<()> {
             }
             open.map_or(Ok(()), |why| Err(Halt::Open(why)))
         }
+        Answer::Description(document) => all(&members, |member| description(document, &case.scene, member)),
         Answer::Trap(document) => all(&members, |member| trap(document, &case.scene, member)),
         Answer::Cycles(document) => {
             let listed = document["orbits"].as_array().map_or(&[][..], Vec::as_slice);
@@ -220,6 +236,7 @@ impl Answer {
             Self::Orbit(document)
             | Self::Periodic(document)
             | Self::Bifurcations(document)
+            | Self::Description(document)
             | Self::Trap(document)
             | Self::Chaos(document)
             | Self::Cycles(document) => Some(document.to_string()),
@@ -256,6 +273,9 @@ impl Answer {
                 none_or(orbits(document, "orbits"), "orbit") + all
             }
             Self::Bifurcations(document) => none_or(orbits(document, "points"), "bifurcation"),
+            Self::Description(document) => {
+                format!("described: {}", document["fate"]["kind"].as_str().unwrap_or("none"))
+            }
             Self::Trap(_) => "a region".into(),
             Self::Chaos(document) if document["certified"] == true => "a horseshoe".into(),
             Self::Chaos(_) => "no horseshoe".into(),

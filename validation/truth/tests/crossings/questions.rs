@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{self, Base, Chaos, Cycles, Trap};
+use impact_pair::describe::{Request, Stage, describe};
 use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
@@ -58,6 +59,7 @@ pub enum Answer {
     /// A periodic JSON; whether it was asked for all.
     Periodic(Value),
     Bifurcations(Value),
+    Description(Value),
     Trap(Value),
     Chaos(Value),
     Cycles(Value),
@@ -95,6 +97,7 @@ impl Case {
             Question::Until(arithmetic) => self.run(arithmetic, true),
             Question::Sweep(key) => self.sweep(key),
             Question::Bifurcations(key) => self.bifurcations(key),
+            Question::Describe => self.describe(),
             Question::Periodic => self.periodic(false),
             Question::All => self.periodic(true),
             Question::TwoImpact => self.two_impact(),
@@ -252,6 +255,18 @@ impl Case {
         let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, goes_on)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
         Ok(Answer::Bifurcations(json!(found)))
+    }
+
+    /// Without the horseshoe, which takes a second to find.
+    fn describe(&mut self) -> Result<Answer, Error> {
+        let request = Request { impacts: 1 + self.random.below(40), depth: 2, max_bits: MAX_BITS };
+        let watch = |stage: Stage| match stage {
+            Stage::Orbit(_) => true,
+            Stage::Region(boxes) => boxes < BOXES,
+            Stage::Horseshoe { .. } => false,
+        };
+        let found = describe(&self.scene, &request, &watch)?;
+        Ok(Answer::Description(json!(found.document(&self.scene, "scene.toml")?)))
     }
 
     fn trap(&mut self) -> Result<Answer, Error> {

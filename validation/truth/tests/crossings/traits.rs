@@ -93,6 +93,7 @@ pub enum Question {
     Until(&'static str),
     Sweep(&'static str),
     Bifurcations(&'static str),
+    Describe,
     Periodic,
     All,
     TwoImpact,
@@ -104,7 +105,8 @@ pub enum Question {
 
 impl Question {
     pub fn all() -> Vec<Self> {
-        let others = [Self::Periodic, Self::All, Self::TwoImpact, Self::Trap, Self::Chaos, Self::Cycles, Self::Audit];
+        let others = [Self::Describe, Self::Periodic, Self::All, Self::TwoImpact];
+        let others = others.into_iter().chain([Self::Trap, Self::Chaos, Self::Cycles, Self::Audit]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
         runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
@@ -116,6 +118,7 @@ impl Question {
             Self::Until(arithmetic) => format!("run {arithmetic}, until"),
             Self::Sweep(key) => format!("sweep {key}"),
             Self::Bifurcations(key) => format!("bifurcations {key}"),
+            Self::Describe => "describe".into(),
             Self::Periodic => "periodic".into(),
             Self::All => "periodic --all".into(),
             Self::TwoImpact => "two-impact".into(),

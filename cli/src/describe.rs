@@ -1,0 +1,140 @@
+//! `impact-pair describe SCENE`: what becomes of a motion, in one answer.
+
+use std::fmt::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::{Args, ValueEnum};
+use impact_pair::Scene;
+use impact_pair::chaos::MOST_DEPTH;
+use impact_pair::describe::{Request, Stage, describe as described, lines};
+use impact_pair::json::DescriptionDocument;
+use impact_pair::orbit::MAX_BITS;
+use impact_pair_plot::picture::Theme;
+
+use crate::Answer;
+use crate::arguments::{Destination, bits, count};
+use crate::heading::heading;
+use crate::output::Output;
+use crate::progress::{Progress, goes_on, interruption};
+use crate::scene;
+
+pub const EXIT_CODES: &str = "\
+Exit code: 0 the fate of the motion is certified; 1 it is undecided, or the run was interrupted; 2 usage, bad input, I/O";
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair describe scenes/figure-12.toml
+  impact-pair describe scenes/chatter.toml --plot chatter.svg --format json --output chatter.json
+  impact-pair describe scenes/figure-14.toml --depth 3
+
+The fate of the motion is one of: attracted (it converges to a stable periodic orbit), periodic (it repeats exactly), \
+rests-forever, never-impacts, stays-in-region (a trapping region holds all its impacts from one on), undecided. The \
+questions are examined in the order of their cost, and only as far as the fate requires: the certified orbit with its \
+outcome, for up to --impacts impacts and in double precision for ten times as many; where that leaves the fate \
+undecided, a trapping region; where the motion stays in the region, a horseshoe in it and a lower bound of the \
+topological entropy. So no region and no horseshoe are looked for where the motion is attracted, periodic or at rest: \
+trap and chaos find those. Region and horseshoe need one harmonic.
+
+The exponent in the limit is the logarithm of the spectral radius of the attracting orbit's Jacobian, per impact; the \
+finite-time exponent is that of the certified impacts. That a motion is chaotic is never claimed. What is undecided is \
+listed with a command that goes on. [run] of the scene is not used.
+
+Exit code: 0 the fate is certified; 1 it is undecided, or the run was interrupted (the output still holds what is \
+certified); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct DescribeArguments {
+    /// Scene file (TOML), or - for stdin
+    scene: PathBuf,
+    /// Maximum number of impacts that are certified to decide the fate, in double precision ten times as many
+    #[arg(long, value_name = "N", default_value_t = Request::default().impacts, value_parser = count(1..=100_000_000))]
+    impacts: u64,
+    /// Maximum number of impacts of a word of the horseshoe
+    #[arg(long, value_name = "K", default_value_t = Request::default().depth as u32, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
+    depth: u32,
+    /// Maximum precision of the orbit, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+    /// Output format; json is schema impact-pair/description/1 [default: as the ending of --output says, else text]
+    #[arg(long, value_enum)]
+    format: Option<DescribeFormat>,
+    /// Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
+    plot: Option<PathBuf>,
+    /// Colours of the picture
+    #[arg(long, value_enum, default_value_t, value_name = "light|dark", requires = "plot")]
+    theme: Theme,
+    #[command(flatten)]
+    destination: Destination,
+}
+
+/// How a description is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum DescribeFormat {
+    /// Human-readable: one line for each question
+    #[default]
+    Text,
+    /// One document of the schema named above
+    Json,
+}
+
+pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
+    let format = arguments.destination.format(arguments.format)?;
+    let scene = scene::read(&arguments.scene)?;
+    let Destination { output, quiet } = &arguments.destination;
+    let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
+    scene::keep_apart(&[&arguments.scene], output, plot)?;
+    // From here on Ctrl-C keeps what is proved.
+    interruption();
+    let out = Output::open(output)?;
+    let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
+    let named = || scene::name(&arguments.scene);
+    let DescribeArguments { impacts, max_bits, .. } = *arguments;
+    let request = Request { impacts, depth: arguments.depth as usize, max_bits };
+    let progress = Progress::described(!quiet);
+    let watch = |stage: Stage| {
+        match stage {
+            Stage::Orbit(impacts) => progress.boxed("orbit, impacts: ", impacts),
+            Stage::Region(boxes) => progress.boxed("trapping region, boxes: ", boxes as u64),
+            Stage::Horseshoe { depth: 0, boxes } => progress.boxed("h-sets, boxes: ", boxes),
+            Stage::Horseshoe { depth, boxes } => progress.boxed(&format!("horseshoe, depth {depth}, boxes: "), boxes),
+        }
+        goes_on()
+    };
+    let found = described(&scene, &request, &watch).with_context(named)?;
+    progress.clear();
+    let document = found.document(&scene, &arguments.scene.display().to_string()).with_context(named)?;
+    let text = match format {
+        DescribeFormat::Json => serde_json::to_string(&document)? + "\n",
+        DescribeFormat::Text => text(&scene, &document)?,
+    };
+    let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
+    let answer = out.answer(&text, open, (*quiet, format == DescribeFormat::Text))?;
+    if let (Some(picture), Some(path)) = (picture, plot) {
+        picture.draw(path, arguments.theme, || impact_pair_plot::describe::describe(&scene, &found, &document))?;
+    }
+    Ok(answer)
+}
+
+/// The description for people.
+fn text(scene: &Scene, document: &DescriptionDocument) -> Result<String, fmt::Error> {
+    let mut out = heading(scene);
+    writeln!(out)?;
+    let mut last = "";
+    for (label, text) in lines(document) {
+        writeln!(out, "{:12}  {text}", if label == last { "" } else { label })?;
+        last = label;
+    }
+    if document.interrupted {
+        writeln!(out, "interrupted")?;
+    }
+    Ok(out)
+}
+
+/// What is said beside the output where it is incomplete.
+fn conclusion(document: &DescriptionDocument) -> String {
+    let stopped = if document.interrupted { "interrupted; " } else { "" };
+    let said = if document.certified { "certified: " } else { "" };
+    format!("{stopped}{said}{}", document.fate.message)
+}

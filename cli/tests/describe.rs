@@ -1,0 +1,103 @@
+//! `impact-pair describe`: snapshots, and what of a document may be relied on.
+
+#![cfg(feature = "multiprecision")]
+
+use std::fs;
+
+use crate::common::{folder, program, words};
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+
+macro_rules! snapshots {
+    ($($name:ident: $arguments:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            assert_cmd_snapshot!(stringify!($name), program(&$arguments));
+        })*
+    };
+}
+
+snapshots! {
+    description_of_figure_12: ["describe", "scenes/figure-12.toml"];
+    description_of_figure_14: ["describe", "scenes/figure-14.toml", "--depth", "3"];
+    description_of_chatter: ["describe", "scenes/chatter.toml"];
+    description_under_two_harmonics: ["describe", "scenes/two-tones.toml"];
+    description_of_no_impacts: ["describe", "scenes/figure-12.toml", "--impacts", "0"];
+    arguments_of_describe: ["describe", "--help"];
+}
+
+/// A description as JSON, with its exit code.
+fn described(arguments: &[&str]) -> (Value, Option<i32>) {
+    let answer = program(&[&["describe", "--quiet", "--format", "json"], arguments].concat()).output().unwrap();
+    (serde_json::from_slice(&answer.stdout).unwrap(), answer.status.code())
+}
+
+/// Each undecided question has a command that the program accepts, also where the name of the scene has spaces and quotes.
+#[test]
+fn a_command_that_goes_on_is_one_that_works() {
+    let folder = folder("describe it's");
+    let scene = folder.join("two tones.toml").to_str().unwrap().to_owned();
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/two-tones.toml"), &scene).unwrap();
+    let (document, code) = described(&[&scene, "--impacts", "20"]);
+    assert_eq!((document["fate"]["kind"].as_str(), code), (Some("undecided"), Some(1)));
+    let command = document["undecided"][0]["command"].as_str().unwrap();
+    let bin = std::path::Path::new(env!("CARGO_BIN_EXE_impact-pair")).parent().unwrap();
+    let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap());
+    let again = std::process::Command::new("sh").args(["-c", command]).env("PATH", path).output().unwrap();
+    let said = String::from_utf8(again.stdout).unwrap();
+    assert!(
+        again.status.code() == Some(1) && said.contains("undecided after 200 certified impacts"),
+        "{command}: {said}"
+    );
+}
+
+/// The orbit in a description proves its fate; a fate that is another one is refuted.
+#[test]
+fn a_description_is_checked_by_its_own_orbit() {
+    let path = folder("described").join("description.json").to_str().unwrap().to_owned();
+    let (document, code) = described(&["scenes/figure-13.toml"]);
+    assert_eq!((document["fate"]["kind"].as_str(), code), (Some("attracted"), Some(0)));
+    let says = |text: &str, words: &str| {
+        fs::write(&path, text).unwrap();
+        let said = String::from_utf8(program(&["check", &path]).output().unwrap().stdout).unwrap();
+        assert!(said.starts_with(words), "{said}");
+    };
+    let text = document.to_string();
+    says(&text, "confirmed: the fate: 32 events and the outcome");
+    says(&text.replace("\"from\":6", "\"from\":1"), "refuted: fate.");
+    says(&text.replacen("\"certified\":true", "\"certified\":false", 1), "refuted: certified");
+    let (undecided, _) = described(&["scenes/two-tones.toml", "--impacts", "20"]);
+    says(&undecided.to_string(), "undecided: there is nothing to check");
+}
+
+#[test]
+fn the_page_has_four_panels() {
+    let folder = folder("description");
+    let path = folder.join("page.svg").to_str().unwrap().to_owned();
+    let answer = program(&["describe", "scenes/figure-13.toml", "--plot", &path]).output().unwrap();
+    assert!(answer.status.success(), "{answer:?}");
+    let drawn = words(&fs::read_to_string(&path).unwrap());
+    for title in
+        ["(a)  time–displacement", "(b)  phase plane, relative", "(c)  switch-planes, relative", "(d)  itinerary"]
+    {
+        assert!(drawn.contains(title), "{title}");
+    }
+    assert!(drawn.contains("converges to a stable periodic orbit") && drawn.contains("P1 R→L"));
+}
+
+/// What is certified before Ctrl-C is kept.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_the_region() {
+    use crate::common::interrupted_within;
+
+    let command = || program(&["describe", "scenes/figure-14.toml", "--format", "json", "--quiet"]);
+    let is_within = |answer: &std::process::Output| {
+        let document: Value = serde_json::from_slice(&answer.stdout).unwrap_or_default();
+        document["interrupted"] == true && document["fate"]["kind"] == "stays-in-region"
+    };
+    let answer = interrupted_within(command, || true, is_within);
+    let document: Value = serde_json::from_slice(&answer.stdout).unwrap();
+    assert_eq!((document["region"]["boxes"].as_u64(), answer.status.code()), (Some(431), Some(1)));
+    assert!(document["entropy"].is_null(), "{document}");
+}

@@ -1,0 +1,134 @@
+//! The JSON of a description, read back: the orbit and the region in it are documents of their own.
+
+use serde_json::Value;
+
+use crate::{Certificate, Claims, Finding, TrapCertificate};
+use impact_pair_document::{DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
+use impact_pair_model::{Error, Period, Word};
+
+/// What a description claims.
+#[derive(Clone, Debug)]
+pub struct DescriptionCertificate {
+    document: DescriptionDocument,
+    /// The documents in it that are proved again, each with its key.
+    parts: Vec<(&'static str, Claims)>,
+    unjudged: Vec<String>,
+}
+
+/// Keys of the documents in a description.
+const PROOF: &str = "proof";
+const REGION: &str = "region";
+/// What no lemma of `check` is about, or claims nothing.
+const UNJUDGED: [&str; 7] = ["entropy", "exponent", "horseshoe", "interrupted", "not_examined", "program", "undecided"];
+
+impl DescriptionCertificate {
+    /// Reads a description.
+    ///
+    /// # Errors
+    /// Name the key, its value and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let value = value(text)?;
+        let whole = Place::of_schema(&value, DESCRIPTION_SCHEMA)?;
+        let document: DescriptionDocument = whole.read()?;
+        document.scene.clone().model()?;
+        let mut parts = Vec::new();
+        let text = |key: &str| value.get(key).filter(|part| !part.is_null()).map(Value::to_string);
+        if let Some(orbit) = text(PROOF) {
+            parts.push((PROOF, Claims::Orbit(Box::new(Certificate::parse(&orbit)?))));
+        }
+        if let Some(region) = text(REGION) {
+            parts.push((REGION, Claims::Trap(Box::new(TrapCertificate::parse(&region)?))));
+        }
+        let mut unjudged = whole.unread::<DescriptionDocument>()?;
+        unjudged.extend(UNJUDGED.map(str::to_owned));
+        if document.proof.is_none() {
+            unjudged.push("fate.impacts".to_owned());
+        }
+        let own = Self { document, parts, unjudged };
+        Ok(if own.is_fate_judged() { own } else { own.without_fate() })
+    }
+
+    /// A description whose fate no document in it proves.
+    fn without_fate(mut self) -> Self {
+        self.unjudged.extend(["certified", "fate"].map(str::to_owned));
+        if self.parts.is_empty() {
+            self.unjudged.extend(["scene", "schema"].map(str::to_owned));
+        }
+        self
+    }
+
+    /// Returns the documents in it, each with its key.
+    pub(super) fn parts(&self) -> &[(&'static str, Claims)] {
+        &self.parts
+    }
+
+    /// Returns the keys of the document itself that claim nothing which the check compares.
+    pub(super) fn own_unjudged(&self) -> &[String] {
+        &self.unjudged
+    }
+
+    /// Whether a document in it proves the fate.
+    fn is_fate_judged(&self) -> bool {
+        match self.document.fate.kind {
+            FateName::Undecided => false,
+            FateName::StaysInRegion => self.document.region.is_some(),
+            FateName::Attracted | FateName::Periodic | FateName::RestsForever | FateName::NeverImpacts => {
+                self.document.proof.is_some()
+            }
+        }
+    }
+
+    /// Returns what contradicts the documents in it, if anything does.
+    pub(super) fn contradiction(&self) -> Option<Finding> {
+        let message = self.differing().or_else(|| self.fate_differing())?;
+        Some(Finding { event: self.parts.iter().map(|(_, part)| part.count() + 1).sum(), message })
+    }
+
+    /// The scene of a document in it is another one, or a flag is not what the fate says.
+    fn differing(&self) -> Option<String> {
+        let DescriptionDocument { scene, proof, region, fate, certified, .. } = &self.document;
+        let scenes = [
+            (PROOF, proof.as_ref().map(|orbit| &orbit.head.scene)),
+            (REGION, region.as_ref().map(|region| &region.scene)),
+        ];
+        if let Some((key, _)) = scenes.iter().find(|(_, other)| other.is_some_and(|other| other != scene)) {
+            return Some(format!("scene is not that of {key}"));
+        }
+        if *certified == (fate.kind == FateName::Undecided) {
+            return Some(format!("certified is {certified}, but the fate is {}", fate.kind.text()));
+        }
+        match fate.words() {
+            Some(words) if words == fate.message => None,
+            Some(words) => Some(format!("fate.message is not what the fields say: {words}")),
+            None => Some(format!("fate lacks a field of {}", fate.kind.text())),
+        }
+    }
+
+    /// The fate is not that of the document that proves it.
+    fn fate_differing(&self) -> Option<String> {
+        if !self.is_fate_judged() {
+            return None;
+        }
+        let DescriptionDocument { proof, region, fate, .. } = &self.document;
+        let differs = |key: &str| Some(format!("fate.{key} is not that of the document that proves it"));
+        if fate.kind == FateName::StaysInRegion {
+            let entered = region.as_ref().and_then(|region| region.entered_at_impact);
+            let others = fate.period.is_some() || fate.word.is_some() || fate.wall.is_some() || fate.orbit.is_some();
+            return if entered.is_none() || entered != fate.from || others { differs("from") } else { None };
+        }
+        let outcome = &proof.as_ref()?.outcome;
+        let impacts = outcome.word.as_ref().and_then(|word| word.parse::<Word>().ok());
+        let impacts = impacts.map(|word| word.mappings().len() as u64); // exact: a length
+        let of_word = impacts.zip(outcome.cycles).map(|(impacts, cycles)| Period { impacts, cycles: cycles.into() });
+        let same = [
+            ("kind", FateName::of_outcome(&outcome.kind) == Some(fate.kind)),
+            ("from", outcome.from == fate.from),
+            ("word", outcome.word == fate.word),
+            ("wall", outcome.wall == fate.wall),
+            ("period", outcome.period.or(of_word) == fate.period),
+            ("orbit", outcome.orbit == fate.orbit),
+            ("impacts", outcome.impacts == Some(fate.impacts)),
+        ];
+        same.iter().find(|(_, is_same)| !is_same).and_then(|(key, _)| differs(key))
+    }
+}

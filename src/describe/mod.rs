@@ -1,0 +1,190 @@
+//! What becomes of the motion of a scene: [`describe`].
+//!
+//! Questions are examined in the order of their cost, and only as far as the answer requires: the certified orbit and its outcome; a
+//! trapping region, where that leaves the fate undecided; a horseshoe, where the motion stays in the region.
+
+mod document;
+mod lines;
+mod orbit;
+mod question;
+#[cfg(test)]
+mod tests;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::chaos::{Chaos, Question, Trap};
+use crate::orbit::MAX_BITS;
+use crate::{Error, Scene};
+pub use lines::lines;
+use orbit::Followed;
+
+/// How far the questions are examined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Request {
+    /// Maximum number of impacts that are certified at the requested digits; ten times as many in double precision.
+    pub impacts: u64,
+    /// Maximum number of impacts of a word of the horseshoe.
+    pub depth: usize,
+    /// Maximum precision of the orbit, in bits.
+    pub max_bits: u32,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self { impacts: 2000, depth: 6, max_bits: MAX_BITS }
+    }
+}
+
+/// Progress of a description.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// The orbit: impacts that are certified.
+    Orbit(u64),
+    /// The trapping region: boxes.
+    Region(usize),
+    /// The horseshoe: boxes, and the number of impacts of the words.
+    Horseshoe {
+        /// Impacts of the words; 0 during the search for h-sets.
+        depth: usize,
+        /// Boxes.
+        boxes: u64,
+    },
+}
+
+/// What is proved of the motion from the start of a scene.
+///
+/// **Enclosure**: every statement holds for all values of the scene's data. A fate is claimed where the orbit's outcome proves it, or
+/// where one of its impacts lies in a trapping region. Lemmas Q3, D4, D5
+#[derive(Debug)]
+pub struct Description {
+    request: Request,
+    orbit: Followed,
+    region: Region,
+    horseshoe: Horseshoe,
+    is_interrupted: bool,
+}
+
+/// The result of the search for a trapping region.
+#[derive(Debug)]
+enum Region {
+    Proved(Trap),
+    /// None is proved, for this reason.
+    Unproved(String),
+    /// It was not looked for, for this reason.
+    NotExamined(String),
+}
+
+/// The result of the search for a horseshoe.
+#[derive(Debug)]
+enum Horseshoe {
+    /// Its words, which may prove no entropy.
+    Searched(Box<Chaos>),
+    /// It was not looked for, for this reason.
+    NotExamined(String),
+}
+
+/// Describes the motion from the start of a scene, until `watch`, which receives the progress, returns false; what is proved so far is kept.
+///
+/// **Cost**: milliseconds where the orbit's outcome decides the fate; up to half a minute for a horseshoe.
+///
+/// # Errors
+/// If a value of the scene is beyond the range of flights.
+///
+/// ```
+/// use impact_pair::Scene;
+/// use impact_pair::describe::{Request, describe};
+/// use impact_pair::json::FateName;
+/// let scene = Scene::parse(r#"
+///     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
+///     pair = { gap = "3*pi", restitution = 0.5 }
+///     start = { time = 0, wall = "left", velocity = -12 }
+/// "#)?;
+/// let found = describe(&scene, &Request::default(), &|_| true)?;
+/// let document = found.document(&scene, "scene.toml")?;
+/// assert_eq!(document.fate.kind, FateName::Attracted);
+/// assert_eq!(document.fate.word.as_deref(), Some("P1 P2"));
+/// # Ok::<(), impact_pair::Error>(())
+/// ```
+pub fn describe(
+    scene: &Scene,
+    request: &Request,
+    watch: &(dyn Fn(Stage) -> bool + Sync),
+) -> Result<Description, Error> {
+    let watch = Watched { watch, is_stopped: AtomicBool::new(false) };
+    let orbit = orbit::followed(scene, request, &watch)?;
+    let region = region(scene, &orbit, &watch);
+    let horseshoe = horseshoe(scene, request, &region, &watch);
+    Ok(Description { request: *request, orbit, region, horseshoe, is_interrupted: watch.is_stopped() })
+}
+
+impl Description {
+    /// Returns the trapping region, if one is proved.
+    pub fn region(&self) -> Option<&Trap> {
+        match &self.region {
+            Region::Proved(trap) => Some(trap),
+            Region::Unproved(_) | Region::NotExamined(_) => None,
+        }
+    }
+
+    /// Returns the horseshoe, if a positive lower bound of the entropy is proved.
+    pub fn horseshoe(&self) -> Option<&Chaos> {
+        match &self.horseshoe {
+            Horseshoe::Searched(chaos) if chaos.entropy() > 0.0 => Some(chaos),
+            Horseshoe::Searched(_) | Horseshoe::NotExamined(_) => None,
+        }
+    }
+}
+
+const DECIDED: &str = "the outcome of the orbit decides the fate";
+const STOPPED: &str = "interrupted";
+
+/// The trapping region around what attracts the motion, where the orbit's outcome leaves the fate undecided.
+fn region(scene: &Scene, orbit: &Followed, watch: &Watched<'_>) -> Region {
+    let skipped = [(orbit.decides().is_some(), DECIDED), (watch.is_stopped(), STOPPED)];
+    if let Some((_, why)) = skipped.iter().find(|(is_so, _)| *is_so) {
+        return Region::NotExamined((*why).to_owned());
+    }
+    match Trap::of(scene, 0, &|boxes| watch.goes_on(Stage::Region(boxes))) {
+        Ok(Ok(trap)) => Region::Proved(trap),
+        Ok(Err(why)) => Region::Unproved(why.words().to_owned()),
+        // Several harmonics, or no excitation: the reduced impact map does not exist.
+        Err(error) => Region::NotExamined(error.to_string()),
+    }
+}
+
+/// The horseshoe of the impact map, where the motion stays in a region.
+fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Watched<'_>) -> Horseshoe {
+    let why = match region {
+        Region::Proved(_) if watch.is_stopped() => STOPPED,
+        Region::Proved(trap) if trap.entered().is_none() => "the motion is not proved to enter the region",
+        Region::Proved(_) => {
+            let question = Question { depth: request.depth, bases: Vec::new() };
+            let goes_on = |depth, boxes| watch.goes_on(Stage::Horseshoe { depth, boxes });
+            return match Chaos::of_scene(scene, &question, &goes_on) {
+                Ok(chaos) => Horseshoe::Searched(Box::new(chaos)),
+                Err(error) => Horseshoe::NotExamined(error.to_string()),
+            };
+        }
+        Region::Unproved(_) => "no trapping region is proved",
+        Region::NotExamined(why) => why,
+    };
+    Horseshoe::NotExamined(why.to_owned())
+}
+
+/// A watch that remembers whether it has stopped.
+struct Watched<'w> {
+    watch: &'w (dyn Fn(Stage) -> bool + Sync),
+    is_stopped: AtomicBool,
+}
+
+impl Watched<'_> {
+    fn goes_on(&self, stage: Stage) -> bool {
+        let goes_on = !self.is_stopped() && (self.watch)(stage);
+        self.is_stopped.fetch_or(!goes_on, Ordering::Relaxed);
+        goes_on
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.is_stopped.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,95 @@
+//! The certified orbit of a description: as few impacts as decide its fate.
+
+use std::cell::Cell;
+
+use impact_pair_document::{FateName, OrbitDocument};
+
+use super::{Request, Stage, Watched};
+use crate::document;
+use crate::lyapunov::{Disturbance, Exponent, limit};
+use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Watch};
+use crate::{Error, Scene};
+
+/// Impacts that are followed first, and the factor from one attempt to the next.
+const FIRST: u64 = 32;
+const FACTOR: u64 = 4;
+/// In double precision so many times as many impacts are followed: a motion that converges slowly costs little there.
+const IN_DOUBLES: u64 = 10;
+
+/// An orbit that was followed.
+#[derive(Debug)]
+pub(super) struct Followed {
+    /// Its events and its outcome.
+    pub document: OrbitDocument,
+    /// The finite-time exponent over its impacts.
+    pub exponent: Exponent,
+    /// Bounds of the exponent in the limit, of an attracted orbit.
+    pub limit: Option<[f64; 2]>,
+}
+
+impl Followed {
+    /// Returns the fate that its outcome proves, if any.
+    pub fn decides(&self) -> Option<FateName> {
+        FateName::of_outcome(&self.document.outcome.kind)
+    }
+
+    /// Returns the number of impacts that are certified.
+    pub fn impacts(&self) -> u64 {
+        self.document.outcome.impacts.unwrap_or_default()
+    }
+
+    fn of(scene: &Scene, settings: Settings, watch: &Watched<'_>) -> Result<Self, Error> {
+        let mut orbit = Orbit::of(scene, settings)?;
+        let mut disturbance = Disturbance::of(&orbit);
+        let watch = Counted { watch, impacts: Cell::new(0) };
+        let of = (scene.pair(), scene.start());
+        let document = document::follow(&mut orbit, of, &watch, |orbit, event| disturbance.follow(orbit, event));
+        let limit = match orbit.outcome() {
+            Some(Outcome::Attracted(attractor)) => Some(limit(&attractor.orbit)),
+            _ => None,
+        };
+        Ok(Self { document, exponent: disturbance.exponent(), limit })
+    }
+}
+
+/// Follows the orbit until its outcome decides the fate, for at most the requested impacts, and in double precision for ten times as many.
+pub(super) fn followed(scene: &Scene, request: &Request, watch: &Watched<'_>) -> Result<Followed, Error> {
+    let Request { impacts: most, max_bits, .. } = *request;
+    let settings = |arithmetic: Arithmetic, impacts: u64| Settings {
+        impacts: Some(impacts),
+        arithmetic,
+        max_bits,
+        attractor: true,
+        ..Settings::default()
+    };
+    let mut impacts = FIRST.min(most);
+    let found = loop {
+        let found = Followed::of(scene, settings(Arithmetic::Auto, impacts), watch)?;
+        let is_open = found.document.outcome.kind == "impacts-reached";
+        if !is_open || impacts >= most || watch.is_stopped() {
+            break found;
+        }
+        impacts = impacts.saturating_mul(FACTOR).min(most);
+    };
+    if found.decides().is_some() || watch.is_stopped() {
+        return Ok(found);
+    }
+    let longer = Followed::of(scene, settings(Arithmetic::Interval, most.saturating_mul(IN_DOUBLES)), watch)?;
+    Ok(if longer.decides().is_some() { longer } else { found })
+}
+
+/// The watch of an orbit: counts its impacts.
+struct Counted<'w> {
+    watch: &'w Watched<'w>,
+    impacts: Cell<u64>,
+}
+
+impl Watch for Counted<'_> {
+    fn goes_on(&self) -> bool {
+        self.watch.goes_on(Stage::Orbit(self.impacts.get()))
+    }
+
+    fn reached(&self, index: u64) {
+        self.impacts.set(index);
+    }
+}

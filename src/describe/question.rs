@@ -1,0 +1,93 @@
+//! What a description leaves undecided, with a command that goes on, and what it did not examine.
+
+use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
+
+use super::{Description, Horseshoe, Region};
+use crate::chaos::MOST_DEPTH;
+
+/// Numbers of impacts of the cycles that are looked for next.
+const CYCLES: &str = "1..6";
+/// Bits that are tried next where a wall may be touched with zero velocity.
+const BITS: u32 = 65_536;
+/// The factor of the impacts of a next attempt.
+const MORE: u64 = 10;
+
+impl Description {
+    /// Returns the questions that are undecided, each with a command on the scene of this name.
+    pub(super) fn undecided(&self, fate: FateName, name: &str) -> Vec<QuestionDocument> {
+        let name = quoted(name);
+        let question = |question: &str, command: String| QuestionDocument { question: question.to_owned(), command };
+        let mut all = Vec::new();
+        match fate {
+            FateName::Undecided => {
+                let (asked, command) = self.orbit_question(&name);
+                all.push(question(&asked, command));
+            }
+            FateName::StaysInRegion => {
+                let asked = "does the motion converge to a stable periodic orbit in the region?";
+                all.push(question(asked, format!("impact-pair cycles {name} --impacts {CYCLES}")));
+            }
+            FateName::Attracted | FateName::Periodic | FateName::RestsForever | FateName::NeverImpacts => {}
+        }
+        let deeper = (2 * self.request.depth).min(MOST_DEPTH as usize);
+        let deeper = format!("impact-pair chaos {name} --depth {deeper}");
+        match &self.horseshoe {
+            Horseshoe::Searched(chaos) if chaos.entropy() <= 0.0 => {
+                all.push(question("does the region hold a horseshoe?", deeper));
+            }
+            Horseshoe::Searched(chaos) if !chaos.fate().region.is_some_and(|region| region.holds_bases) => {
+                all.push(question("does the horseshoe lie in the region?", deeper));
+            }
+            Horseshoe::NotExamined(_) if self.is_interrupted && self.region().is_some() => {
+                all.push(question("does the region hold a horseshoe?", deeper));
+            }
+            Horseshoe::Searched(_) | Horseshoe::NotExamined(_) => {}
+        }
+        all
+    }
+
+    /// The question that the orbit leaves undecided.
+    fn orbit_question(&self, name: &str) -> (String, String) {
+        let (impacts, more) = (self.orbit.impacts(), self.request.impacts.saturating_mul(MORE));
+        if self.is_interrupted {
+            return ("what becomes of the motion?".to_owned(), format!("impact-pair describe {name}"));
+        }
+        let next = format!("impact-pair run {name} --impacts {}", impacts + 1);
+        match self.orbit.document.outcome.reason.as_deref() {
+            None => (
+                format!("does the motion converge to a periodic orbit after impact {impacts}?"),
+                format!("impact-pair describe {name} --impacts {more}"),
+            ),
+            Some("graze") => (
+                format!("does the motion touch a wall with zero velocity after impact {impacts}?"),
+                if cfg!(feature = "multiprecision") { format!("{next} --arithmetic {BITS}") } else { next },
+            ),
+            Some(_) => (format!("what happens after impact {impacts}?"), next),
+        }
+    }
+
+    /// Returns the questions that were not examined, each with the reason.
+    pub(super) fn not_examined(&self) -> Vec<NotExaminedDocument> {
+        let not_examined = |question: &str, reason: &str| NotExaminedDocument {
+            question: question.to_owned(),
+            reason: reason.to_owned(),
+        };
+        match (&self.region, &self.horseshoe) {
+            (Region::NotExamined(why), _) => vec![not_examined("a trapping region and a horseshoe", why)],
+            (Region::Unproved(why), _) => {
+                vec![not_examined("a horseshoe", &format!("no trapping region is proved: {why}"))]
+            }
+            (Region::Proved(_), Horseshoe::NotExamined(why)) => vec![not_examined("a horseshoe", why)],
+            (Region::Proved(_), Horseshoe::Searched(_)) => Vec::new(),
+        }
+    }
+}
+
+/// The name of a file as a shell reads it.
+fn quoted(name: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@".contains(c);
+    if !name.is_empty() && name.chars().all(is_plain) {
+        return name.to_owned();
+    }
+    format!("'{}'", name.replace('\'', "'\\''"))
+}

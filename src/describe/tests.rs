@@ -1,0 +1,118 @@
+use super::*;
+use impact_pair_document::{DescriptionDocument, FateName};
+
+fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
+    Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
+}
+
+fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
+    let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
+    let pair = format!("gap = {gap}, restitution = {restitution}");
+    scene(&excitation, &pair, "time = 0, wall = \"left\", velocity = -12.56636")
+}
+
+/// What is said of a scene without a search for a horseshoe, which takes long.
+fn described(scene: &Scene) -> DescriptionDocument {
+    let watch = |stage| !matches!(stage, Stage::Horseshoe { .. });
+    let request = Request { impacts: 500, ..Request::default() };
+    describe(scene, &request, &watch).unwrap().document(scene, "scene.toml").unwrap()
+}
+
+/// Of the equispaced motion of (66)-(69) with these data both eigenvalues are `e^2`: the exponent tends to `ln e`.
+#[test]
+fn an_attracted_motion_has_its_exponent_in_the_limit_and_no_region() {
+    let document = described(&figure("1", "\"3*pi\"", "0.5"));
+    assert_eq!((document.fate.kind, document.fate.from.is_some()), (FateName::Attracted, true));
+    let [low, high] = document.exponent.limit.unwrap().map(|end| end.parse::<f64>().unwrap());
+    assert!(low <= 0.5_f64.ln() && 0.5_f64.ln() <= high && high - low < 1e-3, "{low} {high}");
+    assert!(document.region.is_none() && document.entropy.is_none() && document.undecided.is_empty());
+    assert_eq!(document.not_examined.len(), 1);
+    assert_eq!(document.proof.unwrap().outcome.orbit, document.fate.orbit);
+}
+
+/// Lemma Q3 holds for all data: so it does for all gaps of an interval.
+#[test]
+fn intervals_of_data_are_described_for_all_their_values() {
+    let document = described(&figure("1", "\"[9.4249, 9.425]\"", "0.5"));
+    assert_eq!(document.fate.kind, FateName::Attracted);
+    assert!(document.scene.gap.0.text().contains("9.4249"));
+}
+
+/// `y + E` stays as it is where the ball starts with the velocity of the box, and the box moves less than the walls are away.
+#[test]
+fn a_ball_without_drift_never_touches_a_wall() {
+    let inside = "time = 0, position = 0, velocity = \"-pi\"";
+    let free = scene("amplitude = 1, frequency = \"pi\", phase = 0", "gap = 9, restitution = 0.5", inside);
+    let document = described(&free);
+    assert_eq!((document.fate.kind, document.fate.impacts), (FateName::NeverImpacts, 0));
+    assert!(document.exponent.limit.is_none() && document.exponent.finite_time.is_none());
+}
+
+#[test]
+fn a_ball_on_the_wall_of_a_box_that_stands_still_rests_for_ever() {
+    for restitution in ["0", "0.5", "1"] {
+        let pair = format!("gap = 9, restitution = {restitution}");
+        let start = "time = 0, wall = \"right\", velocity = 0";
+        let document = described(&scene("amplitude = 0, frequency = 1, phase = 0", &pair, start));
+        assert_eq!(document.fate.kind, FateName::RestsForever, "{restitution}");
+        assert_eq!(document.fate.message, "the ball rests on the right wall for ever");
+    }
+}
+
+/// With `e = 0` each motion of one harmonic is periodic from a release on, if it rests; nothing is claimed of the elastic one.
+#[test]
+fn plastic_and_elastic_impacts_are_described_without_a_false_claim() {
+    let plastic = described(&figure("1", "9.42497", "0"));
+    assert!(matches!(plastic.fate.kind, FateName::Periodic | FateName::Attracted), "{:?}", plastic.fate);
+    let elastic = described(&figure("1", "9.42497", "1"));
+    assert!(matches!(elastic.fate.kind, FateName::Undecided | FateName::StaysInRegion), "{:?}", elastic.fate);
+    assert!(elastic.fate.kind == FateName::StaysInRegion || !elastic.undecided.is_empty());
+}
+
+/// Without an excitation a ball that bounces loses speed for ever: neither periodic nor at rest.
+#[test]
+fn without_an_excitation_region_and_horseshoe_are_not_examined() {
+    let still = "time = 0, wall = \"left\", velocity = -1";
+    let document = described(&scene("amplitude = 0, frequency = 1, phase = 0", "gap = 9, restitution = 0.5", still));
+    assert_eq!(document.fate.kind, FateName::Undecided);
+    assert!(document.not_examined[0].question.contains("region"), "{:?}", document.not_examined);
+}
+
+#[test]
+fn several_harmonics_have_a_fate_but_no_region() {
+    let excitation = "amplitude = [1, 0.1], frequency = [\"pi\", \"sqrt(2)*pi\"], phase = 0";
+    let start = "time = 0, wall = \"left\", velocity = -12.56636";
+    let document = described(&scene(excitation, "gap = 9.42497, restitution = 0.5", start));
+    assert_eq!(document.fate.kind, FateName::Undecided);
+    assert!(document.not_examined[0].reason.contains("2 harmonics"), "{:?}", document.not_examined);
+    assert_eq!(document.undecided[0].command, "impact-pair describe scene.toml --impacts 5000");
+}
+
+/// The motion of figure 14 is in the region that `trap` proves, from the same impact on.
+#[test]
+fn a_motion_in_a_region_carries_what_trap_proves() {
+    let scene = figure("8", "9.42497", "0.5");
+    let document = described(&scene);
+    let trap = Trap::of(&scene, 0, &|_| true).unwrap().unwrap();
+    assert_eq!((document.fate.kind, document.fate.from), (FateName::StaysInRegion, trap.entered()));
+    assert_eq!(document.region, Some(crate::document::trap(&scene, &trap).unwrap()));
+    assert!(document.certified && document.interrupted && document.proof.is_none());
+    assert!(document.undecided.iter().any(|open| open.command.starts_with("impact-pair chaos scene.toml")));
+}
+
+#[test]
+fn what_is_stopped_at_once_is_undecided_and_says_so() {
+    let scene = figure("1", "9.42497", "0.5");
+    let found = describe(&scene, &Request::default(), &|_| false).unwrap();
+    let document = found.document(&scene, "it's a scene.toml").unwrap();
+    assert!(document.interrupted && !document.certified);
+    assert_eq!(document.undecided[0].command, "impact-pair describe 'it'\\''s a scene.toml'");
+}
+
+#[test]
+fn the_lines_are_those_of_the_document() {
+    let document = described(&figure("1", "9.42497", "0.5"));
+    let lines = lines(&document);
+    assert_eq!(lines[0], ("fate", format!("certified: {}", document.fate.message)));
+    assert!(lines.iter().all(|(label, text)| !label.is_empty() && !text.is_empty()) && lines.len() <= 10);
+}
