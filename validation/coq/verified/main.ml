@@ -1,0 +1,42 @@
+(* impact-pair-verified DOCUMENT: prints what an orbit document claims, and `verified` where the checker that is extracted from
+   Coq says so. *)
+
+open Checker
+module Z = Integers.Z
+
+let usage = "usage: impact-pair-verified DOCUMENT\n\n\
+  Verifies an orbit document of `impact-pair run --format json` (- for standard input) by a checker extracted from its proof in Coq.\n\
+  Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n"
+
+type verdict = Verified | Not_verified of string | Unreadable of string
+
+let contents path =
+  let all channel =
+    let out = Buffer.create 65536 in
+    (try while true do Buffer.add_channel out channel 1 done with End_of_file -> ());
+    Buffer.contents out in
+  if path = "-" then all stdin
+  else
+    let channel = open_in_bin path in
+    Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
+
+let verdict source =
+  match Orbit.read source with
+  | exception Json.Unreadable reason -> Unreadable reason
+  | exception Orbit.Not_covered reason -> Not_verified reason
+  | document ->
+    print_endline ("claim: " ^ Orbit.claim document);
+    match Hints.of_document document with
+    | exception Hints.Lost n -> Not_verified (Printf.sprintf "events[%d]: no impact is found there" n)
+    | None -> Not_verified "outcome.until: the next impact is not found"
+    | Some hint -> if Shifting.verify document hint then Verified else Not_verified (Reason.why document hint)
+
+let () =
+  match Array.to_list Sys.argv with
+  | [ _; ("-h" | "--help") ] -> print_string usage
+  | [ _; path ] ->
+    (match (try verdict (contents path) with Sys_error reason -> Unreadable reason) with
+     | Verified -> print_endline "verified"
+     | Not_verified reason -> print_endline ("not verified: " ^ reason); exit 1
+     | Unreadable reason -> print_endline ("unreadable: " ^ reason); exit 2)
+  | _ -> prerr_string usage; exit 2
