@@ -18,6 +18,7 @@ let working_spare = 96
 
 let coarser scale radius = if radius > wide then max 1 (scale - int_of_float (Float.log2 radius -. few_bits)) else scale
 let exp2 n = Float.ldexp 1.0 n
+let scaled scale x = if x > 0.0 then Float.ldexp x scale else 0.0
 
 (* Half the widths of what is an interval: e, d/A, phase and velocity of the start; and how far the other harmonics are unknown. *)
 type spread = { of_e : float; of_gap : float; of_phase : float; of_velocity : float; of_time : float }
@@ -41,8 +42,7 @@ let radii spread f from scale =
   let by_speed = (abs_float (f.e *. f.h /. f.rate), abs_float (f.e *. (1.0 -. tilt *. f.h))) in
   let shrunk = exp2 (scale - from.scale) in
   let rt = (from.rt +. 1.0) *. shrunk and rv = (from.rv +. 1.0) *. shrunk in
-  let scaled x = if x > 0.0 then x *. exp2 scale else 0.0 in
-  let of_e = scaled spread.of_e and off = scaled spread.of_gap in
+  let of_e = scaled scale spread.of_e and off = scaled scale spread.of_gap in
   let data_t = (of_e *. abs_float f.before *. f.h +. off) /. abs_float f.rate in
   let data_v = of_e *. abs_float (f.before *. (1.0 -. tilt *. f.h)) +. off *. abs_float tilt in
   let slack = 16.0 *. exp2 (-spare_bits) in
@@ -87,7 +87,7 @@ let of_float scale x = let m, e = Float.frexp x in
 let origin_box spread s beginning scale =
   let _, th, v, _ = start_of s beginning in
   let exact x = Z.equal x (Z.shift_left (floor_at ~bits:s.bits ~scale x) (s.bits - scale)) in
-  let radius x spread = if spread = 0.0 && exact x then 0.0 else Float.ceil (spread *. exp2 scale) +. 2.0 in
+  let radius x spread = if spread = 0.0 && exact x then 0.0 else Float.ceil (scaled scale spread) +. 2.0 in
   let rt = radius th spread.of_phase and rv = radius v spread.of_velocity in
   (th, v, { scale; rt; rv })
 
