@@ -165,20 +165,25 @@ and leading = function
 let text { least; most } =
   if least = most then print Sum least else "[" ^ print Sum least ^ "," ^ print Sum most ^ "]"
 
-(* The canonical form of a text: no blanks, and decimals without exponents. *)
+(* The canonical form of a text: no blanks, decimals without exponents, no parentheses around one number. *)
+let plain_decimal source =
+  let group n = try Str.matched_group n source with Not_found -> "" in
+  let whole = group 1 and part = group 2 in
+  match int_of_string_opt (group 3) with
+  | Some exponent when abs exponent <= largest_exponent ->
+    let part = if part = "" then "" else String.sub part 1 (String.length part - 1) in
+    let digits = whole ^ part and places = String.length part - exponent in
+    if places <= 0 then digits ^ String.make (-places) '0'
+    else
+      let digits = String.make (max 0 (places + 1 - String.length digits)) '0' ^ digits in
+      let n = String.length digits - places in
+      String.sub digits 0 n ^ "." ^ String.sub digits n places
+  | _ -> Str.matched_string source
+
+let with_exponent = Str.regexp "\\([0-9]+\\)\\(\\.[0-9]+\\)?[eE]\\([-+]?[0-9]+\\)"
+let in_parentheses = Str.regexp "\\(^\\|[^a-z]\\)(\\([0-9.]+\\|pi\\))"
+
 let canonical source =
   let source = String.concat "" (String.split_on_char ' ' source) in
-  let expanded = Str.global_substitute (Str.regexp "\\([0-9]+\\)\\(\\.[0-9]+\\)?[eE]\\([-+]?[0-9]+\\)") (fun source ->
-    let group n = try Str.matched_group n source with Not_found -> "" in
-    let whole = group 1 and part = group 2 and exponent = int_of_string_opt (group 3) in
-    match exponent with
-    | Some exponent when abs exponent <= largest_exponent ->
-      let part = if part = "" then "" else String.sub part 1 (String.length part - 1) in
-      let digits = whole ^ part and places = String.length part - exponent in
-      if places <= 0 then digits ^ String.make (-places) '0'
-      else
-        let digits = String.make (max 0 (places + 1 - String.length digits)) '0' ^ digits in
-        let n = String.length digits - places in
-        String.sub digits 0 n ^ "." ^ String.sub digits n places
-    | _ -> Str.matched_string source) source in
-  expanded
+  let source = Str.global_substitute with_exponent plain_decimal source in
+  Str.global_replace in_parentheses "\\1\\2" source

@@ -86,10 +86,6 @@ type flight = {
   reach : float;
 }
 
-(* Samples of a flight that look for zeros of y', for each radian of the fastest harmonic. *)
-let samples = 12.0
-let most_samples = 20_000
-
 let bisected f a b =
   let positive = f a > 0.0 in
   let rec halve a b n =
@@ -97,30 +93,37 @@ let bisected f a b =
     if n = 0 then m else if (f m > 0.0) = positive then halve m b (n - 1) else halve a m (n - 1) in
   halve a b 60
 
-(* Where a function that begins with this sign changes sign inside (0, h). *)
-let zeros f h count =
-  let at i = h *. float_of_int i /. float_of_int count in
-  let rec look i found =
-    if i >= count then List.rev found
-    else
-      let a = if i = 0 then h *. 1e-9 else at i and b = if i = count - 1 then h *. (1.0 -. 1e-9) else at (i + 1) in
-      look (i + 1) (if (f a > 0.0) <> (f b > 0.0) then bisected f a b :: found else found) in
-  look 0 []
+(* The zeros of f inside (0, h), in order, where |f'| <= first and |f''| <= second: parts without a zero are left out, parts on
+   which f is monotone have one at most, others are halved. *)
+let narrow = 1e-10
+let most_work = 1e6
+
+let zeros f f' (first, second) h =
+  let rec look a b found =
+    let m = (a +. b) /. 2.0 and r = (b -. a) /. 2.0 in
+    if abs_float (f m) > first *. r then found
+    else if r < narrow *. h then m :: found
+    else if abs_float (f' m) > second *. r then
+      if (f a > 0.0) <> (f b > 0.0) then bisected f a b :: found else found
+    else look m b (look a m found) in
+  let is_reasonable = h > 0.0 && first *. h < most_work && second *. h < most_work in
+  if is_reasonable then List.rev (look (1e-9 *. h) ((1.0 -. 1e-9) *. h) []) else []
 
 let short = 1e-3
 
 (* `phases` are those of the harmonics at launch, with shares and ratios; y0 is the height of the launch. *)
-let cuts ~waves ~u ~y0 ~half_gap ~h ~bends =
+let cuts ~waves ~u ~y0 ~half_gap ~h =
   let rate x = List.fold_left (fun sum (share, ratio, phase) ->
     sum +. 2.0 *. share *. ratio *. sin (phase +. ratio *. x /. 2.0) *. sin (ratio *. x /. 2.0)) u waves in
   let height x = List.fold_left (fun sum (share, ratio, phase) ->
     sum +. share *. (sin phase -. sin (phase +. ratio *. x) +. ratio *. x *. cos phase)) (y0 +. u *. x) waves in
-  let fastest = List.fold_left (fun most (_, ratio, _) -> max most ratio) 1.0 waves in
-  let count = min most_samples (16 + int_of_float (Float.ceil (samples *. fastest *. h))) in
-  let extrema = zeros rate h count in
+  let bend x = List.fold_left (fun sum (share, ratio, phase) -> sum +. share *. ratio *. ratio *. sin (phase +. ratio *. x)) 0.0 waves in
+  let jerk x = List.fold_left (fun sum (share, ratio, phase) -> sum +. share *. (ratio ** 3.0) *. cos (phase +. ratio *. x)) 0.0 waves in
+  let most n = List.fold_left (fun sum (share, ratio, _) -> sum +. abs_float share *. (ratio ** n)) 0.0 waves in
+  let extrema = zeros rate bend (most 2.0, most 3.0) h in
   let depart = match extrema with first :: _ -> 0.75 *. first | [] -> h /. 2.0 in
   let approach = match List.rev extrema with last :: _ -> h -. 0.75 *. (h -. last) | [] -> h /. 2.0 in
-  let depart = if u <> 0.0 then depart else match zeros bends h count with first :: _ -> min depart (0.75 *. first) | [] -> depart in
+  let depart = if u <> 0.0 then depart else match zeros bend jerk (most 3.0, most 4.0) h with first :: _ -> min depart (0.75 *. first) | [] -> depart in
   let nearest = List.fold_left (fun least x -> min least (abs_float (half_gap -. abs_float (height x)))) 1.0 extrema in
   let nearness = if h < short then 0 else if nearest < 1e-9 then max_int / 4 else int_of_float (Float.ceil (-2.0 *. Float.log2 nearest)) in
   (depart, max depart approach, nearness)
@@ -147,7 +150,7 @@ let listed data beginning impacts =
     let h = float (Z.sub th1 th0) and u = float u in
     let waves = waves_at th0 in
     let y0, from = match place with On w -> (float_of_int (side w) *. half_gap, Some w) | At y -> (float y, None) in
-    let depart, approach, nearness = cuts ~waves ~u ~y0 ~half_gap ~h ~bends:(bend waves) in
+    let depart, approach, nearness = cuts ~waves ~u ~y0 ~half_gap ~h in
     let reach = List.fold_left (fun sum (share, _, _) -> sum +. share) 0.0 waves in
     let next = (On i.on, th1, v, Z.neg (Fixed.mul fine s.e v)) in
     ({ from; wall = i.on; before = float before; u; e = (if from = None then 1.0 else e); h; bend0 = bend waves 0.0; bend1 = bend waves h;

@@ -168,7 +168,12 @@ let first_scale spread flights data impacts =
     if wanting > -first_spare && tries > 0 && scale < 1 lsl 16 then raise_to (scale + wanting + first_spare + 1) (tries - 1) else scale in
   raise_to 64 40
 
+(* Bounds that hold nothing are not worth an attempt. *)
+let compare_q a b = Z.compare (Z.mul a.qnum b.qden) (Z.mul b.qnum a.qden)
+let is_empty b = compare_q b.time_lower b.time_upper >= 0 || compare_q b.velocity_lower b.velocity_upper >= 0
+
 let of_impacts data beginning impacts =
+  List.iteri (fun n b -> if is_empty b then raise (Lost n)) impacts;
   let flights = listed data beginning impacts and spread = spread data beginning in
   from_scale data beginning impacts flights spread (first_scale spread flights data impacts) 4
 

@@ -6,7 +6,8 @@ module Z = Integers.Z
 
 let usage = "usage: impact-pair-verified DOCUMENT\n\n\
   Verifies an orbit document of `impact-pair run --format json` (- for standard input) by a checker extracted from its proof in Coq.\n\
-  Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n"
+  Prints the claim, and `verified` (exit 0), `not verified: REASON` (1) or `unreadable: REASON` (2).\n\n\
+  impact-pair-verified --coq DOCUMENT prints a file in which Coq itself runs the checker on the same input.\n"
 
 type verdict = Verified | Not_verified of string | Unreadable of string
 
@@ -31,10 +32,18 @@ let verdict source =
     | None -> Not_verified "outcome.until: the next impact is not found"
     | Some hint -> if Shifting.verify document hint then Verified else Not_verified (Reason.why document hint)
 
+(* The same input for Coq, with this program's answer. *)
+let coq path =
+  let document = Orbit.read (contents path) in
+  match Hints.of_document document with
+  | Some hint -> print_string (Term.file document hint (Shifting.verify document hint))
+  | None -> failwith "the next impact is not found"
+
 let () =
   match Array.to_list Sys.argv with
   | [ _; ("-h" | "--help") ] -> print_string usage
-  | [ _; path ] ->
+  | [ _; "--coq"; path ] -> coq path
+  | [ _; path ] when path = "-" || path = "" || path.[0] <> '-' ->
     (match (try verdict (contents path) with Sys_error reason -> Unreadable reason) with
      | Verified -> print_endline "verified"
      | Not_verified reason -> print_endline ("not verified: " ^ reason); exit 1
