@@ -3,7 +3,7 @@
 open Checker
 module Z = Integers.Z
 
-let integer n = if Z.sign n < 0 then Z.format "(%#x)" n else Z.format "%#x" n
+let integer n = let digits = Z.format "%#x" n in if Z.sign n < 0 then "(" ^ digits ^ ")" else digits
 let fraction { qnum; qden } = Printf.sprintf "(Qmake %s %s)" (integer qnum) (integer qden)
 let list term items = "[" ^ String.concat "; " (List.map term items) ^ "]"
 let option term = function None -> "None" | Some x -> "(Some " ^ term x ^ ")"
