@@ -8,7 +8,9 @@ let unreadable = Json.unreadable
 let ten_to n = Z.pow (Z.of_int 10) n
 let largest_exponent = 10_000
 let largest_power = 64
+let largest_size = 4096
 let deepest = 64
+let longest = 16384
 
 (* Digits, perhaps a point and digits; the fraction has a power of ten below. *)
 let decimal ~whole ~part = { qnum = Z.of_string (whole ^ part); qden = ten_to (String.length part) }
@@ -30,8 +32,17 @@ let spell { qnum; qden } =
 
 let zero = Rational { qnum = Z.zero; qden = Z.one }
 
+(* Whether an expression has so many parts at most. *)
+let is_small most value =
+  let rec left most = function
+    | Rational _ | Pi -> most - 1
+    | Plus (a, b) | Minus (a, b) | Times (a, b) | Over (a, b) -> if most < 0 then most else left (left (most - 1) a) b
+    | Root a | Sine a | Cosine a -> if most < 0 then most else left (most - 1) a in
+  left most value >= 0
+
 let parse place source =
   let length = String.length source and at = ref 0 in
+  if length > longest then unreadable "%s: %d bytes, but accepted are %d" place length longest;
   let peek () = if !at < length then source.[!at] else '\000' in
   let blanks () = while !at < length && peek () = ' ' do incr at done in
   let refuse what = unreadable "%s: %S, but accepted at column %d is %s" place source (!at + 1) what in
@@ -101,6 +112,7 @@ let parse place source =
     else begin
       let n = small "a power from 2 to 64" largest_power in
       if n < 2 then refuse "a power from 2 to 64";
+      if not (is_small (largest_size / n) value) then refuse "the power of a shorter expression";
       let rec times n = if n = 1 then value else Times (value, times (n - 1)) in
       times n
     end in
