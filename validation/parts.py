@@ -90,6 +90,7 @@ PARTS = [
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "references", "certificates", "cycles", "coq"]),
+    by_program("coq/verified", "validation/coq")._replace(name="verified"),
     by_program("paper", "docs"),
     by_program("audits", "validation/references"),
     cargo("package", "python/test", "python/test --full", ("lints",)),

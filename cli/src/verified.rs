@@ -37,8 +37,12 @@ fn write(said: &str, output: Option<&Path>, answer: Answer) -> Result<Answer> {
 /// What the program answers of a text.
 fn answer(program: &Path, text: &str) -> Result<Answered> {
     let run = || {
-        let mut child =
-            Command::new(program).arg("-").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
+        let mut child = Command::new(program)
+            .arg("-")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()?;
         // It answers only after it has read all.
         child.stdin.take().map(|mut input| input.write_all(text.as_bytes())).transpose()?;
         child.wait_with_output()
@@ -51,7 +55,8 @@ fn program() -> Result<PathBuf> {
     let name = format!("{PROGRAM}{}", env::consts::EXE_SUFFIX);
     let beside = env::current_exe().ok().and_then(|this| this.parent().map(Path::to_owned));
     let path = env::var_os("PATH").unwrap_or_default();
-    let found = beside.into_iter().chain(env::split_paths(&path)).map(|folder| folder.join(&name)).find(|file| file.is_file());
+    let found =
+        beside.into_iter().chain(env::split_paths(&path)).map(|folder| folder.join(&name)).find(|file| file.is_file());
     let Some(found) = found else {
         bail!("{PROGRAM} is neither beside impact-pair nor on PATH: validation/coq/verified/build builds it");
     };

@@ -20,3 +20,4 @@ mod sweep_tables;
 mod tolerances;
 mod trade;
 mod two_impact;
+mod verified;
