@@ -3,7 +3,7 @@
 From Coq Require Import ZArith Lia.
 From Flocq Require Import Core.Zaux Core.Digits.
 From Interval Require Import Float.Basic Float.Generic Float.Generic_proof Float.Specific_sig Float.Specific_stdz Float.Specific_ops.
-From ImpactPair Require Document.
+From ImpactPair Require Pieces.
 Open Scope Z_scope.
 
 Module Import Std := StdZRadix2.
@@ -127,4 +127,4 @@ Definition mantissa_sqrt_correct := Std.mantissa_sqrt_correct.
 End ShiftRadix2.
 
 Module ShiftFloats := SpecificFloat ShiftRadix2.
-Module Shifting := Document.Verifier ShiftFloats.
+Module Shifting := Pieces.PieceVerifier ShiftFloats.

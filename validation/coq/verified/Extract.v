@@ -1,8 +1,8 @@
-(* Extraction of `verify` (Document.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
+(* Extraction of `verify_document` (Pieces.v) to OCaml. Coq's binary integers become those of Zarith: each function below has the
    meaning of the Coq function, for all arguments; what it says of Zarith's is in integers.ml. These lines are trusted. *)
 From Coq Require Import ZArith QArith Extraction ExtrOcamlBasic.
 From Flocq Require Import Zaux.
-From ImpactPair Require Import Model Certificate Document Carrier.
+From ImpactPair Require Import Model Certificate Document Pieces Carrier.
 
 Extract Inductive positive => "Integers.t" [ "Integers.double_plus_one" "Integers.double" "Integers.one" ] "Integers.match_positive".
 Extract Inductive Z => "Integers.t" [ "Integers.zero" "(fun p -> p)" "Integers.neg" ] "Integers.match_integer".
@@ -48,7 +48,7 @@ Extract Inlined Constant Z.sqrtrem => "Integers.sqrtrem".
 Extract Inlined Constant Z.to_pos => "Integers.to_positive".
 Extract Inlined Constant Z.sgn => "Integers.signum".
 
-(* Coq's real numbers are in the modules of Interval, which extraction takes whole; `verify` never computes with them. Should it
+(* Coq's real numbers are in the modules of Interval, which extraction takes whole; the checker never computes with them. Should it
    do so, it would stop without an answer. *)
 Extract Constant ClassicalDedekindReals.sig_forall_dec => "(fun _ -> failwith ""real numbers are not computed"")".
 

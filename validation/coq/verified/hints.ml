@@ -12,6 +12,8 @@ let wide = 4096.0
 let few_bits = 10.0
 let spare_bits = 20
 let margin = 1.01
+(* Of data that are intervals boxes must be narrow: no more than their own second order. *)
+let least_margin = 1e-5
 (* Bits of the first scale beyond those for the listed bounds, and of the computation beyond the scale. *)
 let first_spare = 12
 let working_spare = 96
@@ -34,6 +36,8 @@ let spread data beginning =
     of_phase = abs_float (value t) *. half w +. value w *. half t +. half tau;
     of_velocity = half v /. unit +. abs_float (value v /. unit) *. (relative a +. relative w); of_time = relative w }
 
+let is_point s = s.of_e +. s.of_gap +. s.of_phase +. s.of_velocity +. s.of_time = 0.0
+
 (* Radii of the box of arrival in units of 2^-scale, by (A.7). *)
 let radii spread f from scale =
   let tilt = f.bend1 /. f.rate in
@@ -46,6 +50,8 @@ let radii spread f from scale =
   let data_t = (of_e *. abs_float f.before *. f.h +. off) /. abs_float f.rate in
   let data_v = of_e *. abs_float (f.before *. (1.0 -. tilt *. f.h)) +. off *. abs_float tilt in
   let slack = 16.0 *. exp2 (-spare_bits) in
+  let curved = 8.0 *. (rt +. rv) *. exp2 (-scale) *. (1.0 +. abs_float tilt) /. abs_float f.rate in
+  let margin = if is_point spread then margin else 1.0 +. max least_margin (min 0.01 curved) in
   let total (p, s, d, g) = Float.ceil (margin *. (p *. rt +. s *. rv +. d) +. 4.0 +. g) in
   (total (fst by_phase, fst by_speed, data_t, slack /. abs_float f.rate), total (snd by_phase, snd by_speed, data_v, slack *. abs_float tilt))
 
@@ -137,7 +143,7 @@ let rec from_scale data beginning impacts flights spread least tries =
     let grid = Fixed.round ~bits:s.bits ~scale:box.scale in
     max most (excess f box (grid th1, grid v) (printed_at s box.scale i)))
     0 (List.combine flights boxes) (List.combine centres impacts) in
-  if wanting > 0 && tries > 0 && spread.of_e +. spread.of_gap +. spread.of_phase +. spread.of_velocity +. spread.of_time = 0.0 then
+  if wanting > 0 && tries > 0 && is_point spread then
     from_scale data beginning impacts flights spread (least + wanting + 1) (tries - 1)
   else begin
     let grid = Fixed.round ~bits:s.bits ~scale:origin.scale in

@@ -22,10 +22,11 @@ let contents path =
     Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
 
 let judged document =
-  match Hints.of_document document with
-  | exception Hints.Lost n -> Not_verified (Printf.sprintf "events[%d]: no impact is found there" n)
-  | None -> Not_verified "outcome.until: the next impact is not found"
-  | Some hint -> if Shifting.verify document hint then Verified else Not_verified (Reason.why document hint)
+  match Search.pieces document with
+  | Refused reason -> Not_verified reason
+  | Pieces pieces when Shifting.verify_document document pieces -> Verified
+  | Pieces (Whole hint) -> Not_verified (Reason.why document hint)
+  | Pieces _ -> Not_verified "the pieces do not make up the whole"
 
 let verdict source =
   match Orbit.read source with
@@ -40,9 +41,9 @@ let verdict source =
 (* The same input for Coq, with this program's answer. *)
 let coq path =
   let document = Orbit.read (contents path) in
-  match Hints.of_document document with
-  | Some hint -> print_string (Term.file document hint (Shifting.verify document hint))
-  | None -> failwith "the next impact is not found"
+  match Search.pieces document with
+  | Pieces pieces -> print_string (Term.file document pieces (Shifting.verify_document document pieces))
+  | Refused reason -> prerr_endline ("no input for the checker: " ^ reason); exit 1
 
 let () =
   match Array.to_list Sys.argv with

@@ -2,7 +2,8 @@
 
 open Checker
 module Z = Integers.Z
-module Check = Shifting.Check
+module Each = Shifting.Each
+module Check = Each.Check
 
 let first_wrong_name { begun; events; _ } =
   let rec look previous n = function
@@ -24,14 +25,14 @@ let first_wrong_leg { scene_data; begun; events; _ } { origin; legs; next_impact
 
 let why document hint =
   let bits = hint.origin.start_bits in
-  if not (Shifting.check_data bits document.scene_data) then
+  if not (Each.check_data bits document.scene_data) then
     "scene: not proved to be an impact pair (no amplitude negative, frequencies and gap positive, 0 <= restitution <= 1)"
-  else if not (Shifting.check_beginning bits document.scene_data document.begun) then
+  else if not (Each.check_beginning bits document.scene_data document.begun) then
     "scene.start: not proved to be on its wall, from inside, or inside the gap"
   else match first_wrong_name document with
   | Some n -> Printf.sprintf "events[%d]: index or mapping is not that of its place in the list" n
   | None ->
-    if not (Shifting.check_outcome bits document.ended document.events hint.next_impact) then
+    if not (Each.check_outcome bits document.ended document.events hint.next_impact) then
       "outcome: the impacts are not those listed, or not all of them proved to be up to `until` and the next one after it"
     else if not (Check.check_start document.scene_data document.begun hint.origin) then "scene.start: not enclosed"
     else match first_wrong_leg document hint with

@@ -40,11 +40,25 @@ let leg { bits; coarse; scale0; hits; t; rt; v; rv; depart; approach; tilt } =
 let start { start_bits; start_scale; start_t; start_rt; start_v; start_rv } =
   Printf.sprintf "(Start %s)" (integers [ start_bits; start_scale; start_t; start_rt; start_v; start_rv ])
 
+let hint { origin; legs; next_impact } = Printf.sprintf "(Hint %s %s %s)" (start origin) (list leg legs) (option bounds next_impact)
+let rec natural = function O -> "O" | S n -> Printf.sprintf "(S %s)" (natural n)
+let datum = function
+  | Amplitude n -> "(Pieces.Amplitude " ^ natural n ^ ")"
+  | Frequency n -> "(Pieces.Frequency " ^ natural n ^ ")"
+  | Phase n -> "(Pieces.Phase " ^ natural n ^ ")"
+  | Gap -> "Pieces.Gap"
+  | Restitution -> "Pieces.Restitution"
+  | Start_time -> "Pieces.Start_time"
+  | Start_place -> "Pieces.Start_place"
+  | Start_velocity -> "Pieces.Start_velocity"
+let rec pieces = function
+  | Whole h -> Printf.sprintf "(Pieces.Whole %s)" (hint h)
+  | Cut (d, q, lower, upper) -> Printf.sprintf "(Pieces.Cut %s %s %s %s)" (datum d) (fraction q) (pieces lower) (pieces upper)
+
 (* The answer of the extracted program is Coq's. *)
-let file { scene_data; begun; events; ended } { origin; legs; next_impact } answer =
-  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Document Carrier.\n\
-    Import ListNotations.\nOpen Scope Z_scope.\n\
-    Definition document := Document %s %s %s %s.\nDefinition hint := Hint %s %s %s.\n\
-    Lemma answer : Carrier.Shifting.verify document hint = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
-    (data scene_data) (beginning begun) (list event events) (outcome ended) (start origin) (list leg legs) (option bounds next_impact)
-    answer answer
+let file { scene_data; begun; events; ended } found answer =
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Document.\n\
+    From ImpactPair Require Pieces Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
+    Definition document := Document %s %s %s %s.\nDefinition pieces := %s.\n\
+    Lemma answer : Carrier.Shifting.verify_document document pieces = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
+    (data scene_data) (beginning begun) (list event events) (outcome ended) (pieces found) answer answer
