@@ -12,12 +12,12 @@ use std::process::Command;
 use crate::common::{folder, program};
 use insta_cmd::assert_cmd_snapshot;
 
-/// `check --verified -` with a document on stdin and only this folder on PATH.
+/// `check --verified -` in a folder, with a document on stdin and only this folder on PATH.
 fn verified(path: &Path, arguments: &[&str]) -> Command {
     let document = path.join("document.json");
     fs::write(&document, "{}").unwrap();
     let mut command = program(&["check", "--verified", "-"]);
-    command.args(arguments).env("PATH", path).stdin(fs::File::open(document).unwrap());
+    command.args(arguments).current_dir(path).env("PATH", ".").stdin(fs::File::open(document).unwrap());
     command
 }
 

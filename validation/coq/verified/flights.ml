@@ -135,8 +135,24 @@ let middle_of s { time_lower; time_upper; velocity_lower; velocity_upper; _ } =
   let mid a b = Z.shift_right (Z.add (Fixed.of_q s.bits a) (Fixed.of_q s.bits b)) 1 in
   (Z.add (Fixed.mul s.bits s.w (mid time_lower time_upper)) s.tau, Fixed.div s.bits (mid velocity_lower velocity_upper) s.aw)
 
-(* All flights of a list of impacts. *)
-let listed data beginning impacts =
+(* The impacts of the orbit from the middle of the data, where they are found. *)
+exception Lost of int
+
+let followed s beginning impacts =
+  let rec all n launch = function
+    | [] -> []
+    | i :: rest ->
+      match landing s launch i.on (fst (middle_of s i)) with
+      | None -> raise (Lost n)
+      | Some (th, v) -> (i.on, th, v) :: all (n + 1) (On i.on, th, Z.neg (Fixed.mul s.bits s.e v)) rest in
+  let place, th, _, u = start_of s beginning in
+  all 0 (place, th, u) impacts
+
+let middles s impacts = List.map (fun i -> let th, v = middle_of s i in (i.on, th, v)) impacts
+
+(* All flights of a list of impacts: from the middles of their bounds, or, where the data are intervals and bounds may be wide, from
+   the middle of the data. *)
+let listed ~is_point data beginning impacts =
   let s = setting fine data in
   let float = Fixed.to_float fine in
   let e = float s.e and half_gap = float s.gamma /. 2.0 in
@@ -145,20 +161,19 @@ let listed data beginning impacts =
     let sine, cosine = Fixed.sin_cos fine phase in
     (float share, float ratio, Float.atan2 (float sine) (float cosine))) s.waves in
   let bend waves x = List.fold_left (fun sum (share, ratio, phase) -> sum +. share *. ratio *. ratio *. sin (phase +. ratio *. x)) 0.0 waves in
-  let flight (place, th0, before, u) i =
-    let th1, v = middle_of s i in
+  let flight (place, th0, before, u) (on, th1, v) =
     let h = float (Z.sub th1 th0) and u = float u in
     let waves = waves_at th0 in
     let y0, from = match place with On w -> (float_of_int (side w) *. half_gap, Some w) | At y -> (float y, None) in
     let depart, approach, nearness = cuts ~waves ~u ~y0 ~half_gap ~h in
     let reach = List.fold_left (fun sum (share, _, _) -> sum +. share) 0.0 waves in
-    let next = (On i.on, th1, v, Z.neg (Fixed.mul fine s.e v)) in
-    ({ from; wall = i.on; before = float before; u; e = (if from = None then 1.0 else e); h; bend0 = bend waves 0.0; bend1 = bend waves h;
+    let next = (On on, th1, v, Z.neg (Fixed.mul fine s.e v)) in
+    ({ from; wall = on; before = float before; u; e = (if from = None then 1.0 else e); h; bend0 = bend waves 0.0; bend1 = bend waves h;
        rate = float v; depart; approach; nearness; reach }, next) in
   let rec all launch = function
     | [] -> []
     | i :: rest -> let found, next = flight launch i in found :: all next rest in
-  all (start_of s beginning) impacts
+  all (start_of s beginning) (if is_point then middles s impacts else followed s beginning impacts)
 
 (* The phase at which a flight first meets a wall, about, and that wall. *)
 let steps_per_radian = 200.0

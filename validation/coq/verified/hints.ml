@@ -102,8 +102,6 @@ let printed_at s scale b =
   let speed q = floor_at ~bits:s.bits ~scale (Fixed.div s.bits (Fixed.of_q s.bits q) s.aw) in
   (phase b.time_lower, phase b.time_upper, speed b.velocity_lower, speed b.velocity_upper)
 
-exception Lost of int
-
 (* The centres of the impacts, each to enough bits for its box: phase, velocity, bits. *)
 let centres s beginning flights boxes impacts =
   let rec all n s (place, th0, u) = function
@@ -180,7 +178,8 @@ let is_empty b = compare_q b.time_lower b.time_upper >= 0 || compare_q b.velocit
 
 let of_impacts data beginning impacts =
   List.iteri (fun n b -> if is_empty b then raise (Lost n)) impacts;
-  let flights = listed data beginning impacts and spread = spread data beginning in
+  let spread = spread data beginning in
+  let flights = listed ~is_point:(is_point spread) data beginning impacts in
   from_scale data beginning impacts flights spread (first_scale spread flights data impacts) 4
 
 (* Bounds of the next impact, which comes after `until`: wide ones will do. *)

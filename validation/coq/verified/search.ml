@@ -45,7 +45,7 @@ type found = Pieces of pieces | Refused of string
 
 let attempt document =
   match Hints.of_document document with
-  | exception Hints.Lost n -> Refused (Printf.sprintf "events[%d]: no impact is found there" n)
+  | exception Flights.Lost n -> Refused (Printf.sprintf "events[%d]: no impact is found there" n)
   | None -> Refused "outcome.until: the next impact is not found"
   | Some hint -> Pieces (Whole hint)
 
