@@ -6,7 +6,7 @@ module Z = Integers.Z
 type float = Stdlib.Float.t
 
 (* Halvings of one part, and attempts in all. *)
-let deepest = 12
+let deepest = 20
 let most_attempts = 4096
 
 let rec nat n = if n = 0 then O else S (nat (n - 1))
