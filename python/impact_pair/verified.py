@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,8 +16,6 @@ from .errors import Error
 from .verdicts import text_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from .verdicts import Source
 
 PROGRAM = "impact-pair-verified"
@@ -54,15 +53,9 @@ def verify(document: Source | Mapping[str, Any]) -> Verified:
     """Verify an orbit document with a checker that is proved in Coq: an answer, a dict, the path of a file, or its text.
 
     Verified are the impacts from an exact start, first and none missed, and the outcomes ``impacts-reached`` and ``time-reached``.
-    A document that claims more is not verified.
-
-    Raises
-    ------
-    Error
-        When the program ``impact-pair-verified`` is not found.
-
+    A document that claims more is not verified. An :class:`Error` says so where the program ``impact-pair-verified`` is not found.
     """
-    text = text_of(document) if not hasattr(document, "keys") else json.dumps(dict(document))
+    text = json.dumps(dict(document)) if isinstance(document, Mapping) else text_of(document)
     done = subprocess.run([program(), "-"], input=text.encode(), capture_output=True, check=False)
     lines = done.stdout.decode(errors="replace").splitlines()
     if not lines or done.returncode not in (0, 1, 2):
