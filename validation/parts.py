@@ -28,7 +28,7 @@ TAIL = 40
 # Seconds after which a part has failed; ten times as many in full.
 PATIENCE = 2700
 # Whose change lets all parts run again.
-TOOLS = subprocess.run("rustc --version; coqc --version; gappa --version", shell=True, capture_output=True, text=True, check=False).stdout + sys.version
+TOOLS = subprocess.run("rustc --version; coqc --version; ocamlopt -version; gappa --version", shell=True, capture_output=True, text=True, check=False).stdout + sys.version
 # What runs now: stopped when another part fails, or the user interrupts.
 RUNNING = set()
 

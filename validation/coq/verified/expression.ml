@@ -177,7 +177,7 @@ and leading = function
 let text { least; most } =
   if least = most then print Sum least else "[" ^ print Sum least ^ "," ^ print Sum most ^ "]"
 
-(* The canonical form of a text: no blanks, decimals without exponents, no parentheses around one number. *)
+(* The canonical form of a text: no blanks, decimals without exponents, no parentheses around one number, no sign of 0. *)
 let plain_decimal source =
   let group n = try Str.matched_group n source with Not_found -> "" in
   let whole = group 1 and part = group 2 in
@@ -194,8 +194,10 @@ let plain_decimal source =
 
 let with_exponent = Str.regexp "\\([0-9]+\\)\\(\\.[0-9]+\\)?[eE]\\([-+]?[0-9]+\\)"
 let in_parentheses = Str.regexp "\\(^\\|[^a-z]\\)(\\([0-9.]+\\|pi\\))"
+let minus_zero = Str.regexp "\\(^\\|[[,]\\)-\\(0\\(\\.0*\\)?\\($\\|[],]\\)\\)"
 
 let canonical source =
   let source = String.concat "" (String.split_on_char ' ' source) in
   let source = Str.global_substitute with_exponent plain_decimal source in
-  Str.global_replace in_parentheses "\\1\\2" source
+  let source = Str.global_replace in_parentheses "\\1\\2" source in
+  Str.global_replace minus_zero "\\1\\2" source

@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 import corrupted
+import scenes
 import texts
 
 # Seconds that no answer may take.
@@ -36,10 +37,10 @@ class Suite:
     def __init__(self, program, verified):
         self.program, self.verified, self.failures = program, verified, []
 
-    def run(self, scene, options):
-        """The orbit document of a scene; None where the scene is none with these options."""
+    def run(self, scene, options, text=None):
+        """The orbit document of a scene, a file or - for a text; None where it is no scene with these options."""
         command = [self.program, "run", scene, *options, "--format", "json", "--quiet"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE)
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
         return json.loads(done.stdout) if done.returncode != 2 else None
 
     def answer(self, text):
@@ -63,19 +64,37 @@ class Suite:
         return json.loads(done.stdout)["verdict"] if done.returncode in (0, 1) else "unreadable"
 
 
+def is_covered(document):
+    """Whether the theorem covers the outcome and all events."""
+    return document["outcome"]["kind"] in COVERED and all(event["event"] == "impact" for event in document["events"])
+
+
+def random_scenes(suite, quick):
+    """Documents of random scenes: those covered must be verified, all others not. (documents, verified)"""
+    total = verified = 0
+    for number, (text, options) in enumerate(scenes.at_random(25 if quick else 250)):
+        document = suite.run("-", options, text)
+        if document is None:
+            continue
+        total += 1
+        verdict, said, _ = suite.answer(json.dumps(document).encode())
+        verified += verdict == "verified"
+        if is_covered(document) != (verdict == "verified"):
+            suite.failures.append(f"random scene {number}: {said}")
+    return total, verified
+
+
 def right(suite, quick):
     """Rows of documents as `run` writes them; those that are covered must be verified, all others not."""
     rows = []
-    scenes = [scene for folder in SCENES for scene in sorted(folder.glob("*.toml"))] + OTHERS
-    for scene in scenes:
+    for scene in [scene for folder in SCENES for scene in sorted(folder.glob("*.toml"))] + OTHERS:
         for options in (["--impacts", "12" if quick else "60"], ["--until", "3"]):
             document = suite.run(scene, options)
             if document is None:
                 continue
             kind, others = document["outcome"]["kind"], {event["event"] for event in document["events"]} - {"impact"}
-            is_covered = kind in COVERED and not others
             verdict, said, seconds = suite.answer(json.dumps(document).encode())
-            if is_covered != (verdict == "verified"):
+            if is_covered(document) != (verdict == "verified"):
                 suite.failures.append(f"{scene.stem} {' '.join(options)}: {said}")
             what = kind if not others else f"{kind}, with a {min(others)}"
             rows.append(f"| {scene.stem} | {len(document['events'])} | {what} | {said} | {seconds:.2f} |")
@@ -92,16 +111,15 @@ def intervals(suite, quick):
     """Rows of documents with intervals among their data; of wider intervals with the same bounds none is verified that `check` refutes."""
     rows, text = [], Path("scenes/figure-14.toml").read_text(encoding="utf-8")
     for data, impacts in INTERVALS:
-        command = [suite.program, "run", "-", "--impacts", str(impacts), "--format", "json", "--quiet"]
-        done = subprocess.run(command, input=with_intervals(text, data), capture_output=True, text=True, check=False, timeout=PATIENCE)
-        verdict, said, seconds = suite.answer(done.stdout.encode())
+        document = json.dumps(suite.run("-", ["--impacts", str(impacts)], with_intervals(text, data)))
+        verdict, said, seconds = suite.answer(document.encode())
         if verdict != "verified":
             suite.failures.append(f"{data}: {said}")
         rows.append(f"| {', '.join(f'{key} {value}' for key, value in data.items())} | {impacts} | {said} | {seconds:.2f} |")
         for key, value in data.items():
             low, high = map(float, value.strip("[]").split(","))
             for widths in (0.1, 4, 100):
-                wider = json.loads(done.stdout.replace(value, f"[{low - widths * (high - low):.12f}, {high:.12f}]"))
+                wider = json.loads(document.replace(value, f"[{low - widths * (high - low):.12f}, {high:.12f}]"))
                 if suite.answer(json.dumps(wider).encode())[0] == "verified" and suite.check(wider) != "confirmed":
                     suite.failures.append(f"{key} from {low} lower by {widths} widths of {value}: verified")
     return rows
@@ -198,14 +216,15 @@ def main():
     arguments = parser.parse_args()
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
     rows, times, spoiled = right(suite, quick), fast(suite, quick), wrong(suite, quick)
-    boxes = intervals(suite, quick)
+    boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
     (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
-    verdict = (f"{sum('| verified |' in row for row in rows + boxes)} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
+    verdict = (f"{sum('| verified |' in row for row in rows + boxes) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
                f"{coq} answers equal to those of Coq's evaluator; {len(suite.failures)} failures.")
     lines = ["# Documents verified by a checker extracted from Coq", "", verdict, "",
              "| scene | events | outcome | answer | seconds |", "|---|---|---|---|---|", *rows, "",
              "| intervals of figure 14 | impacts | answer | seconds |", "|---|---|---|---|", *boxes, "",
              "| speed | seconds | accepted |", "|---|---|---|", *times, "",
+             f"Random scenes: {made} documents, {accepted} verified, all others with an event or an outcome that is not covered.", "",
              f"One value changed at random: {mutated} copies, {still} of them verified, all of these confirmed by `impact-pair check`.", "",
              f"The theorem rests on {', '.join(f'`{axiom}`' for axiom in axioms(suite))}."]
     if suite.failures:
