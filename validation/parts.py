@@ -76,7 +76,7 @@ PARTS = [
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
           f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
-          f" && FORGER_CASES=all {TEST} --test library forger::", ("program",)),
+          f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
@@ -90,7 +90,8 @@ PARTS = [
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "references", "certificates", "cycles", "coq"]),
-    by_program("coq/verified", "validation/coq")._replace(name="verified"),
+    by_program("coq/verified", "validation/coq")._replace(
+        name="verified", full="validation/coq/verified/run --forged target/forged --report $REPORT", after=("program", "python", "tests")),
     by_program("paper", "docs"),
     by_program("audits", "validation/references"),
     cargo("package", "python/test", "python/test --full", ("lints",)),

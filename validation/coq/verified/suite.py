@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Has impact-pair-verified judge documents of `impact-pair run`: right ones, corrupted ones, and texts that are none.
 
-Run: suite.py --program IMPACT_PAIR --verified PROGRAM [--report DIR] [--quick]
+Run: suite.py --program IMPACT_PAIR --verified PROGRAM [--forged DIR] [--report DIR] [--quick]
 
 Nothing that `impact-pair check` refutes may be verified; Coq's own evaluator must give the same answers on the same inputs.
 """
@@ -164,6 +164,16 @@ def changed(suite, quick):
     return total, verified
 
 
+def forged(suite, folder):
+    """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified."""
+    documents = sorted(Path(folder).glob("*.json")) if folder else []
+    for file in documents:
+        verdict, said, _ = suite.answer(file.read_bytes())
+        if verdict == "verified" and not file.stem.endswith("-True"):
+            suite.failures.append(f"{file}: {said}")
+    return len(documents)
+
+
 def unreadable(suite, quick):
     """Texts that are no document of this kind; the number of them."""
     document = suite.run("scenes/figure-14.toml", ["--impacts", "3"])
@@ -212,12 +222,14 @@ def main():
     parser.add_argument("--program", required=True)
     parser.add_argument("--verified", required=True)
     parser.add_argument("--report", default="validation/report")
+    parser.add_argument("--forged", help="folder of forged documents")
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
     rows, times, spoiled = right(suite, quick), fast(suite, quick), wrong(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
     (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
+    false_ones, rests_on = forged(suite, arguments.forged), axioms(suite)
     verdict = (f"{sum('| verified |' in row for row in rows + boxes) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
                f"{coq} answers equal to those of Coq's evaluator; {len(suite.failures)} failures.")
     lines = ["# Documents verified by a checker extracted from Coq", "", verdict, "",
@@ -225,8 +237,9 @@ def main():
              "| intervals of figure 14 | impacts | answer | seconds |", "|---|---|---|---|", *boxes, "",
              "| speed | seconds | accepted |", "|---|---|---|", *times, "",
              f"Random scenes: {made} documents, {accepted} verified, all others with an event or an outcome that is not covered.", "",
+             f"Documents made false by `tests/forger`: {false_ones}, none verified that is false.", "",
              f"One value changed at random: {mutated} copies, {still} of them verified, all of these confirmed by `impact-pair check`.", "",
-             f"The theorem rests on {', '.join(f'`{axiom}`' for axiom in axioms(suite))}."]
+             f"The theorem rests on {', '.join(f'`{axiom}`' for axiom in rests_on)}."]
     if suite.failures:
         lines += ["", "## Failures", "", *(f"- {failure}" for failure in suite.failures)]
     folder = Path(arguments.report)
