@@ -175,9 +175,12 @@ let listed ~is_point data beginning impacts =
     | i :: rest -> let found, next = flight launch i in found :: all next rest in
   all (start_of s beginning) (if is_point then middles s impacts else followed s beginning impacts)
 
-(* The phase at which a flight first meets a wall, about, and that wall. *)
+(* The phase at which a flight first meets a wall, about, and that wall: by steps that grow from the launch on, to so many for
+   each radian of the fastest harmonic. *)
 let steps_per_radian = 200.0
-let most_radians = 400.0
+let most_steps_of_flight = 2_000_000
+let first_step = 1e-9
+let growth = 0.05
 
 let next_contact s (place, th0, u) =
   let float = Fixed.to_float s.bits in
@@ -189,11 +192,13 @@ let next_contact s (place, th0, u) =
     (float share, float ratio, Float.atan2 (float sine) (float cosine))) s.waves in
   let height x = List.fold_left (fun sum (share, ratio, phase) -> sum -. share *. sin (phase +. ratio *. x)) (y0 +. float at0 +. slope *. x) waves in
   let beyond x = abs_float (height x) -. half_gap in
-  let rec look i =
-    let x = float_of_int i /. steps_per_radian in
-    if x > most_radians then None
-    else if beyond x > 0.0 && i > 0 then
-      let x = bisected beyond (float_of_int (i - 1) /. steps_per_radian) x in
-      Some (Z.add th0 (Z.of_float (Float.ldexp x 60) |> fun n -> Z.shift_left n (s.bits - 60)), if height x > 0.0 then Right else Left)
-    else look (i + 1) in
-  look 1
+  let fastest = List.fold_left (fun most (_, ratio, _) -> max most ratio) 1.0 waves in
+  let longest = 1.0 /. (steps_per_radian *. fastest) in
+  let rec look from steps =
+    let x = from +. min longest (max first_step (growth *. from)) in
+    if steps = 0 then None
+    else if beyond x > 0.0 && from > 0.0 then
+      let x = bisected beyond from x in
+      Some (Z.add th0 (Z.shift_left (Z.of_float (Float.ldexp x 60)) (s.bits - 60)), if height x > 0.0 then Right else Left)
+    else look x (steps - 1) in
+  look 0.0 most_steps_of_flight
