@@ -28,7 +28,7 @@ TAIL = 40
 # Seconds after which a part has failed; ten times as many in full.
 PATIENCE = 2700
 # Whose change lets all parts run again.
-TOOLS = subprocess.run("rustc --version; coqc --version; gappa --version", shell=True, capture_output=True, text=True, check=False).stdout + sys.version
+TOOLS = subprocess.run("rustc --version; coqc --version; ocamlopt -version; gappa --version", shell=True, capture_output=True, text=True, check=False).stdout + sys.version
 # What runs now: stopped when another part fails, or the user interrupts.
 RUNNING = set()
 
@@ -78,7 +78,7 @@ PARTS = [
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
           f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library spoiled::"
-          f" && FORGER_CASES=all {TEST} --test library forger::", ("program",)),
+          f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
     cargo("lints", f"{LINT} --workspace -- -D warnings",
           f"{LINT} --workspace -- -D warnings && {LINT} --workspace --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
@@ -92,6 +92,8 @@ PARTS = [
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("manual", f"{MANUAL} && validation/transcripts", f"{MANUAL} && validation/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "references", "certificates", "cycles", "coq"]),
+    by_program("coq/verified", "validation/coq")._replace(
+        name="verified", full="validation/coq/verified/run --forged target/forged --report $REPORT", after=("program", "python", "tests")),
     by_program("paper", "docs"),
     by_program("audits", "validation/references"),
     Part("data", *2 * ('"$(validation/environment)" -B data/make --check && "$(validation/environment)" -B -m unittest discover -s data',),

@@ -336,13 +336,20 @@ it are proved again, and the fate is compared with theirs. Parameter manifolds a
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
 
-Exit code: 0 every claim is proved again, except those named as not checked; 1 a claim is refuted or undecided; 2 \
-usage, bad input, I/O.";
+With --verified the program impact-pair-verified answers, if it is beside impact-pair or on PATH: its checker is \
+extracted from a proof in Coq. It prints what an orbit JSON claims, and that it is verified, or why not: a document \
+that claims more than the theorem covers, such as a rest, is not verified.
+
+Exit code: 0 every claim is proved again, except those named as not checked; 1 a claim is refuted or undecided, or not \
+verified; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct CheckArguments {
     /// JSON of run or sweep (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
     pub certificate: PathBuf,
+    /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check an orbit JSON instead
+    #[arg(long, conflicts_with_all = ["effort", "format"])]
+    pub verified: bool,
     /// Multiply the work allowed for each claim by TIMES before it is left undecided
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub effort: u64,

@@ -11,10 +11,13 @@ use crate::Answer;
 use crate::arguments::{CheckArguments, CheckFormat};
 use crate::output::Output;
 use crate::progress::{Progress, interruption};
-use crate::scene;
+use crate::{scene, verified};
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let (path, output) = (&arguments.certificate, arguments.destination.output.as_deref());
+    if arguments.verified {
+        return verified::verify(path, output);
+    }
     let format = arguments.destination.format(arguments.format)?;
     let text = scene::text(path)?;
     let claims = Claims::parse(&text).map_err(|error| match Scene::parse(&text) {

@@ -26,6 +26,7 @@ mod tolerances;
 mod trade;
 mod trap;
 mod two_impact;
+mod verified;
 mod version;
 
 use std::io::{self, Write};

@@ -21,3 +21,4 @@ mod sweep_tables;
 mod tolerances;
 mod trade;
 mod two_impact;
+mod verified;

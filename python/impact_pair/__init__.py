@@ -27,6 +27,7 @@ from .orbit import read as read_orbit
 from .scene import MAX_BITS, Scene
 from .sweep import SweepResult
 from .verdicts import Check, Claim, Theorem, check, prove
+from .verified import Verified, verify
 
 __all__ = [
     "Bounds",
@@ -50,12 +51,14 @@ __all__ = [
     "States",
     "SweepResult",
     "Theorem",
+    "Verified",
     "WordError",
     "__version__",
     "check",
     "prove",
     "read_orbit",
     "solve",
+    "verify",
 ]
 
 

@@ -7,7 +7,8 @@
 //! forgery is only almost certain to be false and is confirmed, the claims are computed anew, in 320 bits ([`known`]).
 //!
 //! `FORGER_CASES` limits the forgeries of one kind that are made of one document (2; `all` for all of them), `FORGER_ONLY=WORDS` asks for
-//! those alone whose names have these words, and shows each verdict; `--nocapture` shows the table.
+//! those alone whose names have these words, and shows each verdict; `--nocapture` shows the table. `FORGER_FOLDER` names a folder into
+//! which all are written, for the verified checker (`validation/coq/verified/run --forged`).
 
 #![cfg(feature = "multiprecision")]
 
@@ -26,6 +27,8 @@ mod shadows;
 mod sweeps;
 
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use crate::environment::number;
@@ -50,6 +53,13 @@ const FORGERIES: [&[Forgery]; 9] = [
 
 fn cases() -> usize {
     usize::try_from(number("FORGER_CASES", CASES)).unwrap_or(usize::MAX)
+}
+
+/// The folder into which forgeries are written, for another checker to judge.
+fn folder() -> Option<PathBuf> {
+    let folder = PathBuf::from(std::env::var_os("FORGER_FOLDER")?);
+    fs::create_dir_all(&folder).expect("the folder of FORGER_FOLDER");
+    Some(folder)
 }
 
 /// The forgeries that are asked for.
@@ -147,7 +157,7 @@ fn nothing_that_is_forged_is_confirmed() {
     let (most, originals) = (cases(), confirmed());
     let mut kinds: Vec<&'static str> = originals.iter().map(|original| original.kind).collect();
     kinds.dedup();
-    let (mut counts, mut wrong) = (Counts::new(), Vec::new());
+    let (mut counts, mut wrong, folder, mut number) = (Counts::new(), Vec::new(), folder(), 0);
     for original in &originals {
         for forgery in asked() {
             for forged in spread(forgery.of(original), most) {
@@ -159,6 +169,11 @@ fn nothing_that_is_forged_is_confirmed() {
                     println!("{spent:?} {}, {}: {what}: {judgement:?}: {found:?}", forgery.name, original.name);
                 }
                 *counts.entry((forgery.name, original.kind, judgement)).or_default() += 1;
+                if let Some(folder) = &folder {
+                    number += 1;
+                    let name = format!("{number}-{}-{judgement:?}.json", original.kind);
+                    fs::write(folder.join(name), original.text(&forged.document)).expect("a file of FORGER_FOLDER");
+                }
                 if judgement == Judgement::Confirmed {
                     let Forgery { name, why, .. } = forgery;
                     let Original { kind, name: of, .. } = original;

@@ -267,7 +267,10 @@ Qed.
 Definition rate_centre (k : positive) (m : Z) (X : I.type) : I.type := sub p (add p (Uc b) (Ratec a)) (box_rate_over k OS m X).
 Definition arrival (w : wall) (n r k : Z) : I.type :=
   let m := turns q n in let X := at_ n in let X1 := over (n - r) (n + r) in let mu := at_ k in
-  let centre := sub p (rate_centre p m X) (mul p mu (add p (offset w) (rise_centre m X))) in
+  (* rate - tilt * (distance), with the launch's velocity once: it may be an interval. *)
+  let turned := mul p (add p (Uc b) (Ratec a)) (sub p (whole p 1) (mul p mu (sub p X (Tc b)))) in
+  let height := add p (offset w) (sub p (Atc a) (box_at_over p OS m X)) in
+  let centre := sub p (sub p turned (box_rate_over p OS m X)) (mul p mu height) in
   let by_phase := sub p (I.neg (Bend0 a)) (mul p mu (sub p (mul p (I.neg (Bend0 a)) (sub p X1 (T b))) (U b))) in
   let by_speed := sub p (whole p 1) (mul p mu (sub p X1 (Tc b))) in
   let by_arrival := sub p (box_bend_over c OS m X1) (mul p mu (rate_centre c m X1)) in
@@ -305,17 +308,21 @@ Proof.
   { apply over_holds. rewrite minus, plus in *.
     split; [apply Rle_trans with (2 := proj1 rz1); apply Rmin_glb|apply Rle_trans with (1 := proj2 rz1); apply Rmax_lub]; lra. }
   assert (hd1 : holds (over (- r) r) (th1 - x)) by (apply over_holds; rewrite grid_opp; lra).
-  replace (rate os th0 u th1) with (rate os thc uc x - mu * (off + rise os thc uc x) + (- box_bend os z - mu * (- box_bend os z * (th1 - z) - u)) * (th0 - thc)
+  replace (rate os th0 u th1) with (((uc + box_rate os thc) * (1 - mu * (x - thc)) - box_rate os x - mu * (off + (box_at os thc - box_at os x)))
+    + (- box_bend os z - mu * (- box_bend os z * (th1 - z) - u)) * (th0 - thc)
     + (1 - mu * (th1 - thc)) * (u - uc) + (box_bend os z1 - mu * rate os thc uc z1) * (th1 - x)).
   2:{ assert (zero : off + rise os th0 u th1 = 0) by (unfold off; lra). rewrite zero in eq.
       replace (rate os thc u th1) with (rate os thc uc th1 + (u - uc)) in eq by (unfold rate; ring).
-      replace (rise os thc u th1) with (rise os thc uc th1 + (u - uc) * (th1 - thc)) in eq by (unfold rise; ring). lra. }
+      replace (rise os thc u th1) with (rise os thc uc th1 + (u - uc) * (th1 - thc)) in eq by (unfold rise; ring).
+      replace ((uc + box_rate os thc) * (1 - mu * (x - thc)) - box_rate os x - mu * (off + (box_at os thc - box_at os x)))
+        with (rate os thc uc x - mu * (off + rise os thc uc x)) by (unfold rate, rise; ring). lra. }
   assert (hx := at_holds n). assert (hk := at_holds k). assert (ho := holds_offset w).
-  assert (hrc := holds_rate_centre p (turns q n) _ _ hx). assert (hri := holds_rise_centre (turns q n) _ _ hx).
+  destruct a_holds as (_ & hac & hrc). assert (hax := holds_box_at p _ _ OS_holds (turns q n) _ _ hx).
+  assert (hrx := holds_box_rate p _ _ OS_holds (turns q n) _ _ hx).
   assert (hrz := holds_rate_centre c (turns q n) _ _ hz1).
   assert (hbz := holds_box_bend c _ _ OS_holds (turns q n) _ _ hz1).
   assert (one : holds (whole p 1) 1) by apply holds_whole.
-  unfold arrival. fold x in hx, hrc, hri. fold mu in hk. fold off in ho. enclose.
+  unfold arrival. fold x in hx, hax, hrx. fold mu in hk. fold off in ho. enclose.
 Qed.
 End Precision.
 End Flight.

@@ -1,0 +1,64 @@
+//! `impact-pair check --verified DOCUMENT`: the checker extracted from its proof in Coq, a program of its own.
+
+use std::env;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output as Answered, Stdio};
+
+use anyhow::{Context, Result, anyhow, bail};
+
+use crate::Answer;
+use crate::output::Output;
+use crate::scene;
+
+/// The program, which `validation/coq/verified/build` builds.
+const PROGRAM: &str = "impact-pair-verified";
+
+/// Writes the claim of a document and the verdict of the verified checker.
+pub fn verify(path: &Path, output: Option<&Path>) -> Result<Answer> {
+    let text = scene::text(path)?;
+    scene::keep(path, output)?;
+    let answered = answer(&program()?, &text)?;
+    let said = String::from_utf8_lossy(&answered.stdout);
+    match answered.status.code() {
+        Some(0) => write(&said, output, Answer::Complete),
+        Some(1) => write(&said, output, Answer::Incomplete),
+        _ => Err(anyhow!("{}{}", said, String::from_utf8_lossy(&answered.stderr)).context(scene::name(path))),
+    }
+}
+
+fn write(said: &str, output: Option<&Path>, answer: Answer) -> Result<Answer> {
+    let mut out = Output::open(output)?;
+    out.write_all(said.as_bytes()).context("cannot write the output")?;
+    out.commit()?;
+    Ok(answer)
+}
+
+/// What the program answers of a text.
+fn answer(program: &Path, text: &str) -> Result<Answered> {
+    let run = || {
+        let mut child = Command::new(program)
+            .arg("-")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()?;
+        // It answers only after it has read all.
+        child.stdin.take().map(|mut input| input.write_all(text.as_bytes())).transpose()?;
+        child.wait_with_output()
+    };
+    run().with_context(|| format!("cannot run {}", program.display()))
+}
+
+/// The program beside this one, or else on PATH.
+fn program() -> Result<PathBuf> {
+    let name = format!("{PROGRAM}{}", env::consts::EXE_SUFFIX);
+    let beside = env::current_exe().ok().and_then(|this| this.parent().map(Path::to_owned));
+    let path = env::var_os("PATH").unwrap_or_default();
+    let found =
+        beside.into_iter().chain(env::split_paths(&path)).map(|folder| folder.join(&name)).find(|file| file.is_file());
+    let Some(found) = found else {
+        bail!("{PROGRAM} is neither beside impact-pair nor on PATH: validation/coq/verified/build builds it");
+    };
+    Ok(found)
+}

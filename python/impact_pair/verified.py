@@ -1,0 +1,66 @@
+"""``verify``: an orbit document checked by a program that is extracted from its proof in Coq."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .errors import Error
+from .verdicts import text_of
+
+if TYPE_CHECKING:
+    from .verdicts import Source
+
+PROGRAM = "impact-pair-verified"
+
+
+@dataclass(frozen=True)
+class Verified:
+    """The answer of the verified checker; true if the document is verified."""
+
+    #: ``verified``, ``not verified`` or ``unreadable``.
+    verdict: str
+    #: What the document claims, in the words of the theorem; ``None`` where the theorem does not cover it.
+    claim: str | None
+    #: The reason why it is not verified.
+    reason: str | None
+
+    def __bool__(self) -> bool:
+        return self.verdict == "verified"
+
+
+def program() -> Path:
+    """Return the path of the program: in this package, beside the interpreter, or on PATH."""
+    name = PROGRAM + (".exe" if os.name == "nt" else "")
+    for folder in (Path(__file__).parent, Path(sys.executable).parent):
+        if (folder / name).is_file():
+            return folder / name
+    found = shutil.which(PROGRAM)
+    if found is None:
+        message = f"{PROGRAM} is neither in the package nor beside {sys.executable} nor on PATH: validation/coq/verified/build builds it"
+        raise Error(message)
+    return Path(found)
+
+
+def verify(document: Source | Mapping[str, Any]) -> Verified:
+    """Verify an orbit document with a checker that is proved in Coq: an answer, a dict, the path of a file, or its text.
+
+    Verified are the impacts from an exact start, first and none missed, and the outcomes ``impacts-reached`` and ``time-reached``.
+    A document that claims more is not verified. An :class:`Error` says so where the program ``impact-pair-verified`` is not found.
+    """
+    text = json.dumps(dict(document)) if isinstance(document, Mapping) else text_of(document)
+    done = subprocess.run([program(), "-"], input=text.encode(), capture_output=True, check=False)
+    lines = done.stdout.decode(errors="replace").splitlines()
+    if not lines or done.returncode not in (0, 1, 2):
+        message = f"{PROGRAM} stopped without an answer: {done.stderr.decode(errors='replace').strip()}"
+        raise Error(message)
+    verdict, _, reason = lines[-1].partition(": ")
+    claims = [line.removeprefix("claim: ") for line in lines[:-1] if line.startswith("claim: ")]
+    return Verified(verdict, claims[0] if claims else None, reason or None)

@@ -1,0 +1,67 @@
+"""``verify``: the program that answers is found, and its answer read. A script stands for it, but in the last test."""
+
+import os
+import sys
+
+import pytest
+from conftest import ROOT
+
+import impact_pair
+
+BUILT = ROOT / "target" / "verified" / "impact-pair-verified"
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="the program that stands for the checker is a shell script")
+
+
+@pytest.fixture
+def answering(tmp_path, monkeypatch):
+    """A program that reads all, answers so and exits so."""
+
+    def program(answer, code):
+        file = tmp_path / "impact-pair-verified"
+        file.write_text(f"#!/bin/sh\ncat >{tmp_path}/read\nprintf '{answer}\\n'\nexit {code}\n")
+        file.chmod(0o755)
+        monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+        return tmp_path / "read"
+
+    return program
+
+
+def test_a_verified_document(answering):
+    read = answering("claim: an orbit\\nverified", 0)
+    found = impact_pair.verify({"schema": "impact-pair/orbit/1"})
+    assert found
+    assert found == impact_pair.Verified("verified", "an orbit", None)
+    assert read.read_text() == '{"schema": "impact-pair/orbit/1"}'
+
+
+def test_an_orbit_a_text_and_a_file(answering, tmp_path):
+    read = answering("claim: an orbit\\nnot verified: events[0]: no impact is found there", 1)
+    sol = impact_pair.Scene.named("figure-14").run(impacts=2)
+    file = tmp_path / "orbit.json"
+    sol.save(file)
+    for document in (sol, sol.json(), file, sol.document):
+        found = impact_pair.verify(document)
+        assert not found
+        assert (found.verdict, found.reason) == ("not verified", "events[0]: no impact is found there")
+        assert read.read_text().startswith('{"schema"')
+
+
+def test_what_is_no_document(answering):
+    answering("unreadable: schema is missing", 2)
+    assert impact_pair.verify("{}") == impact_pair.Verified("unreadable", None, "schema is missing")
+
+
+def test_a_missing_program_is_named(monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "python"))
+    with pytest.raises(impact_pair.Error, match="validation/coq/verified/build builds it"):
+        impact_pair.verify("{}")
+
+
+@pytest.mark.skipif(not BUILT.exists(), reason="validation/coq/verified/build has not run")
+def test_the_program_itself(monkeypatch):
+    monkeypatch.setenv("PATH", str(BUILT.parent))
+    document = impact_pair.Scene.named("figure-14").run(impacts=20).document
+    assert impact_pair.verify(document)
+    document["events"][3]["wall"] = "left"
+    assert not impact_pair.verify(document)

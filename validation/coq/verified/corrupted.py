@@ -1,0 +1,141 @@
+"""Corrupted copies of an orbit document: each claims something that is false, or that the theorem does not cover."""
+import copy
+import random
+from decimal import Decimal
+
+NAMES = {("left", "right"): "P2", ("right", "left"): "P1", ("right", "right"): "P3", ("left", "left"): "P4"}
+OTHER = {"left": "right", "right": "left"}
+
+
+def shifted(bounds, widths):
+    """The interval, so many of its widths higher."""
+    low, high = map(Decimal, bounds)
+    return [f"{low + widths * (high - low):f}", f"{high + widths * (high - low):f}"]
+
+
+def renumber(document):
+    """Numbers, mappings and count as the walls have them, so that only the motion is wrong."""
+    before = document["scene"]["start"].get("wall")
+    for index, event in enumerate(document["events"], 1):
+        event["index"] = index
+        event["mapping"] = NAMES.get((before, event["wall"]))
+        before = event["wall"]
+    document["outcome"]["impacts"] = len(document["events"])
+    document["outcome"]["message"] = ""
+
+
+def shift(key, at, widths):
+    return lambda document: document["events"][at].update({key: shifted(document["events"][at][key], widths)})
+
+
+def swap(document):
+    document["events"][1], document["events"][2] = document["events"][2], document["events"][1]
+    renumber(document)
+
+
+def drop(document):
+    del document["events"][1]
+    renumber(document)
+
+
+def twice(document):
+    document["events"].insert(1, copy.deepcopy(document["events"][1]))
+    renumber(document)
+
+
+def wall(document):
+    document["events"][2]["wall"] = OTHER[document["events"][2]["wall"]]
+    renumber(document)
+
+
+def set_at(path, value):
+    def change(document):
+        *folders, last = path
+        for key in folders:
+            document = document[key]
+        document[last] = value(document[last]) if callable(value) else value
+    return change
+
+
+def scaled(text):
+    """A number, larger by a thousandth."""
+    return f"{text}*1.001"
+
+
+def until_later(document):
+    """All impacts up to a time by which there is another one."""
+    last = Decimal(document["events"][-1]["time"][1])
+    document["outcome"] = {"kind": "time-reached", "message": "", "impacts": len(document["events"]), "until": f"{last + 100:f}"}
+
+
+def until_earlier(document):
+    """All impacts up to a time before the last one listed."""
+    first = Decimal(document["events"][0]["time"][1])
+    document["outcome"] = {"kind": "time-reached", "message": "", "impacts": len(document["events"]), "until": f"{first:f}"}
+
+
+def empty(document):
+    """A gap of no value at all."""
+    document["scene"]["gap"] = "[10, 9]"
+
+
+def rest(document):
+    document["events"].append({"event": "rest", "wall": "left", "time": ["1000", "1001"], "skipped": "infinite"})
+
+
+CHANGES = {
+    "a time higher": shift("time", 1, 3), "a time lower": shift("time", -1, -3), "a velocity higher": shift("velocity", 2, 3),
+    "a velocity lower": shift("velocity", 0, -3), "an impact left out": drop, "an impact twice": twice, "two impacts exchanged": swap,
+    "an impact on the other wall": wall, "another mapping": set_at(["events", 1, "mapping"], lambda name: "P4" if name != "P4" else "P3"),
+    "no mapping": set_at(["events", 1, "mapping"], None), "another index": set_at(["events", 2, "index"], 7),
+    "another restitution": set_at(["scene", "restitution"], scaled), "another gap": set_at(["scene", "gap"], scaled),
+    "no gap": empty, "another amplitude": set_at(["scene", "excitation", "amplitude", 0], scaled),
+    "another frequency": set_at(["scene", "excitation", "frequency", 0], scaled),
+    "another phase": set_at(["scene", "excitation", "phase", 0], lambda text: f"{text}+0.001"),
+    "another start": set_at(["scene", "start", "time"], "0.001"), "a start from outside": set_at(["scene", "start", "wall"], "right"),
+    "another count": set_at(["outcome", "impacts"], lambda count: count + 1), "another message": set_at(["outcome", "message"], "7 impacts"),
+    "another outcome": set_at(["outcome", "kind"], "rests-forever"), "more than is listed": until_later, "less than is listed": until_earlier,
+    "a rest": rest, "not certified": set_at(["certified"], False), "a shadowed orbit": set_at(["claim"], "shadowed"),
+    "another schema": set_at(["schema"], "impact-pair/periodic/1"), "a period": set_at(["outcome", "period"], {"cycles": 1, "impacts": 2}),
+}
+
+
+def copies(document):
+    """(what, copy) of each change."""
+    for what, change in CHANGES.items():
+        spoiled = copy.deepcopy(document)
+        change(spoiled)
+        yield what, spoiled
+
+
+def leaves(value, path=()):
+    """Paths of all values that are no lists or objects."""
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else None
+    if items is None:
+        yield path
+    else:
+        for key, item in items:
+            yield from leaves(item, (*path, key))
+
+
+def at_random(document, count):
+    """(what, copy) with a digit or word changed at random, from a fixed seed."""
+    seeded = random.Random(1995)
+    paths = [path for path in leaves(document) if path[0] not in ("program", "arithmetic")]
+    for _ in range(count):
+        path = seeded.choice(paths)
+
+        def change(value, seeded=seeded):
+            if isinstance(value, bool) or value is None:
+                return not value
+            if isinstance(value, int):
+                return value + seeded.choice((-1, 1))
+            digits = [i for i, letter in enumerate(value) if letter.isdigit()]
+            if not digits:
+                return seeded.choice(("left", "right", "P1", "P3", "pi", ""))
+            at = seeded.choice(digits)
+            return value[:at] + seeded.choice("0123456789") + value[at + 1:]
+
+        spoiled = copy.deepcopy(document)
+        set_at(list(path), change)(spoiled)
+        yield f"{'.'.join(map(str, path))} changed", spoiled

@@ -1,0 +1,228 @@
+(* An orbit document: from JSON to the claim of Document.v, and back. What is read is written again and compared, byte for
+   byte, with the canonical form of the document, so that nothing else is verified than what it says. *)
+
+open Checker
+module Z = Integers.Z
+
+exception Not_covered of string
+
+let not_covered format = Printf.ksprintf (fun message -> raise (Not_covered message)) format
+let unreadable = Json.unreadable
+
+let schema = "impact-pair/orbit/1"
+let exact_start = "exact start"
+
+(* Keys that claim nothing. *)
+let no_claims = [ "program"; "arithmetic" ]
+
+(* Values with the places where they stand. *)
+
+let kind = function
+  | Json.Null -> "null"
+  | Bool b -> string_of_bool b
+  | Number n -> n
+  | String s -> Printf.sprintf "\"%s\"" s
+  | List _ -> "a list"
+  | Object _ -> "an object"
+
+let shortened text = if String.length text > 60 then String.sub text 0 60 ^ ".." else text
+let wrong place value what = unreadable "%s: %s, but accepted is %s" place (shortened (kind value)) what
+
+let members place = function Json.Object members -> members | value -> wrong place value "an object"
+let items place = function
+  | Json.List items -> List.mapi (fun i item -> (Printf.sprintf "%s[%d]" place i, item)) items
+  | value -> wrong place value "a list"
+let inside place key = if place = "" then key else place ^ "." ^ key
+let get place members key =
+  match List.assoc_opt key members with
+  | Some value -> value
+  | None -> unreadable "%s is missing" (inside place key)
+let string place = function Json.String s -> s | value -> wrong place value "a string"
+let bool place = function Json.Bool b -> b | value -> wrong place value "true or false"
+let integer place = function
+  | Json.Number n when String.length n < 19 && String.for_all (fun c -> c >= '0' && c <= '9') n -> Z.of_string n
+  | value -> wrong place value "an integer from 0 on"
+let range place value = Expression.parse place (string place value)
+let wall place value = match string place value with
+  | "left" -> Left
+  | "right" -> Right
+  | _ -> wrong place value "\"left\" or \"right\""
+let mapping place = function
+  | Json.Null -> None
+  | String "P1" -> Some P1
+  | String "P2" -> Some P2
+  | String "P3" -> Some P3
+  | String "P4" -> Some P4
+  | value -> wrong place value "\"P1\", \"P2\", \"P3\", \"P4\" or null"
+let bounds place value = match items place value with
+  | [ (p, lower); (q, upper) ] -> (Expression.bound p (string p lower), Expression.bound q (string q upper))
+  | _ -> wrong place value "a list of two bounds"
+
+(* No other keys than these. *)
+let only place known members =
+  List.iter (fun (key, _) ->
+    if not (List.mem key known) then not_covered "%s is not covered by the theorem" (inside place key)) members
+
+(* From JSON. *)
+
+let read_scene value =
+  let place = "scene" in
+  let scene = members place value in
+  only place [ "excitation"; "gap"; "restitution"; "start" ] scene;
+  let excitation = inside place "excitation" in
+  let terms = members excitation (get place scene "excitation") in
+  only excitation [ "amplitude"; "frequency"; "phase" ] terms;
+  let list key = let place = inside excitation key in
+    List.map (fun (place, value) -> range place value) (items place (get excitation terms key)) in
+  let amplitudes = list "amplitude" and frequencies = list "frequency" and phases = list "phase" in
+  if List.compare_lengths amplitudes frequencies <> 0 || List.compare_lengths amplitudes phases <> 0 then
+    unreadable "%s: as many frequencies and phases as amplitudes are accepted" excitation;
+  let tones = List.map2 (fun (amplitude, frequency) shift -> { amplitude; frequency; shift })
+    (List.combine amplitudes frequencies) phases in
+  match tones with
+  | [] -> unreadable "%s.amplitude: an empty list, but accepted is one amplitude or more" excitation
+  | leading :: further ->
+    let value key = range (inside place key) (get place scene key) in
+    let data = { leading; further; gap = value "gap"; restitution = value "restitution" } in
+    let place = inside place "start" in
+    let start = members place (get "scene" scene "start") in
+    only place [ "time"; "wall"; "position"; "velocity" ] start;
+    let value key = range (inside place key) (get place start key) in
+    let beginning = match List.mem_assoc "wall" start, List.mem_assoc "position" start with
+      | true, false -> Struck (wall (inside place "wall") (get place start "wall"), value "time", value "velocity")
+      | false, true -> Inside (value "time", value "position", value "velocity")
+      | _ -> unreadable "%s: accepted is a wall or a position" place in
+    (data, beginning)
+
+let read_event (place, value) =
+  let event = members place value in
+  (match string (inside place "event") (get place event "event") with
+   | "impact" -> ()
+   | ("graze" | "rest" | "release") as other ->
+     not_covered "%s is a %s: covered are impacts" place other
+   | _ -> wrong (inside place "event") (get place event "event") "\"impact\", \"graze\", \"rest\" or \"release\"");
+  only place [ "event"; "index"; "mapping"; "wall"; "time"; "velocity" ] event;
+  let value read key = read (inside place key) (get place event key) in
+  let time_lower, time_upper = value bounds "time" and velocity_lower, velocity_upper = value bounds "velocity" in
+  { index = value integer "index"; mapped = value mapping "mapping";
+    shown = { on = value wall "wall"; time_lower; time_upper; velocity_lower; velocity_upper } }
+
+let read_outcome value =
+  let place = "outcome" in
+  let outcome = members place value in
+  let impacts () = integer "outcome.impacts" (get place outcome "impacts") in
+  match string "outcome.kind" (get place outcome "kind") with
+  | "impacts-reached" ->
+    only place [ "kind"; "message"; "impacts" ] outcome;
+    Impacts_reached (impacts ())
+  | "time-reached" ->
+    only place [ "kind"; "message"; "impacts"; "until" ] outcome;
+    let until = "outcome.until" in
+    Time_reached (impacts (), Expression.number until (string until (get place outcome "until")))
+  | other -> not_covered "outcome.kind is %S: covered are \"impacts-reached\" and \"time-reached\"" (shortened other)
+
+let document value =
+  let head = members "the document" value in
+  let is = string "schema" (get "" head "schema") in
+  if is <> schema then not_covered "schema is %S: covered is %S" (shortened is) schema;
+  if not (bool "certified" (get "" head "certified")) then not_covered "certified is false: the document claims nothing";
+  (match List.assoc_opt "claim" head with
+   | None -> ()
+   | Some claim when string "claim" claim = exact_start -> ()
+   | Some claim -> not_covered "claim is %s: covered is %S" (shortened (kind claim)) exact_start);
+  let ended = read_outcome (get "" head "outcome") in
+  let events = List.map read_event (items "events" (get "" head "events")) in
+  let scene_data, begun = read_scene (get "" head "scene") in
+  only "" ([ "schema"; "certified"; "claim"; "scene"; "outcome"; "events" ] @ no_claims) head;
+  { scene_data; begun; events; ended }
+
+(* To JSON. *)
+
+let plural n = if Z.equal n Z.one then "" else "s"
+let words = function
+  | Impacts_reached n -> Printf.sprintf "%s impact%s" (Z.to_string n) (plural n)
+  | Time_reached (n, _) -> Printf.sprintf "%s impact%s up to the requested time" (Z.to_string n) (plural n)
+
+let wall_name = function Left -> "left" | Right -> "right"
+let mapping_name = function P1 -> "P1" | P2 -> "P2" | P3 -> "P3" | P4 -> "P4"
+
+let json_of_scene data beginning =
+  let text r = Json.String (Expression.text r) in
+  let list field = Json.List (List.map (fun tone -> text (field tone)) (data.leading :: data.further)) in
+  let start = match beginning with
+    | Struck (w, t, v) -> [ ("time", text t); ("wall", Json.String (wall_name w)); ("velocity", text v) ]
+    | Inside (t, y, v) -> [ ("time", text t); ("position", text y); ("velocity", text v) ] in
+  Json.Object [
+    ("excitation", Object [ ("amplitude", list (fun x -> x.amplitude)); ("frequency", list (fun x -> x.frequency));
+                            ("phase", list (fun x -> x.shift)) ]);
+    ("gap", text data.gap); ("restitution", text data.restitution); ("start", Object start) ]
+
+let json_of_event { index; mapped; shown } =
+  let pair lower upper = Json.List [ String (Expression.spell lower); String (Expression.spell upper) ] in
+  Json.Object [
+    ("event", String "impact"); ("index", Number (Z.to_string index));
+    ("mapping", match mapped with None -> Null | Some m -> String (mapping_name m));
+    ("wall", String (wall_name shown.on)); ("time", pair shown.time_lower shown.time_upper);
+    ("velocity", pair shown.velocity_lower shown.velocity_upper) ]
+
+let json_of_outcome outcome =
+  let common kind impacts = [ ("kind", Json.String kind); ("message", Json.String (words outcome)); ("impacts", Json.Number (Z.to_string impacts)) ] in
+  Json.Object (match outcome with
+    | Impacts_reached n -> common "impacts-reached" n
+    | Time_reached (n, until) ->
+      common "time-reached" n @ [ ("until", String (Expression.text { least = until; most = until })) ])
+
+let json { scene_data; begun; events; ended } =
+  Json.Object [
+    ("schema", String schema); ("certified", Bool true); ("claim", String exact_start);
+    ("scene", json_of_scene scene_data begun); ("outcome", json_of_outcome ended);
+    ("events", List (List.rev (List.rev_map json_of_event events))) ]
+
+(* The canonical form of a document: without what claims nothing, with the defaults that older documents leave out, and with
+   numbers in one spelling. *)
+let canonical claim document =
+  let numbers = [ "gap"; "restitution"; "amplitude"; "frequency"; "phase"; "time"; "position"; "velocity"; "until" ] in
+  let rec spelled key = function
+    | Json.String s when List.mem key numbers -> Json.String (Expression.canonical s)
+    | List items -> List (List.rev (List.rev_map (spelled key) items))
+    | Object members -> Object (List.map (fun (key, value) -> (key, spelled key value)) members)
+    | value -> value in
+  let default key value members = if List.mem_assoc key members then members else (key, value) :: members in
+  let outcome = function
+    | Json.Object members ->
+      let members = List.filter (fun member -> member <> ("message", Json.String "")) members in
+      Json.Object (default "message" (Json.String (words claim.ended)) members)
+    | value -> value in
+  let head = members "the document" document in
+  let head = List.filter (fun (key, _) -> not (List.mem key no_claims)) head in
+  let head = default "claim" (Json.String exact_start) head in
+  spelled "" (Object (List.map (fun (key, value) -> (key, if key = "outcome" then outcome value else value)) head))
+
+(* The first place where two texts differ. *)
+let difference a b =
+  let n = min (String.length a) (String.length b) in
+  let rec first i = if i < n && a.[i] = b.[i] then first (i + 1) else i in
+  let i = first 0 in
+  let part s = String.sub s (max 0 (i - 20)) (min (String.length s) (i + 20) - max 0 (i - 20)) in
+  (part a, part b)
+
+(* What a document claims. *)
+let read source =
+  let value = Json.read source in
+  let claim = document value in
+  let written = Json.text (Json.sorted (canonical claim value)) and understood = Json.text (Json.sorted (json claim)) in
+  if written <> understood then begin
+    let a, b = difference written understood in
+    unreadable "written is `..%s..`, and accepted is the spelling `..%s..`" a b
+  end;
+  claim
+
+(* The claim in one line, in the words of the theorem. *)
+let claim { ended; _ } =
+  let orbits impacts = Printf.sprintf
+    "from every start that the scene allows there is exactly one sequence of %s impact%s, each the first contact after the one \
+     before, with the listed indices, mappings, walls, and bounds of time and velocity" (Z.to_string impacts) (plural impacts) in
+  match ended with
+  | Impacts_reached n -> orbits n
+  | Time_reached (n, until) ->
+    orbits n ^ "; all are up to the time " ^ Expression.text { least = until; most = until } ^ ", and the next one is after it"

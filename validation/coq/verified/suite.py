@@ -1,0 +1,261 @@
+#!/usr/bin/env python3
+"""Has impact-pair-verified judge documents of `impact-pair run`: right ones, corrupted ones, and texts that are none.
+
+Run: suite.py --program IMPACT_PAIR --verified PROGRAM [--forged DIR] [--report DIR] [--quick]
+
+Nothing that `impact-pair check` refutes may be verified; Coq's own evaluator must give the same answers on the same inputs.
+"""
+import argparse
+import json
+import resource
+import subprocess
+import sys
+from pathlib import Path
+
+import corrupted
+import scenes
+import texts
+
+# Seconds that no answer may take.
+PATIENCE = 120
+SCENES = [Path("scenes"), Path("validation/certificates/scenes")]
+OTHERS = [Path("validation/coq/tests/harmonics.toml")]
+# What is verified in full and in small: scene, options, seconds of processor time accepted.
+SPEED = [("figure-14", ["--impacts", "200"], 1.0), ("figure-14", ["--impacts", "2000"], 15.0)]
+# Data that are intervals in the scene of figure 14, and how many impacts.
+INTERVALS = [({"gap": "[9.42496, 9.42498]"}, 6), ({"restitution": "[0.49, 0.5]"}, 2), ({"gap": "[9.42496999, 9.42497001]", "restitution": "[0.4999999, 0.5]"}, 8),
+             ({"velocity": "[-12.5664, -12.5663]", "time": "[0, 1e-6]"}, 4), ({"amplitude": "[7.99999, 8.00001]"}, 3),
+             ({"frequency": "[3.14159, 3.1416]", "phase": "[-1e-6, 1e-6]"}, 3)]
+COVERED = ("impacts-reached", "time-reached")
+# Documents of which corrupted copies are made.
+SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("two-tones", ["--impacts", "6"]),
+           ("figure-17", ["--impacts", "6"])]
+CODES = {0: "verified", 1: "not verified", 2: "unreadable"}
+
+
+def spent():
+    """Processor time of the programs that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+class Suite:
+    def __init__(self, program, verified):
+        self.program, self.verified, self.failures = program, verified, []
+
+    def run(self, scene, options, text=None):
+        """The orbit document of a scene, a file or - for a text; None where it is no scene with these options."""
+        command = [self.program, "run", scene, *options, "--format", "json", "--quiet"]
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=PATIENCE)
+        return json.loads(done.stdout) if done.returncode != 2 else None
+
+    def answer(self, text):
+        """(verdict, its last line, seconds of processor time) of a text."""
+        began = spent()
+        try:
+            done = subprocess.run([self.verified, "-"], input=text, capture_output=True, check=False, timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            self.failures.append(f"no answer in {PATIENCE} s: {text[:200]!r}")
+            return "none", "", PATIENCE
+        lines = done.stdout.decode(errors="replace").splitlines() or [done.stderr.decode(errors="replace")]
+        verdict = CODES.get(done.returncode, f"exit code {done.returncode}")
+        if not lines[-1].startswith(verdict):
+            self.failures.append(f"{verdict}, but it says {lines[-1]!r}")
+        return verdict, lines[-1], spent() - began
+
+    def check(self, document):
+        """The verdict of `impact-pair check`."""
+        command = [self.program, "check", "-", "--quiet", "--format", "json"]
+        done = subprocess.run(command, input=json.dumps(document).encode(), capture_output=True, check=False, timeout=PATIENCE)
+        return json.loads(done.stdout)["verdict"] if done.returncode in (0, 1) else "unreadable"
+
+
+def is_covered(document):
+    """Whether the theorem covers the outcome and all events."""
+    return document["outcome"]["kind"] in COVERED and all(event["event"] == "impact" for event in document["events"])
+
+
+def random_scenes(suite, quick):
+    """Documents of random scenes: those covered must be verified, all others not. (documents, verified)"""
+    total = verified = 0
+    for number, (text, options) in enumerate(scenes.at_random(25 if quick else 250)):
+        document = suite.run("-", options, text)
+        if document is None:
+            continue
+        total += 1
+        verdict, said, _ = suite.answer(json.dumps(document).encode())
+        verified += verdict == "verified"
+        if is_covered(document) != (verdict == "verified"):
+            suite.failures.append(f"random scene {number}: {said}")
+    return total, verified
+
+
+def right(suite, quick):
+    """Rows of documents as `run` writes them; those that are covered must be verified, all others not."""
+    rows = []
+    for scene in [scene for folder in SCENES for scene in sorted(folder.glob("*.toml"))] + OTHERS:
+        for options in (["--impacts", "12" if quick else "60"], ["--until", "3"]):
+            document = suite.run(scene, options)
+            if document is None:
+                continue
+            kind, others = document["outcome"]["kind"], {event["event"] for event in document["events"]} - {"impact"}
+            verdict, said, seconds = suite.answer(json.dumps(document).encode())
+            if is_covered(document) != (verdict == "verified"):
+                suite.failures.append(f"{scene.stem} {' '.join(options)}: {said}")
+            what = kind if not others else f"{kind}, with a {min(others)}"
+            rows.append(f"| {scene.stem} | {len(document['events'])} | {what} | {said} | {seconds:.2f} |")
+    return rows
+
+
+def with_intervals(text, data):
+    """The text of a scene with these data instead."""
+    lines = [line for line in text.splitlines() if not line.startswith(("impacts", "digits"))]
+    return "\n".join(next((f'{key} = "{value}"' for key, value in data.items() if line.startswith(f"{key} =")), line) for line in lines)
+
+
+def intervals(suite, quick):
+    """Rows of documents with intervals among their data; of wider intervals with the same bounds none is verified that `check` refutes."""
+    rows, text = [], Path("scenes/figure-14.toml").read_text(encoding="utf-8")
+    for data, impacts in INTERVALS:
+        document = json.dumps(suite.run("-", ["--impacts", str(impacts)], with_intervals(text, data)))
+        verdict, said, seconds = suite.answer(document.encode())
+        if verdict != "verified":
+            suite.failures.append(f"{data}: {said}")
+        rows.append(f"| {', '.join(f'{key} {value}' for key, value in data.items())} | {impacts} | {said} | {seconds:.2f} |")
+        for key, value in data.items():
+            low, high = map(float, value.strip("[]").split(","))
+            for widths in (0.1, 4, 100):
+                wider = json.loads(document.replace(value, f"[{low - widths * (high - low):.12f}, {high:.12f}]"))
+                if suite.answer(json.dumps(wider).encode())[0] == "verified" and suite.check(wider) != "confirmed":
+                    suite.failures.append(f"{key} from {low} lower by {widths} widths of {value}: verified")
+    return rows
+
+
+def fast(suite, quick):
+    """Rows of measured times."""
+    rows = []
+    for name, options, accepted in SPEED[: 1 if quick else None]:
+        text = json.dumps(suite.run(f"scenes/{name}.toml", options)).encode()
+        verdict, said, seconds = min((suite.answer(text) for _ in range(3)), key=lambda answer: answer[2])
+        if verdict != "verified" or seconds > accepted:
+            suite.failures.append(f"{name} {' '.join(options)}: {said}, {seconds:.2f} s, but accepted are {accepted} s")
+        rows.append(f"| {name} {' '.join(options)} | {seconds:.2f} | {accepted:.0f} |")
+    return rows
+
+
+def wrong(suite, quick):
+    """Corrupted copies, none of which may be verified; the number of them."""
+    total = 0
+    for name, options in SPOILED[: 2 if quick else None]:
+        document = suite.run(f"scenes/{name}.toml", options)
+        for what, copy in corrupted.copies(document):
+            verdict, said, _ = suite.answer(json.dumps(copy).encode())
+            total += 1
+            if verdict not in ("not verified", "unreadable"):
+                suite.failures.append(f"{name}, {what}: {said}")
+    return total
+
+
+def changed(suite, quick):
+    """Copies with one value changed at random: none is verified that `check` refutes. How many were, and were verified."""
+    total = verified = 0
+    for name, options in SPOILED[:2]:
+        document = suite.run(f"scenes/{name}.toml", options)
+        for what, copy in corrupted.at_random(document, 60 if quick else 600):
+            total += 1
+            if suite.answer(json.dumps(copy).encode())[0] == "verified":
+                verified += 1
+                if (verdict := suite.check(copy)) != "confirmed":
+                    suite.failures.append(f"{name}, {what}: verified, but check says {verdict}")
+    return total, verified
+
+
+def forged(suite, folder):
+    """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified."""
+    documents = sorted(Path(folder).glob("*.json")) if folder else []
+    for file in documents:
+        verdict, said, _ = suite.answer(file.read_bytes())
+        if verdict == "verified" and not file.stem.endswith("-True"):
+            suite.failures.append(f"{file}: {said}")
+    return len(documents)
+
+
+def unreadable(suite, quick):
+    """Texts that are no document of this kind; the number of them."""
+    document = suite.run("scenes/figure-14.toml", ["--impacts", "3"])
+    total = 0
+    for what, text, accepted in texts.all_of(document, quick):
+        verdict, said, _ = suite.answer(text)
+        total += 1
+        if verdict not in accepted:
+            suite.failures.append(f"{what}: {said}, but accepted is {' or '.join(accepted)}")
+    return total
+
+
+def same_as_coq(suite, quick):
+    """The answers on these inputs are those of Coq's own evaluator; the number of them."""
+    folder = Path(suite.verified).parent
+    document = suite.run("scenes/figure-14.toml", ["--impacts", "4"])
+    wanted = [document, suite.run("scenes/two-tones.toml", ["--until", "1"]), *(copy for _, copy in corrupted.copies(document))]
+    total = 0
+    for number, copy in enumerate(wanted[: 4 if quick else None]):
+        source, theorem = folder / f"Answer_{number}.json", folder / f"Answer_{number}.v"
+        source.write_text(json.dumps(copy), encoding="utf-8")
+        done = subprocess.run([suite.verified, "--coq", source], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            continue
+        theorem.write_text(done.stdout, encoding="utf-8")
+        total += 1
+        compiled = subprocess.run(["coqc", "-q", "-w", "none", "-R", ".", "ImpactPair", theorem.name], cwd=folder, capture_output=True, text=True, check=False)
+        if compiled.returncode != 0:
+            suite.failures.append(f"{source.name}: Coq answers otherwise: {compiled.stderr.strip()[:300]}")
+    return total
+
+
+def axioms(suite):
+    """What the theorem rests on; nothing but the axioms of Coq's real numbers is accepted."""
+    accepted = {"ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec",
+                "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
+    said = (Path(suite.verified).parent / "Axioms.out").read_text(encoding="utf-8")
+    found = {line.split(":")[0].strip() for line in said.splitlines() if line[:1].isalpha()} - {"Axioms"}
+    if found != accepted:
+        suite.failures.append(f"the theorem rests on {', '.join(sorted(found))}")
+    return sorted(found)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--verified", required=True)
+    parser.add_argument("--report", default="validation/report")
+    parser.add_argument("--forged", help="folder of forged documents")
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+    suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
+    rows, times, spoiled = right(suite, quick), fast(suite, quick), wrong(suite, quick)
+    boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
+    (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
+    false_ones, rests_on = forged(suite, arguments.forged), axioms(suite)
+    verdict = (f"{sum('| verified |' in row for row in rows + boxes) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
+               f"{coq} answers equal to those of Coq's evaluator; {len(suite.failures)} failures.")
+    lines = ["# Documents verified by a checker extracted from Coq", "", verdict, "",
+             "| scene | events | outcome | answer | seconds |", "|---|---|---|---|---|", *rows, "",
+             "| intervals of figure 14 | impacts | answer | seconds |", "|---|---|---|---|", *boxes, "",
+             "| speed | seconds of processor time | accepted |", "|---|---|---|", *times, "",
+             f"Random scenes: {made} documents, {accepted} verified, all others with an event or an outcome that is not covered.", "",
+             f"Documents made false by `tests/forger`: {false_ones}, none verified that is false.", "",
+             f"One value changed at random: {mutated} copies, {still} of them verified, all of these confirmed by `impact-pair check`.", "",
+             f"The theorem rests on {', '.join(f'`{axiom}`' for axiom in rests_on)}."]
+    if suite.failures:
+        lines += ["", "## Failures", "", *(f"- {failure}" for failure in suite.failures)]
+    folder = Path(arguments.report)
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "verified.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    print(verdict)
+    for failure in suite.failures:
+        print(failure, file=sys.stderr)
+    return 1 if suite.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,64 @@
+(* A document and its hint as terms of Coq: a file in which Coq's own evaluator runs the same `verify` on the same input. *)
+
+open Checker
+module Z = Integers.Z
+
+let integer n = let digits = Z.format "%#x" n in if Z.sign n < 0 then "(" ^ digits ^ ")" else digits
+let fraction { qnum; qden } = Printf.sprintf "(Qmake %s %s)" (integer qnum) (integer qden)
+let list term items = "[" ^ String.concat "; " (List.map term items) ^ "]"
+let option term = function None -> "None" | Some x -> "(Some " ^ term x ^ ")"
+
+let rec number = function
+  | Rational q -> Printf.sprintf "(Rational %s)" (fraction q)
+  | Pi -> "Pi"
+  | Plus (a, b) -> Printf.sprintf "(Plus %s %s)" (number a) (number b)
+  | Minus (a, b) -> Printf.sprintf "(Minus %s %s)" (number a) (number b)
+  | Times (a, b) -> Printf.sprintf "(Times %s %s)" (number a) (number b)
+  | Over (a, b) -> Printf.sprintf "(Over %s %s)" (number a) (number b)
+  | Root a -> Printf.sprintf "(Root %s)" (number a)
+  | Sine a -> Printf.sprintf "(Sine %s)" (number a)
+  | Cosine a -> Printf.sprintf "(Cosine %s)" (number a)
+
+let range { least; most } = Printf.sprintf "(Between %s %s)" (number least) (number most)
+let tone { amplitude; frequency; shift } = Printf.sprintf "(Build_tone %s %s %s)" (range amplitude) (range frequency) (range shift)
+let data { leading; further; gap; restitution } =
+  Printf.sprintf "(Build_data %s %s %s %s)" (tone leading) (list tone further) (range gap) (range restitution)
+let wall = Orbit.wall_name
+let beginning = function
+  | Struck (w, t, v) -> Printf.sprintf "(Struck %s %s %s)" (wall w) (range t) (range v)
+  | Inside (t, y, v) -> Printf.sprintf "(Inside %s %s %s)" (range t) (range y) (range v)
+let bounds { on; time_lower; time_upper; velocity_lower; velocity_upper } =
+  Printf.sprintf "(Impact %s %s)" (wall on) (String.concat " " (List.map fraction [ time_lower; time_upper; velocity_lower; velocity_upper ]))
+let event { index; mapped; shown } = Printf.sprintf "(Event %s %s %s)" (integer index) (option Orbit.mapping_name mapped) (bounds shown)
+let outcome = function
+  | Impacts_reached n -> Printf.sprintf "(Impacts_reached %s)" (integer n)
+  | Time_reached (n, until) -> Printf.sprintf "(Time_reached %s %s)" (integer n) (number until)
+
+let integers items = String.concat " " (List.map integer items)
+let leg { bits; coarse; scale0; hits; t; rt; v; rv; depart; approach; tilt } =
+  Printf.sprintf "(Leg %s %s %s)" (integers [ bits; coarse; scale0 ]) (wall hits) (integers [ t; rt; v; rv; depart; approach; tilt ])
+let start { start_bits; start_scale; start_t; start_rt; start_v; start_rv } =
+  Printf.sprintf "(Start %s)" (integers [ start_bits; start_scale; start_t; start_rt; start_v; start_rv ])
+
+let hint { origin; legs; next_impact } = Printf.sprintf "(Hint %s %s %s)" (start origin) (list leg legs) (option bounds next_impact)
+let rec natural = function O -> "O" | S n -> Printf.sprintf "(S %s)" (natural n)
+let datum = function
+  | Amplitude n -> "(Pieces.Amplitude " ^ natural n ^ ")"
+  | Frequency n -> "(Pieces.Frequency " ^ natural n ^ ")"
+  | Phase n -> "(Pieces.Phase " ^ natural n ^ ")"
+  | Gap -> "Pieces.Gap"
+  | Restitution -> "Pieces.Restitution"
+  | Start_time -> "Pieces.Start_time"
+  | Start_place -> "Pieces.Start_place"
+  | Start_velocity -> "Pieces.Start_velocity"
+let rec pieces = function
+  | Whole h -> Printf.sprintf "(Pieces.Whole %s)" (hint h)
+  | Cut (d, q, lower, upper) -> Printf.sprintf "(Pieces.Cut %s %s %s %s)" (datum d) (fraction q) (pieces lower) (pieces upper)
+
+(* The answer of the extracted program is Coq's. *)
+let file { scene_data; begun; events; ended } found answer =
+  Printf.sprintf "From Coq Require Import ZArith QArith List.\nFrom ImpactPair Require Import Model Certificate Document.\n\
+    From ImpactPair Require Pieces Carrier.\nImport ListNotations.\nOpen Scope Z_scope.\n\
+    Definition document := Document %s %s %s %s.\nDefinition pieces := %s.\n\
+    Lemma answer : Carrier.Shifting.verify_document document pieces = %b.\nProof. vm_cast_no_check (eq_refl %b). Qed.\n"
+    (data scene_data) (beginning begun) (list event events) (outcome ended) (pieces found) answer answer
