@@ -82,10 +82,63 @@ def solve(
 ) -> Orbit:
     """Return the certified impacts under the excitation A sin(W t + tau), with gap d and restitution e, in the paper's notation.
 
-    A, d, y0 [length], W [rad/time], tau [rad], t0, until [time], v0 [length/time]: exact numbers, see :class:`Scene`. The ball starts
-    at t0 on a ``wall`` (``"left"``, the default, or ``"right"``) with velocity v0 just before the impact, or inside the gap at y0. What
-    comes back has the arrays ``t``, ``v`` (n,), ``t_bounds``, ``v_bounds`` (n, 2) and ``wall`` (n,) of the impacts and, called with
-    times, says where the ball is then.
+    Numbers are exact, see :class:`Scene`: ``"0.63"`` is 63/100, but the float ``0.63`` is its binary value, which is not 63/100. A tuple
+    ``(low, high)`` stands for all values between.
+
+    Parameters
+    ----------
+    A : number, tuple, or list of them for several harmonics
+        Amplitude of the excitation [length].
+    W : number, tuple, or list of them
+        Angular frequency [rad/time].
+    d : number or tuple
+        Gap: the distance that the ball travels from wall to wall [length].
+    e : number or tuple
+        Restitution coefficient, from 0 to 1.
+    v0 : number or tuple
+        Relative velocity at the start [length/time]; on a wall just before the impact: at most 0 on the left one, at least 0 on the right.
+    tau : number, tuple, or list of them, default 0
+        Phase of the excitation [rad].
+    t0 : number or tuple, default 0
+        Time of the start [time].
+    wall : {"left", "right"}, default "left"
+        The wall of the start; not with ``y0``.
+    y0 : number or tuple, optional
+        Relative displacement at a start inside the gap, from its middle [length].
+    impacts : int, default 100 without ``until``
+        Number of impacts to stop after.
+    until : number, optional
+        Time to stop at [time].
+    digits : int, default 9
+        Requested width of enclosures, at most 10^-digits: of times relative to 2 pi/W, of velocities relative to A W.
+    arithmetic : {"auto", "float", "interval", "inari", "shadow"} or int, default "auto"
+        The arithmetic, or a number of bits; ``"float"`` certifies nothing.
+    max_bits : int, default 1000000
+        Maximum precision of ``"auto"``, in bits.
+    progress : bool or callable, optional
+        A bar of tqdm, or a function that receives the number of impacts.
+
+    Returns
+    -------
+    Orbit
+        With the arrays ``t``, ``v`` (n,), ``t_bounds``, ``v_bounds`` (n, 2) and ``wall`` (n,) of the impacts; called with times it
+        returns bounds of the motion then. What is undecided is said by its ``outcome``.
+
+    Raises
+    ------
+    SceneError
+        When a number does not read as one, or a value has the wrong kind.
+    RangeError
+        When a value is out of range; ``key`` and ``value`` of the error name it.
+
+    Examples
+    --------
+    >>> sol = solve(A=8, W="pi", d="9.42497", e="0.5", v0="-12.56636", impacts=3)
+    >>> [str(impact.time) for impact in sol]
+    ['0.55134802021852(08,17)', '1.6659842879656(05,12)', '2.487100613920(68,71)']
+    >>> sol.outcome.message
+    '3 impacts'
+
     """
     scene = Scene(amplitude=A, frequency=W, phase=tau, gap=d, restitution=e, time=t0, wall=wall, position=y0, velocity=v0)
     return scene.run(impacts=impacts, until=until, digits=digits, arithmetic=arithmetic, max_bits=max_bits, progress=progress)

@@ -166,9 +166,39 @@ class Scene:
     ) -> Orbit:
         """Return the certified events of the scene.
 
-        It stops after ``impacts`` impacts or at the time ``until`` [time], by default as the scene specifies, or after 100 impacts.
-        Enclosures are asked to be at most 10^-``digits`` wide: of times relative to 2 pi/W, of velocities to A W (default 9).
-        ``arithmetic`` is ``"auto"``, ``"float"``, ``"interval"``, ``"inari"``, ``"shadow"`` or a number of bits.
+        Parameters
+        ----------
+        impacts : int, optional
+            Number of impacts to stop after; by default that of the scene, or 100 where there is no ``until`` either.
+        until : number, optional
+            Time to stop at [time]; by default that of the scene.
+        digits : int, optional
+            Requested width of enclosures, at most 10^-digits: of times relative to 2 pi/W, of velocities relative to A W; by default
+            that of the scene, or 9.
+        arithmetic : {"auto", "float", "interval", "inari", "shadow"} or int, default "auto"
+            The arithmetic, or a number of bits; ``"float"`` certifies nothing.
+        splice : int, default 0
+            With ``"shadow"``: the first impacts that are proved in higher precision.
+        max_bits : int, default 1000000
+            Maximum precision of ``"auto"``, in bits.
+        progress : bool or callable, optional
+            A bar of tqdm, or a function that receives the number of impacts.
+
+        Returns
+        -------
+        Orbit
+            The events, with their bounds and the outcome.
+
+        Raises
+        ------
+        RangeError
+            When an argument is out of range, or a value of the scene is beyond the range of flights.
+
+        Examples
+        --------
+        >>> Scene.named("figure-14").run(impacts=2).walls
+        array(['right', 'left'], dtype='<U5')
+
         """
         impacts = optional_whole("impacts", impacts)
         asked = asked_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
