@@ -79,12 +79,13 @@ fn neighbours(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// Whether a sweep replaces the value by those of its axes.
+/// Whether a sweep replaces the value by those of its axes; from a given phase on a motion under one harmonic is the same for every `tau`
+/// (Lemma R1).
 fn is_named_only(original: &Original, key: &str) -> bool {
     let axes = original.document[0]["over"].as_array().filter(|_| original.is(&["sweep"])).cloned().unwrap_or_default();
     axes.iter().any(|axis| {
         let name = axis["key"].as_str().unwrap().replace('.', "/");
-        key.contains(&name) || name == "start/phase" && key == "/start/time"
+        key.contains(&name) || name == "start/phase" && ["/start/time", "/excitation/phase/0"].contains(&key)
     })
 }
 

@@ -60,10 +60,10 @@ impl BifurcationCertificate {
         })
     }
 
-    /// Whether each point is listed once. Lemma V13
+    /// Whether each point is listed once, the grazes as well. Lemma V13
     fn are_distinct(&self) -> Result<(), Doubt> {
         let open = |i: usize, j: usize| Doubt::Open(format!("points[{i}] and points[{j}] are not proved to be two"));
-        for (j, other) in self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze) {
+        for (j, other) in self.points().iter().enumerate() {
             let alike = |(_, one): &(usize, &ClaimedPoint)| one.kind == other.kind && !one.is_elsewhere(other);
             for (i, one) in self.points()[..j].iter().enumerate().filter(alike) {
                 let (_, data) = one.data(self)?;
