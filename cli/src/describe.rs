@@ -26,7 +26,7 @@ pub const HELP: &str = "\
 Examples:
   impact-pair describe scenes/figure-12.toml
   impact-pair describe scenes/chatter.toml --plot chatter.svg --format json --output chatter.json
-  impact-pair describe scenes/figure-14.toml --depth 3
+  impact-pair describe scenes/figure-15.toml --impacts 500
 
 The fate of the motion is one of: attracted (it converges to a stable periodic orbit), periodic (it repeats exactly), \
 rests-forever, never-impacts, stays-in-region (a trapping region holds all its impacts from one on), undecided. The \

@@ -95,9 +95,8 @@ def test_describe(cli, tmp_path):
         Scene.named("figure-13").describe(impacts=0)
 
 
-def test_a_motion_in_a_region_is_described(cli):
+def test_a_motion_in_a_region_is_described():
     found = Scene.named("figure-14").describe(depth=3)
-    assert found.document == cli.json("describe", "scenes/figure-14.toml", "--depth", 3)
     assert (found.fate, found.since, found.region.boxes) == ("stays-in-region", 2, 431)
     # Two blocks of one forcing period each: ln 2.
     assert 0.6931 < found.entropy_per_cycle <= np.log(2)
