@@ -129,7 +129,7 @@ def fast_parts():
         (LIBRARY, "library", "/^(arrows|labels|soundness)::/"),
         (LIBRARY, "truth", "/^crossings::no_answer/"),
         (CHECKER, "recorded", "/every_value/"),
-        (COMMANDS, "cli", "/^(audit|help::every_verb|output|periodic|run|two_impact)::?/"),
+        (COMMANDS, "cli", "/^(audit|output|periodic|run|two_impact)::|^help::every_verb/"),
     ]:
         if touched & folders:
             targets.append(f"--test {executable}")
