@@ -6,7 +6,7 @@
 //! the edge 0. The true ones are of every schema that `check` reads, in several states of their flags ([`originals`]). Where a
 //! forgery is only almost certain to be false and is confirmed, the claims are computed anew, in 320 bits ([`known`]).
 //!
-//! `FORGER_CASES` limits the forgeries of one kind that are made of one document (2; `all` for all of them), `FORGER_ONLY=WORDS` asks for
+//! `FORGER_CASES` limits the forgeries of one kind that are made of one document (1; `all` for all of them), `FORGER_ONLY=WORDS` asks for
 //! those alone whose names have these words, and shows each verdict; `--nocapture` shows the table. `FORGER_FOLDER` names a folder into
 //! which all are written, for the verified checker (`validation/coq/verified/run --forged`).
 
