@@ -4,6 +4,7 @@
 
 use super::bases::{Seen, apart};
 use super::guess::{Guess, length};
+use super::index::Indexed;
 use super::leaves::{BESIDE, GAPS, LENGTHS, Window};
 use super::quad::State;
 use super::trials::each;
@@ -44,9 +45,8 @@ pub(super) struct Bundle {
 }
 
 /// An orbit, and how many impacts of its words are looked at.
-#[derive(Clone, Copy)]
 struct Sight<'s> {
-    orbit: &'s Seen,
+    orbit: Indexed<'s>,
     guess: &'s Guess,
     impacts: usize,
 }
@@ -54,7 +54,7 @@ struct Sight<'s> {
 impl Seen {
     /// H-sets about clusters of leaves, those first that most entropy is seen of. `goes_on` says whether to look further.
     pub(super) fn bundles(&self, guess: &Guess, impacts: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Bundle> {
-        let sight = Sight { orbit: self, guess, impacts };
+        let sight = Sight { orbit: Indexed::new(self), guess, impacts };
         let of_one = |&middle: &(State, State)| if goes_on() { sight.about(middle) } else { Vec::new() };
         let mut starts: Vec<Bundle> = Vec::new();
         for one in sorted(each(&self.middles(), &of_one).concat()) {
@@ -74,7 +74,7 @@ impl Seen {
 
     /// The same place with one gap more that parts it, or one less.
     pub(super) fn parted(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
-        let sight = Sight { orbit: self, guess, impacts };
+        let sight = Sight { orbit: Indexed::new(self), guess, impacts };
         bundle.place.parted().into_iter().filter_map(|place| sight.at(place)).collect()
     }
 
@@ -88,13 +88,6 @@ impl Seen {
         }
         found
     }
-
-    /// The point of the orbit so far along the leaf.
-    fn beyond(&self, Place { middle: (centre, along), long, .. }: Place, part: f64) -> (State, State) {
-        let size = part * long / length(along);
-        let at = [0, 1].map(|i| centre[i] + size * along[i]);
-        self.points.iter().copied().fold((centre, along), |a, b| if apart(b.0, at) < apart(a.0, at) { b } else { a })
-    }
 }
 
 impl Place {
@@ -104,10 +97,22 @@ impl Place {
     }
 }
 
-impl Sight<'_> {
+impl<'s> Sight<'s> {
+    fn window(&self, middle: (State, State)) -> Option<Window<'s>> {
+        Window::new(&self.orbit, self.guess, middle)
+    }
+
+    /// The point of the orbit so far along the leaf.
+    fn beyond(&self, Place { middle: (centre, along), long, .. }: Place, part: f64) -> (State, State) {
+        let size = part * long / length(along);
+        let at = [0, 1].map(|i| centre[i] + size * along[i]);
+        let found = self.orbit.nearest(at).filter(|found| apart(found.0, at) < apart(centre, at));
+        found.unwrap_or((centre, along))
+    }
+
     /// The bundles about one point, of all sizes.
     fn about(&self, middle: (State, State)) -> Vec<Bundle> {
-        let Some(window) = Window::new(self.orbit, self.guess, middle) else { return Vec::new() };
+        let Some(window) = self.window(middle) else { return Vec::new() };
         let sizes = LENGTHS.into_iter().flat_map(|long| BESIDE.map(|beside| (long, beside)));
         let places = sizes.flat_map(|(long, beside)| NESTED.map(|cuts| Place { middle, long, beside, cuts }));
         let found = places.filter_map(|place| self.bundle(&window, place));
@@ -115,7 +120,7 @@ impl Sight<'_> {
     }
 
     fn at(&self, place: Place) -> Option<Bundle> {
-        self.bundle(&Window::new(self.orbit, self.guess, place.middle)?, place)
+        self.bundle(&self.window(place.middle)?, place)
     }
 
     /// The h-sets of a place, shorter if need be to be apart.
@@ -134,15 +139,23 @@ impl Sight<'_> {
         let [mut step, least] = MOVES;
         while step > least && goes_on() {
             let place = best.place;
-            let mut moves = if parts { place.parted() } else { Vec::new() };
+            let here = self.window(place.middle);
+            let of_parts = if parts { place.parted() } else { Vec::new() };
+            let mut tried: Vec<Option<Bundle>> =
+                of_parts.into_iter().map(|place| self.bundle(here.as_ref()?, place)).collect();
             for sign in [-1.0, 1.0] {
-                let beyond = self.orbit.beyond(place, sign * step);
+                let middle = self.beyond(place, sign * step);
+                let beyond = self.window(middle);
                 let longer = [-1.0, 0.0, 1.0].map(|to| place.long * (1.0 + to * step));
-                moves.extend(longer.map(|long| Place { middle: beyond, long, ..place }));
-                moves.push(Place { long: place.long * (1.0 + sign * step), ..place });
-                moves.push(Place { beside: place.beside * (1.0 + sign * step), ..place });
+                tried.extend(longer.map(|long| self.bundle(beyond.as_ref()?, Place { middle, long, ..place })));
+                let sizes = [(sign, 0.0), (0.0, sign)].map(|(long, beside)| Place {
+                    long: place.long * (1.0 + long * step),
+                    beside: place.beside * (1.0 + beside * step),
+                    ..place
+                });
+                tried.extend(sizes.map(|place| self.bundle(here.as_ref()?, place)));
             }
-            let tried = moves.into_iter().filter_map(|place| self.at(place));
+            let tried = tried.into_iter().flatten();
             match tried.max_by(|a, b| a.seen.total_cmp(&b.seen)).filter(|tried| tried.seen > best.seen) {
                 Some(better) => best = better,
                 None => step *= 0.5,

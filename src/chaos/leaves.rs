@@ -7,6 +7,7 @@ use super::bases::Seen;
 use super::bundles::Place;
 use super::entropy::entropy;
 use super::guess::{Guess, cross, length};
+use super::index::Indexed;
 use super::law::Side;
 use super::quad::State;
 use super::words::{Base, Path};
@@ -39,14 +40,13 @@ const NEAR: f64 = 0.6;
 const FAR: f64 = 8.0;
 
 /// Coordinates along a leaf and across, lengths in radians.
-pub(super) struct Window {
+pub(super) struct Window<'s> {
+    seen: &'s Seen,
     centre: State,
     along: State,
     across: State,
-    /// The points of the orbit, one after the other, with the slopes of their leaves.
-    all: Vec<[f64; 3]>,
-    /// Those in reach, from left to right.
-    near: Vec<usize>,
+    /// The points of the orbit in reach, from left to right: their number and, with the slopes of their leaves, their coordinates.
+    near: Vec<(usize, [f64; 3])>,
 }
 
 /// What is about a leaf from end to end.
@@ -70,28 +70,54 @@ fn mean<T>(all: &[T], of: impl Fn(&T) -> f64) -> f64 {
 
 impl Cluster {
     /// Coordinates in which it is from -1 to 1.
-    fn in_coordinates(&self, [xi, eta, _]: [f64; 3]) -> [f64; 2] {
+    fn in_coordinates(&self, [xi, eta]: [f64; 2]) -> [f64; 2] {
         [xi / self.long, (eta - self.middle - self.slope * xi) / self.width]
     }
 }
 
-impl Window {
-    pub fn new(seen: &Seen, guess: &Guess, (centre, along): (State, State)) -> Option<Self> {
+impl<'s> Window<'s> {
+    pub fn new(orbit: &Indexed<'s>, guess: &Guess, (centre, along): (State, State)) -> Option<Self> {
         let unit = |direction: State| direction.map(|x| x / length(direction));
         let (along, across) = (unit(along), unit(guess.contracting(centre, AHEAD)?));
-        let sine = cross(along, across);
-        let in_coordinates = |at| [cross(at, across) / sine, cross(along, at) / sine];
-        let point = |&([u, w], direction): &(State, State)| {
-            let phase = u - centre[0];
-            let [xi, eta] = in_coordinates([phase - phase.round(), w - centre[1]]);
-            let [run, rise] = in_coordinates(direction);
-            [xi, eta, rise / run]
+        let mut window = Self { seen: orbit.seen, centre, along, across, near: Vec::new() };
+        let reach = [0, 1].map(|i| SIGHT[0] * along[i].abs() + SIGHT[1] * across[i].abs());
+        let judges = orbit.seen.points.len().min(JUDGES).saturating_sub(AFTER);
+        let is_near = |&k: &usize| {
+            k < judges && (orbit.seen.points[k].0[1] - centre[1]).abs() < reach[1] && {
+                let [xi, eta] = window.place(k);
+                xi.abs() < SIGHT[0] && eta.abs() < SIGHT[1]
+            }
         };
-        let all: Vec<[f64; 3]> = seen.points.iter().take(JUDGES).map(point).collect();
-        let is_near = |&k: &usize| all[k][0].abs() < SIGHT[0] && all[k][1].abs() < SIGHT[1];
-        let mut near: Vec<usize> = (0..all.len().saturating_sub(AFTER)).filter(is_near).collect();
-        near.sort_by(|&a, &b| all[a][0].total_cmp(&all[b][0]));
-        Some(Self { centre, along, across, all, near })
+        let seen = orbit.within(centre[0], reach[0]).filter(is_near);
+        let mut near: Vec<_> = seen.map(|k| (k, window.point(k))).collect();
+        near.sort_by(|(k, a), (n, b)| a[0].total_cmp(&b[0]).then(k.cmp(n)));
+        window.near = near;
+        Some(window)
+    }
+
+    fn in_coordinates(&self, at: State) -> [f64; 2] {
+        let sine = cross(self.along, self.across);
+        [cross(at, self.across) / sine, cross(self.along, at) / sine]
+    }
+
+    /// The place of a point of the orbit.
+    fn place(&self, number: usize) -> [f64; 2] {
+        let [u, w] = self.seen.points[number].0;
+        let phase = u - self.centre[0];
+        self.in_coordinates([phase - phase.round(), w - self.centre[1]])
+    }
+
+    /// The same with the slope of its leaf.
+    fn point(&self, number: usize) -> [f64; 3] {
+        let [xi, eta] = self.place(number);
+        let [run, rise] = self.in_coordinates(self.seen.points[number].1);
+        [xi, eta, rise / run]
+    }
+
+    /// Those in reach that are not as far along the leaf.
+    fn midst(&self, far: f64) -> &[(usize, [f64; 3])] {
+        let first = self.near.partition_point(|(_, at)| at[0] <= -far);
+        &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]
     }
 
     /// Returns the h-set of a cluster.
@@ -109,15 +135,16 @@ impl Window {
 
     /// The words that the orbit's points in one of them are seen to make: in a row, across an h-set, at one time.
     fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
-        let is_inside = |&k: &usize| clusters[from].in_coordinates(self.all[k]).iter().all(|x| x.abs() < 1.0);
-        let inside: Vec<usize> = self.near.iter().copied().filter(is_inside).collect();
+        let is_inside = |[xi, eta, _]: [f64; 3]| clusters[from].in_coordinates([xi, eta]).iter().all(|x| x.abs() < 1.0);
+        let midst = self.midst(clusters[from].long).iter();
+        let inside: Vec<usize> = midst.filter(|(_, at)| is_inside(*at)).map(|(k, _)| *k).collect();
         let inside: Vec<usize> = inside.iter().copied().step_by(inside.len() / POINTS + 1).collect();
         let mut taken = vec![false; inside.len()];
         let mut words = Vec::new();
         for time in 1..=impacts.min(AFTER) {
             for (to, cluster) in clusters.iter().enumerate() {
                 let images: Vec<[f64; 2]> =
-                    inside.iter().map(|&k| cluster.in_coordinates(self.all[k + time])).collect();
+                    inside.iter().map(|&k| cluster.in_coordinates(self.place(k + time))).collect();
                 for [first, last] in crossings(&images, &taken) {
                     taken[first..last].fill(true);
                     words.push(Path { from, to, sides: vec![Side::Far; time], half_turns: 1 });
@@ -134,10 +161,9 @@ impl Window {
 
     /// The leaves beside the middle one, parted at gaps.
     fn bunches(&self, Place { long, beside, cuts, .. }: Place) -> Option<Vec<Bunch>> {
-        let near = self.near.iter().map(|&k| self.all[k]);
-        let midst = near.filter(|[xi, _, slope]| xi.abs() < MIDST * long && slope.abs() < LEAN);
+        let midst = self.midst(MIDST * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < LEAN);
         let mut leaves: Vec<[f64; 2]> = midst
-            .map(|[xi, eta, slope]| [eta - slope * xi, slope])
+            .map(|[xi, eta, slope]| [eta - slope * xi, *slope])
             .filter(|[height, _]| height.abs() < beside)
             .collect();
         if leaves.len() < FEWEST {
@@ -170,9 +196,9 @@ impl Window {
         for part in FOLLOWED {
             let is_member = |[xi, eta, _]: &[f64; 3]| {
                 let height = eta - b * xi - c * xi * xi;
-                xi.abs() < part * long && low < height && height < high
+                low < height && height < high
             };
-            members = self.near.iter().map(|&k| self.all[k]).filter(is_member).collect();
+            members = self.midst(part * long).iter().map(|(_, at)| *at).filter(is_member).collect();
             let [place, slope] = [mean(&members, |it| it[0]), mean(&members, |it| it[2])];
             let spread = mean(&members, |it| (it[0] - place).powi(2));
             c = 0.5 * mean(&members, |it| (it[0] - place) * (it[2] - slope)) / spread;
@@ -249,13 +275,13 @@ mod tests {
         assert_eq!(crossings(&whole, &taken), no_crossing);
     }
 
-    /// A window about a leaf beside which two bundles of three parabolas each are seen.
-    fn window() -> (Window, [Vec<[f64; 3]>; 2]) {
-        let guess = Guess::new(&Law { gap: Ball::exact(1.178125), restitution: Ball::exact(0.5) });
-        let middle = ([0.78, 1.22], [0.18, 0.08]);
-        let seen =
-            |points| Window::new(&Seen { points, exponent: 0.5 }, &guess, middle).expect("a contracting direction");
-        let Window { centre, along, across, .. } = seen(vec![middle]);
+    const MIDDLE: (State, State) = ([0.78, 1.22], [0.18, 0.08]);
+
+    /// Points on a leaf beside which two bundles of three parabolas each are seen.
+    fn orbit(guess: &Guess) -> (Seen, [Vec<[f64; 3]>; 2]) {
+        let bare = Seen { points: vec![MIDDLE], exponent: 0.5 };
+        let Window { centre, along, across, .. } =
+            Window::new(&Indexed::new(&bare), guess, MIDDLE).expect("a contracting direction");
         let leaf =
             |height: f64| row(-0.31, 0.31, 200).into_iter().map(move |[x, _]| [x, height + 0.02 * x * x, 0.04 * x]);
         let bundles =
@@ -268,15 +294,17 @@ mod tests {
         let mut points: Vec<(State, State)> = bundles.iter().flatten().copied().map(state).collect();
         // The last ones have no images.
         points.extend([([0.1, 0.1], along); AFTER]);
-        (seen(points), bundles)
+        (Seen { points, exponent: 0.5 }, bundles)
     }
 
     #[test]
     fn clusters_hold_their_leaves_and_no_others() {
-        let (window, bundles): (_, [Vec<[f64; 3]>; 2]) = window();
-        let place = |cuts| Place { middle: ([0.78, 1.22], [0.18, 0.08]), long: 0.3, beside: 0.02, cuts };
-        let holds = |cluster: &Cluster, [xi, eta, slope]: [f64; 3]| {
-            xi.abs() > 0.3 || cluster.in_coordinates([xi, eta, slope]).iter().all(|x| x.abs() < 1.0)
+        let guess = Guess::new(&Law { gap: Ball::exact(1.178125), restitution: Ball::exact(0.5) });
+        let (seen, bundles) = orbit(&guess);
+        let window = Window::new(&Indexed::new(&seen), &guess, MIDDLE).expect("a contracting direction");
+        let place = |cuts| Place { middle: MIDDLE, long: 0.3, beside: 0.02, cuts };
+        let holds = |cluster: &Cluster, [xi, eta, _]: [f64; 3]| {
+            xi.abs() > 0.3 || cluster.in_coordinates([xi, eta]).iter().all(|x| x.abs() < 1.0)
         };
         let whole = window.clusters(place(0b0)).expect("leaves");
         assert_eq!(whole.len(), 1);

@@ -1,6 +1,6 @@
 //! Chaos, proved: trapping regions with all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
-//! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `leaves`, `propose` and `trials`; intervals verify in `flights`,
+//! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `index`, `leaves`, `propose` and `trials`; intervals verify in `flights`,
 //! `tube`, `words`, `trap`, `cycles` and `attracted`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15 and D20-D23 of `docs/proofs.md`.
@@ -17,6 +17,7 @@ mod fate;
 mod flights;
 mod guess;
 mod horseshoe;
+mod index;
 mod law;
 mod leaves;
 mod propose;
