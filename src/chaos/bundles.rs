@@ -2,10 +2,12 @@
 //!
 //! Labels: proposes throughout.
 
+use std::cell::OnceCell;
+
 use super::bases::{Seen, apart};
 use super::guess::{Guess, length};
 use super::index::Indexed;
-use super::leaves::{BESIDE, GAPS, LENGTHS, Window};
+use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
 use super::quad::State;
 use super::trials::each;
 use super::words::Base;
@@ -113,25 +115,34 @@ impl<'s> Sight<'s> {
     /// The bundles about one point, of all sizes.
     fn about(&self, middle: (State, State)) -> Vec<Bundle> {
         let Some(window) = self.window(middle) else { return Vec::new() };
-        let sizes = LENGTHS.into_iter().flat_map(|long| BESIDE.map(|beside| (long, beside)));
-        let places = sizes.flat_map(|(long, beside)| NESTED.map(|cuts| Place { middle, long, beside, cuts }));
-        let found = places.filter_map(|place| self.bundle(&window, place));
-        distinct(found.filter(|bundle| bundle.seen > 0.0))
+        let sizes = LENGTHS.into_iter().flat_map(|long| BESIDE.map(|beside| [long, beside]));
+        let found = sizes.flat_map(|size| self.bundles(&window, (middle, size), &NESTED));
+        distinct(found.flatten().filter(|bundle| bundle.seen > 0.0))
     }
 
-    fn at(&self, place: Place) -> Option<Bundle> {
-        self.bundle(&self.window(place.middle)?, place)
+    fn at(&self, Place { middle, long, beside, cuts }: Place) -> Option<Bundle> {
+        self.bundles(&self.window(middle)?, (middle, [long, beside]), &[cuts]).swap_remove(0)
     }
 
-    /// The h-sets of a place, shorter if need be to be apart.
-    fn bundle(&self, window: &Window, place: Place) -> Option<Bundle> {
-        let shorter = SHORTER.map(|part| Place { long: part * place.long, ..place });
-        let (place, clusters, bases) = shorter.into_iter().find_map(|place| {
-            let clusters = window.clusters(place)?;
-            let bases: Vec<Base> = clusters.iter().map(|cluster| window.base(cluster)).collect();
-            are_good(&bases).then_some((place, clusters, bases))
-        })?;
-        Some(Bundle { bases, seen: window.entropy(&clusters, self.impacts), place })
+    /// The h-sets of a place of a half length and so far beside, parted by gaps in each of these ways; shorter if need be to be apart.
+    fn bundles(
+        &self,
+        window: &Window,
+        (middle, [long, beside]): ((State, State), [f64; 2]),
+        ways: &[u32],
+    ) -> Vec<Option<Bundle>> {
+        let lengths = SHORTER.map(|part| part * long);
+        let leaves: [OnceCell<Option<Leaves>>; SHORTER.len()] = Default::default();
+        let of_one = |&cuts: &u32| {
+            lengths.into_iter().zip(&leaves).find_map(|(long, leaves)| {
+                let leaves = leaves.get_or_init(|| window.leaves([long, beside])).as_ref()?;
+                let clusters = window.clusters(leaves, cuts);
+                let bases: Vec<Base> = clusters.iter().map(|cluster| window.base(cluster)).collect();
+                let seen = are_good(&bases).then(|| window.entropy(&clusters, self.impacts))?;
+                Some(Bundle { bases, seen, place: Place { middle, long, beside, cuts } })
+            })
+        };
+        ways.iter().map(of_one).collect()
     }
 
     /// A little to all sides, as long as more entropy is seen.
@@ -139,21 +150,19 @@ impl<'s> Sight<'s> {
         let [mut step, least] = MOVES;
         while step > least && goes_on() {
             let place = best.place;
-            let here = self.window(place.middle);
-            let of_parts = if parts { place.parted() } else { Vec::new() };
-            let mut tried: Vec<Option<Bundle>> =
-                of_parts.into_iter().map(|place| self.bundle(here.as_ref()?, place)).collect();
+            let Place { middle, long, beside, cuts } = place;
+            let Some(here) = self.window(middle) else { break };
+            let parted: Vec<u32> =
+                if parts { place.parted().iter().map(|place| place.cuts).collect() } else { Vec::new() };
+            let mut tried = self.bundles(&here, (middle, [long, beside]), &parted);
             for sign in [-1.0, 1.0] {
                 let middle = self.beyond(place, sign * step);
-                let beyond = self.window(middle);
-                let longer = [-1.0, 0.0, 1.0].map(|to| place.long * (1.0 + to * step));
-                tried.extend(longer.map(|long| self.bundle(beyond.as_ref()?, Place { middle, long, ..place })));
-                let sizes = [(sign, 0.0), (0.0, sign)].map(|(long, beside)| Place {
-                    long: place.long * (1.0 + long * step),
-                    beside: place.beside * (1.0 + beside * step),
-                    ..place
-                });
-                tried.extend(sizes.map(|place| self.bundle(here.as_ref()?, place)));
+                if let Some(beyond) = self.window(middle) {
+                    let longer = [-1.0, 0.0, 1.0].map(|to| [long * (1.0 + to * step), beside]);
+                    tried.extend(longer.into_iter().flat_map(|size| self.bundles(&beyond, (middle, size), &[cuts])));
+                }
+                let sizes = [[long * (1.0 + sign * step), beside], [long, beside * (1.0 + sign * step)]];
+                tried.extend(sizes.into_iter().flat_map(|size| self.bundles(&here, (place.middle, size), &[cuts])));
             }
             let tried = tried.into_iter().flatten();
             match tried.max_by(|a, b| a.seen.total_cmp(&b.seen)).filter(|tried| tried.seen > best.seen) {

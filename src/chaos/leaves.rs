@@ -4,7 +4,6 @@
 //! Labels: proposes throughout.
 
 use super::bases::Seen;
-use super::bundles::Place;
 use super::entropy::entropy;
 use super::guess::{Guess, cross, length};
 use super::index::Indexed;
@@ -55,6 +54,15 @@ pub(super) struct Cluster {
     slope: f64,
     middle: f64,
     width: f64,
+}
+
+/// Leaves beside the middle one, from the lowest on: heights and slopes in the midst of a place of this half length, and how far beside.
+pub(super) struct Leaves {
+    long: f64,
+    beside: f64,
+    sorted: Vec<[f64; 2]>,
+    /// The numbers of those above the widest gaps, the widest first.
+    widest: Vec<usize>,
 }
 
 /// The heights of some leaves in the midst, and how far it is to others below and above.
@@ -142,9 +150,9 @@ impl<'s> Window<'s> {
         let mut taken = vec![false; inside.len()];
         let mut words = Vec::new();
         for time in 1..=impacts.min(AFTER) {
+            let places: Vec<[f64; 2]> = inside.iter().map(|&k| self.place(k + time)).collect();
             for (to, cluster) in clusters.iter().enumerate() {
-                let images: Vec<[f64; 2]> =
-                    inside.iter().map(|&k| cluster.in_coordinates(self.place(k + time))).collect();
+                let images: Vec<[f64; 2]> = places.iter().map(|&at| cluster.in_coordinates(at)).collect();
                 for [first, last] in crossings(&images, &taken) {
                     taken[first..last].fill(true);
                     words.push(Path { from, to, sides: vec![Side::Far; time], half_turns: 1 });
@@ -154,61 +162,74 @@ impl<'s> Window<'s> {
         words
     }
 
-    /// Those about the leaves in a place.
-    pub fn clusters(&self, place: Place) -> Option<Vec<Cluster>> {
-        Some(self.bunches(place)?.iter().map(|bunch| self.cluster(place.long, bunch)).collect())
-    }
-
-    /// The leaves beside the middle one, parted at gaps.
-    fn bunches(&self, Place { long, beside, cuts, .. }: Place) -> Option<Vec<Bunch>> {
+    /// Returns the leaves in a place of such a half length, so far beside the middle one; `None` if there are too few.
+    pub fn leaves(&self, [long, beside]: [f64; 2]) -> Option<Leaves> {
         let midst = self.midst(MIDST * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < LEAN);
-        let mut leaves: Vec<[f64; 2]> = midst
+        let mut sorted: Vec<[f64; 2]> = midst
             .map(|[xi, eta, slope]| [eta - slope * xi, *slope])
             .filter(|[height, _]| height.abs() < beside)
             .collect();
-        if leaves.len() < FEWEST {
+        if sorted.len() < FEWEST {
             return None;
         }
-        leaves.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let gap = |k: usize| leaves[k][0] - leaves[k - 1][0];
-        let mut widest: Vec<usize> = (1..leaves.len()).collect();
-        widest.sort_by(|&a, &b| gap(b).total_cmp(&gap(a)));
-        let mut gaps: Vec<usize> = (0..GAPS).filter(|gap| cuts >> gap & 1 == 1).map(|gap| widest[gap]).collect();
-        gaps.extend([0, leaves.len()]);
-        gaps.sort_unstable();
-        let bunch = |ends: &[usize]| {
-            let bunch = &leaves[ends[0]..ends[1]];
-            let free = |k: usize| if k == 0 || k == leaves.len() { beside } else { gap(k) };
-            Bunch {
-                heights: [bunch[0][0], bunch[bunch.len() - 1][0]],
-                slope: mean(bunch, |leaf| leaf[1]),
-                free: [free(ends[0]), free(ends[1])],
-            }
-        };
-        Some(gaps.windows(2).map(bunch).collect())
+        sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let gap = |k: usize| sorted[k][0] - sorted[k - 1][0];
+        let wider = |a: &usize, b: &usize| gap(*b).total_cmp(&gap(*a)).then(a.cmp(b));
+        let mut widest: Vec<usize> = (1..sorted.len()).collect();
+        widest.select_nth_unstable_by(GAPS, wider);
+        widest.truncate(GAPS);
+        widest.sort_by(wider);
+        Some(Leaves { long, beside, sorted, widest })
+    }
+
+    /// Returns the clusters of leaves that these gaps part: bit `n` of `cuts` says whether that is one that is the widest but `n`.
+    pub fn clusters(&self, leaves: &Leaves, cuts: u32) -> Vec<Cluster> {
+        leaves.bunches(cuts).iter().map(|bunch| self.cluster(leaves.long, bunch)).collect()
     }
 
     /// The leaves rise by `b xi + c xi^2`: followed further and further from the midst.
     fn cluster(&self, long: f64, Bunch { heights: [low, high], slope, free }: &Bunch) -> Cluster {
         let (low, high) = (low - BAND * free[0], high + BAND * free[1]);
         let [mut b, mut c] = [*slope, 0.0];
-        let mut members: Vec<[f64; 3]> = Vec::new();
+        let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
         for part in FOLLOWED {
             let is_member = |[xi, eta, _]: &[f64; 3]| {
                 let height = eta - b * xi - c * xi * xi;
                 low < height && height < high
             };
-            members = self.midst(part * long).iter().map(|(_, at)| *at).filter(is_member).collect();
+            let members: Vec<[f64; 3]> = self.midst(part * long).iter().map(|(_, at)| *at).filter(is_member).collect();
             let [place, slope] = [mean(&members, |it| it[0]), mean(&members, |it| it[2])];
             let spread = mean(&members, |it| (it[0] - place).powi(2));
             c = 0.5 * mean(&members, |it| (it[0] - place) * (it[2] - slope)) / spread;
             b = slope - 2.0 * c * place;
+            let all = members.iter().map(|[xi, eta, _]| eta - b * xi);
+            heights = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
         }
-        let heights = members.iter().map(|[xi, eta, _]| eta - b * xi);
-        let [least, most] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let [least, most] = heights;
         let width = 0.5 * (most - least);
         let width = width + INTO * width.min(free[0]).min(free[1]);
         Cluster { long, slope: b, middle: 0.5 * (least + most), width }
+    }
+}
+
+impl Leaves {
+    /// The leaves parted at gaps.
+    fn bunches(&self, cuts: u32) -> Vec<Bunch> {
+        let Self { beside, sorted, widest, .. } = self;
+        let gap = |k: usize| sorted[k][0] - sorted[k - 1][0];
+        let mut ends: Vec<usize> = (0..GAPS).filter(|gap| cuts >> gap & 1 == 1).map(|gap| widest[gap]).collect();
+        ends.extend([0, sorted.len()]);
+        ends.sort_unstable();
+        let bunch = |ends: &[usize]| {
+            let bunch = &sorted[ends[0]..ends[1]];
+            let free = |k: usize| if k == 0 || k == sorted.len() { *beside } else { gap(k) };
+            Bunch {
+                heights: [bunch[0][0], bunch[bunch.len() - 1][0]],
+                slope: mean(bunch, |leaf| leaf[1]),
+                free: [free(ends[0]), free(ends[1])],
+            }
+        };
+        ends.windows(2).map(bunch).collect()
     }
 }
 
@@ -302,15 +323,15 @@ mod tests {
         let guess = Guess::new(&Law { gap: Ball::exact(1.178125), restitution: Ball::exact(0.5) });
         let (seen, bundles) = orbit(&guess);
         let window = Window::new(&Indexed::new(&seen), &guess, MIDDLE).expect("a contracting direction");
-        let place = |cuts| Place { middle: MIDDLE, long: 0.3, beside: 0.02, cuts };
+        let clusters = |cuts| window.clusters(&window.leaves([0.3, 0.02]).expect("leaves"), cuts);
         let holds = |cluster: &Cluster, [xi, eta, _]: [f64; 3]| {
             xi.abs() > 0.3 || cluster.in_coordinates([xi, eta]).iter().all(|x| x.abs() < 1.0)
         };
-        let whole = window.clusters(place(0b0)).expect("leaves");
+        let whole = clusters(0b0);
         assert_eq!(whole.len(), 1);
         assert!(bundles.concat().iter().all(|&point| holds(&whole[0], point)));
         // The widest gap is between the bundles.
-        let parted = window.clusters(place(0b1)).expect("leaves");
+        let parted = clusters(0b1);
         assert_eq!(parted.len(), 2);
         for (k, cluster) in parted.iter().enumerate() {
             assert!(bundles[k].iter().all(|&point| holds(cluster, point)));
