@@ -220,20 +220,20 @@ fn entropies_follow_from_the_words_that_are_listed() {
 
 #[test]
 fn another_base_or_another_pair_is_refused() {
-    refuses_others(&[[0.0, 0.02]], &[("gap", "9.42497 * 1.01")]);
+    refuses_others(&[0], &[[0.0, 0.02]], &[("gap", "9.42497 * 1.01")]);
 }
 
 #[test]
 #[ignore = "deep"]
 fn bases_moved_otherwise_and_pairs_on_either_side_are_refused() {
     let pairs = [("gap", "9.42497 * 1.01"), ("gap", "9.42497 * 0.99"), ("restitution", "0.505")];
-    refuses_others(&[[0.0, 0.02], [0.0, -0.02], [0.1, 0.0]], &pairs);
+    refuses_others(&[0, 2], &[[0.0, 0.02], [0.0, -0.02], [0.1, 0.0]], &pairs);
 }
 
 /// The words of figure 14 from bases moved so, and of pairs with these values.
-fn refuses_others(shifts: &[[f64; 2]], pairs: &[(&str, &str)]) {
+fn refuses_others(bases: &[usize], shifts: &[[f64; 2]], pairs: &[(&str, &str)]) {
     let document = chaos(3, None);
-    let moves = [0, 2].into_iter().flat_map(|k| shifts.iter().map(move |by| (k, by, true)));
+    let moves = bases.iter().flat_map(|&k| shifts.iter().map(move |by| (k, by, true)));
     // No word leads to base 1: where it is moved there may well be the same words.
     for (k, by, both) in moves.chain([(1, &shifts[0], false)]) {
         let mut moved = document.clone();

@@ -199,10 +199,15 @@ fn all_orbits_of_short_words_are_known_at_the_figures() {
 
 /// Long words that a search box by box does not end on: at the cascade, at figure 15 and its double, and at `e = 1`.
 #[test]
+#[ignore = "deep"]
+fn r17_a_search_of_a_longer_word_is_complete() {
+    assert!(physical(complete(&pair("0.36", "0.8"), "LRLRLLRLRLRR", 5)).is_empty());
+}
+
+#[test]
 fn r17_searches_of_long_words_are_complete() {
     for (word, cycles, ratio, restitution, motions) in [
         ("LRLRLLRLRR", 5, "0.36", "0.8", 0),
-        ("LRLRLLRLRLRR", 5, "0.36", "0.8", 0),
         ("LRLRLLRLRR", 5, "8/9.42497", "0.5", 0),
         ("LRLRLLRLRR", 5, "2", "0.8", 0),
         ("RRLLLRRLLL", 2, "2", "0.8", 3),
