@@ -14,7 +14,7 @@ use crate::arguments::{BifurcationArguments, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::Output;
 use crate::periodic::{physical, symmetric};
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
@@ -23,12 +23,12 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let named = || scene::name(&arguments.scene);
     let wanted = arguments.wanted(&scene);
     // From here on Ctrl-C keeps what is proved.
-    interruption();
+    catch_interruption();
     scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
     let out = Output::open(arguments.destination.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let progress = Progress::of("following branches", !arguments.destination.quiet);
-    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on);
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, &progress);
     let Over { key, low, high } = &wanted.over;
     let range = [(*key, format!("{key}={low}..{high}"))];
     let diagram = diagram.map_err(|error| scene::about(error, &range, &arguments.scene))?;

@@ -21,7 +21,7 @@ use crate::Answer;
 use crate::arguments::{Destination, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub const HELP: &str = "\
@@ -124,7 +124,7 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     scene::keep_apart(&[&arguments.scene], output, plot)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     // From here on Ctrl-C keeps what is proved.
-    interruption();
+    catch_interruption();
     let files = Files { out: Output::open(output)?, picture: plot.map(|path| Output::open(Some(path))).transpose()? };
     let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
@@ -164,13 +164,8 @@ impl Work<'_> {
             }
             None => scene.pair().clone(),
         };
-        let progress = Progress::boxes(!self.arguments.destination.quiet);
-        let watch = |depth: usize, boxes: u64| {
-            let at = if depth == 0 { "h-sets: ".to_owned() } else { format!("depth {depth}: ") };
-            progress.boxed(&at, boxes);
-            goes_on()
-        };
-        let found = Chaos::of(&pair, scene.start(), &question, &watch).with_context(named)?;
+        let progress = Progress::stages(!self.arguments.destination.quiet);
+        let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
         progress.clear();
         let document = document::chaos(scene, over, &question, &found);
         let text = match self.format {
@@ -188,11 +183,7 @@ impl Work<'_> {
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
         let asked = Asked { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.arguments.destination.quiet);
-        let watch = |done: u32| {
-            progress.boxed("", done.into());
-            goes_on()
-        };
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &watch);
+        let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);
         progress.clear();
         let found = found.map_err(|error| scene::about(error, &[range(over)], &self.arguments.scene))?;
         let document = document::cells(scene, &asked, &found);

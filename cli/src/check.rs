@@ -10,7 +10,7 @@ use impact_pair_certificate::{Claims, Verdict};
 use crate::Answer;
 use crate::arguments::{CheckArguments, CheckFormat};
 use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::{scene, verified};
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
@@ -31,9 +31,8 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let mut out = Output::open(output)?;
     let progress = Progress::new(Some(claims.count() as u64), !arguments.destination.quiet);
     // From here on Ctrl-C keeps what is proved.
-    let stop = Some(interruption());
-    let judged = claims.judge(&arguments.effort(), stop, &mut |event| progress.reach(event as u64));
-    let judged = judged.with_context(|| scene::name(path))?;
+    catch_interruption();
+    let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let said = match format {
         CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, Stage, Untrapped};
+use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, Untrapped};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::pair::Wall;
@@ -17,7 +17,7 @@ use crate::Answer;
 use crate::arguments::{Destination, PeriodicFormat, digits};
 use crate::heading::heading;
 use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub const HELP: &str = "\
@@ -75,19 +75,10 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let usual = Precision::default();
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
     // From here on Ctrl-C keeps what is proved.
-    interruption();
-    let progress = Progress::boxes(!arguments.destination.quiet);
-    let watch = |stage: Stage| {
-        match stage {
-            Stage::Region(boxes) => progress.boxed("region: ", boxes as u64),
-            Stage::Impacts { impacts, blocks, of } => {
-                progress.boxed(&format!("{}, of {of} blocks of ", counted(impacts as u32, "impact")), blocks as u64);
-            }
-        }
-        goes_on()
-    };
+    catch_interruption();
+    let progress = Progress::stages(!arguments.destination.quiet);
     let precision = Precision { digits, ..usual };
-    let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &watch).with_context(named)?;
+    let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &progress).with_context(named)?;
     progress.clear();
     let found = found.as_ref().map_err(|why| *why);
     let text = match format {

@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::chaos::MOST_DEPTH;
-use impact_pair::describe::{Request, Stage, describe as described, lines};
+use impact_pair::describe::{Request, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair_plot::picture::Theme;
@@ -16,7 +16,7 @@ use crate::Answer;
 use crate::arguments::{Destination, bits, count};
 use crate::heading::heading;
 use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub const EXIT_CODES: &str = "\
@@ -86,23 +86,14 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
     scene::keep_apart(&[&arguments.scene], output, plot)?;
     // From here on Ctrl-C keeps what is proved.
-    interruption();
+    catch_interruption();
     let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
     let named = || scene::name(&arguments.scene);
     let DescribeArguments { impacts, max_bits, .. } = *arguments;
     let request = Request { impacts, depth: arguments.depth as usize, max_bits };
-    let progress = Progress::described(!quiet);
-    let watch = |stage: Stage| {
-        match stage {
-            Stage::Orbit(impacts) => progress.boxed("orbit, impacts: ", impacts),
-            Stage::Region(boxes) => progress.boxed("trapping region, boxes: ", boxes as u64),
-            Stage::Horseshoe { depth: 0, boxes } => progress.boxed("h-sets, boxes: ", boxes),
-            Stage::Horseshoe { depth, boxes } => progress.boxed(&format!("horseshoe, depth {depth}, boxes: "), boxes),
-        }
-        goes_on()
-    };
-    let found = described(&scene, &request, &watch).with_context(named)?;
+    let progress = Progress::stages(!quiet);
+    let found = described(&scene, &request, &progress).with_context(named)?;
     progress.clear();
     let document = found.document(&scene, &arguments.scene.display().to_string()).with_context(named)?;
     let text = match format {

@@ -1,19 +1,18 @@
 //! `impact-pair periodic SCENE --word WORD --cycles N`: the periodic orbits of a word, proved.
 
 use std::fmt::{self, Write};
-use std::sync::atomic::Ordering;
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
 use impact_pair::document::{Units, counted};
 use impact_pair::exact::{Enclosure, decimal_digits};
-use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, Searched};
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
 
 use crate::Answer;
 use crate::arguments::{PeriodicArguments, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
@@ -26,18 +25,14 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let out = Output::open(arguments.destination.output.as_deref())?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
     // From here on Ctrl-C keeps what is proved.
-    let interrupted = interruption();
+    catch_interruption();
     let progress = match arguments.all {
         true => Progress::search(!arguments.destination.quiet),
         false => Progress::of("searching for orbits", !arguments.destination.quiet),
     };
-    let goes_on = |searched: Searched| {
-        progress.searched(searched);
-        !interrupted.load(Ordering::Relaxed)
-    };
     let census = match arguments.all {
-        true => problem.find_all_while(start, precision, Budget::default(), &goes_on),
-        false => problem.find_while(start, precision, || !interrupted.load(Ordering::Relaxed)),
+        true => problem.find_all_while(start, precision, Budget::default(), &progress),
+        false => problem.find_while(start, precision, &progress),
     };
     progress.clear();
     let text = match format {

@@ -24,8 +24,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
-    let theorem =
-        certificate.prove(wanted, |impact| progress.reach(impact as u64)).with_context(|| scene::name(path))?;
+    let theorem = certificate.prove(wanted, &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let (proved, stop) = (theorem.impacts, theorem.stop.as_ref());
     if proved > 0 {

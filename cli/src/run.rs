@@ -11,7 +11,7 @@ use crate::Answer;
 use crate::arguments::{Format, RunArguments};
 use crate::listing::Listing;
 use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
@@ -22,7 +22,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
 
     // From here on Ctrl-C keeps what is certified.
-    interruption();
+    catch_interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
     let visible = !arguments.destination.quiet && io::stderr().is_terminal() && !out.is_terminal();
     let said_already = format == Format::Table && out.is_stdout();

@@ -15,7 +15,7 @@ use crate::Answer;
 use crate::arguments::{Destination, PeriodicFormat};
 use crate::heading::heading;
 use crate::output::{Output, note};
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 
 pub const HELP: &str = "\
@@ -60,16 +60,12 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
     scene::keep_apart(&[&arguments.scene], output, plot)?;
     // From here on Ctrl-C ends the search.
-    interruption();
+    catch_interruption();
     let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
     let named = || scene::name(&arguments.scene);
-    let progress = Progress::boxes(!quiet);
-    let watch = |boxes: usize| {
-        progress.boxed("", boxes as u64);
-        goes_on()
-    };
-    let found = Trap::of(&scene, arguments.finer, &watch).with_context(named)?;
+    let progress = Progress::stages(!quiet);
+    let found = Trap::of(&scene, arguments.finer, &progress).with_context(named)?;
     progress.clear();
     let is_table = format == PeriodicFormat::Table;
     let region = match found {

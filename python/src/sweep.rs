@@ -5,6 +5,7 @@ use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key};
 use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, Table, columns, csv_head, csv_rows, doubles, follow};
+use impact_pair::watch::Silent;
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -30,7 +31,7 @@ impl Sweep {
     fn line(&self, point: u64, monitor: &Monitor) -> Result<Option<String>, Fault> {
         let values = self.grid.values(point)?;
         let scene = self.grid.scene(&self.scene, &values).map_err(|error| named(point, &values, &error))?;
-        let found = follow(&scene, &self.asked, || monitor.goes_on()).map_err(|error| named(point, &values, &error))?;
+        let found = follow(&scene, &self.asked, &Silent(monitor)).map_err(|error| named(point, &values, &error))?;
         monitor.add_one();
         let line = |found| serde_json::to_string(&sweep::record(point, &values, &found)).expect("plain data");
         Ok(found.map(line))

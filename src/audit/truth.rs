@@ -8,8 +8,9 @@ use super::judge::Finding;
 use super::tolerance::Tolerance;
 use crate::document::{Conclusion, Event, Kind, arithmetic};
 use crate::exact::{Dyadic, Enclosure, Exact};
-use crate::orbit::{Orbit, Outcome, Place, Settings, Watch};
+use crate::orbit::{Orbit, Outcome, Place, Settings};
 use crate::pair::Wall;
+use crate::watch::Watch;
 use crate::{Error, Scene};
 
 /// Impacts that are followed for each row of the list, ...

@@ -12,6 +12,7 @@ use super::quad::State;
 use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
 use super::words::Base;
+use crate::watch::Watch;
 
 /// Impacts before the orbit is looked at, and how many are.
 const TRANSIENT: usize = 2000;
@@ -191,13 +192,13 @@ impl Seen {
         law: &Law,
         ([making, fine], depth): ([Making; 2], usize),
         effort: Effort,
-        goes_on: &(dyn Fn() -> bool + Sync),
+        watch: &dyn Watch,
     ) -> Vec<Base> {
         let guess = Guess::new(law);
-        let trials = Trials { law, making, depth, effort, goes_on };
+        let trials = Trials { law, making, depth, effort, watch };
         if effort.everywhere {
             let impacts = depth.min(JUDGED_TO);
-            let bundles = self.bundles(&guess, impacts, goes_on);
+            let bundles = self.bundles(&guess, impacts, watch);
             let found = [making, fine].into_iter().find_map(|making| {
                 let trials = Trials { making, ..trials };
                 trials.best_bundle(&bundles, &|bundle| self.parted(&guess, bundle, impacts))
@@ -207,7 +208,7 @@ impl Seen {
             }
         }
         let found = trials.best(&self.candidates(&guess, making));
-        if !found.is_empty() || !effort.everywhere || !goes_on() {
+        if !found.is_empty() || !effort.everywhere || !watch.goes_on() {
             return found;
         }
         let from_everywhere = |depth: usize| {
@@ -215,7 +216,7 @@ impl Seen {
             trials.best(&self.crossed(&guess, (fine, depth)))
         };
         let depths = SHALLOWER.map(|part| (part * depth.min(DEPTH) as f64) as usize);
-        depths.into_iter().map(from_everywhere).find(|found| !found.is_empty() || !goes_on()).unwrap_or_default()
+        depths.into_iter().map(from_everywhere).find(|found| !found.is_empty() || !watch.goes_on()).unwrap_or_default()
     }
 }
 

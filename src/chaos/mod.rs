@@ -33,7 +33,7 @@ mod words;
 
 pub use blocks::Word;
 pub use cells::{Asked, Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
-pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
+pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub use fate::{Entered, Fate};
 pub use horseshoe::{Chaos, MOST_DEPTH, Question};
 pub use quad::{Chord, State};

@@ -253,6 +253,7 @@ mod tests {
     use crate::Scene;
     #[cfg(feature = "multiprecision")]
     use crate::orbit::Progress;
+    use crate::watch::Unwatched;
     use proptest::prelude::*;
     #[cfg(feature = "multiprecision")]
     use std::ops::ControlFlow;
@@ -307,7 +308,7 @@ mod tests {
         let scene = Scene::parse(text).unwrap();
         let events = |mut orbit: Orbit| {
             let mut events = Vec::new();
-            let _ = orbit.follow(&|| true, |_, event| {
+            let _ = orbit.follow(&Unwatched, |_, event| {
                 events.push(event);
                 ControlFlow::<()>::Continue(())
             });

@@ -11,6 +11,7 @@ use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
 use super::forged::{Original, with};
@@ -117,7 +118,7 @@ fn bifurcations() -> Vec<Original> {
         let precision = Precision { digits, ..Precision::default() };
         let wanted = Wanted { over: over.parse::<Over>().unwrap(), doublings, precision };
         let word = word.parse().unwrap();
-        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, || true).unwrap();
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, &Unwatched).unwrap();
         let document = json!(document::bifurcations(scene.start(), (&word, cycles), &diagram).unwrap());
         Original::new("bifurcations", name, document)
     };
@@ -134,7 +135,7 @@ fn bifurcations() -> Vec<Original> {
 
 fn cycles() -> Original {
     let (scene, asked) = (figure("figure-14"), 1..=3);
-    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &|_| true).unwrap();
+    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &Unwatched).unwrap();
     Original::new(
         "cycles",
         "of three impacts",
@@ -147,7 +148,7 @@ fn trap(name: &str) -> Original {
     Original::new(
         "trap",
         name,
-        json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap()),
+        json!(document::trap(&scene, &Trap::of(&scene, 0, &Unwatched).unwrap().unwrap()).unwrap()),
     )
 }
 
@@ -162,7 +163,7 @@ fn chaos(over: Option<&str>) -> Original {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
         None => scene.pair().clone(),
     };
-    let found = Chaos::of(&pair, scene.start(), &question, &|_, _| true).unwrap();
+    let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
     let name = if over.is_some() { "over a range" } else { "of a point" };
     Original::new("chaos", name, json!(document::chaos(&scene, over.as_ref(), &question, &found)))
 }
@@ -175,7 +176,7 @@ fn sweeps() -> Vec<Original> {
         let mut lines = vec![json!(sweep::head(scene, &grid, &asked, None))];
         for number in 0..grid.points() {
             let values = grid.values(number).unwrap();
-            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
             lines.push(json!(sweep::record(number, &values, &point)));
         }
         Original::new("sweep", name, Value::Array(lines))

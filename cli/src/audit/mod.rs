@@ -10,7 +10,7 @@ use impact_pair::json::one_a_line;
 
 use crate::Answer;
 use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 use arguments::{AuditArguments, AuditFormat};
 
@@ -37,7 +37,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     }
 
     // From here on Ctrl-C keeps what is certified.
-    interruption();
+    catch_interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::new(Some(list.rows.len() as u64), !arguments.destination.quiet);
     let audit = Audit::of(&scene, list, &arguments.asked(), &progress).map_err(|error| match error.key() {

@@ -9,7 +9,7 @@ use impact_pair::orbit::Orbit;
 
 use crate::Answer;
 use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 use arguments::PlotArguments;
 
@@ -21,7 +21,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
 
     // From here on Ctrl-C keeps what is certified.
-    interruption();
+    catch_interruption();
     let out = Output::open(Some(&arguments.output))?;
     let visible = !arguments.quiet && io::stderr().is_terminal();
     let progress = Progress::new(settings.impacts, visible);

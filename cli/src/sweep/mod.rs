@@ -11,7 +11,6 @@ mod write;
 
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::Instant;
 
@@ -20,12 +19,13 @@ use impact_pair::Scene;
 use impact_pair::json::SweepHead;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::sweep::{self, Asked, Grid, Table};
+use impact_pair::watch::Watch;
 use impact_pair_plot::sweep::Records;
 
 use crate::Answer;
 use crate::output::Output;
 
-use crate::progress::interruption;
+use crate::progress::{Interruption, catch_interruption};
 use crate::scene;
 use arguments::SweepArguments;
 use formats::Formats;
@@ -86,14 +86,14 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     }
 
     // From here on Ctrl-C keeps what is finished.
-    let interrupted = interruption();
+    catch_interruption();
     let mut journal = Journal::open(head.clone(), arguments.destination.output.as_deref(), arguments.resume)?;
     let (begun, before) = (Instant::now(), journal.points());
     let visible = !arguments.destination.quiet && io::stderr().is_terminal();
     work.complete(&mut journal, visible).with_context(|| scene::name(path))?;
     let computed = journal.points() - before;
     let left = journal.missing().len();
-    if left > 0 && interrupted.load(Ordering::Relaxed) && journal.path().is_some() {
+    if left > 0 && !Interruption.goes_on() && journal.path().is_some() {
         let path = journal.path().map(|path| path.display().to_string()).unwrap_or_default();
         let points = journal.points();
         note(

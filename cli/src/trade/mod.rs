@@ -10,7 +10,7 @@ use impact_pair::trade::Trade;
 
 use crate::Answer;
 use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::scene;
 use arguments::{TradeArguments, TradeFormat};
 
@@ -26,7 +26,7 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
     scene::keep_apart(&[&arguments.scene], output, plot)?;
 
     // From here on Ctrl-C keeps what is measured.
-    interruption();
+    catch_interruption();
     let out = Output::open(output)?;
     let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
     let progress = Progress::new(asked.impacts, !arguments.destination.quiet);

@@ -13,7 +13,7 @@ use impact_pair::orbit::Settings;
 use impact_pair::two_impact::{Answer, Axis, Question, Range, Unknown, speed};
 
 use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::{Progress, catch_interruption};
 use crate::{Answer as Exit, scene};
 use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
 
@@ -74,10 +74,10 @@ fn draw_manifold((arguments, format): Asked<'_>, scene: &Scene, range: &Manifold
     };
     let range = Range { pair: scene.pair(), speed, axis, from, to, count };
     // From here on Ctrl-C keeps what is proved.
-    interruption();
+    catch_interruption();
     let out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::of("computing parameter manifolds", !arguments.destination.quiet);
-    let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, goes_on)?;
+    let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, &progress)?;
     progress.clear();
     let interrupted = !went_on;
     let text = match format {

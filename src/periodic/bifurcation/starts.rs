@@ -10,6 +10,7 @@ use super::over::{Over, Parameter};
 use super::ring::Ring;
 use crate::Error;
 use crate::exact::Exact;
+use crate::watch::Watch;
 use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
@@ -25,23 +26,23 @@ pub(super) struct Seed {
 }
 
 /// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their halves; those that
-/// are found while `goes_on` says so.
+/// are found before the watch stops it.
 ///
 /// # Errors
 /// When the range goes beyond what the parameter may be.
 pub(super) fn seeds<S: Varied>(
     chain: &Chain,
     (parameter, start): (&Parameter, &Start),
-    goes_on: &dyn Fn() -> bool,
+    watch: &dyn Watch,
 ) -> Result<Vec<Seed>, Error> {
     let mut found: Vec<Seed> = Vec::new();
-    for value in values(&parameter.over).into_iter().take_while(|_| goes_on()) {
+    for value in values(&parameter.over).into_iter().take_while(|_| watch.goes_on()) {
         let p = parameter.in_doubles(&value)?;
         let there = parameter.pair_at(value)?;
         // Without one of its harmonics the excitation is another one.
         let Some(shaken) = S::of(&there) else { continue };
         let from = found.len();
-        for phases in guesses(chain, &shaken, &there, start).take_while(|_| goes_on()) {
+        for phases in guesses(chain, &shaken, &there, start).take_while(|_| watch.goes_on()) {
             let mut x = phases.clone();
             x.push(p);
             let is_new = |seed: &Seed| !is_same(chain, &seed.ring.lift(&seed.x[..seed.x.len() - 1]), &phases);
