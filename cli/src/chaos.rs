@@ -18,10 +18,10 @@ use impact_pair_plot::picture::Theme;
 use serde::Deserialize;
 
 use crate::Answer;
-use crate::arguments::{Destination, PeriodicFormat};
+use crate::destination::{Begun, Destination, Files};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::progress::{Progress, catch_interruption};
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
 use crate::scene;
 
 pub const HELP: &str = "\
@@ -119,13 +119,9 @@ fn range(over: &Over) -> (Key, String) {
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
-    scene::keep_apart(&[&arguments.scene], output, plot)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let Begun { scene, files, .. } = arguments.destination.begin(&arguments.scene, plot)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
-    // From here on Ctrl-C keeps what is proved.
-    catch_interruption();
-    let files = Files { out: Output::open(output)?, picture: plot.map(|path| Output::open(Some(path))).transpose()? };
     let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
         Some(Range { over, cells: Some(cells) }) => {
@@ -136,11 +132,6 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
         }
         over => work.horseshoe(over.as_ref().map(|range| &range.over), bases),
     }
-}
-
-struct Files {
-    out: Output,
-    picture: Option<Output>,
 }
 
 struct Work<'w> {
@@ -164,7 +155,7 @@ impl Work<'_> {
             }
             None => scene.pair().clone(),
         };
-        let progress = Progress::stages(!self.arguments.destination.quiet);
+        let progress = Progress::stages(!self.files.quiet);
         let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
         progress.clear();
         let document = document::chaos(scene, over, &question, &found);
@@ -174,7 +165,8 @@ impl Work<'_> {
         };
         let is_proved = document.certified && !document.interrupted;
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
-        self.answer(&text, open, || impact_pair_plot::chaos::chaos(scene, over, &found))
+        let is_table = self.format == PeriodicFormat::Table;
+        self.files.draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found))
     }
 
     /// What is proved of each value in a range.
@@ -182,7 +174,7 @@ impl Work<'_> {
         let scene = self.scene;
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
         let asked = Asked { over: over.clone(), cells, halvings, depth };
-        let progress = Progress::cells(cells, !self.arguments.destination.quiet);
+        let progress = Progress::cells(cells, !self.files.quiet);
         let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);
         progress.clear();
         let found = found.map_err(|error| scene::about(error, &[range(over)], &self.arguments.scene))?;
@@ -192,15 +184,7 @@ impl Work<'_> {
             PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
         };
         let open = (!document.certified).then(|| table::shares(&document));
-        self.answer(&text, open, || impact_pair_plot::proved::cells(scene, &asked, &found))
-    }
-
-    fn answer(self, text: &str, open: Option<String>, svg: impl FnOnce() -> Result<String>) -> Result<Answer> {
         let is_table = self.format == PeriodicFormat::Table;
-        let answer = self.files.out.answer(text, open, (self.arguments.destination.quiet, is_table))?;
-        if let (Some(picture), Some(path)) = (self.files.picture, &self.arguments.plot) {
-            picture.draw(path, self.arguments.theme, svg)?;
-        }
-        Ok(answer)
+        self.files.draw((&text, open, is_table), || impact_pair_plot::proved::cells(scene, &asked, &found))
     }
 }

@@ -14,11 +14,12 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 
 use crate::Answer;
-use crate::arguments::{Destination, PeriodicFormat, digits};
+use crate::destination::{Begun, Destination};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::progress::{Progress, catch_interruption};
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
 use crate::scene;
+use crate::values::digits;
 
 pub const HELP: &str = "\
 Examples:
@@ -68,15 +69,11 @@ fn impacts(text: &str) -> Result<RangeInclusive<u32>, String> {
 
 pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let named = || scene::name(&arguments.scene);
-    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
-    let out = Output::open(arguments.destination.output.as_deref())?;
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let named = || scene::name(path);
     let usual = Precision::default();
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
-    // From here on Ctrl-C keeps what is proved.
-    catch_interruption();
-    let progress = Progress::stages(!arguments.destination.quiet);
+    let progress = Progress::stages(!files.quiet);
     let precision = Precision { digits, ..usual };
     let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &progress).with_context(named)?;
     progress.clear();
@@ -89,7 +86,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     };
     let is_certified = found.is_ok_and(Cycles::is_certified);
     let open = (!is_certified).then(|| conclusion(found));
-    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
+    files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
 fn table(scene: &Scene, found: Result<&Cycles, Untrapped>) -> Result<String, fmt::Error> {

@@ -9,7 +9,7 @@ use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use serde::Serialize;
 
-use crate::arguments::Format;
+use crate::run::Format;
 use crate::table;
 
 const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";

@@ -7,6 +7,7 @@ mod chaos;
 mod check;
 mod cycles;
 mod describe;
+mod destination;
 mod ending;
 mod heading;
 mod listing;
@@ -26,6 +27,7 @@ mod tolerances;
 mod trade;
 mod trap;
 mod two_impact;
+mod values;
 mod verified;
 mod version;
 

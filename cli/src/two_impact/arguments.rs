@@ -12,7 +12,7 @@ use impact_pair::two_impact::{COUNTS, CYCLES};
 use impact_pair_plot::picture::Theme;
 use impact_pair_plot::two_impact::Window;
 
-use crate::arguments::Destination;
+use crate::destination::Destination;
 use crate::ending;
 
 pub const EXIT_CODES: &str = "\
@@ -44,7 +44,7 @@ Ctrl-C ended a parameter manifold (the output holds what is proved so far); 2 us
 
 /// Reads two ranges, one for each axis.
 fn window(text: &str) -> Result<Window, String> {
-    let range = crate::arguments::window;
+    let range = crate::values::window;
     let (across, up) = text.split_once(':').ok_or("accepted are two ranges such as 7..21:0..0.8")?;
     Ok([range(across)?, range(up)?])
 }
@@ -67,7 +67,7 @@ pub struct TwoImpactArguments {
     pub manifold: Option<ManifoldRange>,
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the
     /// scene, or 9]
-    #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
+    #[arg(long, value_name = "D", value_parser = crate::values::digits())]
     pub digits: Option<u32>,
     /// Output format [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
