@@ -10,7 +10,7 @@ use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
-use impact_pair::periodic::bifurcation::Over;
+use impact_pair::scene::Range;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_certificate::{Claims, Effort, Finding, Verdict};
 use serde_json::{Value, json};
@@ -33,7 +33,7 @@ fn chaos_of(bases: &str, depth: usize, over: Option<&str>) -> Value {
     let read: Value = serde_json::from_str(&file(bases)).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
     let question = Question { depth, bases: document::bases(&bases) };
-    let over: Option<Over> = over.map(|over| over.parse().unwrap());
+    let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
         None => scene.pair().clone(),

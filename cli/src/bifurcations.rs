@@ -10,9 +10,9 @@ use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::MAX_BITS;
-use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Wanted, over, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
-use impact_pair::scene::Key;
+use impact_pair::scene::{Key, Range};
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
@@ -51,8 +51,8 @@ pub struct BifurcationArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
     pub cycles: u32,
     /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution or frequency
-    #[arg(long, value_name = "KEY=LO..HI")]
-    over: Over,
+    #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
+    over: Range,
     /// Number of period doublings after which new branches are not followed further
     #[arg(long, value_name = "K", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=8))]
     doublings: u32,
@@ -87,8 +87,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let (word, cycles) = (&arguments.word, arguments.cycles);
     let progress = Progress::of("following branches", !files.quiet);
     let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, &progress);
-    let Over { key, low, high } = &wanted.over;
-    let range = [(*key, format!("{key}={low}..{high}"))];
+    let range = [(wanted.over.key, wanted.over.to_string())];
     let diagram = diagram.map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {
@@ -104,7 +103,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
 
 fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
     let mut out = heading(scene);
-    let Over { key, low, high } = diagram.over();
+    let Range { key, low, high, .. } = diagram.over();
     writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     if !diagram.points.is_empty() {
         writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.place())?;

@@ -19,7 +19,7 @@ use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::digits;
+use crate::values::{digits, numbers};
 
 pub const HELP: &str = "\
 Examples:
@@ -41,7 +41,7 @@ pub struct CyclesArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     /// Number of impacts of the cycles, a range 1..N or a single number; each further impact takes up to twice as long
-    #[arg(long, value_name = "LO..HI", value_parser = impacts)]
+    #[arg(long, value_name = "LO..HI", value_parser = numbers(1..=MOST_IMPACTS))]
     impacts: RangeInclusive<u32>,
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
@@ -55,16 +55,6 @@ pub struct CyclesArguments {
     format: Option<PeriodicFormat>,
     #[command(flatten)]
     destination: Destination,
-}
-
-/// Reads `LO..HI`, or one number.
-fn impacts(text: &str) -> Result<RangeInclusive<u32>, String> {
-    let (low, high) = text.split_once("..").unwrap_or((text, text));
-    let number = |text: &str| text.trim().parse::<u32>().ok();
-    match (number(low), number(high)) {
-        (Some(low), Some(high)) if (1..=high).contains(&low) && high <= MOST_IMPACTS => Ok(low..=high),
-        _ => Err(format!("accepted are numbers from 1 to {MOST_IMPACTS}, such as 1..7 or 5")),
-    }
 }
 
 pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {

@@ -50,6 +50,21 @@ pub fn count(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String>
     }
 }
 
+/// Reads whole numbers of this range: one, or from the first to the last one.
+pub fn numbers(accepted: RangeInclusive<u32>) -> impl Fn(&str) -> Result<RangeInclusive<u32>, String> + Clone {
+    move |text| {
+        let (low, high) = text.split_once("..").unwrap_or((text, text));
+        let number = |text: &str| text.trim().parse().ok().filter(|number| accepted.contains(number));
+        match (number(low), number(high)) {
+            (Some(low), Some(high)) if low <= high => Ok(low..=high),
+            _ => {
+                let (least, most) = (accepted.start(), accepted.end());
+                Err(format!("accepted is an integer from {least} to {most}, or a range of them such as 1..5"))
+            }
+        }
+    }
+}
+
 /// Reads a single exact number.
 pub fn point(text: &str) -> Result<Exact, String> {
     let unit = || match text.trim().split_once(' ') {

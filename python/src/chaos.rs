@@ -7,7 +7,7 @@ use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::Precision;
-use impact_pair::periodic::bifurcation::Over;
+use impact_pair::periodic::bifurcation;
 use impact_pair::watch::{Stage, Watch};
 use pyo3::prelude::*;
 
@@ -79,7 +79,7 @@ pub fn chaos(
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
         let question = Question { depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize, bases };
-        let over: Option<Over> = over.map(|over| over.parse()).transpose()?;
+        let over = over.map(|over| bifurcation::over(&over)).transpose()?;
         let pair = match &over {
             Some(over) => {
                 let values = Exact::interval(&over.low, &over.high)
@@ -107,7 +107,7 @@ pub fn chaos_cells(
 ) -> PyResult<Drawn> {
     let ((over, cells), (halvings, depth)) = (over, question);
     let asked = Asked {
-        over: over.parse().map_err(Fault::from)?,
+        over: bifurcation::over(over).map_err(Fault::from)?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,
         depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize,

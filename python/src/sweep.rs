@@ -3,8 +3,8 @@
 use impact_pair::exact::Exact;
 use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
-use impact_pair::scene::{DIGITS, Key};
-use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, Table, columns, csv_head, csv_rows, doubles, follow};
+use impact_pair::scene::{DIGITS, Key, Range};
+use impact_pair::sweep::{self, Asked, Cell, Grid, Kind, Table, axis, columns, csv_head, csv_rows, doubles, follow};
 use impact_pair::watch::Silent;
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
@@ -63,7 +63,7 @@ impl Sweep {
         summary: bool,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
-        let axes: Result<Vec<Axis>, _> = over.iter().map(|axis| axis.parse()).collect();
+        let axes: Result<Vec<Range>, _> = over.iter().map(|text| axis(text)).collect();
         let grid = Grid::new(axes.map_err(Fault::from)?).map_err(Fault::from)?;
         let settings = Settings {
             digits: accepted("digits", asked.0, DIGITS)?,

@@ -7,7 +7,7 @@ use impact_pair::json::one_a_line;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{self, Wanted, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::scene::{DIGITS, Run};
@@ -83,7 +83,7 @@ pub fn bifurcations(
     let (word, cycles, over, doublings) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let (word, over): (Word, Over) = (word.parse()?, over.parse()?);
+        let (word, over): (Word, _) = (word.parse()?, bifurcation::over(&over)?);
         let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
         let doublings = accepted("doublings", doublings, 0..=8)?;
         let wanted = Wanted { over, doublings, precision: precision(asked, &scene)? };

@@ -19,7 +19,7 @@ use crate::exact::{Exact, ExactError};
 use crate::mapping::{Mapping, Word};
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, Wall, within};
-use crate::periodic::bifurcation::Over;
+use crate::scene::Range;
 use crate::watch::{Stage, Watch};
 
 /// The most cells that a range is cut into.
@@ -31,7 +31,7 @@ pub const MOST_HALVINGS: u32 = 24;
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// The parameter and its range.
-    pub over: Over,
+    pub over: Range,
     /// Cells that it is cut into, equally wide.
     pub cells: u32,
     /// How often a cell is halved where nothing is proved of all of it.
@@ -152,7 +152,7 @@ impl Cells {
     /// # Errors
     /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
     pub fn of(pair: &ImpactPair, start: &Start, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
-        let Over { key, low, high } = &asked.over;
+        let Range { key, low, high, .. } = &asked.over;
         Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
         let (next, done) = (AtomicU32::new(0), AtomicU32::new(0));
         let cells = |_: Stage<'_>| watch.proceed(Stage::Parameter(done.load(Ordering::Relaxed)));
@@ -206,15 +206,7 @@ fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
 impl Work<'_> {
     /// An edge between cells.
     fn edge(&self, index: u32) -> Result<Exact, ExactError> {
-        let Asked { over: Over { low, high, .. }, cells, .. } = self.asked;
-        match index {
-            0 => Ok(low.clone()),
-            _ if index == *cells => Ok(high.clone()),
-            _ => {
-                let part = Exact::from(i64::from(index)).checked_div(&Exact::from(i64::from(*cells)))?;
-                low.checked_add(&high.checked_sub(low)?.checked_mul(&part)?)
-            }
-        }
+        self.asked.over.value(index.into(), self.asked.cells.into())
     }
 
     fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {

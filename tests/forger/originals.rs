@@ -8,7 +8,7 @@ use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{Wanted, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
 use impact_pair::watch::Unwatched;
@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 
 use super::forged::{Original, with};
 use crate::spoiled::{documents, others};
+use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
 const KINDS: [&str; 11] = [
@@ -116,7 +117,7 @@ fn bifurcations() -> Vec<Original> {
     let of = |name: &str, (excitation, word, cycles): (&str, &str, u32), over: &str, (doublings, digits)| {
         let scene = scene(excitation, "1", "0.8");
         let precision = Precision { digits, ..Precision::default() };
-        let wanted = Wanted { over: over.parse::<Over>().unwrap(), doublings, precision };
+        let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
         let word = word.parse().unwrap();
         let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, &Unwatched).unwrap();
         let document = json!(document::bifurcations(scene.start(), (&word, cycles), &diagram).unwrap());
@@ -158,7 +159,7 @@ fn chaos(over: Option<&str>) -> Original {
     let bases: Vec<BaseDocument> =
         serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
     let question = Question { depth: 3, bases: document::bases(&bases) };
-    let over: Option<Over> = over.map(|over| over.parse().unwrap());
+    let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
         None => scene.pair().clone(),

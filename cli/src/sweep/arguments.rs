@@ -5,7 +5,8 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
-use impact_pair::sweep::{Axis, MOST_IMPACTS};
+use impact_pair::scene::Range;
+use impact_pair::sweep::{MOST_IMPACTS, axis};
 use impact_pair_plot::picture::Theme;
 use impact_pair_plot::sweep::Show;
 
@@ -50,8 +51,8 @@ pub struct SweepArguments {
     #[arg(required_unless_present = "merge")]
     pub scene: Option<PathBuf>,
     /// What varies, one key or two
-    #[arg(long, value_name = "KEY=LO..HI:COUNT", required_unless_present = "merge", allow_hyphen_values = true)]
-    pub over: Vec<Axis>,
+    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
+    pub over: Vec<Range>,
     /// Number of impacts in the transient, which are certified but not written
     #[arg(long, value_name = "N", default_value_t = 500, value_parser = crate::values::count(0..=MOST_IMPACTS))]
     pub transient: u64,

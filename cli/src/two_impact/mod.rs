@@ -10,13 +10,14 @@ use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::orbit::Settings;
+use impact_pair::scene::{Key, Range as ParameterRange};
 use impact_pair::two_impact::{Answer, Axis, Question, Range, Unknown, speed};
 use impact_pair::watch::Watch;
 
 use crate::destination::{Begun, Files};
 use crate::progress::Progress;
 use crate::{Answer as Exit, scene};
-use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
+use arguments::{SolveFor, TwoImpactArguments, TwoImpactFormat};
 
 /// The arguments, and how the answer is written.
 type Asked<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
@@ -42,7 +43,6 @@ fn list_motions((arguments, format): Asked<'_>, files: Files, scene: &Scene, dig
     let progress = Progress::of("isolating motions", !files.quiet);
     let answers: Vec<Answer> = arguments
         .cycles
-        .0
         .clone()
         .take_while(|_| progress.goes_on())
         .map(|cycles| Ok(Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
@@ -61,7 +61,7 @@ fn list_motions((arguments, format): Asked<'_>, files: Files, scene: &Scene, dig
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
     let open = match answers.iter().all(|answer| answer.is_complete) {
-        true if answers.len() == arguments.cycles.0.clone().count() => None,
+        true if answers.len() == arguments.cycles.clone().count() => None,
         true => Some("interrupted: the motions written are proved, others are missing"),
         false => Some("not everything requested is decided: see what is undecided or null in the output"),
     };
@@ -74,19 +74,18 @@ fn draw_manifold(
     (arguments, format): Asked<'_>,
     files: Files,
     scene: &Scene,
-    range: &ManifoldRange,
+    over: &ParameterRange,
     digits: u32,
 ) -> Result<Exit> {
     let wall = arguments.wall.wall();
-    let ManifoldRange { from, to, count, .. } = range.clone();
-    let (axis, speed) = match range.over {
-        Over::Frequency => (Axis::Frequency, speed(scene)?),
-        // Not used.
-        Over::Velocity => (Axis::Velocity(wall), Exact::from(0)),
+    let (axis, speed) = match over.key {
+        Key::StartVelocity => (Axis::Velocity(wall), Exact::from(0)), // the speed is what varies
+        _ => (Axis::Frequency, speed(scene)?),
     };
+    let (from, to, count) = (over.low.clone(), over.high.clone(), over.points() as usize);
     let range = Range { pair: scene.pair(), speed, axis, from, to, count };
     let progress = Progress::of("computing parameter manifolds", !files.quiet);
-    let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, &progress)?;
+    let (curves, went_on) = range.manifolds(arguments.cycles.clone(), digits, &progress)?;
     progress.clear();
     let interrupted = !went_on;
     let text = match format {

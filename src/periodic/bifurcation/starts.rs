@@ -6,10 +6,11 @@ use super::super::chain::Chain;
 use super::super::guess::guesses;
 use super::super::identity::View;
 use super::family::Varied;
-use super::over::{Over, Parameter};
+use super::over::Parameter;
 use super::ring::Ring;
 use crate::Error;
 use crate::exact::Exact;
+use crate::scene::Range;
 use crate::watch::Watch;
 use impact_pair_model::Start;
 
@@ -55,7 +56,7 @@ pub(super) fn seeds<S: Varied>(
 }
 
 /// Values spread over the range, its ends among them.
-fn values(over: &Over) -> Vec<Exact> {
+fn values(over: &Range) -> Vec<Exact> {
     let part = |i: u32| {
         let weight = |n: u32| Exact::from(i64::from(n));
         let sum = over.low.checked_mul(&weight(PARTS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);

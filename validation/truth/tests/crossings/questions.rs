@@ -11,7 +11,7 @@ use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{Wanted, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
@@ -245,7 +245,7 @@ impl Case {
             _ if is_near_fold => (own * 0.5, own * 1.75),
             _ => (if self.random.below(2) == 0 { 0.0 } else { own * 0.5 }, own * 1.75 + 0.125),
         };
-        let over: Over = format!("{name}={low}..{high}").parse()?;
+        let over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
         let wanted = Wanted { over, doublings: 0, precision };
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
