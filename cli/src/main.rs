@@ -70,7 +70,7 @@ fn main() -> ExitCode {
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Audit(arguments) => audit::audit(&arguments),
-        Verb::Man(arguments) => man::man(&arguments),
+        Verb::Man(arguments) => man::man(Cli::command(), &arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

@@ -5,11 +5,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use clap::{Args, Command, CommandFactory};
+use clap::{Args, Command};
 use clap_mangen::Man;
 
 use crate::Answer;
-use crate::arguments::Cli;
 use crate::output::Output;
 
 pub const HELP: &str = "\
@@ -24,8 +23,9 @@ pub struct ManArguments {
     pub output: Option<PathBuf>,
 }
 
-pub fn man(arguments: &ManArguments) -> Result<Answer> {
-    let mut command = Cli::command().disable_help_subcommand(true);
+/// Writes the pages of this command.
+pub fn man(command: Command, arguments: &ManArguments) -> Result<Answer> {
+    let mut command = command.disable_help_subcommand(true);
     // Gives the verbs their full names.
     command.build();
     let Some(folder) = &arguments.output else {

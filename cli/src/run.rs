@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use impact_pair::Scene;
 use impact_pair::document::{Conclusion, Ending, Event};
 use impact_pair::exact::Exact;
@@ -14,7 +14,7 @@ use impact_pair::scene::Run;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination, Files};
-use crate::listing::Listing;
+use crate::listing::{Format, Listing};
 use crate::progress::Progress;
 use crate::scene;
 use crate::values::{ARITHMETICS, bits, count, digits, point};
@@ -81,20 +81,6 @@ impl RunArguments {
         let run = Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits };
         Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_asked(run, self.arithmetic) }
     }
-}
-
-/// How the events of an orbit are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// Human-readable: the certain digits, then the last digits of both bounds
-    #[default]
-    Table,
-    /// One document, schema impact-pair/orbit/1
-    Json,
-    /// JSON Lines as they are certified: the head, one event per line, the outcome
-    Jsonl,
-    /// One event per line, bounds in columns
-    Csv,
 }
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {

@@ -12,8 +12,9 @@ use pyo3::types::{PyBytes, PyDict, PyList};
 use rayon::prelude::*;
 
 use crate::errors::{Fault, accepted};
+use crate::lines::{Lines, records};
 use crate::numbers::bytes;
-use crate::pictures::{Lines, drawn};
+use crate::pictures::drawn;
 use crate::scene::{Scene, json};
 use crate::watched::{Monitor, watched};
 
@@ -43,12 +44,6 @@ fn named(point: u64, values: &[(Key, Exact)], error: &impact_pair::Error) -> Fau
     let values: Vec<String> = values.iter().map(|(key, value)| format!("{key} = {value}")).collect();
     let (key, value) = (error.key().map(str::to_owned), error.value().map(str::to_owned));
     Fault::Said { class: "RangeError", message: format!("point {point} ({}): {error}", values.join(", ")), key, value }
-}
-
-/// The records of lines.
-pub fn records(lines: &[u8]) -> impl Iterator<Item = Result<SweepRecord, Fault>> + '_ {
-    let lines = lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
-    lines.map(|line| serde_json::from_slice(line).map_err(Fault::certificate))
 }
 
 #[pymethods]

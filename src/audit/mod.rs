@@ -22,6 +22,7 @@
 mod align;
 mod document;
 mod doubles;
+mod finding;
 mod judge;
 mod list;
 mod tolerance;
@@ -29,7 +30,8 @@ mod truth;
 mod verdict;
 
 pub use doubles::{Doubles, Parting};
-pub use judge::{Departure, Errors, Finding};
+pub use finding::{Errors, Finding};
+pub use judge::Departure;
 pub use list::{Column, Columns, List, Listed, Number, read};
 pub use truth::{Rest, Site, SiteKind};
 pub use verdict::{Reason, Verdict};

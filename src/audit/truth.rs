@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use impact_pair_document::ArithmeticDocument;
 
-use super::judge::Finding;
+use super::finding::Finding;
 use super::tolerance::Tolerance;
 use crate::document::{Conclusion, Event, Kind, arithmetic};
 use crate::exact::{Dyadic, Enclosure, Exact};

@@ -8,12 +8,12 @@ use std::f64::consts::TAU;
 
 use num_integer::Integer;
 
-use super::bases::apart;
 use super::flights::Flights;
 use super::guess::{Guess, applied, length};
 use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use super::scene::Visited;
+use super::seen::apart;
 use crate::mapping::{Mapping, Word};
 use crate::number::{Ball, Number, UNIT, up};
 use crate::pair::Wall;

@@ -4,12 +4,12 @@
 
 use std::cell::OnceCell;
 
-use super::bases::{Seen, apart};
+use super::each::each;
 use super::guess::{Guess, length};
 use super::index::Indexed;
 use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
 use super::quad::State;
-use super::trials::each;
+use super::seen::{Seen, apart};
 use super::words::Base;
 use crate::watch::Watch;
 

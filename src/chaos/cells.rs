@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 
 use super::attracted::attracted;
-use super::bases::{Seen, seen};
 use super::guess::Guess;
 use super::horseshoe::{Chaos, bases, problem};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
+use super::seen::{Seen, seen};
 use super::trials::ANY;
 use super::words::Base;
 use crate::Error;

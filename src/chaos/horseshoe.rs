@@ -1,6 +1,5 @@
 //! Horseshoes of a scene: [`Chaos`].
 
-use super::bases::{Seen, seen};
 use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
 use super::fate::Fate;
@@ -9,6 +8,7 @@ use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
 use super::scene::{IMPACTS, visited};
+use super::seen::{Seen, seen};
 use super::trials::{ANY, Effort, THOROUGH};
 use super::words::{Base, Search};
 use crate::Error;

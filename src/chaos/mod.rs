@@ -11,6 +11,7 @@ mod blocks;
 mod bundles;
 mod cells;
 mod cycles;
+mod each;
 mod entropy;
 mod everywhere;
 mod fate;
@@ -24,6 +25,7 @@ mod propose;
 mod quad;
 mod region;
 mod scene;
+mod seen;
 #[cfg(test)]
 mod tests;
 mod trap;

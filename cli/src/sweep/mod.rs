@@ -5,6 +5,7 @@ mod formats;
 mod journal;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod points;
 mod record;
 mod work;
 mod write;
@@ -30,8 +31,9 @@ use crate::scene;
 use arguments::SweepArguments;
 use formats::Formats;
 use journal::{Journal, difference};
+use points::Sweep;
 use work::Work;
-use write::Sweep;
+use write::write;
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
     keep_files_apart(arguments)?;
@@ -161,11 +163,11 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, formats: Formats) -> Re
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     if let Some(path) = &arguments.states {
         let mut states = Output::open(Some(path))?;
-        sweep.write(&mut states, formats.states, Table::States).context("cannot write the states")?;
+        write(sweep, &mut states, formats.states, Table::States).context("cannot write the states")?;
         states.commit()?;
     }
     let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
-    sweep.write(&mut out, formats.output, table).context("cannot write the output")?;
+    write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?

@@ -1,7 +1,6 @@
 //! The orbits whose first impact lies in a cell of phases: Lemmas T9, T10.
 
-use super::cut::{Part, Terms};
-use super::grow::Stretch;
+use super::cut::{Part, Stretch, Terms};
 use super::newton::{Rows, Step};
 use crate::contact::Reason;
 use crate::exact::Enclosure;
