@@ -6,6 +6,7 @@
 use std::f64::consts::PI;
 
 use impact_pair::audit::{Asked, Audit, Columns, read};
+use impact_pair::watch::Unwatched;
 use impact_pair::{Error, Scene};
 
 const SCENE: &str = r#"
@@ -43,7 +44,7 @@ fn main() -> Result<(), Error> {
     let asked = Asked { tolerance: "1e-3".parse().expect("a number"), ..Asked::default() };
     for step in [1e-4, 1e-5, 1e-6] {
         let list = read(&simulated(step, 60), &Columns::default(), scene.pair())?;
-        let audit = Audit::of(&scene, list, &asked, &|| true)?;
+        let audit = Audit::of(&scene, list, &asked, &Unwatched)?;
         let right = audit.findings().iter().take_while(|finding| !finding.verdict.disagrees()).count();
         println!(
             "steps of {step:e}: the first {right} of 60 impacts are within a thousandth of a period; {}",

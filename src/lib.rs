@@ -110,6 +110,8 @@ pub use impact_pair_document as json;
 pub use impact_pair_exact as exact;
 #[doc(inline)]
 pub use impact_pair_model::scene;
+#[doc(inline)]
+pub use impact_pair_model::watch;
 pub use impact_pair_model::{Error, Excitation, Harmonic, ImpactPair, Scene};
 /// The package inari, in the version that this crate computes with; in a build with the feature `inari`.
 #[cfg(feature = "inari")]

@@ -1,6 +1,6 @@
 //! The arrows of DESIGN.md: which room of the library imports which, and which crate which. They run one way.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -124,6 +124,62 @@ fn crates_depend_on_what_stands_before_them() {
         let ours: Vec<&str> = ours.filter(|name| name.starts_with("impact-pair")).collect();
         assert!(ours.iter().all(|name| allowed.contains(name)), "{path} depends on {ours:?}");
     }
+}
+
+/// Files that import one another in a circle, to be parted: no others do.
+const CIRCLES: [&[&str]; 2] = [
+    &["given", "motion", "plan", "precise", "shadowed", "splice", "textbook"],
+    &["release", "rest", "standing", "still", "walk"],
+];
+
+/// The modules beside it that a file imports by `super::`.
+fn beside(text: &str, modules: &BTreeSet<String>) -> BTreeSet<String> {
+    let text = text.split("#[cfg(test)]\nmod").next().unwrap();
+    let code: String = text.lines().map(|line| line.split("//").next().unwrap()).collect::<Vec<_>>().join("\n");
+    let names =
+        code.split("super::").skip(1).filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next());
+    names.filter(|name| modules.contains(*name)).map(str::to_owned).collect()
+}
+
+/// The modules that lead back to themselves.
+fn in_circles(imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> {
+    let reached = |from: &String| {
+        let (mut all, mut open) = (BTreeSet::new(), vec![from]);
+        while let Some(next) = open.pop() {
+            open.extend(imports[next].iter().filter(|name| all.insert((*name).clone())));
+        }
+        all
+    };
+    imports.keys().filter(|name| reached(name).contains(*name)).cloned().collect()
+}
+
+#[test]
+fn files_of_a_room_import_one_another_one_way() {
+    let mut folders: Vec<PathBuf> = ["src", "crates", "cli/src", "python/src"].map(|path| root().join(path)).to_vec();
+    let mut left = CIRCLES.to_vec();
+    while let Some(folder) = folders.pop() {
+        let entries: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        folders.extend(entries.iter().filter(|path| path.is_dir()).cloned());
+        let name = |path: &PathBuf| path.file_stem().unwrap().to_string_lossy().into_owned();
+        let modules: BTreeSet<String> =
+            entries.iter().map(name).filter(|name| name != "mod" && name != "tests").collect();
+        let mut imports: BTreeMap<String, BTreeSet<String>> =
+            modules.iter().map(|name| (name.clone(), BTreeSet::new())).collect();
+        for path in entries.iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs")) {
+            if let Some(imports) = imports.get_mut(&name(path)) {
+                let text = fs::read_to_string(path).unwrap();
+                imports.extend(beside(&text, &modules));
+                if folder.ends_with("src") {
+                    imports.extend(self::imports(&text).into_iter().filter(|name| modules.contains(name)));
+                }
+            }
+        }
+        let found = in_circles(&imports);
+        let known = left.len();
+        left.retain(|circle| !circle.iter().eq(&found));
+        assert!(found.is_empty() || left.len() < known, "{}: {found:?} import one another", folder.display());
+    }
+    assert!(left.is_empty(), "{left:?} are parted: they are to be taken from the list");
 }
 
 /// The test of the test.

@@ -1,12 +1,15 @@
 //! Bifurcations through the public API: against the closed forms, and against the stability of the orbits beside them.
 #![cfg(feature = "multiprecision")]
 
+use std::sync::atomic::{AtomicU32, Ordering};
+
 use crate::tolerances::{CLOSED_FORM, QUOTIENT};
 use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Point, Wanted, survey};
 use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::scene::{Key, Term};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Harmonic, ImpactPair, Scene};
 
 const SCENE: &str = r#"
@@ -19,7 +22,7 @@ fn diagram(over: &str, doublings: u32) -> Diagram {
     let scene = Scene::parse(SCENE).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
     let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, || true).unwrap()
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &Unwatched).unwrap()
 }
 
 fn kinds(diagram: &Diagram) -> Vec<(Kind, u32)> {
@@ -85,7 +88,7 @@ fn the_unstable_symmetric_orbit_ends_in_a_graze_at_half_the_gap() {
 fn over_the_gap_the_same_points_come_in_the_other_order() {
     let scene = Scene::parse(SCENE).unwrap();
     let wanted = Wanted { over: "gap=0.77..1.1".parse().unwrap(), doublings: 1, precision: Precision::default() };
-    let diagram = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, || true).unwrap();
+    let diagram = survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &Unwatched).unwrap();
     assert_eq!(kinds(&diagram), [(Kind::PeriodDoubling, 1), (Kind::Pitchfork, 0)]);
     let (gap, _) = diagram.in_units(&diagram.points[1]).unwrap();
     // 0.36/0.3458892783
@@ -99,7 +102,7 @@ fn under(terms: [&str; 3], cycles: u32, over: &str, doublings: u32) -> Result<Di
     let scene = Scene::parse(&SCENE.replace("amplitude = 0.36, frequency = \"pi\", phase = 0", &lists)).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
     let wanted = Wanted { over: over.parse()?, doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &wanted, || true)
+    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &wanted, &Unwatched)
 }
 
 /// Bounds of one number.
@@ -234,14 +237,14 @@ fn what_has_no_branch_under_several_harmonics_is_refused_in_one_line() {
 fn a_survey_that_is_ended_keeps_what_is_proved() {
     let scene = Scene::parse(SCENE).unwrap();
     let wanted = Wanted { over: "amplitude=0.3..0.48".parse().unwrap(), doublings: 2, precision: Precision::default() };
-    let asked = std::cell::Cell::new(0);
+    let asked = AtomicU32::new(0);
     let up_to = |most: u32| {
-        asked.set(0);
-        let goes_on = || asked.replace(asked.get() + 1) < most;
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, goes_on).unwrap()
+        asked.store(0, Ordering::Relaxed);
+        let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < most);
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &watch).unwrap()
     };
     let whole = up_to(u32::MAX);
-    let all = asked.get();
+    let all = asked.load(Ordering::Relaxed);
     assert!(whole.is_certified() && !whole.interrupted && whole.points.len() == 2 && all > 100);
     let mut counts = Vec::new();
     for most in (0..10).map(|part| part * all / 10).chain([all - 1]) {
@@ -282,13 +285,9 @@ fn r32_a_branch_of_one_station_is_not_proved_to_be_a_curve() {
     let scene = Scene::parse(SCENE).unwrap();
     let wanted = Wanted { over: "amplitude=0.1..0.2".parse().unwrap(), doublings: 0, precision: Precision::default() };
     let ended_after = |asked: u32| {
-        let left = std::cell::Cell::new(asked);
-        let goes_on = || {
-            let goes_on = left.get() > 0;
-            left.set(left.get().saturating_sub(1));
-            goes_on
-        };
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, goes_on).unwrap().branches
+        let done = AtomicU32::new(0);
+        let watch = |_: Stage<'_>| proceed_if(done.fetch_add(1, Ordering::Relaxed) < asked);
+        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &wanted, &watch).unwrap().branches
     };
     // The least number of questions after which a branch is begun.
     let (mut none, mut some) = (0, 1 << 14);

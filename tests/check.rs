@@ -1,14 +1,13 @@
 //! Certificates of several harmonics: those of one harmonic `A sin(th)` are true of `A sin(th + pi/3) + A sin(th - pi/3)`, and
 //! one is another program's.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use serde_json::{Value, json};
 
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_certificate::{Certificate, Effort, Verdict};
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
@@ -48,7 +47,7 @@ fn found_again(document: &Value) -> Vec<(Enclosure, Enclosure)> {
 }
 
 fn verdict(document: &Value) -> Verdict {
-    Certificate::parse(&document.to_string()).unwrap().check(|_| {}).unwrap()
+    Certificate::parse(&document.to_string()).unwrap().check(&Unwatched).unwrap()
 }
 
 /// The verdict of a copy with another value at a path.
@@ -109,7 +108,7 @@ fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
         let mut copy = document.clone();
         copy["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "right", "time": time}));
         let certificate = Certificate::parse(&copy.to_string()).unwrap();
-        certificate.check_within(&Effort { work, ..Effort::default() }, |_| {}).unwrap()
+        certificate.check_within(&Effort { work, ..Effort::default() }, &Unwatched).unwrap()
     };
     match invented([&upper, "50"], 0) {
         Verdict::Undecided(finding) => assert!(finding.message.ends_with("the work allowed is spent"), "{finding:?}"),
@@ -125,13 +124,11 @@ fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
 
 #[test]
 fn r17_who_stops_a_check_keeps_what_is_proved() {
-    static STOP: AtomicBool = AtomicBool::new(false);
     let document = certificate("8", "wall = \"left\", velocity = -12.56636", "0.5", 9);
     let certificate = Certificate::parse(&document.to_string()).unwrap();
     let stop_at = |event: usize| {
-        STOP.store(false, Ordering::Relaxed);
-        let stop = |confirmed| STOP.store(confirmed == event, Ordering::Relaxed);
-        certificate.check_until(&Effort::default(), Some(&STOP), stop).unwrap()
+        let stop = |at: Stage<'_>| proceed_if(at != Stage::Claims(event));
+        certificate.check_within(&Effort::default(), &stop).unwrap()
     };
     for events in [1, 4, 8] {
         assert_eq!(stop_at(events), Verdict::Interrupted { events });
@@ -147,7 +144,7 @@ fn a_contact_that_does_not_come_is_refuted_in_the_first_bits() {
         edit(copy["events"].as_array_mut().unwrap());
         let certificate = Certificate::parse(&copy.to_string()).unwrap();
         let effort = Effort { bits: 192, ..Effort::default() };
-        match certificate.check_within(&effort, |_| {}).unwrap() {
+        match certificate.check_within(&effort, &Unwatched).unwrap() {
             Verdict::Refuted(finding) => finding.message,
             other => panic!("{other:?}"),
         }

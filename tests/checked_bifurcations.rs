@@ -6,6 +6,7 @@ use impact_pair::document;
 use impact_pair::exact::{Exact, decimal_bounds};
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Value, json};
 
@@ -24,7 +25,7 @@ fn under(excitation: &str, cycles: u32, over: &str, (doublings, digits): (u32, u
     let precision = Precision { digits, ..Precision::default() };
     let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
     let asked = (&"RL".parse().unwrap(), cycles);
-    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, || true).unwrap();
+    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
     json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
 }
 
@@ -37,7 +38,7 @@ fn claims(document: &Value) -> Claims {
 }
 
 fn verdict(document: &Value) -> Verdict {
-    claims(document).check_until(&Effort::default(), None, |_| {}).unwrap()
+    claims(document).check_within(&Effort::default(), &Unwatched).unwrap()
 }
 
 fn assert_confirmed(document: &Value) {

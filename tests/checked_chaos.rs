@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fs;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Question, Trap};
@@ -11,7 +10,8 @@ use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
-use impact_pair::periodic::bifurcation::Over;
+use impact_pair::scene::Range;
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_certificate::{Claims, Effort, Finding, Verdict};
 use serde_json::{Value, json};
 
@@ -33,12 +33,12 @@ fn chaos_of(bases: &str, depth: usize, over: Option<&str>) -> Value {
     let read: Value = serde_json::from_str(&file(bases)).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
     let question = Question { depth, bases: document::bases(&bases) };
-    let over: Option<Over> = over.map(|over| over.parse().unwrap());
+    let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
         None => scene.pair().clone(),
     };
-    let found = Chaos::of(&pair, scene.start(), &question, &|_, _| true).unwrap();
+    let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
     json!(document::chaos(&scene, over.as_ref(), &question, &found))
 }
 
@@ -65,10 +65,9 @@ fn r32_a_check_of_few_words_is_bounded() {
     let document: Value = serde_json::from_str(&file("tests/chaos-0.036.json")).unwrap();
     let claims = Claims::parse(&document.to_string()).unwrap();
     let effort = Effort { work: 1 << 11, ..Effort::default() };
-    let found = claims.check_until(&effort, None, |_| {}).unwrap();
+    let found = claims.check_within(&effort, &Unwatched).unwrap();
     assert!(matches!(&found, Verdict::Undecided(finding) if finding.message.contains("work")), "{found:?}");
-    static STOP: AtomicBool = AtomicBool::new(true);
-    let found = claims.check_until(&Effort::default(), Some(&STOP), |_| {}).unwrap();
+    let found = claims.check_within(&Effort::default(), &|_: Stage<'_>| proceed_if(false)).unwrap();
     assert!(matches!(found, Verdict::Interrupted { events: 0 }), "{found:?}");
 }
 
@@ -91,12 +90,12 @@ fn r32_what_is_said_of_the_scenes_own_orbit() {
 
 fn trap(name: &str) -> Value {
     let scene = figure(name);
-    json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap())
+    json!(document::trap(&scene, &Trap::of(&scene, 0, &Unwatched).unwrap().unwrap()).unwrap())
 }
 
 /// `None` where it is refused as it is read.
 fn verdict(document: &Value) -> Option<Verdict> {
-    Some(Claims::parse(&document.to_string()).ok()?.check_until(&Effort::default(), None, |_| {}).unwrap())
+    Some(Claims::parse(&document.to_string()).ok()?.check_within(&Effort::default(), &Unwatched).unwrap())
 }
 
 fn is_confirmed(document: &Value) -> bool {
@@ -348,7 +347,7 @@ fn r32_a_far_impact_in_a_region_is_bounded() {
     let far = with(&trap("figure-14"), &[("/entered_at_impact", json!(1_000_000_000_000_000u64))]);
     assert!(is_confirmed(&far), "{:?}", verdict(&far));
     let little = Effort { work: 1 << 8, ..Effort::default() };
-    let found = Claims::parse(&far.to_string()).unwrap().check_until(&little, None, |_| {}).unwrap();
+    let found = Claims::parse(&far.to_string()).unwrap().check_within(&little, &Unwatched).unwrap();
     assert!(
         matches!(&found, Verdict::Undecided(finding) if finding.message.contains("entered_at_impact")),
         "{found:?}"
@@ -367,9 +366,8 @@ fn a_region_in_which_a_ball_rests_is_refused() {
 
 #[test]
 fn who_stops_a_check_is_told_how_far_it_came() {
-    static STOP: AtomicBool = AtomicBool::new(false);
     let claims = Claims::parse(&chaos(6, None).to_string()).unwrap();
-    let stop = |confirmed| STOP.store(confirmed >= 6, Ordering::Relaxed);
-    let found = claims.check_until(&Effort::default(), Some(&STOP), stop).unwrap();
+    let stop = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Claims(6..)));
+    let found = claims.check_within(&Effort::default(), &stop).unwrap();
     assert!(matches!(found, Verdict::Interrupted { events } if events >= 6), "{found:?}");
 }

@@ -10,6 +10,7 @@ use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
 use impact_pair::two_impact::{Question, Unknown};
+use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use serde_json::{Value, json};
 
@@ -23,7 +24,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
         lines.push(json!(sweep::record(number, &values, &point)));
     }
     lines
@@ -31,7 +32,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
 
 fn verdict(lines: &[Value]) -> Verdict {
     let text: Vec<_> = lines.iter().map(Value::to_string).collect();
-    Claims::parse(&text.join("\n")).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+    Claims::parse(&text.join("\n")).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
 }
 
 fn is_confirmed(lines: &[Value]) -> bool {
@@ -132,7 +133,7 @@ fn two_impact(cycles: u32) -> Value {
 fn r17_documents_in_a_list_are_judged_one_by_one() {
     let both = json!([two_impact(1), two_impact(2)]);
     let claims = |document: &Value| Claims::parse(&document.to_string()).unwrap();
-    let judged = |document: &Value| claims(document).check_until(&Effort::default(), None, |_| {}).unwrap();
+    let judged = |document: &Value| claims(document).check_within(&Effort::default(), &Unwatched).unwrap();
     assert!(matches!(judged(&both), Verdict::Confirmed { .. }), "{:?}", judged(&both));
     assert!(claims(&both).all().starts_with("2 documents: "), "{}", claims(&both).all());
     assert!(claims(&both).unjudged().iter().any(|key| key == "[1].exhaustive"));
@@ -177,7 +178,7 @@ fn r17_cycles_of_impacts_are_judged() {
         let document = json!(Units::new(scene.pair()).unwrap().document(&problem, scene.start(), &census));
         assert!(document["orbits"][0]["impacts"][1]["cycle"].is_i64(), "{document}");
         let judged = |document: &Value| {
-            Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+            Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
         };
         assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
         for (impact, by) in [(0, 1), (1, 1), (1, -1), (1, i64::from(cycles))] {
@@ -277,7 +278,7 @@ fn r32_a_period_that_is_no_whole_number_of_cycles_is_told_in_time() {
         let settings = Settings { digits: 6, ..Settings::default() };
         let asked = Asked { transient: 60, impacts: 40, summary: true, reference, settings };
         let values = grid.values(0).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
         json!(sweep::record(0, &values, &point))["period"].clone()
     };
     let whole = period("2*pi");
@@ -320,7 +321,7 @@ fn r32_a_sweep_over_a_term_is_read_and_none_that_is_changed_is_confirmed() {
 /// All cycles of figure 14 with one to four impacts.
 fn cycles() -> Value {
     let scene = Scene::parse(&SCENE.replace("phase = 0.1", "phase = 0")).unwrap();
-    let found = Cycles::of(&scene, 0, &(1..=4), Precision::default(), &|_| true).unwrap();
+    let found = Cycles::of(&scene, 0, &(1..=4), Precision::default(), &Unwatched).unwrap();
     json!(document::cycles(&scene, &(1..=4), found.as_ref().map_err(|why| *why)).unwrap())
 }
 
@@ -330,7 +331,7 @@ fn cycles() -> Value {
 fn r32_cycles_whose_counts_are_not_those_of_their_orbits_are_refuted() {
     let document = cycles();
     let judged = |document: &Value| {
-        Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+        Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
     };
     assert!(matches!(judged(&document), Verdict::Confirmed { .. }), "{:?} {document}", judged(&document));
     let named = Claims::parse(&document.to_string()).unwrap().unjudged();
@@ -380,7 +381,7 @@ fn four_orbits() -> Value {
 }
 
 fn judged(document: &Value) -> Verdict {
-    Claims::parse(&document.to_string()).unwrap().check_until(&Effort::default(), None, |_| {}).unwrap()
+    Claims::parse(&document.to_string()).unwrap().check_within(&Effort::default(), &Unwatched).unwrap()
 }
 
 /// The document with one of its orbits at the end as well.

@@ -1,11 +1,12 @@
 //! `check` of shadowed orbits: right ones are confirmed, spoiled ones never.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::Mutex;
 
 use impact_pair::Scene;
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 use num_rational::BigRational;
 use serde_json::{Value, json};
@@ -41,7 +42,7 @@ fn shadowed(scene: &str, impacts: u64) -> Value {
 
 /// `None` where it is refused.
 fn verdict(document: &Value) -> Option<Verdict> {
-    Some(Certificate::parse(&document.to_string()).ok()?.check(|_| {}).unwrap())
+    Some(Certificate::parse(&document.to_string()).ok()?.check(&Unwatched).unwrap())
 }
 
 fn is_confirmed(document: &Value) -> bool {
@@ -215,14 +216,15 @@ fn what_no_start_does_is_refuted() {
 
 #[test]
 fn who_stops_a_check_keeps_the_links_that_are_proved() {
-    static STOP: AtomicBool = AtomicBool::new(false);
     let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 2000).to_string()).unwrap();
-    let mut told = Vec::new();
-    let stop = |confirmed| {
-        told.push(confirmed);
-        STOP.store(confirmed >= 100, Ordering::Relaxed);
+    let told = Mutex::new(Vec::new());
+    let stop = |at: Stage<'_>| {
+        let Stage::Claims(confirmed) = at else { return proceed_if(true) };
+        told.lock().unwrap().push(confirmed);
+        proceed_if(confirmed < 100)
     };
-    let found = certificate.check_until(&Effort::default(), Some(&STOP), stop).unwrap();
+    let found = certificate.check_within(&Effort::default(), &stop).unwrap();
+    let told = told.into_inner().unwrap();
     let Verdict::Interrupted { events } = found else { panic!("{found:?}") };
     assert!((100..2000).contains(&events) && told.is_sorted(), "{events} {told:?}");
 }
@@ -347,6 +349,6 @@ fn r32_figure_17_after_ten_impacts_by_precision_is_confirmed() {
 #[test]
 fn no_theorem_is_written_of_a_shadowed_orbit() {
     let certificate = Certificate::parse(&shadowed(&figure("figure-14"), 5).to_string()).unwrap();
-    let refused = certificate.prove(5, |_| {}).unwrap_err().to_string();
+    let refused = certificate.prove(5, &Unwatched).unwrap_err().to_string();
     assert!(refused.contains("shadowed") && refused.contains("exact start"), "{refused}");
 }

@@ -8,6 +8,7 @@ use impact_pair::covering::Shadow;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Dense, Impact, Orbit, Place, Settings, Start};
 use impact_pair::pair::Wall;
+use impact_pair::watch::Unwatched;
 use impact_pair::{Scene, document};
 use impact_pair_certificate::{Certificate, Verdict};
 use num_rational::BigRational;
@@ -149,7 +150,7 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
             assert!(has_them(&scene, &near, &impacts), "{excitation} {time} {position} {velocity} {splice}: {near:?}");
             let settings = Settings { arithmetic: Arithmetic::Shadow, impacts: Some(10), splice, ..scene.settings() };
             let written = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap()).to_string();
-            let verdict = Certificate::parse(&written).unwrap().check(|_| {}).unwrap();
+            let verdict = Certificate::parse(&written).unwrap().check(&Unwatched).unwrap();
             assert!(!matches!(verdict, Verdict::Refuted(_)), "{verdict:?} {written}");
         }
     }
@@ -177,7 +178,7 @@ fn r32_between_the_start_asked_for_and_the_one_followed_the_motion_is_known() {
     for arithmetic in [Arithmetic::Shadow, Arithmetic::Auto, Arithmetic::Interval] {
         let mut orbit = Orbit::of(&scene, Settings { arithmetic, impacts: Some(4), ..Settings::default() }).unwrap();
         let mut dense = Dense::new(&orbit, scene.start());
-        let _ = orbit.follow(&|| true, |orbit, event| {
+        let _ = orbit.follow(&Unwatched, |orbit, event| {
             dense.record(orbit, &event);
             ControlFlow::<()>::Continue(())
         });

@@ -1,5 +1,7 @@
 //! Two impacts in N cycles, through the public interface: what is proved of each motion, and that the certified orbit agrees.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use impact_pair::exact::{Dyadic, Enclosure, Exact, decimal_bounds};
 use impact_pair::mapping::{Passage, jacobian};
 use impact_pair::number::Ball;
@@ -7,6 +9,7 @@ use impact_pair::orbit::{Impact, Orbit as Run, Progress, Settings, Start};
 use impact_pair::pair::{Reduced, Wall};
 use impact_pair::periodic::{Eigenvalue, MeasuredImpact};
 use impact_pair::two_impact::{Answer, Axis, Manifold, Mark, Orbit, Question, Range, Stability, Unknown};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
 
@@ -317,7 +320,7 @@ fn is_expected(run: &Run, impact: &Impact, orbit: &Orbit, (cycles, period, wall)
 
 fn curve(pair: &ImpactPair, axis: Axis, from: &str, to: &str, cycles: u32) -> Manifold {
     let range = Range { pair, speed: exact("20"), axis, from: exact(from), to: exact(to), count: 60 };
-    range.manifold(cycles, 20, || true).unwrap()
+    range.manifold(cycles, 20, &Unwatched).unwrap()
 }
 
 /// Each part of a manifold is what the motion at a point inside is found to be.
@@ -357,12 +360,12 @@ fn a_manifold_that_is_ended_is_the_beginning_of_the_whole() {
                 .map(|point| (decimal_bounds(&point.at), decimal_bounds(&point.amplitude), point.mark, point.after))
                 .collect()
         };
-        let whole = told(&range.manifold(3, 12, || true).unwrap());
-        let asked = std::cell::Cell::new(0);
+        let whole = told(&range.manifold(3, 12, &Unwatched).unwrap());
+        let asked = AtomicUsize::new(0);
         for most in [0_usize, 1, 2, 7, 39, 40, 41, 55, 79] {
-            asked.set(0);
-            let goes_on = || asked.replace(asked.get() + 1) < most;
-            let mut found = told(&range.manifold(3, 12, goes_on).unwrap());
+            asked.store(0, Ordering::Relaxed);
+            let watch = |_: Stage<'_>| proceed_if(asked.fetch_add(1, Ordering::Relaxed) < most);
+            let mut found = told(&range.manifold(3, 12, &watch).unwrap());
             assert!(found.len() == most.saturating_sub(40), "{most}: {}", found.len());
             if let Some(last) = found.last_mut() {
                 assert_eq!(last.3, None);
@@ -379,7 +382,7 @@ fn what_is_known_of_one_harmonic_says_so() {
     let (speed, axis) = (exact("20"), Axis::Frequency);
     let range = Range { pair: scene.pair(), speed, axis, from: exact("1"), to: exact("2"), count: 5 };
     let errors =
-        [Question::new(scene.pair(), 1, Unknown::Velocity).unwrap_err(), range.manifold(1, 9, || true).unwrap_err()];
+        [Question::new(scene.pair(), 1, Unknown::Velocity).unwrap_err(), range.manifold(1, 9, &Unwatched).unwrap_err()];
     for error in errors {
         let said = error.to_string();
         assert!(said.contains("has 3 harmonics") && said.contains("periodic --word RL --cycles N --all"), "{said}");
@@ -405,7 +408,7 @@ fn manifolds_over_v_are_mirror_images_on_both_walls() {
             to: exact("2"),
             count: 5,
         };
-        range.manifold(cycles, 9, || true).is_err()
+        range.manifold(cycles, 9, &Unwatched).is_err()
     };
     assert!(refused(2, "1") && refused(1, "0") && refused(1, "2") && !refused(1, "1"));
 }

@@ -1,37 +1,94 @@
 //! `impact-pair bifurcations SCENE --word WORD --cycles N --over KEY=LO..HI`: folds, pitchforks, doublings, grazes, proved.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
+use clap::Args;
 use impact_pair::Scene;
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
-use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Over, survey};
-use impact_pair::scene::Key;
+use impact_pair::mapping::Word;
+use impact_pair::orbit::MAX_BITS;
+use impact_pair::periodic::bifurcation::{Diagram, End, Kind, Wanted, over, survey};
+use impact_pair::periodic::chain::MOST_CYCLES;
+use impact_pair::scene::{Key, Range};
 
 use crate::Answer;
-use crate::arguments::{BifurcationArguments, PeriodicFormat};
+use crate::destination::{Begun, Destination};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::periodic::{physical, symmetric};
-use crate::progress::{Progress, goes_on, interruption};
+use crate::periodic::{PeriodicFormat, physical, symmetric};
+use crate::progress::Progress;
 use crate::scene;
+use crate::values::{bits, digits, precision};
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over amplitude=0.3..0.499
+  impact-pair bifurcations scenes/cascade.toml --word RL --cycles 1 --over gap=1.02..1.1
+  impact-pair bifurcations scenes/square-wave.toml --word RL --cycles 5 --over amplitude.2=0..2
+
+Orbits of the word are searched for at values spread over the range. Their branches are followed through folds, and \
+so are the branches that leave at pitchforks and period doublings: the cascade. Each point listed is proved: exactly \
+one such bifurcation lies within its bounds. Other bifurcations are not excluded. Only A/d and e matter: over \
+frequency nothing bifurcates.
+
+With several harmonics, --over amplitude.K=... varies the amplitude of term K, counted from 1. The frequencies must \
+be commensurate, and N must be a whole number of common periods, counted in periods of the fastest harmonic. \
+Pitchforks exist only if each harmonic changes sign over half the common period.
+
+Exit code: 0 every change that was found is proved to the requested width; 1 some are not, a branch was lost, or the \
+run was interrupted (the output still holds what is certified); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct BifurcationArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// The word, a sequence of mappings, the first one right-most ("P2 P4 P1 P3"), or of walls in time order (RRLL)
+    #[arg(long, value_name = "WORD")]
+    pub word: Word,
+    /// The number of forcing periods 2 pi/W that the orbit takes
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
+    pub cycles: u32,
+    /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution or frequency
+    #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
+    over: Range,
+    /// Number of period doublings after which new branches are not followed further
+    #[arg(long, value_name = "K", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=8))]
+    doublings: u32,
+    /// Requested width of enclosures, at most 10^-D: of the parameter relative to itself, of phases relative to 2
+    /// pi, of velocities relative to A W [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Maximum precision, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+    /// Output format; json is schema impact-pair/bifurcations/1 [default: as the ending of --output
+    /// says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<PeriodicFormat>,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+impl BifurcationArguments {
+    /// What is asked of the branches.
+    pub fn wanted(&self, scene: &Scene) -> Wanted {
+        let precision = precision(self.digits, self.max_bits, scene);
+        Wanted { over: self.over.clone(), doublings: self.doublings, precision }
+    }
+}
 
 pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let named = || scene::name(&arguments.scene);
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let named = || scene::name(path);
     let wanted = arguments.wanted(&scene);
-    // From here on Ctrl-C keeps what is proved.
-    interruption();
-    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
-    let out = Output::open(arguments.destination.output.as_deref())?;
     let (word, cycles) = (&arguments.word, arguments.cycles);
-    let progress = Progress::of("following branches", !arguments.destination.quiet);
-    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, goes_on);
-    let Over { key, low, high } = &wanted.over;
-    let range = [(*key, format!("{key}={low}..{high}"))];
-    let diagram = diagram.map_err(|error| scene::about(error, &range, &arguments.scene))?;
+    let progress = Progress::of("following branches", !files.quiet);
+    let diagram = survey(scene.pair(), scene.start(), (word, cycles), &wanted, &progress);
+    let range = [(wanted.over.key, wanted.over.to_string())];
+    let diagram = diagram.map_err(|error| scene::about(error, &range, path))?;
     progress.clear();
     let text = match format {
         PeriodicFormat::Table => table(&scene, &diagram)?,
@@ -41,12 +98,12 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
         }
     };
     let open = (!diagram.is_certified()).then(|| conclusion(&diagram));
-    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
+    files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
 fn table(scene: &Scene, diagram: &Diagram) -> Result<String> {
     let mut out = heading(scene);
-    let Over { key, low, high } = diagram.over();
+    let Range { key, low, high, .. } = diagram.over();
     writeln!(out, "over {} from {low} to {high}\n", key.place())?;
     if !diagram.points.is_empty() {
         writeln!(out, "{:16} {:>7} {:>6}  {:36} orbit", "kind", "impacts", "cycles", key.place())?;

@@ -3,7 +3,6 @@
 mod table;
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -12,16 +11,16 @@ use impact_pair::chaos::{Asked, Base, Cells, Chaos, MOST_CELLS, MOST_DEPTH, MOST
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
-use impact_pair::periodic::bifurcation::Over;
-use impact_pair::scene::Key;
+use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
+use impact_pair::scene::Range;
 use impact_pair_plot::picture::Theme;
 use serde::Deserialize;
 
 use crate::Answer;
-use crate::arguments::{Destination, PeriodicFormat};
+use crate::destination::{Begun, Destination, Files};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
 use crate::scene;
 
 pub const HELP: &str = "\
@@ -58,7 +57,7 @@ pub struct ChaosArguments {
     bases: Option<PathBuf>,
     /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in COUNT cells, one
     /// by one: whether each holds a horseshoe, or the scene's own orbit converges to a periodic one
-    #[arg(long, value_name = "KEY=LO..HI[:COUNT]")]
+    #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range)]
     over: Option<Range>,
     /// With :COUNT: bisect an undecided cell up to N times
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(..=i64::from(MOST_HALVINGS)))]
@@ -92,55 +91,29 @@ fn bases(path: &Path) -> Result<Vec<Base>> {
     Ok(document::bases(&read.bases))
 }
 
-/// `KEY=LO..HI`, all of it at once, or `KEY=LO..HI:COUNT`, cell by cell.
-#[derive(Clone, Debug)]
-struct Range {
-    over: Over,
-    cells: Option<u32>,
-}
-
-impl FromStr for Range {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (range, cells) = text.rsplit_once(':').map_or((text, None), |(range, cells)| (range, Some(cells)));
-        let cells = cells.map(|cells| {
-            let count = cells.trim().parse().ok().filter(|count| (1..=MOST_CELLS).contains(count));
-            count.ok_or_else(|| format!("the number of cells is \"{cells}\", but accepted are 1 to {MOST_CELLS}"))
-        });
-        Ok(Self { over: range.parse::<Over>().map_err(|error| error.to_string())?, cells: cells.transpose()? })
-    }
-}
-
-/// What messages name of a range.
-fn range(over: &Over) -> (Key, String) {
-    (over.key, format!("{}={}..{}", over.key, over.low, over.high))
+/// Reads `KEY=LO..HI`, all of it at once, or `KEY=LO..HI:COUNT`, cell by cell.
+fn range(text: &str) -> Result<Range, impact_pair::Error> {
+    let cells = 1..=u64::from(MOST_CELLS);
+    let accepted =
+        format!("KEY=LO..HI or KEY=LO..HI:COUNT with LO < HI and COUNT from 1 to {MOST_CELLS}, {PARAMETERS}");
+    Range::parse(text, &accepted, |range| is_parameter(range) && range.count.is_none_or(|count| cells.contains(&count)))
 }
 
 pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let (output, plot) = (arguments.destination.output.as_deref(), arguments.plot.as_deref());
-    scene::keep_apart(&[&arguments.scene], output, plot)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let Begun { scene, files, .. } = arguments.destination.begin(&arguments.scene, plot)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
-    // From here on Ctrl-C keeps what is proved.
-    interruption();
-    let files = Files { out: Output::open(output)?, picture: plot.map(|path| Output::open(Some(path))).transpose()? };
     let work = Work { arguments, format, scene: &scene, files };
     match &arguments.over {
-        Some(Range { over, cells: Some(cells) }) => {
+        Some(over @ Range { count: Some(cells), .. }) => {
             if !bases.is_empty() {
                 bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key);
             }
-            work.cells(over, *cells)
+            work.cells(over, u32::try_from(*cells)?)
         }
-        over => work.horseshoe(over.as_ref().map(|range| &range.over), bases),
+        over => work.horseshoe(over.as_ref(), bases),
     }
-}
-
-struct Files {
-    out: Output,
-    picture: Option<Output>,
 }
 
 struct Work<'w> {
@@ -152,7 +125,7 @@ struct Work<'w> {
 
 impl Work<'_> {
     /// One horseshoe, for one pair or for all of a range at once.
-    fn horseshoe(self, over: Option<&Over>, bases: Vec<Base>) -> Result<Answer> {
+    fn horseshoe(self, over: Option<&Range>, bases: Vec<Base>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth as usize);
         let question = Question { depth, bases };
         let named = || scene::name(&self.arguments.scene);
@@ -160,17 +133,15 @@ impl Work<'_> {
             Some(over) => {
                 let all = Exact::interval(&over.low, &over.high)?;
                 let path = &self.arguments.scene;
-                scene.pair().with(over.key, all).map_err(|error| scene::about(error, &[range(over)], path))?
+                scene
+                    .pair()
+                    .with(over.key, all)
+                    .map_err(|error| scene::about(error, &[(over.key, over.to_string())], path))?
             }
             None => scene.pair().clone(),
         };
-        let progress = Progress::boxes(!self.arguments.destination.quiet);
-        let watch = |depth: usize, boxes: u64| {
-            let at = if depth == 0 { "h-sets: ".to_owned() } else { format!("depth {depth}: ") };
-            progress.boxed(&at, boxes);
-            goes_on()
-        };
-        let found = Chaos::of(&pair, scene.start(), &question, &watch).with_context(named)?;
+        let progress = Progress::stages(!self.files.quiet);
+        let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
         progress.clear();
         let document = document::chaos(scene, over, &question, &found);
         let text = match self.format {
@@ -179,37 +150,27 @@ impl Work<'_> {
         };
         let is_proved = document.certified && !document.interrupted;
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
-        self.answer(&text, open, || impact_pair_plot::chaos::chaos(scene, over, &found))
+        let is_table = self.format == PeriodicFormat::Table;
+        self.files.draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found))
     }
 
     /// What is proved of each value in a range.
-    fn cells(self, over: &Over, cells: u32) -> Result<Answer> {
+    fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
         let (halvings, depth) = (self.arguments.halvings, self.arguments.depth as usize);
         let asked = Asked { over: over.clone(), cells, halvings, depth };
-        let progress = Progress::cells(cells, !self.arguments.destination.quiet);
-        let watch = |done: u32| {
-            progress.boxed("", done.into());
-            goes_on()
-        };
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &watch);
+        let progress = Progress::cells(cells, !self.files.quiet);
+        let found = Cells::of(scene.pair(), scene.start(), &asked, &progress);
         progress.clear();
-        let found = found.map_err(|error| scene::about(error, &[range(over)], &self.arguments.scene))?;
+        let found =
+            found.map_err(|error| scene::about(error, &[(over.key, over.to_string())], &self.arguments.scene))?;
         let document = document::cells(scene, &asked, &found);
         let text = match self.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
             PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,
         };
         let open = (!document.certified).then(|| table::shares(&document));
-        self.answer(&text, open, || impact_pair_plot::proved::cells(scene, &asked, &found))
-    }
-
-    fn answer(self, text: &str, open: Option<String>, svg: impl FnOnce() -> Result<String>) -> Result<Answer> {
         let is_table = self.format == PeriodicFormat::Table;
-        let answer = self.files.out.answer(text, open, (self.arguments.destination.quiet, is_table))?;
-        if let (Some(picture), Some(path)) = (self.files.picture, &self.arguments.plot) {
-            picture.draw(path, self.arguments.theme, svg)?;
-        }
-        Ok(answer)
+        self.files.draw((&text, open, is_table), || impact_pair_plot::proved::cells(scene, &asked, &found))
     }
 }

@@ -1,22 +1,93 @@
 //! `impact-pair check CERTIFICATE`: every claim of a JSON document, proved again by an independent method.
 
 use std::io::Write;
+use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result, anyhow};
+use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::json::one_a_line;
-use impact_pair_certificate::{Claims, Verdict};
+use impact_pair_certificate::{Claims, Effort, Verdict};
 
 use crate::Answer;
-use crate::arguments::{CheckArguments, CheckFormat};
-use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::destination::{Destination, Files};
+use crate::progress::Progress;
 use crate::{scene, verified};
 
+pub const EXIT_CODES: &str = "\
+Exit code: 0 every claim is proved again; 1 a claim is refuted or undecided; 2 usage, bad input, I/O";
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair run scenes/figure-14.toml --format json | impact-pair check -
+  impact-pair run scenes/chatter.toml --format jsonl --output orbit.jsonl
+  impact-pair check orbit.jsonl --format json
+
+Each flight is followed again from the exact data of the certificate's own scene, by an independent method: in the \
+units of the scene, by bisection, in one integer arithmetic whose precision rises until every claimed bound is \
+decided. A claim is confirmed if the value found lies within its bounds, and refuted if it lies outside. JSON Lines \
+are accepted as well.
+
+For a shadowed orbit (run --arithmetic shadow), one start within the given bounds is proved to have all the impacts, \
+each in its box: link by link, on all processors.
+
+For periodic, two-impact and cycles, each orbit is proved again: existence and uniqueness within its bounds, \
+stability, symmetry, and whether a wall is touched earlier. That there are no other orbits is not checked; for \
+cycles, the counts are compared with the orbits listed. For bifurcations, each fold, pitchfork and period doubling \
+is proved again, the grazes are not. For sweep, the listed impacts are proved again, the long-term outcome is not. \
+For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
+boxes computed anew, and the entropies are proved to follow from the words. For describe, the orbit and the region in \
+it are proved again, and the fate is compared with theirs. Parameter manifolds are not checked. A \
+separate line names the values that are not checked; with --format json each value of the document is listed among \
+the claims with its verdict, or among those not checked. Ctrl-C keeps what is proved so far.
+
+With --verified the program impact-pair-verified answers, if it is beside impact-pair or on PATH: its checker is \
+extracted from a proof in Coq. It prints what an orbit JSON claims, and that it is verified, or why not: a document \
+that claims more than the theorem covers, such as a rest, is not verified.
+
+Exit code: 0 every claim is proved again, except those named as not checked; 1 a claim is refuted or undecided, or not \
+verified; 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct CheckArguments {
+    /// JSON of run or sweep (or JSON Lines), describe, periodic, two-impact, cycles, bifurcations, trap or chaos, or - for stdin
+    pub certificate: PathBuf,
+    /// Have the program impact-pair-verified, whose checker is extracted from its proof in Coq, check an orbit JSON instead
+    #[arg(long, conflicts_with_all = ["effort", "format"])]
+    pub verified: bool,
+    /// Multiply the work allowed for each claim by TIMES before it is left undecided
+    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    pub effort: u64,
+    /// Output format; json is schema impact-pair/check/1 [default: as the ending of --output says, else text]
+    #[arg(long, value_enum)]
+    pub format: Option<CheckFormat>,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+/// How a verdict is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum CheckFormat {
+    /// Human-readable: the verdict in one line, what is not checked in another
+    #[default]
+    Text,
+    /// Each claim with its verdict, and the path of each value that is not checked
+    Json,
+}
+
+impl CheckArguments {
+    /// How much a check may take.
+    pub fn effort(&self) -> Effort {
+        let Effort { parts, work, .. } = Effort::default();
+        let times = u32::try_from(self.effort).unwrap_or(u32::MAX);
+        Effort { parts: parts.saturating_mul(times), work: work.saturating_mul(self.effort), ..Effort::default() }
+    }
+}
+
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
-    let (path, output) = (&arguments.certificate, arguments.destination.output.as_deref());
+    let path = &arguments.certificate;
     if arguments.verified {
-        return verified::verify(path, output);
+        return verified::verify(path, arguments.destination.output.as_deref());
     }
     let format = arguments.destination.format(arguments.format)?;
     let text = scene::text(path)?;
@@ -27,13 +98,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
         ),
         Err(_) => Error::from(error).context(scene::name(path)),
     })?;
-    scene::keep(path, output)?;
-    let mut out = Output::open(output)?;
-    let progress = Progress::new(Some(claims.count() as u64), !arguments.destination.quiet);
-    // From here on Ctrl-C keeps what is proved.
-    let stop = Some(interruption());
-    let judged = claims.judge(&arguments.effort(), stop, &mut |event| progress.reach(event as u64));
-    let judged = judged.with_context(|| scene::name(path))?;
+    let Files { mut out, quiet, .. } = arguments.destination.open(&[path], None)?;
+    let progress = Progress::new(Some(claims.count() as u64), !quiet);
+    let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let said = match format {
         CheckFormat::Json => one_a_line(&claims.document(&text, &judged), &["claims"]),

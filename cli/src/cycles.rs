@@ -7,18 +7,19 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, Stage, Untrapped};
+use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, Untrapped};
 use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 
 use crate::Answer;
-use crate::arguments::{Destination, PeriodicFormat, digits};
+use crate::destination::{Begun, Destination};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
 use crate::scene;
+use crate::values::{digits, numbers};
 
 pub const HELP: &str = "\
 Examples:
@@ -40,7 +41,7 @@ pub struct CyclesArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     /// Number of impacts of the cycles, a range 1..N or a single number; each further impact takes up to twice as long
-    #[arg(long, value_name = "LO..HI", value_parser = impacts)]
+    #[arg(long, value_name = "LO..HI", value_parser = numbers(1..=MOST_IMPACTS))]
     impacts: RangeInclusive<u32>,
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
@@ -56,38 +57,15 @@ pub struct CyclesArguments {
     destination: Destination,
 }
 
-/// Reads `LO..HI`, or one number.
-fn impacts(text: &str) -> Result<RangeInclusive<u32>, String> {
-    let (low, high) = text.split_once("..").unwrap_or((text, text));
-    let number = |text: &str| text.trim().parse::<u32>().ok();
-    match (number(low), number(high)) {
-        (Some(low), Some(high)) if (1..=high).contains(&low) && high <= MOST_IMPACTS => Ok(low..=high),
-        _ => Err(format!("accepted are numbers from 1 to {MOST_IMPACTS}, such as 1..7 or 5")),
-    }
-}
-
 pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let named = || scene::name(&arguments.scene);
-    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
-    let out = Output::open(arguments.destination.output.as_deref())?;
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let named = || scene::name(path);
     let usual = Precision::default();
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
-    // From here on Ctrl-C keeps what is proved.
-    interruption();
-    let progress = Progress::boxes(!arguments.destination.quiet);
-    let watch = |stage: Stage| {
-        match stage {
-            Stage::Region(boxes) => progress.boxed("region: ", boxes as u64),
-            Stage::Impacts { impacts, blocks, of } => {
-                progress.boxed(&format!("{}, of {of} blocks of ", counted(impacts as u32, "impact")), blocks as u64);
-            }
-        }
-        goes_on()
-    };
+    let progress = Progress::stages(!files.quiet);
     let precision = Precision { digits, ..usual };
-    let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &watch).with_context(named)?;
+    let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &progress).with_context(named)?;
     progress.clear();
     let found = found.as_ref().map_err(|why| *why);
     let text = match format {
@@ -98,7 +76,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     };
     let is_certified = found.is_ok_and(Cycles::is_certified);
     let open = (!is_certified).then(|| conclusion(found));
-    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
+    files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
 fn table(scene: &Scene, found: Result<&Cycles, Untrapped>) -> Result<String, fmt::Error> {

@@ -7,17 +7,17 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::chaos::MOST_DEPTH;
-use impact_pair::describe::{Request, Stage, describe as described, lines};
+use impact_pair::describe::{Request, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair_plot::picture::Theme;
 
 use crate::Answer;
-use crate::arguments::{Destination, bits, count};
+use crate::destination::{Begun, Destination};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::progress::Progress;
 use crate::scene;
+use crate::values::{bits, count};
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 the fate of the motion is certified; 1 it is undecided, or the run was interrupted; 2 usage, bad input, I/O";
@@ -81,40 +81,22 @@ enum DescribeFormat {
 
 pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let Destination { output, quiet } = &arguments.destination;
-    let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
-    scene::keep_apart(&[&arguments.scene], output, plot)?;
-    // From here on Ctrl-C keeps what is proved.
-    interruption();
-    let out = Output::open(output)?;
-    let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
-    let named = || scene::name(&arguments.scene);
+    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let named = || scene::name(path);
     let DescribeArguments { impacts, max_bits, .. } = *arguments;
     let request = Request { impacts, depth: arguments.depth as usize, max_bits };
-    let progress = Progress::described(!quiet);
-    let watch = |stage: Stage| {
-        match stage {
-            Stage::Orbit(impacts) => progress.boxed("orbit, impacts: ", impacts),
-            Stage::Region(boxes) => progress.boxed("trapping region, boxes: ", boxes as u64),
-            Stage::Horseshoe { depth: 0, boxes } => progress.boxed("h-sets, boxes: ", boxes),
-            Stage::Horseshoe { depth, boxes } => progress.boxed(&format!("horseshoe, depth {depth}, boxes: "), boxes),
-        }
-        goes_on()
-    };
-    let found = described(&scene, &request, &watch).with_context(named)?;
+    let progress = Progress::stages(!files.quiet);
+    let found = described(&scene, &request, &progress).with_context(named)?;
     progress.clear();
-    let document = found.document(&scene, &arguments.scene.display().to_string()).with_context(named)?;
+    let document = found.document(&scene, &path.display().to_string()).with_context(named)?;
     let text = match format {
         DescribeFormat::Json => serde_json::to_string(&document)? + "\n",
         DescribeFormat::Text => text(&scene, &document)?,
     };
     let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
-    let answer = out.answer(&text, open, (*quiet, format == DescribeFormat::Text))?;
-    if let (Some(picture), Some(path)) = (picture, plot) {
-        picture.draw(path, arguments.theme, || impact_pair_plot::describe::describe(&scene, &found, &document))?;
-    }
-    Ok(answer)
+    let is_table = format == DescribeFormat::Text;
+    files.draw((&text, open, is_table), || impact_pair_plot::describe::describe(&scene, &found, &document))
 }
 
 /// The description for people.

@@ -2,6 +2,7 @@
 
 use std::io::{self, BufWriter, Write};
 
+use clap::ValueEnum;
 use impact_pair::Scene;
 use impact_pair::document::{Ending, Event, Kind, arithmetic, head};
 use impact_pair::json::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
@@ -9,8 +10,21 @@ use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use serde::Serialize;
 
-use crate::arguments::Format;
 use crate::table;
+
+/// How the events of an orbit are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Human-readable: the certain digits, then the last digits of both bounds
+    #[default]
+    Table,
+    /// One document, schema impact-pair/orbit/1
+    Json,
+    /// JSON Lines as they are certified: the head, one event per line, the outcome
+    Jsonl,
+    /// One event per line, bounds in columns
+    Csv,
+}
 
 const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";
 

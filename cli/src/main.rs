@@ -7,6 +7,7 @@ mod chaos;
 mod check;
 mod cycles;
 mod describe;
+mod destination;
 mod ending;
 mod heading;
 mod listing;
@@ -26,6 +27,7 @@ mod tolerances;
 mod trade;
 mod trap;
 mod two_impact;
+mod values;
 mod verified;
 mod version;
 
@@ -68,7 +70,7 @@ fn main() -> ExitCode {
         Verb::Trade(arguments) => trade::trade(&arguments),
         Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
         Verb::Audit(arguments) => audit::audit(&arguments),
-        Verb::Man(arguments) => man::man(&arguments),
+        Verb::Man(arguments) => man::man(Cli::command(), &arguments),
         Verb::Completions { shell } => completions(shell),
     };
     match answer {

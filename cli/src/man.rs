@@ -2,18 +2,30 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use clap::{Command, CommandFactory};
+use clap::{Args, Command};
 use clap_mangen::Man;
 
 use crate::Answer;
-use crate::arguments::{Cli, ManArguments};
 use crate::output::Output;
 
-pub fn man(arguments: &ManArguments) -> Result<Answer> {
-    let mut command = Cli::command().disable_help_subcommand(true);
+pub const HELP: &str = "\
+Examples:
+  impact-pair man > impact-pair.1
+  impact-pair man --output man";
+
+#[derive(Args, Debug)]
+pub struct ManArguments {
+    /// Write a page for the program and one for each verb into DIR, which is created if needed
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// Writes the pages of this command.
+pub fn man(command: Command, arguments: &ManArguments) -> Result<Answer> {
+    let mut command = command.disable_help_subcommand(true);
     // Gives the verbs their full names.
     command.build();
     let Some(folder) = &arguments.output else {

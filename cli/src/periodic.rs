@@ -1,43 +1,100 @@
 //! `impact-pair periodic SCENE --word WORD --cycles N`: the periodic orbits of a word, proved.
 
 use std::fmt::{self, Write};
-use std::sync::atomic::Ordering;
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
+use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::document::{Units, counted};
 use impact_pair::exact::{Enclosure, decimal_digits};
-use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, Searched};
+use impact_pair::mapping::Word;
+use impact_pair::orbit::MAX_BITS;
+use impact_pair::periodic::chain::MOST_CYCLES;
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Precision, Problem};
 
 use crate::Answer;
-use crate::arguments::{PeriodicArguments, PeriodicFormat};
+use crate::destination::{Begun, Destination};
 use crate::heading::heading;
-use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::Progress;
 use crate::scene;
+use crate::values::{bits, digits, precision};
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair periodic scenes/figure-15.toml --word RRLLL --cycles 1
+  impact-pair periodic scenes/figure-13.toml --word \"P2 P1\" --cycles 1 --digits 30 --format json
+  impact-pair periodic scenes/figure-13.toml --word RL --cycles 1 --all
+
+Each orbit listed is proved to be the only one within its bounds. Admissible: no flight touches a wall before it \
+ends; otherwise the orbit is virtual. Stable: both eigenvalues of the Jacobian of a period lie inside the unit \
+circle; unstable: one lies outside. Without --all the search starts from the scene's own motion and from a grid of \
+initial conditions, and there may be other orbits. Motions with sticking are not searched for, not even with --all: \
+for e > 0 they have infinitely many impacts per period, or meet a wall with zero velocity exactly where the contact \
+force sets in; for e = 0 each follows from a release, and run proves it from there.
+
+Exit code: 0 everything requested is certified; 1 some of it is not: no orbit was found, or part of one is undecided \
+or wider than --digits (the output still holds what is certified); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct PeriodicArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// The word, a sequence of mappings, the first one right-most ("P2 P4 P1 P3"), or of walls in time order (RRLL)
+    #[arg(long, value_name = "WORD")]
+    pub word: Word,
+    /// The number of forcing periods 2 pi/W that the orbit takes; W is that of the fastest harmonic
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_CYCLES)))]
+    pub cycles: u32,
+    /// Search the whole state space, so that the list is complete up to orbits with sticking
+    #[arg(long)]
+    pub all: bool,
+    /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
+    /// [default: that of the scene, or 9]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// Maximum precision, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    max_bits: u32,
+    /// Output format; json is schema impact-pair/periodic/1 [default: as the ending of --output says, else
+    /// table]
+    #[arg(long, value_enum)]
+    pub format: Option<PeriodicFormat>,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+impl PeriodicArguments {
+    /// How narrow the enclosures are asked to be.
+    pub fn precision(&self, scene: &Scene) -> Precision {
+        precision(self.digits, self.max_bits, scene)
+    }
+}
+
+/// How periodic orbits and bifurcations are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum PeriodicFormat {
+    /// Human-readable: the certain digits, then the last digits of both bounds
+    #[default]
+    Table,
+    /// One document of the schema named above
+    Json,
+}
 
 pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let named = || scene::name(&arguments.scene);
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, None)?;
+    let named = || scene::name(path);
     let problem = Problem::new(scene.pair(), &arguments.word, arguments.cycles).with_context(named)?;
     let units = Units::new(problem.pair()).with_context(named)?;
-    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
-    let out = Output::open(arguments.destination.output.as_deref())?;
     let (start, precision) = (scene.start(), arguments.precision(&scene));
-    // From here on Ctrl-C keeps what is proved.
-    let interrupted = interruption();
     let progress = match arguments.all {
-        true => Progress::search(!arguments.destination.quiet),
-        false => Progress::of("searching for orbits", !arguments.destination.quiet),
-    };
-    let goes_on = |searched: Searched| {
-        progress.searched(searched);
-        !interrupted.load(Ordering::Relaxed)
+        true => Progress::search(!files.quiet),
+        false => Progress::of("searching for orbits", !files.quiet),
     };
     let census = match arguments.all {
-        true => problem.find_all_while(start, precision, Budget::default(), &goes_on),
-        false => problem.find_while(start, precision, || !interrupted.load(Ordering::Relaxed)),
+        true => problem.find_all_while(start, precision, Budget::default(), &progress),
+        false => problem.find_while(start, precision, &progress),
     };
     progress.clear();
     let text = match format {
@@ -45,7 +102,7 @@ pub fn periodic(arguments: &PeriodicArguments) -> Result<Answer> {
         PeriodicFormat::Json => serde_json::to_string(&units.document(&problem, start, &census))? + "\n",
     };
     let open = (!census.is_certified()).then(|| conclusion(&census));
-    out.answer(&text, open, (arguments.destination.quiet, format == PeriodicFormat::Table))
+    files.answer(&text, open, format == PeriodicFormat::Table)
 }
 
 fn table(scene: &Scene, problem: &Problem, units: &Units, census: &Census) -> Result<String, fmt::Error> {

@@ -1,12 +1,13 @@
 //! Progress of long runs on stderr, and the wish of a user to stop them.
 
+use std::ops::ControlFlow;
 use std::process;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use impact_pair::orbit::Watch;
-use impact_pair::periodic::Searched;
+use impact_pair::document::counted;
+use impact_pair::watch::{Stage, Watch, proceed_if};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Impacts between two looks at the clock; in doubles these take less than a blink.
@@ -36,7 +37,7 @@ impl Progress {
         if wanted { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
     }
 
-    /// Tells what is done and for how long, where nothing can be counted; not before a second has passed.
+    /// Shows what is done and for how long, where nothing can be counted; not before a second has passed.
     pub fn of(what: &'static str, wanted: bool) -> Self {
         let progress = if wanted { Self::drawn(None, "{msg}, {elapsed}") } else { Self(None) };
         if let Some(bar) = &progress.0 {
@@ -46,27 +47,18 @@ impl Progress {
         progress
     }
 
-    /// Counts boxes that are proved, none at first.
-    pub fn boxes(wanted: bool) -> Self {
-        if wanted { Self::drawn(None, "{prefix}{pos} boxes") } else { Self(None) }
-    }
-
-    /// Counts what each stage of a description counts.
-    pub fn described(wanted: bool) -> Self {
-        if wanted { Self::drawn(None, "{prefix}{pos}") } else { Self(None) }
+    /// Counts what each stage counts, impacts at first.
+    pub fn stages(wanted: bool) -> Self {
+        let progress = if wanted { Self::drawn(None, "{prefix}{pos}") } else { Self(None) };
+        if let Some(bar) = &progress.0 {
+            bar.set_prefix("orbit, impacts: ");
+        }
+        progress
     }
 
     /// Counts the cells of a parameter's range.
     pub fn cells(cells: u32, wanted: bool) -> Self {
         if wanted { Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}") } else { Self(None) }
-    }
-
-    /// Notes how many boxes there are, or cells are done, and at what.
-    pub fn boxed(&self, at: &str, boxes: u64) {
-        if let Some(bar) = self.due(0) {
-            bar.set_prefix(at.to_owned());
-            bar.set_position(boxes);
-        }
     }
 
     fn drawn(length: Option<u64>, template: &str) -> Self {
@@ -75,20 +67,36 @@ impl Progress {
         Self(Some(ProgressBar::with_draw_target(length, target).with_style(style)))
     }
 
-    /// Notes that impact `index` is done.
-    pub fn reach(&self, index: u64) {
+    /// Shows a count, after what it counts.
+    fn count(&self, what: String, count: u64) {
+        if let Some(bar) = self.due(0) {
+            bar.set_prefix(what);
+            bar.set_position(count);
+        }
+    }
+
+    /// Shows the impacts, or claims, that are done.
+    fn reach(&self, index: u64) {
         if let Some(bar) = self.due(index) {
             bar.set_message("");
             bar.set_position(index);
         }
     }
 
-    /// Notes how far a search has come.
-    pub fn searched(&self, searched: Searched) {
-        if let Some(bar) = self.due(0).filter(|bar| bar.position() != searched.cells as u64 || bar.length() == Some(0))
-        {
-            bar.set_length(searched.of as u64);
-            bar.set_position(searched.cells as u64);
+    /// Begins another part.
+    fn begin(&self, what: &str) {
+        if let Some(bar) = &self.0 {
+            bar.set_prefix(format!("{what}: "));
+            bar.set_message("");
+            bar.reset();
+        }
+    }
+
+    /// Shows how far a search has come.
+    fn searched(&self, done: u64, of: u64) {
+        if let Some(bar) = self.due(0).filter(|bar| bar.position() != done || bar.length() == Some(0)) {
+            bar.set_length(of);
+            bar.set_position(done);
         }
     }
 
@@ -107,38 +115,45 @@ impl Progress {
 }
 
 impl Watch for Progress {
-    /// Until Ctrl-C comes.
-    fn goes_on(&self) -> bool {
-        goes_on()
-    }
-
-    fn stage(&self, what: &str) {
-        if let Some(bar) = &self.0 {
-            bar.set_prefix(format!("{what}: "));
-            bar.set_message("");
-            bar.reset();
+    /// Continues until Ctrl-C comes.
+    fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
+        match at {
+            Stage::Part(what) => self.begin(what),
+            Stage::Impact(index) => self.reach(index),
+            Stage::Claims(claims) => self.reach(claims as u64),
+            Stage::Retraced { index, bits } => {
+                if let Some(bar) = self.due(index) {
+                    bar.set_message(format!(", again from the start in {bits} bits: {index}"));
+                }
+            }
+            Stage::Cells { done, of } => self.searched(done as u64, of as u64),
+            Stage::Region(boxes) => self.count("trapping region, boxes: ".to_owned(), boxes as u64),
+            Stage::Cycles { impacts, blocks, of } => {
+                let impacts = counted(impacts as u32, "impact");
+                self.count(format!("cycles of {impacts}, blocks of {of}: "), blocks as u64);
+            }
+            Stage::Horseshoe { depth: 0, boxes } => self.count("h-sets, boxes: ".to_owned(), boxes),
+            Stage::Horseshoe { depth, boxes } => self.count(format!("horseshoe, depth {depth}, boxes: "), boxes),
+            Stage::Parameter(cells) => self.count(String::new(), cells.into()),
+            _ => {}
         }
-    }
-
-    fn reached(&self, index: u64) {
-        self.reach(index);
-    }
-
-    fn retraced(&self, index: u64, bits: u32) {
-        if let Some(bar) = self.due(index) {
-            bar.set_message(format!(", again from the start in {bits} bits: {index}"));
-        }
+        Interruption.proceed(at)
     }
 }
 
-/// Whether no Ctrl-C has come.
-pub fn goes_on() -> bool {
-    !interruption().load(Ordering::Relaxed)
+/// The watch that Ctrl-C stops, without progress.
+pub struct Interruption;
+
+impl Watch for Interruption {
+    fn proceed(&self, _: Stage<'_>) -> ControlFlow<()> {
+        proceed_if(!INTERRUPTED.load(Ordering::Relaxed))
+    }
 }
 
-/// From now on the first Ctrl-C asks to stop and the second one kills; says whether one has come.
-pub fn interruption() -> &'static AtomicBool {
-    static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// From now on the first Ctrl-C asks to stop and the second one kills.
+pub fn catch_interruption() {
     static HANDLER: OnceLock<()> = OnceLock::new();
     HANDLER.get_or_init(|| {
         let on_signal = || {
@@ -149,5 +164,4 @@ pub fn interruption() -> &'static AtomicBool {
         // Without a handler Ctrl-C kills at once: no reason to refuse to run.
         let _ = ctrlc::set_handler(on_signal);
     });
-    &INTERRUPTED
 }

@@ -1,16 +1,46 @@
 //! `impact-pair prove CERTIFICATE`: an orbit JSON as a theorem for Coq.
 
 use std::io::Write;
+use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
+use clap::Args;
 use impact_pair_certificate::{Certificate, ClaimKind};
 
 use crate::Answer;
-use crate::arguments::ProveArguments;
+use crate::destination::Destination;
 use crate::ending;
 use crate::output::{Output, note};
 use crate::progress::Progress;
 use crate::scene;
+use crate::values::count;
+
+pub const EXIT_CODES: &str = "\
+Exit code: 0 the file proves all the impacts requested; 1 fewer of them; 2 usage, bad input, I/O";
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair run scenes/figure-14.toml --format json | impact-pair prove - --output Figure14.v
+  impact-pair run scenes/figure-12.toml --format json | impact-pair prove - --impacts 10
+
+The theorem: for every start and all parameters that the scene allows there is exactly one sequence of impacts, each the \
+first contact after the one before, on the listed walls, at times and velocities within the printed bounds. It covers \
+the impacts up to the first graze, rest or release. Coq checks it on top of the library of validation/coq; nothing of \
+impact-pair is trusted for that.
+
+Exit code: 0 the file proves all the impacts requested (or those up to the first other event); 1 fewer of them; 2 usage, bad \
+input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct ProveArguments {
+    /// Orbit JSON or JSON Lines, as written by run --format json or jsonl, or - for stdin
+    pub certificate: PathBuf,
+    /// Prove the first N impacts [default: all]
+    #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
+    pub impacts: Option<u64>,
+    #[command(flatten)]
+    pub destination: Destination,
+}
 
 pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     ending::only("v", arguments.destination.output.as_deref())?;
@@ -24,8 +54,7 @@ pub fn prove(arguments: &ProveArguments) -> Result<Answer> {
     let wanted = arguments.impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     let progress = Progress::new(Some(wanted.min(listed) as u64), !arguments.destination.quiet && !out.is_terminal());
-    let theorem =
-        certificate.prove(wanted, |impact| progress.reach(impact as u64)).with_context(|| scene::name(path))?;
+    let theorem = certificate.prove(wanted, &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let (proved, stop) = (theorem.impacts, theorem.stop.as_ref());
     if proved > 0 {

@@ -2,29 +2,93 @@
 
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
+use clap::Args;
+use impact_pair::Scene;
 use impact_pair::document::{Conclusion, Ending, Event};
-use impact_pair::orbit::{Orbit, Settings};
+use impact_pair::exact::Exact;
+use impact_pair::orbit::{Arithmetic, MAX_BITS, Orbit, Settings};
+use impact_pair::scene::Run;
 
 use crate::Answer;
-use crate::arguments::{Format, RunArguments};
-use crate::listing::Listing;
-use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::destination::{Begun, Destination, Files};
+use crate::listing::{Format, Listing};
+use crate::progress::Progress;
 use crate::scene;
+use crate::values::{ARITHMETICS, bits, count, digits, point};
+
+pub const HELP: &str = "\
+Examples:
+  impact-pair run scenes/figure-14.toml
+  impact-pair run scenes/figure-14.toml --until 20*pi --digits 40 --format csv --output impacts.csv
+  impact-pair run scenes/chatter.toml --arithmetic interval --format jsonl
+
+Scene: a TOML file with [excitation] amplitude, frequency, phase; [pair] gap, restitution; [start] time, velocity \
+and wall or position; optionally title and [run] impacts, until, digits. Numbers are exact decimals; strings are \
+expressions such as \"3*pi\" or intervals such as \"[9.42, 9.43]\".
+
+After the last impact run tries to prove that the motion converges to a stable periodic orbit: one with at most 128 impacts, near the \
+last impacts listed, whose attraction is proved in double precision. Where the last line does not mention it, that is undecided: the \
+motion may converge to a longer orbit, later, or more slowly than doubles resolve (chaos --over finds more).
+
+Table: 1.0000305639(24,68) means that the true value lies in [1.000030563924, 1.000030563968]. The digits before the \
+parenthesis are certain; the parenthesis holds the remaining digits of the lower and the upper bound, rounded \
+outward. Where no digits are certain, 2.00000(-1,+3) means [1.99999, 2.00003]. Runs with --arithmetic float are not \
+rigorous and print plain decimals.
+
+Exit code: 0 everything requested is certified (a float run that completes certifies nothing and exits 0 too); 1 \
+some of it is not: the orbit is undecided from some impact on, was interrupted, or is wider than --digits (the \
+output still holds what is certified); 2 usage, bad input, I/O.";
+
+#[derive(Args, Debug)]
+pub struct RunArguments {
+    /// Scene file (TOML), or - for stdin
+    pub scene: PathBuf,
+    /// Stop after N impacts [default: that of the scene; 100 if there is no --until either]
+    #[arg(long, value_name = "N", value_parser = count(0..=u64::MAX))]
+    impacts: Option<u64>,
+    /// Stop at this time, a number or an expression such as 100*pi [default: that of the scene]
+    #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
+    until: Option<Exact>,
+    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W
+    /// [default: that of the scene, or 9; with shadow 6]
+    #[arg(long, value_name = "D", value_parser = digits())]
+    digits: Option<u32>,
+    /// The arithmetic: auto, the cheapest that certifies the digits; float, plain doubles, not rigorous; interval,
+    /// certified in doubles, whatever the widths; inari, the textbook interval method, for one harmonic; shadow, for
+    /// chaotic motion, a true orbit that starts within about 1e-12 of the given start, for any number of impacts; or BITS,
+    /// certified at that precision, whatever the widths
+    #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
+    pub arithmetic: Arithmetic,
+    /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
+    #[arg(long, value_name = "M", default_value_t = 0, value_parser = count(0..=u64::MAX))]
+    splice: u64,
+    /// Maximum precision of auto, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    pub max_bits: u32,
+    /// Output format [default: as the ending of --output says, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+    #[command(flatten)]
+    pub destination: Destination,
+}
+
+impl RunArguments {
+    /// How the scene is to be run: by its table `[run]`, as far as the command line does not say otherwise.
+    pub fn settings(&self, scene: &Scene) -> Settings {
+        let run = Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits };
+        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_asked(run, self.arithmetic) }
+    }
+}
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
+    let Begun { scene, files: Files { out, quiet, .. }, path } = arguments.destination.begin(&arguments.scene, None)?;
     let settings = Settings { attractor: true, ..arguments.settings(&scene) };
-    let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
-    scene::keep(&arguments.scene, arguments.destination.output.as_deref())?;
-
-    // From here on Ctrl-C keeps what is certified.
-    interruption();
-    let out = Output::open(arguments.destination.output.as_deref())?;
-    let visible = !arguments.destination.quiet && io::stderr().is_terminal() && !out.is_terminal();
+    let mut orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(path))?;
+    let visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();
     let said_already = format == Format::Table && out.is_stdout();
     let progress = Progress::new(settings.impacts, visible);
     let mut listing = Listing::new(format, &scene, &settings, out);
@@ -48,7 +112,7 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let ending = Ending::of(&orbit, conclusion, &settings);
     listing.end(&ending).context(write)?.commit()?;
 
-    if !ending.is_complete() && !arguments.destination.quiet && !said_already {
+    if !ending.is_complete() && !quiet && !said_already {
         // Nobody may be listening.
         let _ = writeln!(io::stderr(), "{ending}");
     }

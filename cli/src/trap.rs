@@ -12,10 +12,11 @@ use impact_pair::json::TrapDocument;
 use impact_pair_plot::picture::Theme;
 
 use crate::Answer;
-use crate::arguments::{Destination, PeriodicFormat};
+use crate::destination::{Begun, Destination};
 use crate::heading::heading;
-use crate::output::{Output, note};
-use crate::progress::{Progress, goes_on, interruption};
+use crate::output::note;
+use crate::periodic::PeriodicFormat;
+use crate::progress::Progress;
 use crate::scene;
 
 pub const HELP: &str = "\
@@ -55,21 +56,11 @@ pub struct TrapArguments {
 
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
-    let scene = scene::read(&arguments.scene)?;
-    let Destination { output, quiet } = &arguments.destination;
-    let (output, plot) = (output.as_deref(), arguments.plot.as_deref());
-    scene::keep_apart(&[&arguments.scene], output, plot)?;
-    // From here on Ctrl-C ends the search.
-    interruption();
-    let out = Output::open(output)?;
-    let picture = plot.map(|path| Output::open(Some(path))).transpose()?;
-    let named = || scene::name(&arguments.scene);
-    let progress = Progress::boxes(!quiet);
-    let watch = |boxes: usize| {
-        progress.boxed("", boxes as u64);
-        goes_on()
-    };
-    let found = Trap::of(&scene, arguments.finer, &watch).with_context(named)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
+    let named = || scene::name(path);
+    let progress = Progress::stages(!files.quiet);
+    let found = Trap::of(&scene, arguments.finer, &progress).with_context(named)?;
     progress.clear();
     let is_table = format == PeriodicFormat::Table;
     let region = match found {
@@ -77,9 +68,9 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         Err(why) => {
             let why = format!("undecided: no region is proved; {}", why.words());
             if is_table {
-                return out.answer(&format!("{why}\n"), Some(why), (*quiet, is_table));
+                return files.answer(&format!("{why}\n"), Some(why), is_table);
             }
-            note(*quiet, &why);
+            note(files.quiet, &why);
             return Ok(Answer::Incomplete);
         }
     };
@@ -89,11 +80,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         PeriodicFormat::Table => table(&scene, &document)?,
     };
     let open = document.entered_at_impact.is_none().then(|| entered(&document));
-    let answer = out.answer(&text, open, (*quiet, is_table))?;
-    if let (Some(picture), Some(path)) = (picture, plot) {
-        picture.draw(path, arguments.theme, || impact_pair_plot::chaos::trap(&scene, &region))?;
-    }
-    Ok(answer)
+    files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region))
 }
 
 fn table(scene: &Scene, document: &TrapDocument) -> Result<String, fmt::Error> {

@@ -6,45 +6,33 @@ use std::f64::consts::LN_2;
 use std::fs;
 use std::time::Instant;
 
-use crate::common::{folder, program};
-use insta_cmd::assert_cmd_snapshot;
+use crate::common::{folder, program, snapshots};
 use serde_json::Value;
 
 /// The exponent is that of a floating orbit.
 const SEEN: [(&str, &str); 1] = [(r"floating-point orbit: -?\d\.\d{3}", "floating-point orbit: ..")];
 
-macro_rules! snapshots {
-    ($($name:ident: $arguments:expr;)*) => {
-        $(#[test]
-        fn $name() {
-            insta::with_settings!({ filters => SEEN.to_vec() }, {
-                assert_cmd_snapshot!(stringify!($name), program(&$arguments));
-            });
-        })*
-    };
-}
-
 const BASES: [&str; 2] = ["--bases", "docs/bases-figure-14.json"];
 
-snapshots! {
-    region_of_figure_14: ["trap", "scenes/figure-14.toml"];
-    region_of_figure_12: ["trap", "scenes/figure-12.toml"];
-    region_of_chatter: ["trap", "scenes/chatter.toml"];
-    region_under_two_harmonics: ["trap", "scenes/two-tones.toml"];
-    horseshoe_of_figure_14: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3"];
-    horseshoe_over_a_range: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42477..9.42498"];
+snapshots! { SEEN;
+    region_of_figure_14: program(&["trap", "scenes/figure-14.toml"]);
+    region_of_figure_12: program(&["trap", "scenes/figure-12.toml"]);
+    region_of_chatter: program(&["trap", "scenes/chatter.toml"]);
+    region_under_two_harmonics: program(&["trap", "scenes/two-tones.toml"]);
+    horseshoe_of_figure_14: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3"]);
+    horseshoe_over_a_range: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42477..9.42498"]);
     horseshoe_within_a_part_in_ten_thousand:
-        ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42403..9.42591"];
-    cells_that_attract: ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.2:2"];
-    a_cell_that_is_undecided: ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..7:1", "--halvings", "0"];
-    cells_without_a_number: ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..9:0"];
-    bases_for_cells: ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--over", "amplitude=8..9:3"];
-    bases_of_another_scene: ["chaos", "scenes/figure-17.toml", BASES[0], BASES[1], "--depth", "3"];
-    a_regular_motion: ["chaos", "scenes/figure-12.toml"];
-    chaos_under_two_harmonics: ["chaos", "scenes/two-tones.toml"];
-    bases_that_are_none: ["chaos", "scenes/figure-14.toml", "--bases", "scenes/figure-14.toml"];
-    arguments_of_trap: ["trap", "--help"];
-    arguments_of_chaos: ["chaos", "--help"];
+        program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42403..9.42591"]);
+    cells_that_attract: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.2:2"]);
+    a_cell_that_is_undecided: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..7:1", "--halvings", "0"]);
+    cells_without_a_number: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..9:0"]);
+    bases_for_cells: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--over", "amplitude=8..9:3"]);
+    bases_of_another_scene: program(&["chaos", "scenes/figure-17.toml", BASES[0], BASES[1], "--depth", "3"]);
+    a_regular_motion: program(&["chaos", "scenes/figure-12.toml"]);
+    chaos_under_two_harmonics: program(&["chaos", "scenes/two-tones.toml"]);
+    bases_that_are_none: program(&["chaos", "scenes/figure-14.toml", "--bases", "scenes/figure-14.toml"]);
+    arguments_of_trap: program(&["trap", "--help"]);
+    arguments_of_chaos: program(&["chaos", "--help"]);
 }
 
 /// The bases that a document lists lead to the same words again, and the picture is there.

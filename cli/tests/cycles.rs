@@ -4,27 +4,17 @@
 
 use std::fs;
 
-use crate::common::{folder, program};
-use insta_cmd::assert_cmd_snapshot;
+use crate::common::{EXACT, folder, program, snapshots};
 use serde_json::Value;
 
-macro_rules! snapshots {
-    ($($name:ident: $arguments:expr;)*) => {
-        $(#[test]
-        fn $name() {
-            assert_cmd_snapshot!(stringify!($name), program(&$arguments));
-        })*
-    };
-}
-
-snapshots! {
-    cycles_of_figure_14: ["cycles", "scenes/figure-14.toml", "--impacts", "1..5"];
-    cycles_of_figure_12: ["cycles", "scenes/figure-12.toml", "--impacts", "1..2"];
-    cycles_of_figure_16: ["cycles", "scenes/figure-16.toml", "--impacts", "3"];
-    cycles_of_chatter: ["cycles", "scenes/chatter.toml", "--impacts", "1..3"];
-    cycles_under_two_harmonics: ["cycles", "scenes/two-tones.toml", "--impacts", "1..3"];
-    numbers_of_impacts_that_are_none: ["cycles", "scenes/figure-14.toml", "--impacts", "5..4"];
-    arguments_of_cycles: ["cycles", "--help"];
+snapshots! { EXACT;
+    cycles_of_figure_14: program(&["cycles", "scenes/figure-14.toml", "--impacts", "1..5"]);
+    cycles_of_figure_12: program(&["cycles", "scenes/figure-12.toml", "--impacts", "1..2"]);
+    cycles_of_figure_16: program(&["cycles", "scenes/figure-16.toml", "--impacts", "3"]);
+    cycles_of_chatter: program(&["cycles", "scenes/chatter.toml", "--impacts", "1..3"]);
+    cycles_under_two_harmonics: program(&["cycles", "scenes/two-tones.toml", "--impacts", "1..3"]);
+    numbers_of_impacts_that_are_none: program(&["cycles", "scenes/figure-14.toml", "--impacts", "5..4"]);
+    arguments_of_cycles: program(&["cycles", "--help"]);
 }
 
 /// The orbits of a document are proved again, and a spoiled one is refused.

@@ -4,26 +4,16 @@
 
 use std::fs;
 
-use crate::common::{folder, program, words};
-use insta_cmd::assert_cmd_snapshot;
+use crate::common::{EXACT, folder, program, snapshots, words};
 use serde_json::Value;
 
-macro_rules! snapshots {
-    ($($name:ident: $arguments:expr;)*) => {
-        $(#[test]
-        fn $name() {
-            assert_cmd_snapshot!(stringify!($name), program(&$arguments));
-        })*
-    };
-}
-
-snapshots! {
-    description_of_figure_12: ["describe", "scenes/figure-12.toml"];
-    description_of_figure_14: ["describe", "scenes/figure-14.toml", "--depth", "3"];
-    description_of_chatter: ["describe", "scenes/chatter.toml"];
-    description_under_two_harmonics: ["describe", "scenes/two-tones.toml"];
-    description_of_no_impacts: ["describe", "scenes/figure-12.toml", "--impacts", "0"];
-    arguments_of_describe: ["describe", "--help"];
+snapshots! { EXACT;
+    description_of_figure_12: program(&["describe", "scenes/figure-12.toml"]);
+    description_of_figure_14: program(&["describe", "scenes/figure-14.toml", "--depth", "3"]);
+    description_of_chatter: program(&["describe", "scenes/chatter.toml"]);
+    description_under_two_harmonics: program(&["describe", "scenes/two-tones.toml"]);
+    description_of_no_impacts: program(&["describe", "scenes/figure-12.toml", "--impacts", "0"]);
+    arguments_of_describe: program(&["describe", "--help"]);
 }
 
 /// A description as JSON, with its exit code.

@@ -43,7 +43,7 @@ fn r35_values_of_over_are_the_options_and_not_the_files() {
     for (arguments, range) in [
         (&["sweep", SCENE, "--over", "gap=-1..1:3"][..], "gap=-1..1:3"),
         (&["chaos", SCENE, "--over", "gap=-1..1"], "gap=-1..1"),
-        (&["chaos", SCENE, "--over", "gap=-1..1:2"], "gap=-1..1"),
+        (&["chaos", SCENE, "--over", "gap=-1..1:2"], "gap=-1..1:2"),
         (&bifurcations, "gap=-1..1"),
     ] {
         let said = said(arguments);

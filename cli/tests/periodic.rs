@@ -3,40 +3,25 @@
 #![cfg(feature = "multiprecision")]
 
 use crate::common;
-use crate::common::program;
+use crate::common::{UNCERTAIN, snapshots, verb};
 use insta_cmd::assert_cmd_snapshot;
-
-const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];
 
 /// `impact-pair periodic` with these arguments.
 fn periodic(arguments: &[&str]) -> std::process::Command {
-    let mut command = program(&["periodic"]);
-    command.args(arguments);
-    command
+    verb("periodic", arguments)
 }
 
-macro_rules! snapshots {
-    ($($name:ident: $arguments:expr;)*) => {
-        $(#[test]
-        fn $name() {
-            insta::with_settings!({ filters => UNCERTAIN.to_vec() }, {
-                assert_cmd_snapshot!(stringify!($name), periodic(&$arguments));
-            });
-        })*
-    };
-}
-
-snapshots! {
-    figure_12_as_a_table: ["scenes/figure-12.toml", "--word", "P1 P2", "--cycles", "1"];
-    figure_13_all_as_json: ["scenes/figure-13.toml", "--word", "LR", "--cycles", "1", "--all", "--format", "json"];
-    figure_15_its_double: ["scenes/figure-15.toml", "--word", "RRLLLRRLLL", "--cycles", "2"];
-    figure_12_in_thirty_digits: ["scenes/figure-12.toml", "--word", "LR", "--cycles", "1", "--digits", "30"];
-    model_two_has_no_orbit: ["scenes/figure-12.toml", "--word", "P3", "--cycles", "1", "--all"];
-    a_word_that_none_is_found_of: ["scenes/figure-12.toml", "--word", "LLR", "--cycles", "1", "--format", "json"];
-    a_word_that_is_not_closed: ["scenes/figure-12.toml", "--word", "P2", "--cycles", "1"];
-    a_word_that_is_none: ["scenes/figure-12.toml", "--word", "P5", "--cycles", "1"];
-    no_cycles: ["scenes/figure-12.toml", "--word", "LR", "--cycles", "0"];
-    arguments_of_periodic: ["--help"];
+snapshots! { UNCERTAIN;
+    figure_12_as_a_table: periodic(&["scenes/figure-12.toml", "--word", "P1 P2", "--cycles", "1"]);
+    figure_13_all_as_json: periodic(&["scenes/figure-13.toml", "--word", "LR", "--cycles", "1", "--all", "--format", "json"]);
+    figure_15_its_double: periodic(&["scenes/figure-15.toml", "--word", "RRLLLRRLLL", "--cycles", "2"]);
+    figure_12_in_thirty_digits: periodic(&["scenes/figure-12.toml", "--word", "LR", "--cycles", "1", "--digits", "30"]);
+    model_two_has_no_orbit: periodic(&["scenes/figure-12.toml", "--word", "P3", "--cycles", "1", "--all"]);
+    a_word_that_none_is_found_of: periodic(&["scenes/figure-12.toml", "--word", "LLR", "--cycles", "1", "--format", "json"]);
+    a_word_that_is_not_closed: periodic(&["scenes/figure-12.toml", "--word", "P2", "--cycles", "1"]);
+    a_word_that_is_none: periodic(&["scenes/figure-12.toml", "--word", "P5", "--cycles", "1"]);
+    no_cycles: periodic(&["scenes/figure-12.toml", "--word", "LR", "--cycles", "0"]);
+    arguments_of_periodic: periodic(&["--help"]);
 }
 
 /// Two harmonics with a common period of three turns; the second frequency is to be filled in.

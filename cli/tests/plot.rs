@@ -4,13 +4,11 @@ use crate::common;
 use std::fs;
 use std::process::Command;
 
-use crate::common::{folder, program};
+use crate::common::{folder, verb};
 use insta_cmd::assert_cmd_snapshot;
 
 fn plot(arguments: &[&str]) -> Command {
-    let mut command = program(&["plot"]);
-    command.args(arguments);
-    command
+    verb("plot", arguments)
 }
 
 #[test]

@@ -4,23 +4,9 @@
 //! `INSTA_UPDATE=always cargo test -p impact-pair-cli` rewrites them; look at the difference before committing it.
 
 use crate::common;
-use crate::common::{program, run};
-use insta_cmd::assert_cmd_snapshot;
+use crate::common::{UNCERTAIN, program, run, snapshots};
 
-const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];
-
-macro_rules! snapshots {
-    ($($name:ident: $command:expr;)*) => {
-        $(#[test]
-        fn $name() {
-            insta::with_settings!({ filters => UNCERTAIN.to_vec() }, {
-                assert_cmd_snapshot!(stringify!($name), $command);
-            });
-        })*
-    };
-}
-
-snapshots! {
+snapshots! { UNCERTAIN;
     figure_12_as_a_table: run(&["scenes/figure-12.toml", "--impacts", "4"]);
     figure_12_as_json: run(&["scenes/figure-12.toml", "--impacts", "4", "--format", "json"]);
     figure_12_as_json_lines: run(&["scenes/figure-12.toml", "--impacts", "4", "--format", "jsonl"]);
@@ -46,7 +32,7 @@ snapshots! {
 }
 
 #[cfg(feature = "multiprecision")]
-snapshots! {
+snapshots! { UNCERTAIN;
     cascade_as_a_table: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
         "--over", "amplitude=0.3..0.499", "--digits", "20"]);
     pitchfork_as_json: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",

@@ -5,14 +5,12 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::common::{files, folder, program};
+use crate::common::{files, folder, verb};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
 fn sweep(arguments: &[&str]) -> Command {
-    let mut command = program(&["sweep"]);
-    command.args(arguments);
-    command
+    verb("sweep", arguments)
 }
 
 /// A sweep through order and chaos, short enough for a test.

@@ -4,15 +4,13 @@ use crate::common;
 use std::fs;
 use std::process::Command;
 
-use crate::common::{files, folder, program};
+use crate::common::{files, folder, verb};
 use impact_pair_certificate::document::TradeDocument;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
 fn trade(arguments: &[&str]) -> Command {
-    let mut command = program(&["trade"]);
-    command.args(arguments);
-    command
+    verb("trade", arguments)
 }
 
 /// Times, widths and errors, with the spaces before them; sizes are tested where they are proved.

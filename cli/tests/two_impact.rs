@@ -4,14 +4,12 @@ use crate::common;
 use std::fs;
 use std::process::Command;
 
-use crate::common::{folder, program};
+use crate::common::{folder, verb};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
 fn two_impact(arguments: &[&str]) -> Command {
-    let mut command = program(&["two-impact"]);
-    command.args(arguments);
-    command
+    verb("two-impact", arguments)
 }
 
 #[test]

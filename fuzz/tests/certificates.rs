@@ -2,6 +2,7 @@
 
 use impact_pair::Scene;
 use impact_pair::document;
+use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Certificate, Effort};
 use impact_pair_fuzz::{config, edited, share};
 use proptest::prelude::*;
@@ -27,7 +28,7 @@ proptest! {
     fn documents_are_read_and_checked_or_refused(text in edited(seeds())) {
         match Certificate::parse(&text) {
             Ok(certificate) => {
-                let _ = certificate.check_within(&EFFORT, |_| {});
+                let _ = certificate.check_within(&EFFORT, &Unwatched);
             }
             Err(error) => prop_assert!(!error.to_string().is_empty()),
         }

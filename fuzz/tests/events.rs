@@ -2,6 +2,7 @@
 
 use impact_pair::Scene;
 use impact_pair::audit::{Asked, Audit, Columns, read};
+use impact_pair::watch::Unwatched;
 use impact_pair_fuzz::{config, edited, share};
 use proptest::prelude::*;
 
@@ -37,7 +38,7 @@ proptest! {
             Ok(list) => {
                 let rows = list.rows.len();
                 let asked = Asked { max_bits: 256, ..Asked::default() };
-                if let Ok(audit) = Audit::of(&scene, list, &asked, &|| true) {
+                if let Ok(audit) = Audit::of(&scene, list, &asked, &Unwatched) {
                     prop_assert!(audit.findings().len() >= rows || asked.until.is_some());
                 }
             }

@@ -1,13 +1,14 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
 use impact_pair::chaos::{
-    Asked, Cells, Chaos, Cycles, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Stage, Trap,
+    Asked, Cells, Chaos, Cycles, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Trap,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
 use impact_pair::periodic::Precision;
-use impact_pair::periodic::bifurcation::Over;
+use impact_pair::periodic::bifurcation;
+use impact_pair::watch::{Stage, Watch};
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
@@ -26,18 +27,12 @@ pub fn trap(
 ) -> PyResult<(Option<String>, bool, Option<String>)> {
     let (finer, picture) = question;
     let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let watch = |boxes: usize| {
-            monitor.tell(boxes as u64);
-            monitor.goes_on()
-        };
-        match Trap::of(&scene, accepted("finer", finer, 0..=6)?, &watch)? {
-            Err(why) => Ok((None, false, Some(why.words().to_owned()))),
-            Ok(region) => {
-                let document = document::trap(&scene, &region)?;
-                let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
-                Ok((Some(text(&document)), document.entered_at_impact.is_some(), svg))
-            }
+    watched(py, progress, move |monitor| match Trap::of(&scene, accepted("finer", finer, 0..=6)?, monitor)? {
+        Err(why) => Ok((None, false, Some(why.words().to_owned()))),
+        Ok(region) => {
+            let document = document::trap(&scene, &region)?;
+            let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
+            Ok((Some(text(&document)), document.entered_at_impact.is_some(), svg))
         }
     })
 }
@@ -56,13 +51,11 @@ pub fn cycles(
     watched(py, progress, move |monitor| {
         let least = accepted("impacts", impacts.0, 1..=MOST_IMPACTS)?;
         let impacts = least..=accepted("impacts", impacts.1, least..=MOST_IMPACTS)?;
-        let watch = |stage: Stage| {
-            if let Stage::Impacts { impacts, .. } = stage {
-                monitor.tell(impacts as u64);
-            }
-            monitor.goes_on()
-        };
         let precision = Precision { digits: digits(asked, &scene)?, ..Precision::default() };
+        let watch = |at: Stage<'_>| match at {
+            Stage::Region(_) => monitor.proceed(Stage::Working),
+            at => monitor.proceed(at),
+        };
         let found = Cycles::of(&scene, accepted("finer", finer, 0..=6)?, &impacts, precision, &watch)?;
         let found = found.as_ref().map_err(|why| *why);
         let document = document::cycles(&scene, &impacts, found)?;
@@ -86,7 +79,7 @@ pub fn chaos(
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
         let question = Question { depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize, bases };
-        let over: Option<Over> = over.map(|over| over.parse()).transpose()?;
+        let over = over.map(|over| bifurcation::over(&over)).transpose()?;
         let pair = match &over {
             Some(over) => {
                 let values = Exact::interval(&over.low, &over.high)
@@ -95,11 +88,7 @@ pub fn chaos(
             }
             None => scene.pair().clone(),
         };
-        let watch = |_depth: usize, boxes: u64| {
-            monitor.tell(boxes);
-            monitor.goes_on()
-        };
-        let found = Chaos::of(&pair, scene.start(), &question, &watch)?;
+        let found = Chaos::of(&pair, scene.start(), &question, monitor)?;
         let document = document::chaos(&scene, over.as_ref(), &question, &found);
         let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;
         Ok((text(&document), found.entropy() > 0.0 && !document.interrupted, svg))
@@ -118,18 +107,14 @@ pub fn chaos_cells(
 ) -> PyResult<Drawn> {
     let ((over, cells), (halvings, depth)) = (over, question);
     let asked = Asked {
-        over: over.parse().map_err(Fault::from)?,
+        over: bifurcation::over(over).map_err(Fault::from)?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,
         depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize,
     };
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let watch = |done: u32| {
-            monitor.tell(done.into());
-            monitor.goes_on()
-        };
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &watch)?;
+        let found = Cells::of(scene.pair(), scene.start(), &asked, monitor)?;
         let document = document::cells(&scene, &asked, &found);
         let svg = picture.then(|| drawn(impact_pair_plot::proved::cells(&scene, &asked, &found))).transpose()?;
         Ok((one_a_line(&document, &["stretches"]), document.certified, svg))

@@ -1,7 +1,7 @@
 //! What becomes of a motion: the verb `describe`.
 
 use impact_pair::chaos::MOST_DEPTH;
-use impact_pair::describe::{Request, Stage, describe as described, lines};
+use impact_pair::describe::{Request, describe as described, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::BITS;
 use pyo3::prelude::*;
@@ -27,15 +27,7 @@ pub fn describe(
         let impacts = accepted("impacts", impacts, 1..=100_000_000)?;
         let depth = accepted("depth", depth, 1..=MOST_DEPTH)? as usize;
         let request = Request { impacts, depth, max_bits: accepted("max_bits", max_bits, BITS)? };
-        let watch = |stage: Stage| {
-            monitor.tell(match stage {
-                Stage::Orbit(impacts) => impacts,
-                Stage::Region(boxes) => boxes as u64,
-                Stage::Horseshoe { boxes, .. } => boxes,
-            });
-            monitor.goes_on()
-        };
-        let found = described(&scene, &request, &watch)?;
+        let found = described(&scene, &request, monitor)?;
         let document = found.document(&scene, &name)?;
         let svg = || drawn(impact_pair_plot::describe::describe(&scene, &found, &document));
         let svg = picture.then(svg).transpose()?;

@@ -3,6 +3,7 @@
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::Arrivals;
 use impact_pair::pair::Wall;
+use impact_pair::watch::Watch;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 

@@ -6,6 +6,7 @@ mod chaos;
 mod describe;
 mod errors;
 mod flights;
+mod lines;
 mod numbers;
 mod orbit;
 mod pictures;

@@ -8,6 +8,7 @@ use impact_pair::json::{Decimal, EventDocument, EventName, OrbitDocument, OrbitH
 use impact_pair::orbit::{self, Dense, Settings};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::sweep::doubles;
+use impact_pair::watch::Watch;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 

@@ -1,16 +1,13 @@
 //! Pictures as the command line draws them.
 
 use anyhow::Result;
-use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{BITS, Orbit};
 use impact_pair_plot::orbit::{Figure, Panel};
-use impact_pair_plot::sweep::Records;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
 use crate::orbit::{Asked, asked_run};
 use crate::scene::Scene;
-use crate::sweep::records;
 use crate::watched::watched;
 
 /// The panels of a scene as SVG, whether all that is drawn is certified, and how the orbit ended.
@@ -50,21 +47,4 @@ pub fn plot(
 /// A picture, or why there is none.
 pub fn drawn(svg: Result<String>) -> Result<String, Fault> {
     svg.map_err(Fault::other)
-}
-
-/// The lines of a sweep as what its picture is drawn from.
-pub struct Lines<'l> {
-    pub head: &'l SweepHead,
-    pub lines: &'l [u8],
-}
-
-impl Records for Lines<'_> {
-    fn head(&self) -> &SweepHead {
-        self.head
-    }
-
-    fn each_record(&mut self, mut hand: impl FnMut(SweepRecord) -> Result<()>) -> Result<()> {
-        let read = |record: Result<SweepRecord, Fault>| record.map_err(|_| anyhow::anyhow!("a line is no record"));
-        records(self.lines).try_for_each(|record| hand(read(record)?))
-    }
 }

@@ -3,16 +3,18 @@
 use impact_pair::exact::Exact;
 use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
-use impact_pair::scene::{DIGITS, Key};
-use impact_pair::sweep::{self, Asked, Axis, Cell, Grid, Kind, Table, columns, csv_head, csv_rows, doubles, follow};
+use impact_pair::scene::{DIGITS, Key, Range};
+use impact_pair::sweep::{self, Asked, Cell, Grid, Kind, Table, axis, columns, csv_head, csv_rows, doubles, follow};
+use impact_pair::watch::Silent;
 use impact_pair_plot::sweep::{Show, svg};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 use rayon::prelude::*;
 
 use crate::errors::{Fault, accepted};
+use crate::lines::{Lines, records};
 use crate::numbers::bytes;
-use crate::pictures::{Lines, drawn};
+use crate::pictures::drawn;
 use crate::scene::{Scene, json};
 use crate::watched::{Monitor, watched};
 
@@ -30,7 +32,7 @@ impl Sweep {
     fn line(&self, point: u64, monitor: &Monitor) -> Result<Option<String>, Fault> {
         let values = self.grid.values(point)?;
         let scene = self.grid.scene(&self.scene, &values).map_err(|error| named(point, &values, &error))?;
-        let found = follow(&scene, &self.asked, || monitor.goes_on()).map_err(|error| named(point, &values, &error))?;
+        let found = follow(&scene, &self.asked, &Silent(monitor)).map_err(|error| named(point, &values, &error))?;
         monitor.add_one();
         let line = |found| serde_json::to_string(&sweep::record(point, &values, &found)).expect("plain data");
         Ok(found.map(line))
@@ -42,12 +44,6 @@ fn named(point: u64, values: &[(Key, Exact)], error: &impact_pair::Error) -> Fau
     let values: Vec<String> = values.iter().map(|(key, value)| format!("{key} = {value}")).collect();
     let (key, value) = (error.key().map(str::to_owned), error.value().map(str::to_owned));
     Fault::Said { class: "RangeError", message: format!("point {point} ({}): {error}", values.join(", ")), key, value }
-}
-
-/// The records of lines.
-pub fn records(lines: &[u8]) -> impl Iterator<Item = Result<SweepRecord, Fault>> + '_ {
-    let lines = lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
-    lines.map(|line| serde_json::from_slice(line).map_err(Fault::certificate))
 }
 
 #[pymethods]
@@ -62,7 +58,7 @@ impl Sweep {
         summary: bool,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
-        let axes: Result<Vec<Axis>, _> = over.iter().map(|axis| axis.parse()).collect();
+        let axes: Result<Vec<Range>, _> = over.iter().map(|text| axis(text)).collect();
         let grid = Grid::new(axes.map_err(Fault::from)?).map_err(Fault::from)?;
         let settings = Settings {
             digits: accepted("digits", asked.0, DIGITS)?,

@@ -1,7 +1,5 @@
 //! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
-use std::sync::atomic::AtomicBool;
-
 use impact_pair::audit::{Asked, Audit, Column, Columns, read};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
@@ -9,12 +7,13 @@ use impact_pair::json::one_a_line;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{self, Wanted, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
-use impact_pair::periodic::{Budget, Precision, Problem, Searched};
+use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::trade::Trade;
 use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Question as TwoImpactQuestion, Range, Unknown, speed};
+use impact_pair::watch::Watch;
 use impact_pair_certificate::{Certificate, ClaimKind, Claims, Effort, Verdict};
 use pyo3::prelude::*;
 
@@ -64,13 +63,9 @@ pub fn periodic(
         let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
         let units = Units::new(problem.pair())?;
         let precision = precision(asked, &scene)?;
-        let searched = |searched: Searched| {
-            monitor.tell(searched.cells as u64);
-            monitor.goes_on()
-        };
         let census = match all {
-            true => problem.find_all_while(scene.start(), precision, Budget::default(), &searched),
-            false => problem.find_while(scene.start(), precision, || monitor.goes_on()),
+            true => problem.find_all_while(scene.start(), precision, Budget::default(), monitor),
+            false => problem.find_while(scene.start(), precision, monitor),
         };
         Ok((text(&units.document(&problem, scene.start(), &census)), census.is_certified()))
     })
@@ -88,11 +83,11 @@ pub fn bifurcations(
     let (word, cycles, over, doublings) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let (word, over): (Word, Over) = (word.parse()?, over.parse()?);
+        let (word, over): (Word, _) = (word.parse()?, bifurcation::over(&over)?);
         let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
         let doublings = accepted("doublings", doublings, 0..=8)?;
         let wanted = Wanted { over, doublings, precision: precision(asked, &scene)? };
-        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, || monitor.goes_on())?;
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, monitor)?;
         let document = document::bifurcations(scene.start(), (&word, cycles), &diagram)?;
         Ok((text(&document), diagram.is_certified()))
     })
@@ -155,7 +150,7 @@ pub fn manifold(
         };
         let (from, to, count) = (point("from", &from)?, point("to", &to)?, accepted("count", count, COUNTS)?);
         let range = Range { pair: scene.pair(), speed, axis, from, to, count };
-        let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(asked, &scene)?, || monitor.goes_on())?;
+        let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(asked, &scene)?, monitor)?;
         let document = document::manifolds(&range, scene.start(), &curves, !went_on);
         let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
@@ -237,12 +232,7 @@ pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAn
         let parts = parts.saturating_mul(times);
         let effort = Effort { parts, work: work.saturating_mul(effort), ..Effort::default() };
         let claims = Claims::parse(&text)?;
-        // A check takes a flag that outlives it: a byte, once a check.
-        let stop: &'static AtomicBool = Box::leak(Box::default());
-        let judged = claims.judge(&effort, Some(stop), &mut |event| {
-            monitor.tell(event as u64);
-            stop.store(!monitor.goes_on(), std::sync::atomic::Ordering::Relaxed);
-        })?;
+        let judged = claims.judge(&effort, monitor)?;
         let (kind, said) = match &judged.verdict {
             Verdict::Confirmed { bits, .. } => ("confirmed", format!("{}, in {bits} bits", claims.all())),
             Verdict::Refuted(finding) => ("refuted", claims.described(finding)),
@@ -271,7 +261,7 @@ pub fn prove(
             return Err(Fault::certificate("there is no impact to prove before the first other event"));
         }
         let wanted = impacts.map_or(listed, |wanted| usize::try_from(wanted).unwrap_or(usize::MAX));
-        let theorem = certificate.prove(wanted, |impact| monitor.tell(impact as u64))?;
+        let theorem = certificate.prove(wanted, monitor)?;
         let stop = theorem.stop.as_ref().map(|finding| certificate.described(finding.event, &finding.message));
         Ok((theorem.text, theorem.impacts, stop))
     })

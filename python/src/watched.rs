@@ -1,12 +1,13 @@
 //! Long computations without the GIL, on a separate thread, while the calling one handles Ctrl-C and progress.
 
+use std::ops::ControlFlow;
 use std::panic;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-use impact_pair::orbit::Watch;
+use impact_pair::watch::{Stage, Watch, proceed_if};
 use pyo3::prelude::*;
 
 use crate::errors::Fault;
@@ -24,28 +25,28 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    pub fn goes_on(&self) -> bool {
-        !self.stopped.load(Ordering::Relaxed)
-    }
-
-    /// Tells that so much is done.
+    /// Notes that so much is done.
     pub fn tell(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
     }
 
-    /// Tells that one more is done.
+    /// Notes that one more is done.
     pub fn add_one(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 }
 
 impl Watch for Monitor {
-    fn goes_on(&self) -> bool {
-        self.goes_on()
-    }
-
-    fn reached(&self, index: u64) {
-        self.tell(index);
+    /// Continues until Ctrl-C comes, or `progress` raises.
+    fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
+        match at {
+            Stage::Impact(done) | Stage::Horseshoe { boxes: done, .. } => self.tell(done),
+            Stage::Parameter(done) => self.tell(done.into()),
+            Stage::Cells { done, .. } | Stage::Region(done) | Stage::Claims(done) => self.tell(done as u64),
+            Stage::Cycles { impacts, .. } => self.tell(impacts as u64),
+            _ => {}
+        }
+        proceed_if(!self.stopped.load(Ordering::Relaxed))
     }
 }
 

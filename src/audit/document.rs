@@ -7,7 +7,7 @@ use impact_pair_document::{
 
 use super::Audit;
 use super::doubles;
-use super::judge::Finding;
+use super::finding::Finding;
 use super::truth::{Site, SiteKind};
 use super::verdict::Verdict;
 use crate::exact::Enclosure;

@@ -15,7 +15,8 @@ use super::tolerance::Tolerance;
 use super::truth::{Site, SiteKind, Truth};
 use super::verdict::Verdict;
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_f64};
-use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Watch};
+use crate::orbit::{Arithmetic, Orbit, Outcome, Settings};
+use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
 /// Bits of a number that is rounded to a double.
@@ -73,7 +74,7 @@ impl Doubles {
 fn list(scene: &Scene, settings: Settings, watch: &dyn Watch) -> Result<Option<Vec<Listed>>, Error> {
     let mut orbit = Orbit::of(scene, settings)?;
     let mut rows = Vec::new();
-    orbit.follow_impacts(&|| watch.goes_on(), |orbit, impact| {
+    orbit.follow_impacts(&Silent(watch), |orbit, impact| {
         let (time, velocity) = orbit.bounds(&impact);
         let place = format!("impact {}", impact.index);
         rows.push(Listed { place, wall: impact.wall, time: number(&time), velocity: Some(number(&velocity)) });

@@ -5,33 +5,12 @@ use std::ops::Range;
 use num_rational::BigRational;
 
 use super::align::{Alignment, align};
+use super::finding::{Errors, Finding};
 use super::list::Listed;
 use super::tolerance::Tolerance;
 use super::truth::{Rest, Site, SiteKind, Truth, is_faster};
 use super::verdict::{Reason, Verdict};
 use crate::exact::{Dyadic, Enclosure, compare_rational};
-
-/// A row, a certified impact, or both.
-#[derive(Clone, Debug)]
-pub struct Finding {
-    /// Its verdict.
-    pub verdict: Verdict,
-    /// Position of the row among the rows.
-    pub row: Option<usize>,
-    /// The contact that it is; of a false row the nearest one.
-    pub(super) site: Option<usize>,
-    /// The errors of the row, if it is the contact.
-    pub errors: Option<Errors>,
-}
-
-/// Enclosures of the errors of a row.
-#[derive(Clone, Debug)]
-pub struct Errors {
-    /// \[time\]
-    pub time: Enclosure,
-    /// \[length/time\]; `None` if there is none to compare.
-    pub velocity: Option<Enclosure>,
-}
 
 /// Where a list diverges from the orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

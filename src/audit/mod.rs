@@ -3,6 +3,7 @@
 //! ```
 //! use impact_pair::Scene;
 //! use impact_pair::audit::{Asked, Audit, Columns, Verdict, read};
+//! use impact_pair::watch::Unwatched;
 //!
 //! let scene = Scene::parse(r#"
 //!     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
@@ -11,7 +12,7 @@
 //! "#)?;
 //! // The exact orbit touches the walls at t = 1, 2, 3: the last time is wrong.
 //! let list = read("time,wall\n1,right\n2,left\n3.1,right", &Columns::default(), scene.pair())?;
-//! let audit = Audit::of(&scene, list, &Asked::default(), &|| true)?;
+//! let audit = Audit::of(&scene, list, &Asked::default(), &Unwatched)?;
 //! let verdicts: Vec<Verdict> = audit.findings().iter().map(|finding| finding.verdict).collect();
 //! assert_eq!(verdicts, [Verdict::Inside, Verdict::Inside, Verdict::Outside]);
 //! assert!(!audit.is_agreed());
@@ -21,6 +22,7 @@
 mod align;
 mod document;
 mod doubles;
+mod finding;
 mod judge;
 mod list;
 mod tolerance;
@@ -28,7 +30,8 @@ mod truth;
 mod verdict;
 
 pub use doubles::{Doubles, Parting};
-pub use judge::{Departure, Errors, Finding};
+pub use finding::{Errors, Finding};
+pub use judge::Departure;
 pub use list::{Column, Columns, List, Listed, Number, read};
 pub use truth::{Rest, Site, SiteKind};
 pub use verdict::{Reason, Verdict};
@@ -38,9 +41,10 @@ use num_rational::BigRational;
 use crate::contact::Reason as Doubt;
 use crate::document::Conclusion;
 use crate::exact::Exact;
-use crate::orbit::{Arithmetic, MAX_BITS, Settings, Watch};
+use crate::orbit::{Arithmetic, MAX_BITS, Settings};
 use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};
+use crate::watch::Watch;
 use crate::{Error, Scene};
 use judge::Judgement;
 use tolerance::Tolerance;
@@ -283,6 +287,7 @@ fn too_late(asked: &Asked, rows: &[Listed]) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::watch::Unwatched;
 
     #[test]
     fn the_truth_is_finer_than_the_tolerance() {
@@ -308,7 +313,7 @@ mod tests {
         .unwrap();
         let audit = |list: &str| {
             let rows = read(list, &Columns::default(), scene.pair()).unwrap();
-            Audit::of(&scene, rows, &Asked::default(), &|| true).unwrap()
+            Audit::of(&scene, rows, &Asked::default(), &Unwatched).unwrap()
         };
         let corrupted = audit(&(listed(1..6) + "1000000000,left\n"));
         let counts = [Verdict::Inside, Verdict::Missed, Verdict::NotReached, Verdict::Undecided];

@@ -4,12 +4,13 @@ use std::ops::ControlFlow;
 
 use impact_pair_document::ArithmeticDocument;
 
-use super::judge::Finding;
+use super::finding::Finding;
 use super::tolerance::Tolerance;
 use crate::document::{Conclusion, Event, Kind, arithmetic};
 use crate::exact::{Dyadic, Enclosure, Exact};
-use crate::orbit::{Orbit, Outcome, Place, Settings, Watch};
+use crate::orbit::{Orbit, Outcome, Place, Settings};
 use crate::pair::Wall;
+use crate::watch::Watch;
 use crate::{Error, Scene};
 
 /// Impacts that are followed for each row of the list, ...

@@ -8,15 +8,16 @@ use std::f64::consts::TAU;
 
 use num_integer::Integer;
 
-use super::bases::apart;
 use super::flights::Flights;
 use super::guess::{Guess, applied, length};
 use super::law::{Law, Side};
 use super::quad::{Quad, State};
 use super::scene::Visited;
+use super::seen::apart;
 use crate::mapping::{Mapping, Word};
 use crate::number::{Ball, Number, UNIT, up};
 use crate::pair::Wall;
+use crate::watch::Watch;
 
 #[cfg(test)]
 mod tests;
@@ -160,16 +161,16 @@ struct Period {
 
 /// The word of the periodic orbit that the orbit from a state converges to, for all `D` and `e` of the law, from some impact on, and how
 /// many cycles it takes; `None` where that is not proved. Lemma D15
-pub(super) fn attracted(law: &Law, first: &Visited, goes_on: &dyn Fn() -> bool) -> Option<(Word, u32)> {
-    ROOMS.into_iter().find_map(|room| converges(law, first, room, goes_on))
+pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<(Word, u32)> {
+    ROOMS.into_iter().find_map(|room| converges(law, first, room, watch))
 }
 
 /// The same by sets that have so much room every now and then.
-fn converges(law: &Law, first: &Visited, room: f64, goes_on: &dyn Fn() -> bool) -> Option<(Word, u32)> {
+fn converges(law: &Law, first: &Visited, room: f64, watch: &dyn Watch) -> Option<(Word, u32)> {
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());
     let mut found: Option<(Period, usize)> = None;
-    while sets.len() <= IMPACTS && goes_on() {
+    while sets.len() <= IMPACTS && watch.goes_on() {
         let last = sets.len();
         let Some((set, side)) = sets[last - 1].next(law, &guess) else { break };
         let recent = last.saturating_sub(LONGEST)..last; // exact: all there are

@@ -5,17 +5,16 @@
 use std::f64::consts::TAU;
 
 use super::flights::is_positive;
-use super::guess::{Guess, applied, length};
+use super::guess::Guess;
 use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
+use super::seen::{Seen, apart, step};
 use super::trials::{DEPTH, Effort, SLOW, Trials};
 use super::tube::side_of;
 use super::words::Base;
+use crate::watch::Watch;
 
-/// Impacts before the orbit is looked at, and how many are.
-const TRANSIENT: usize = 2000;
-const LOOKED_AT: usize = 100_000;
 /// Returns of so many impacts are looked for, and of each so many that come nearest.
 const RETURNS: usize = 12;
 const NEAREST: usize = 8;
@@ -37,57 +36,7 @@ const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];
 /// Half lengths, phases in radians, and half widths relative to them.
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
-/// An orbit that expands less, an impact, is regular.
-const LEAST_EXPONENT: f64 = 1e-3;
-
-/// A floating-point orbit on what attracts it, phases modulo 1, with its expanding directions.
-#[derive(Debug)]
-pub(crate) struct Seen {
-    pub points: Vec<(State, State)>,
-    /// The Lyapunov exponent per impact.
-    pub exponent: f64,
-}
-
-/// The floating-point orbit from a state; `None` where it ends.
-pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
-    let (mut state, mut direction, mut sum) = (start, [1.0 / TAU, 0.3], 0.0);
-    let mut points = Vec::with_capacity(LOOKED_AT);
-    for k in 0..TRANSIENT + LOOKED_AT {
-        let growth = step(guess, &mut state, &mut direction)?;
-        if k >= TRANSIENT {
-            sum += growth.ln();
-            points.push((state, direction));
-        }
-    }
-    Some(Seen { points, exponent: sum / LOOKED_AT as f64 })
-}
-
-/// One impact further, with the direction that expands; by how much it does.
-fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> {
-    let image = guess.map(*state)?;
-    let [u, w] = applied(image.jacobian, *direction);
-    let growth = (TAU * u).hypot(w);
-    *direction = [u / growth, w / growth];
-    *state = [image.state[0].rem_euclid(1.0), image.state[1]];
-    Some(growth)
-}
-
-/// How far apart two states are, phases less whole forcing periods.
-pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
-    length([u - v - (u - v).round(), w - x])
-}
-
 impl Seen {
-    /// Returns the orbit's states.
-    pub fn states(self) -> Vec<State> {
-        self.points.into_iter().map(|(state, _)| state).collect()
-    }
-
-    /// Returns whether neighbours part.
-    pub fn is_chaotic(&self) -> bool {
-        self.exponent > LEAST_EXPONENT
-    }
-
     /// Of a regular orbit: what orbits from elsewhere see before they come near it. A horseshoe may be there as a saddle.
     pub fn transients(&self, guess: &Guess) -> Self {
         let attractor: Vec<State> = self.points.iter().rev().take(RETURNS * RETURNS).map(|(state, _)| *state).collect();
@@ -191,13 +140,13 @@ impl Seen {
         law: &Law,
         ([making, fine], depth): ([Making; 2], usize),
         effort: Effort,
-        goes_on: &(dyn Fn() -> bool + Sync),
+        watch: &dyn Watch,
     ) -> Vec<Base> {
         let guess = Guess::new(law);
-        let trials = Trials { law, making, depth, effort, goes_on };
+        let trials = Trials { law, making, depth, effort, watch };
         if effort.everywhere {
             let impacts = depth.min(JUDGED_TO);
-            let bundles = self.bundles(&guess, impacts, goes_on);
+            let bundles = self.bundles(&guess, impacts, watch);
             let found = [making, fine].into_iter().find_map(|making| {
                 let trials = Trials { making, ..trials };
                 trials.best_bundle(&bundles, &|bundle| self.parted(&guess, bundle, impacts))
@@ -207,7 +156,7 @@ impl Seen {
             }
         }
         let found = trials.best(&self.candidates(&guess, making));
-        if !found.is_empty() || !effort.everywhere || !goes_on() {
+        if !found.is_empty() || !effort.everywhere || !watch.goes_on() {
             return found;
         }
         let from_everywhere = |depth: usize| {
@@ -215,7 +164,7 @@ impl Seen {
             trials.best(&self.crossed(&guess, (fine, depth)))
         };
         let depths = SHALLOWER.map(|part| (part * depth.min(DEPTH) as f64) as usize);
-        depths.into_iter().map(from_everywhere).find(|found| !found.is_empty() || !goes_on()).unwrap_or_default()
+        depths.into_iter().map(from_everywhere).find(|found| !found.is_empty() || !watch.goes_on()).unwrap_or_default()
     }
 }
 

@@ -4,13 +4,14 @@
 
 use std::cell::OnceCell;
 
-use super::bases::{Seen, apart};
+use super::each::each;
 use super::guess::{Guess, length};
 use super::index::Indexed;
 use super::leaves::{BESIDE, GAPS, LENGTHS, Leaves, Window};
 use super::quad::State;
-use super::trials::each;
+use super::seen::{Seen, apart};
 use super::words::Base;
+use crate::watch::Watch;
 
 /// Points of the orbit that are that far apart, and at most so many.
 const APART: f64 = 0.004;
@@ -54,10 +55,10 @@ struct Sight<'s> {
 }
 
 impl Seen {
-    /// H-sets about clusters of leaves, those first that most entropy is seen of. `goes_on` says whether to look further.
-    pub(super) fn bundles(&self, guess: &Guess, impacts: usize, goes_on: &(dyn Fn() -> bool + Sync)) -> Vec<Bundle> {
+    /// H-sets about clusters of leaves, those first that most entropy is seen of. `watch` says whether to look further.
+    pub(super) fn bundles(&self, guess: &Guess, impacts: usize, watch: &dyn Watch) -> Vec<Bundle> {
         let sight = Sight { orbit: Indexed::new(self), guess, impacts };
-        let of_one = |&middle: &(State, State)| if goes_on() { sight.about(middle) } else { Vec::new() };
+        let of_one = |&middle: &(State, State)| if watch.goes_on() { sight.about(middle) } else { Vec::new() };
         let mut starts: Vec<Bundle> = Vec::new();
         for one in sorted(each(&self.middles(), &of_one).concat()) {
             let from = |other: &Bundle| apart(one.place.middle.0, other.place.middle.0);
@@ -65,12 +66,12 @@ impl Seen {
                 starts.push(one);
             }
         }
-        let climbed = sorted(each(&starts, &|start| sight.climbed(start.clone(), (true, goes_on))));
+        let climbed = sorted(each(&starts, &|start| sight.climbed(start.clone(), (true, watch))));
         // Less is seen of thin bases, but more is proved.
         let best = climbed.iter().take(FURTHER).map(|bundle| bundle.place);
         let places = best.flat_map(|place| NESTED.map(|cuts| Place { cuts: cuts | place.cuts, ..place }));
         let parted: Vec<Bundle> = places.filter_map(|place| sight.at(place)).collect();
-        let parted = each(&parted, &|start| sight.climbed(start.clone(), (false, goes_on)));
+        let parted = each(&parted, &|start| sight.climbed(start.clone(), (false, watch)));
         distinct(parted.into_iter().chain(climbed))
     }
 
@@ -146,9 +147,9 @@ impl<'s> Sight<'s> {
     }
 
     /// A little to all sides, as long as more entropy is seen.
-    fn climbed(&self, mut best: Bundle, (parts, goes_on): (bool, &dyn Fn() -> bool)) -> Bundle {
+    fn climbed(&self, mut best: Bundle, (parts, watch): (bool, &dyn Watch)) -> Bundle {
         let [mut step, least] = MOVES;
-        while step > least && goes_on() {
+        while step > least && watch.goes_on() {
             let place = best.place;
             let Place { middle, long, beside, cuts } = place;
             let Some(here) = self.window(middle) else { break };

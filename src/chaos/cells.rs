@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 
 use super::attracted::attracted;
-use super::bases::{Seen, seen};
 use super::guess::Guess;
 use super::horseshoe::{Chaos, bases, problem};
 use super::law::Law;
 use super::quad::State;
 use super::scene::{Visited, visited};
+use super::seen::{Seen, seen};
 use super::trials::ANY;
 use super::words::Base;
 use crate::Error;
@@ -19,7 +19,8 @@ use crate::exact::{Exact, ExactError};
 use crate::mapping::{Mapping, Word};
 use crate::orbit::Start;
 use crate::pair::{ImpactPair, Wall, within};
-use crate::periodic::bifurcation::Over;
+use crate::scene::Range;
+use crate::watch::{Stage, Watch};
 
 /// The most cells that a range is cut into.
 pub const MOST_CELLS: u32 = 1_000_000;
@@ -30,7 +31,7 @@ pub const MOST_HALVINGS: u32 = 24;
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// The parameter and its range.
-    pub over: Over,
+    pub over: Range,
     /// Cells that it is cut into, equally wide.
     pub cells: u32,
     /// How often a cell is halved where nothing is proved of all of it.
@@ -139,28 +140,23 @@ struct Work<'w> {
     pair: &'w ImpactPair,
     start: &'w Start,
     asked: &'w Asked,
-    goes_on: &'w (dyn Fn() -> bool + Sync),
+    watch: &'w dyn Watch,
 }
 
 impl Cells {
     /// Returns what is proved of the pairs with each value of the parameter.
     ///
-    /// `goes_on` receives the number of cells done and returns whether to continue; results proved so far are kept. The cells do not know of
+    /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. The cells do not know of
     /// one another, so threads decide nothing.
     ///
     /// # Errors
     /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
-    pub fn of(
-        pair: &ImpactPair,
-        start: &Start,
-        asked: &Asked,
-        goes_on: &(dyn Fn(u32) -> bool + Sync),
-    ) -> Result<Self, Error> {
-        let Over { key, low, high } = &asked.over;
+    pub fn of(pair: &ImpactPair, start: &Start, asked: &Asked, watch: &dyn Watch) -> Result<Self, Error> {
+        let Range { key, low, high, .. } = &asked.over;
         Law::of(&pair.with(*key, within(NAME, low, Exact::interval(low, high))?)?)?;
         let (next, done) = (AtomicU32::new(0), AtomicU32::new(0));
-        let finished = || goes_on(done.load(Ordering::Relaxed));
-        let work = Work { pair, start, asked, goes_on: &finished };
+        let cells = |_: Stage<'_>| watch.proceed(Stage::Parameter(done.load(Ordering::Relaxed)));
+        let work = Work { pair, start, asked, watch: &cells };
         let found = Mutex::new(Vec::new());
         let each = || {
             loop {
@@ -181,7 +177,7 @@ impl Cells {
         for (_, cell) in found {
             cell?.into_iter().for_each(|stretch| join(&mut stretches, stretch));
         }
-        Ok(Self { stretches, interrupted: !goes_on(asked.cells) })
+        Ok(Self { stretches, interrupted: watch.proceed(Stage::Parameter(asked.cells)).is_break() })
     }
 }
 
@@ -210,15 +206,7 @@ fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
 impl Work<'_> {
     /// An edge between cells.
     fn edge(&self, index: u32) -> Result<Exact, ExactError> {
-        let Asked { over: Over { low, high, .. }, cells, .. } = self.asked;
-        match index {
-            0 => Ok(low.clone()),
-            _ if index == *cells => Ok(high.clone()),
-            _ => {
-                let part = Exact::from(i64::from(index)).checked_div(&Exact::from(i64::from(*cells)))?;
-                low.checked_add(&high.checked_sub(low)?.checked_mul(&part)?)
-            }
-        }
+        self.asked.over.value(index.into(), self.asked.cells.into())
     }
 
     fn cell(&self, index: u32) -> Result<Vec<Stretch>, Error> {
@@ -237,7 +225,7 @@ impl Work<'_> {
         let Stretch { low, high, verdict: Verdict::Attracted { beside, .. }, .. } = stretch else { return Ok(()) };
         let middle = middle(low, high)?;
         let pair = self.pair.with(self.asked.over.key, within(NAME, low, Exact::interval(low, high))?)?;
-        if (self.goes_on)() {
+        if self.watch.goes_on() {
             *beside = self.horseshoe(&pair, [&middle, low, high], known, true)?;
         }
         Ok(())
@@ -255,7 +243,7 @@ impl Work<'_> {
         let pair = self.pair.with(self.asked.over.key, all)?;
         let middle = middle(&low, &high)?;
         let mut verdict = Verdict::Undecided;
-        if (self.goes_on)() {
+        if self.watch.goes_on() {
             verdict = self.attracted(&pair)?;
             if verdict == Verdict::Undecided && halved <= SEARCHED && halved.is_multiple_of(EVERY) {
                 let found = self.horseshoe(&pair, [&middle, &low, &high], known, false)?;
@@ -273,7 +261,7 @@ impl Work<'_> {
     fn attracted(&self, pair: &ImpactPair) -> Result<Verdict, Error> {
         let first = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0);
         let law = Law::of(pair)?;
-        Ok(match first.and_then(|first| attracted(&law, &first, self.goes_on)) {
+        Ok(match first.and_then(|first| attracted(&law, &first, self.watch)) {
             Some((word, cycles)) => Verdict::Attracted { word: rotated_to_its_least(&word), cycles, beside: None },
             None => Verdict::Undecided,
         })
@@ -303,13 +291,13 @@ impl Work<'_> {
             }
         }
         let Some(orbit) = looked_at else { return Ok(None) };
-        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.goes_on);
+        let found = || bases(&orbit, &law, self.asked.depth, ANY, self.watch);
         for again in [true, false] {
             let bases = if again { known.clone() } else { found() };
             if problem(&bases).is_some() {
                 continue;
             }
-            let chaos = Chaos::proved(&law, bases, self.asked.depth, &|_, _| (self.goes_on)());
+            let chaos = Chaos::proved(&law, bases, self.asked.depth, self.watch);
             if chaos.entropy() > 0.0 {
                 let (entropy, bases) = ([chaos.entropy(), chaos.entropy_a_cycle()], chaos.bases().to_vec());
                 known.clone_from(&bases);

@@ -5,13 +5,14 @@
 
 use std::f64::consts::TAU;
 
-use super::bases::{LENGTHS, Seen, apart};
+use super::bases::LENGTHS;
+use super::each::each;
 use super::entropy::entropy;
 use super::guess::{Guess, cross};
 use super::law::Side;
 use super::propose::Making;
 use super::quad::{Chord, State};
-use super::trials::each;
+use super::seen::{Seen, apart};
 use super::words::{Base, Path};
 
 /// So many points of the orbit are judges.

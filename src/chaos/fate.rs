@@ -8,6 +8,7 @@ use crate::Error;
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
 use crate::pair::ImpactPair;
 use crate::periodic::Attractor;
+use crate::watch::Watch;
 
 /// The result for the orbit of the scene's own start; `None` means undecided.
 ///
@@ -37,21 +38,16 @@ const ASKED: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmet
 
 impl Fate {
     /// That of an orbit; the region is looked for where there are h-sets.
-    pub(super) fn of(
-        pair: &ImpactPair,
-        start: &Start,
-        bases: &[Base],
-        goes_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Self, Error> {
+    pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[Base], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
         for asked in ASKED {
             if attractor.is_none() {
-                attractor = limit(pair, start, asked, goes_on)?;
+                attractor = limit(pair, start, asked, watch)?;
             }
         }
         let region = match bases {
             [] => None,
-            _ => Trap::of_pair(pair, start, 0, &|_| goes_on())?.ok(),
+            _ => Trap::of_pair(pair, start, 0, watch)?.ok(),
         };
         let entered = |region: Trap| {
             let holds_bases = bases.iter().all(|base| region.holds(base));
@@ -66,11 +62,11 @@ fn limit(
     pair: &ImpactPair,
     start: &Start,
     (arithmetic, impacts): (Arithmetic, u64),
-    goes_on: &(dyn Fn() -> bool + Sync),
+    watch: &dyn Watch,
 ) -> Result<Option<Box<Attractor>>, Error> {
     let settings = Settings { impacts: Some(impacts), arithmetic, attractor: true, ..Settings::default() };
     let mut orbit = Orbit::new(pair, start, settings)?;
-    let _ = orbit.follow(&goes_on, |_, _| ControlFlow::<()>::Continue(()));
+    let _ = orbit.follow(watch, |_, _| ControlFlow::<()>::Continue(()));
     Ok(match orbit.outcome() {
         Some(Outcome::Attracted(attractor)) => Some(attractor.clone()),
         _ => None,

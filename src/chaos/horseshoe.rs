@@ -1,6 +1,5 @@
 //! Horseshoes of a scene: [`Chaos`].
 
-use super::bases::{Seen, seen};
 use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
 use super::fate::Fate;
@@ -9,12 +8,14 @@ use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
 use super::scene::{IMPACTS, visited};
+use super::seen::{Seen, seen};
 use super::trials::{ANY, Effort, THOROUGH};
 use super::words::{Base, Search};
 use crate::Error;
 use crate::Scene;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
+use crate::watch::{Silent, Stage, Watch};
 
 /// Greatest accepted number of impacts of a word.
 pub const MOST_DEPTH: u32 = 64;
@@ -39,6 +40,7 @@ pub struct Question {
 /// ```
 /// use impact_pair::Scene;
 /// use impact_pair::chaos::{Base, Chaos, Question};
+/// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }
@@ -49,7 +51,7 @@ pub struct Question {
 ///     Base::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
 ///     Base::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
 /// ];
-/// let chaos = Chaos::of(scene.pair(), scene.start(), &Question { depth: 3, bases }, &|_, _| true)?;
+/// let chaos = Chaos::of(scene.pair(), scene.start(), &Question { depth: 3, bases }, &Unwatched)?;
 /// // As many motions over n cycles as sequences of two letters.
 /// assert!(chaos.entropy() >= 0.28119 && chaos.entropy_a_cycle() >= 0.69314);
 /// assert_eq!(chaos.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
@@ -89,21 +91,17 @@ const NEARLY: f64 = 0.95;
 impl Chaos {
     /// Returns the words of at most so many impacts.
     ///
-    /// `goes_on` receives the depth and the number of boxes, and returns whether to continue; results proved so far
+    /// `watch` receives the depth and the number of boxes, and may stop it; results proved so far
     /// are kept. If no h-sets are given and the floating-point orbit is regular, there are no words.
     ///
     /// # Errors
     /// If the pair has several harmonics, h-sets overlap each other or their own translates or are not convex, or a value is beyond the range of flights.
-    pub fn of(
-        pair: &ImpactPair,
-        start: &Start,
-        question: &Question,
-        goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
-    ) -> Result<Self, Error> {
+    pub fn of(pair: &ImpactPair, start: &Start, question: &Question, watch: &dyn Watch) -> Result<Self, Error> {
         let law = Law::of(pair)?;
         let guess = Guess::new(&law);
         let orbit = visited(pair, start, IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
-        let found = |seen: &Seen, effort| bases(seen, &law, question.depth, effort, &|| goes_on(0, 0));
+        let searching = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth: 0, boxes: 0 });
+        let found = |seen: &Seen, effort| bases(seen, &law, question.depth, effort, &searching);
         let bases = match &orbit {
             _ if !question.bases.is_empty() => question.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
@@ -113,27 +111,22 @@ impl Chaos {
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
-        let proved = Self::proved(&law, bases, question.depth, goes_on);
+        let proved = Self::proved(&law, bases, question.depth, watch);
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
-        let fate = Fate::of(pair, start, horseshoe, &|| goes_on(proved.depth, proved.boxes))?;
+        let fate = Fate::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
         Ok(Self { exponent, attractor: orbit.map_or_else(Vec::new, Seen::states), fate, ..proved })
     }
 
     /// What these h-sets lead to.
-    pub(super) fn proved(
-        law: &Law,
-        bases: Vec<Base>,
-        depth: usize,
-        goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
-    ) -> Self {
+    pub(super) fn proved(law: &Law, bases: Vec<Base>, depth: usize, watch: &dyn Watch) -> Self {
         let depth = if bases.is_empty() { 0 } else { depth }; // exact: counts
         let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'_>> {
-            makings.iter().map(|&making| Tried::new(law, &bases, making).deepened(depth, goes_on)).collect()
+            makings.iter().map(|&making| Tried::new(law, &bases, making).deepened(depth, watch)).collect()
         };
         let shallow = depth.min(SHALLOW); // exact: counts
         let first = good(tried(&MAKINGS, shallow), shallow < depth);
-        let first = if first.depth == shallow { first.deepened(depth, goes_on) } else { first };
+        let first = if first.depth == shallow { first.deepened(depth, watch) } else { first };
         let is_open = first.entropy() == 0.0 && first.depth == depth && depth > 0; // proposes: whether to try more
         let finer = if is_open { tried(&FINE, depth) } else { Vec::new() };
         let finest = finer.into_iter().max_by(|a, b| a.entropy().total_cmp(&b.entropy())); // proposes: each is a proof of its own
@@ -149,12 +142,8 @@ impl Chaos {
     ///
     /// # Errors
     /// As [`Chaos::of`].
-    pub fn of_scene(
-        scene: &Scene,
-        question: &Question,
-        goes_on: &(dyn Fn(usize, u64) -> bool + Sync),
-    ) -> Result<Self, Error> {
-        Self::of(scene.pair(), scene.start(), question, goes_on)
+    pub fn of_scene(scene: &Scene, question: &Question, watch: &dyn Watch) -> Result<Self, Error> {
+        Self::of(scene.pair(), scene.start(), question, watch)
     }
 
     /// Returns the h-sets, each disjoint from the others.
@@ -215,14 +204,8 @@ impl Chaos {
 }
 
 /// H-sets for the most entropy that so much effort finds.
-pub(super) fn bases(
-    seen: &Seen,
-    law: &Law,
-    depth: usize,
-    effort: Effort,
-    goes_on: &(dyn Fn() -> bool + Sync),
-) -> Vec<Base> {
-    seen.bases(law, ([TRIAL, FINE[1]], depth), effort, goes_on)
+pub(super) fn bases(seen: &Seen, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<Base> {
+    seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
 }
 
 /// A search, and how deep it went.
@@ -236,8 +219,8 @@ impl<'s> Tried<'s> {
         Self { search: Search::new(law, bases, making), depth: 0 }
     }
 
-    fn deepened(mut self, to: usize, goes_on: &(dyn Fn(usize, u64) -> bool + Sync)) -> Self {
-        let stops = |depth: &usize| !self.search.deepen(&|tally| goes_on(depth + 1, tally.boxes));
+    fn deepened(mut self, to: usize, watch: &dyn Watch) -> Self {
+        let stops = |_: &usize| !self.search.deepen(watch);
         self.depth = (self.depth..to).find(stops).unwrap_or(to); // exact: all
         self
     }

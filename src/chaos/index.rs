@@ -4,8 +4,8 @@
 
 use std::f64::consts::TAU;
 
-use super::bases::{Seen, apart};
 use super::quad::State;
+use super::seen::{Seen, apart};
 
 /// An orbit with its points by phase.
 pub(super) struct Indexed<'s> {

@@ -3,12 +3,12 @@
 //!
 //! Labels: proposes throughout.
 
-use super::bases::Seen;
 use super::entropy::entropy;
 use super::guess::{Guess, cross, length};
 use super::index::Indexed;
 use super::law::Side;
 use super::quad::State;
+use super::seen::Seen;
 use super::words::{Base, Path};
 
 /// The widest gaps, which may part them.

@@ -11,6 +11,7 @@ mod blocks;
 mod bundles;
 mod cells;
 mod cycles;
+mod each;
 mod entropy;
 mod everywhere;
 mod fate;
@@ -24,6 +25,7 @@ mod propose;
 mod quad;
 mod region;
 mod scene;
+mod seen;
 #[cfg(test)]
 mod tests;
 mod trap;
@@ -33,7 +35,7 @@ mod words;
 
 pub use blocks::Word;
 pub use cells::{Asked, Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, Stretch, Verdict, seen_impacts};
-pub use cycles::{Cycle, Cycles, MOST_IMPACTS, Stage};
+pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub use fate::{Entered, Fate};
 pub use horseshoe::{Chaos, MOST_DEPTH, Question};
 pub use quad::{Chord, State};

@@ -15,6 +15,7 @@ use crate::Scene;
 use crate::number::Ball;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
+use crate::watch::Watch;
 
 /// A region of the reduced state space that the impact map maps into itself, proved: boxes of a grid.
 ///
@@ -26,12 +27,13 @@ use crate::pair::ImpactPair;
 /// ```
 /// use impact_pair::Scene;
 /// use impact_pair::chaos::Trap;
+/// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
-/// let trap = Trap::of(&scene, 0, &|_| true)?.expect("a region");
+/// let trap = Trap::of(&scene, 0, &Unwatched)?.expect("a region");
 /// assert!(trap.flight()[0] > 0.05 && trap.flight()[1] < 0.7 && trap.speed()[1] < 2.0);
 /// assert!(trap.entered().is_some_and(|impact| impact <= 2));
 /// # Ok::<(), impact_pair::Error>(())
@@ -80,16 +82,12 @@ const TRANSIENT: usize = 2000;
 impl Trap {
     /// Returns a region around what attracts the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
     ///
-    /// `goes_on` receives the number of boxes and returns whether to continue.
+    /// `watch` receives the number of boxes, and may stop it.
     ///
     /// # Errors
     /// With several harmonics, and when a value is beyond the range of double-precision flights.
-    pub fn of(
-        scene: &Scene,
-        finer: u32,
-        goes_on: &(dyn Fn(usize) -> bool + Sync),
-    ) -> Result<Result<Self, Untrapped>, Error> {
-        Self::of_pair(scene.pair(), scene.start(), finer, goes_on)
+    pub fn of(scene: &Scene, finer: u32, watch: &dyn Watch) -> Result<Result<Self, Untrapped>, Error> {
+        Self::of_pair(scene.pair(), scene.start(), finer, watch)
     }
 
     /// Returns the same of a pair, for all its parameters at once.
@@ -100,7 +98,7 @@ impl Trap {
         pair: &ImpactPair,
         start: &Start,
         finer: u32,
-        goes_on: &(dyn Fn(usize) -> bool + Sync),
+        watch: &dyn Watch,
     ) -> Result<Result<Self, Untrapped>, Error> {
         let law = Law::of(pair)?;
         let visited = visited(pair, start, IMPACTS)?;
@@ -111,10 +109,10 @@ impl Trap {
         let seed = seed.unwrap_or(last.middle()); // proposes: any box may be grown from
         let mut why = Untrapped::Boxes;
         for doubled in 0..=DOUBLINGS {
-            let region = grown(&law, doubled, seed, goes_on);
+            let region = grown(&law, doubled, seed, watch);
             let region = match region {
                 Ok(region) if finer == 0 => region,
-                Ok(region) => grown(&law, doubled + finer, seed, goes_on).unwrap_or(region), // D5: either is closed
+                Ok(region) => grown(&law, doubled + finer, seed, watch).unwrap_or(region), // D5: either is closed
                 Err(reason) => {
                     why = reason;
                     if matches!(why, Untrapped::Interrupted | Untrapped::Boxes) {
@@ -221,19 +219,14 @@ impl Trap {
     }
 }
 
-fn grown(
-    law: &Law,
-    doubled: u32,
-    seed: [f64; 2],
-    goes_on: &(dyn Fn(usize) -> bool + Sync),
-) -> Result<Region, Untrapped> {
+fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<Region, Untrapped> {
     let more = 1_i64 << doubled;
     let grid = Grid { columns: COARSEST.0 * more, rows: COARSEST.1 * more as f64 }; // exact: a power of two
     let cell = grid.cell(seed[0], seed[1]);
-    Region::grow(law, grid, cell, goes_on).map_err(|reason| match reason {
+    Region::grow(law, grid, cell, watch).map_err(|reason| match reason {
         Some(Refusal::Rest) => Untrapped::Rest,
         Some(Refusal::Long) => Untrapped::Long,
-        None if goes_on(0) => Untrapped::Boxes,
+        None if watch.goes_on() => Untrapped::Boxes,
         None => Untrapped::Interrupted,
     })
 }

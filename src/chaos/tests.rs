@@ -1,5 +1,7 @@
 //! Images against certified first contacts of single flights, spoiled proofs, and entropies that are known.
 
+use std::ops::ControlFlow;
+
 use proptest::prelude::*;
 
 use super::entropy::entropy;
@@ -18,6 +20,7 @@ use crate::flight::Flight;
 use crate::number::{Ball, Number, kernel::sin_cos};
 use crate::orbit::{Orbit, Outcome, Progress, Settings};
 use crate::pair::{Reduced, Wall};
+use crate::watch::{Stage, Unwatched};
 
 const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 };
 
@@ -126,7 +129,7 @@ proptest! {
 fn a_region_is_closed_and_one_with_a_hole_is_not() {
     let law = figure_14();
     let grid = Grid { columns: 256, rows: 32.0 };
-    let region = Region::grow(&law, grid, grid.cell(0.778, 1.2345), &|_| true).unwrap();
+    let region = Region::grow(&law, grid, grid.cell(0.778, 1.2345), &Unwatched).unwrap();
     let images = |hole: Option<(i32, i32)>| {
         let mut found = std::collections::HashSet::new();
         for &cell in region.cells.keys().filter(|&&cell| Some(cell) != hole) {
@@ -144,12 +147,12 @@ fn a_region_is_closed_and_one_with_a_hole_is_not() {
     }
     assert!(!images(Some(grid.cell(state[0], state[1]))));
     // A ball that is hardly thrown on a pressed wall comes to rest.
-    assert!(Region::grow(&law, grid, grid.cell(0.6, 0.001), &|_| true).is_err());
+    assert!(Region::grow(&law, grid, grid.cell(0.6, 0.001), &Unwatched).is_err());
 }
 
 fn words(law: &Law, bases: &[Base], depth: usize) -> Vec<Path> {
     let mut search = Search::new(law, bases, MAKING);
-    (0..depth).for_each(|_| assert!(search.deepen(&|_| true)));
+    (0..depth).for_each(|_| assert!(search.deepen(&Unwatched)));
     search.words
 }
 
@@ -255,7 +258,7 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
     for part in [1e-6, 1e-5, 1e-4] {
         let law = figure_14();
         let law = Law { gap: law.gap.widened(part * law.gap.mid()), ..law };
-        let chaos = Chaos::proved(&law, bases().to_vec(), 3, &|_, _| true);
+        let chaos = Chaos::proved(&law, bases().to_vec(), 3, &Unwatched);
         assert!(chaos.entropy() > 0.281_199 && chaos.words().len() == 6, "{part} {}", chaos.entropy());
     }
 }
@@ -264,9 +267,9 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
 #[test]
 fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
     let question = Question { depth: 3, bases: bases().to_vec() };
-    let chaos = Chaos::of_scene(&scene("8"), &question, &|_, _| true).unwrap();
+    let chaos = Chaos::of_scene(&scene("8"), &question, &Unwatched).unwrap();
     let Fate { attractor, region } = chaos.fate();
-    let trap = Trap::of(&scene("8"), 0, &|_| true).unwrap().unwrap();
+    let trap = Trap::of(&scene("8"), 0, &Unwatched).unwrap().unwrap();
     assert!(attractor.is_none());
     assert_eq!(*region, Some(Entered { boxes: trap.boxes(), at_impact: 2, holds_bases: true }));
     assert!(bases().iter().all(|base| trap.holds(base)));
@@ -284,7 +287,7 @@ fn a_saddle_is_told_from_an_attractor() {
     ];
     let [left, right] = corners.map(|[bottom, top]| Chord { bottom, top });
     let question = Question { depth: 5, bases: vec![Base { left, right }] };
-    let chaos = Chaos::of_scene(&scene("8.4"), &question, &|_, _| true).unwrap();
+    let chaos = Chaos::of_scene(&scene("8.4"), &question, &Unwatched).unwrap();
     let attractor = chaos.fate().attractor.as_ref().unwrap();
     assert_eq!((attractor.word.mappings().len(), attractor.cycles), (8, 3));
     assert!(chaos.entropy() > 0.0 && chaos.fate().region.is_none_or(|region| !region.holds_bases));
@@ -305,7 +308,7 @@ fn slow_expansion_is_proved_by_fine_tubes() {
         let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
         Base { left: chord(left), right: chord(right) }
     };
-    let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], depth, &|_, _| true).entropy();
+    let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], depth, &Unwatched).entropy();
     let expected = std::f64::consts::LN_2 / 16.0;
     assert!(proved(16, 0.0) <= expected && proved(16, 0.0) > expected - 1e-9);
     assert_eq!([proved(15, 0.0), proved(16, 0.01)], [0.0, 0.0]);
@@ -317,7 +320,9 @@ fn r32_a_base_wider_than_a_turn() {
     let chaos = |right: f64| {
         let edge = |phase: f64| Chord { bottom: [phase, 5.0], top: [phase, 5.1] };
         let question = Question { depth: 1, bases: vec![Base { left: edge(0.1), right: edge(right) }] };
-        Chaos::of_scene(&scene("8"), &question, &|_, _| false).map(|_| ()).map_err(|error| error.to_string())
+        Chaos::of_scene(&scene("8"), &question, &|_: Stage<'_>| ControlFlow::Break(()))
+            .map(|_| ())
+            .map_err(|error| error.to_string())
     };
     assert!(chaos(1.05).is_ok());
     assert!(chaos(1.3).unwrap_err().contains("its own translate"));
@@ -347,9 +352,8 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
 /// As far as the makings are compared, the horseshoe told is as short as there is; deeper, the entropy is what counts.
 #[test]
 fn a_deeper_search_leads_further() {
-    let chaos = |depth: usize| {
-        Chaos::of_scene(&scene("8"), &Question { depth, bases: bases().to_vec() }, &|_, _| true).unwrap()
-    };
+    let chaos =
+        |depth: usize| Chaos::of_scene(&scene("8"), &Question { depth, bases: bases().to_vec() }, &Unwatched).unwrap();
     let shallow = chaos(8);
     assert_eq!(shallow.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
     assert!(shallow.entropy() > 0.438 && chaos(12).entropy() > 0.462);
@@ -357,7 +361,7 @@ fn a_deeper_search_leads_further() {
 
 fn cells(over: &str, cells: u32, halvings: u32) -> Cells {
     let asked = Asked { over: over.parse().unwrap(), cells, halvings, depth: 5 };
-    Cells::of(scene("8").pair(), scene("8").start(), &asked, &|_| true).unwrap()
+    Cells::of(scene("8").pair(), scene("8").start(), &asked, &Unwatched).unwrap()
 }
 
 /// Lemma D14: stretches follow one another from end to end, and what is proved of all holds of some: of single values, proved by
@@ -375,7 +379,7 @@ fn what_holds_of_a_stretch_holds_of_its_values() {
             match &stretches[0].verdict {
                 Verdict::Horseshoe(Horseshoe { entropy, bases }) => {
                     let law = Law::of(scene(value).pair()).unwrap();
-                    let chaos = Chaos::proved(&law, bases.clone(), 5, &|_, _| true);
+                    let chaos = Chaos::proved(&law, bases.clone(), 5, &Unwatched);
                     assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());
                 }
                 Verdict::Attracted { word, cycles, .. } => {
@@ -400,7 +404,7 @@ fn a_cell_across_a_bifurcation_is_undecided() {
         scene("8").pair(),
         scene("8").start(),
         &Asked { over: "amplitude=1..2".parse().unwrap(), cells: 3, halvings: 2, depth: 3 },
-        &|_| false,
+        &|_: Stage<'_>| ControlFlow::Break(()),
     );
     let stopped = stopped.unwrap();
     assert!(stopped.interrupted && stopped.stretches.len() == 1 && stopped.stretches[0].verdict == Verdict::Undecided);

@@ -8,6 +8,7 @@ use super::flights::{Flights, View, is_positive};
 use super::law::{Law, Side};
 use super::quad::Quad;
 use crate::number::{Ball, Number};
+use crate::watch::{Stage, Watch};
 
 /// Boxes `[i, i + 1]/M x [j, j + 1]/R` of phase in forcing periods modulo 1 and speed over `A W`.
 #[derive(Clone, Copy, Debug)]
@@ -168,18 +169,13 @@ impl Region {
     /// Returns the least region of boxes of this grid that holds a box and is closed, as far as it is seen.
     ///
     /// `Err` with the reason where it does not close.
-    pub fn grow(
-        law: &Law,
-        grid: Grid,
-        seed: Cell,
-        goes_on: &(dyn Fn(usize) -> bool + Sync),
-    ) -> Result<Self, Option<Refusal>> {
+    pub fn grow(law: &Law, grid: Grid, seed: Cell, watch: &dyn Watch) -> Result<Self, Option<Refusal>> {
         let mut cells: HashMap<Cell, Reach> = HashMap::new();
         let mut known: HashSet<Cell> = HashSet::from([seed]);
         let mut frontier = vec![seed];
         let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
         while !frontier.is_empty() {
-            if known.len() > MOST || !goes_on(known.len()) {
+            if known.len() > MOST || watch.proceed(Stage::Region(known.len())).is_break() {
                 return Err(None);
             }
             let share = frontier.len().div_ceil(threads);

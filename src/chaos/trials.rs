@@ -2,14 +2,15 @@
 //!
 //! Labels: proposes throughout.
 
-use std::sync::Mutex;
-use std::thread;
+use std::ops::ControlFlow;
 
 use super::bundles::Bundle;
+use super::each::each;
 use super::entropy::entropy;
 use super::law::Law;
 use super::propose::Making;
-use super::words::{Base, Search, Tally};
+use super::words::{Base, Search};
+use crate::watch::{Stage, Watch};
 
 /// How much is tried to find h-sets.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +47,7 @@ pub(super) struct Trials<'t> {
     pub making: Making,
     pub depth: usize,
     pub effort: Effort,
-    pub goes_on: &'t (dyn Fn() -> bool + Sync),
+    pub watch: &'t dyn Watch,
 }
 
 impl Trials<'_> {
@@ -54,7 +55,10 @@ impl Trials<'_> {
     fn worth(&self, bases: &[Base], boxes: u64) -> f64 {
         let mut search = Search::new(self.law, bases, self.making);
         search.threads = 1;
-        let within = |tally: Tally| tally.boxes < boxes && (self.goes_on)();
+        let within = |at: Stage<'_>| match at {
+            Stage::Horseshoe { boxes: done, .. } if done >= boxes => ControlFlow::Break(()),
+            _ => self.watch.proceed(Stage::Working),
+        };
         for _ in 0..self.depth.min(DEPTH) {
             if !search.deepen(&within) {
                 break;
@@ -82,7 +86,7 @@ impl Trials<'_> {
             best = better.into_iter().map(|(_, bundle)| bundle).collect();
         }
         let mut best = best.swap_remove(0);
-        while (self.goes_on)() {
+        while self.watch.goes_on() {
             let next = tried(&parted(&best), BUNDLES[1].1).into_iter().next();
             let Some(better) = next.filter(|next| next.0 > worth) else { break };
             (worth, best) = better;
@@ -117,7 +121,7 @@ impl Trials<'_> {
     /// Returns the h-sets among these that lead to most entropy.
     pub fn best(&self, candidates: &[Base]) -> Vec<Base> {
         let mut best: (f64, Vec<Base>) = (0.0, Vec::new());
-        while best.1.len() < self.effort.most && (self.goes_on)() {
+        while best.1.len() < self.effort.most && self.watch.goes_on() {
             let found = self.one_more(&best.1, candidates);
             let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * WORTH) else { break };
             best.0 = entropy;
@@ -125,22 +129,4 @@ impl Trials<'_> {
         }
         best.1
     }
-}
-
-/// What a function makes of each, by all threads.
-pub(super) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let (queue, done) = (Mutex::new(all.iter().enumerate()), Mutex::new(Vec::new()));
-    let work = || {
-        loop {
-            let next = queue.lock().expect("no thread has panicked").next();
-            let Some((number, one)) = next else { break };
-            let made = function(one);
-            done.lock().expect("no thread has panicked").push((number, made));
-        }
-    };
-    thread::scope(|scope| (0..threads).for_each(|_| _ = scope.spawn(work)));
-    let mut done = done.into_inner().expect("no thread has panicked");
-    done.sort_by_key(|(number, _)| *number);
-    done.into_iter().map(|(_, made)| made).collect()
 }

@@ -9,6 +9,7 @@ use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
 use super::tube::{Tube, WINDOW, side_of, taken};
+use crate::watch::{Stage, Watch};
 
 /// A quadrilateral of states: the curves from its left to its right edge are what is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,7 +129,8 @@ impl<'s> Search<'s> {
     }
 
     /// Follows all that is left over one impact more; false when stopped.
-    pub fn deepen(&mut self, goes_on: &(dyn Fn(Tally) -> bool + Sync)) -> bool {
+    pub fn deepen(&mut self, watch: &dyn Watch) -> bool {
+        let depth = self.depth + 1; // exact: a count
         let queue = Mutex::new(self.runs.iter().enumerate());
         let done = Mutex::new(Vec::new());
         let tally = Mutex::new(self.tally);
@@ -136,7 +138,9 @@ impl<'s> Search<'s> {
             loop {
                 let next = queue.lock().expect("no thread has panicked").next();
                 let Some((number, run)) = next else { break };
-                let (next, words, more) = self.follow(run, &|| goes_on(*tally.lock().expect("no thread has panicked")));
+                let boxes = || tally.lock().expect("no thread has panicked").boxes;
+                let watch = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth, boxes: boxes() });
+                let (next, words, more) = self.follow(run, &watch);
                 let mut tally = tally.lock().expect("no thread has panicked");
                 tally.boxes += more.boxes;
                 tally.failed += more.failed;
@@ -152,21 +156,21 @@ impl<'s> Search<'s> {
             self.runs.extend(runs);
             self.words.extend(words);
         }
-        self.depth += 1; // exact: a count
+        self.depth = depth;
         if self.depth <= SHOWN {
             let middle = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
             let middles = self.runs.iter().map(|run| run.tube.chords().iter().map(middle).collect());
             self.shown.extend(middles);
         }
-        goes_on(self.tally)
+        watch.proceed(Stage::Horseshoe { depth, boxes: self.tally.boxes }).is_continue()
     }
 
     /// One run, one impact further: what covers an h-set, and what is left.
-    fn follow(&self, run: &Run, goes_on: &(dyn Fn() -> bool + Sync)) -> (Vec<Run>, Vec<Path>, Tally) {
+    fn follow(&self, run: &Run, watch: &dyn Watch) -> (Vec<Run>, Vec<Path>, Tally) {
         let (mut runs, mut words, mut tally) = (Vec::new(), Vec::new(), Tally::default());
         let mut used = None;
         for proposal in self.making.images(&self.guess, &run.tube) {
-            if !goes_on() {
+            if !watch.goes_on() {
                 break;
             }
             let Proposal { parts, side, next } = &proposal;

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use super::Ending;
 use super::node::{Axes, Landing, Link, Node};
 use super::proposal::{Point, farthest, length, plan};
-use super::start::{Segment, Starts};
+use super::start::{Beginning, OnWall, Segment, Starts};
 use crate::contact::Undecided;
 use crate::exact::Exact;
 use crate::number::Ball;
-use crate::pair::{Inward, Wall};
+use crate::pair::Inward;
 use crate::shaken::{Flying, Origin};
 
 /// Nodes that are handed out at a time.
@@ -34,25 +34,6 @@ pub(crate) trait Covering: std::fmt::Debug + Send {
 
     /// Whether the motion was seen to expand beyond the last node.
     fn expands(&self) -> bool;
-}
-
-/// A state on a wall: whole forcing periods, the rest of the phase, and the velocity before the impact.
-pub(crate) type OnWall = (Wall, i64, Ball, Ball);
-
-/// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
-pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
-    /// The unit of velocities, a power of two.
-    fn scale(&self) -> f64;
-
-    /// The starts within `a`, in units of the curve's parameter.
-    fn starts(&self, a: f64) -> Starts;
-
-    /// Proves that all of the starts within `a` come to one wall, so many forcing periods later, transversally; the derivative is that by the
-    /// parameter.
-    fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
-
-    /// The start on a wall itself, and its phases with several harmonics where they are known exactly.
-    fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
 }
 
 #[derive(Debug)]

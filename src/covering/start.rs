@@ -1,14 +1,32 @@
 //! The segment of starts that a chain begins with: Lemma F3 of `docs/proofs.md`.
 
-use super::chain::{Beginning, OnWall};
 use super::node::Landing;
 use crate::contact::{SetContact, Undecided};
 use crate::exact::Exact;
 use crate::flight::Launch;
 use crate::mapping::Sheared;
 use crate::number::{Ball, Number};
-use crate::pair::Reduced;
+use crate::pair::{Reduced, Wall};
 use crate::shaken::{Flying, Initial, Location, Origin};
+
+/// A state on a wall: whole forcing periods, the rest of the phase, and the velocity before the impact.
+pub(crate) type OnWall = (Wall, i64, Ball, Ball);
+
+/// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
+pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
+    /// The unit of velocities, a power of two.
+    fn scale(&self) -> f64;
+
+    /// The starts within `a`, in units of the curve's parameter.
+    fn starts(&self, a: f64) -> Starts;
+
+    /// Proves that all of the starts within `a` come to one wall, so many forcing periods later, transversally; the derivative is that by the
+    /// parameter.
+    fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
+
+    /// The start on a wall itself, and its phases with several harmonics where they are known exactly.
+    fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
+}
 
 /// What starts differ in from the one requested; all else is as it is requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

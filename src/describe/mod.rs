@@ -10,10 +10,9 @@ mod question;
 #[cfg(test)]
 mod tests;
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use crate::chaos::{Chaos, Question, Trap};
 use crate::orbit::MAX_BITS;
+use crate::watch::{Latched, Watch};
 use crate::{Error, Scene};
 pub use lines::lines;
 use orbit::Followed;
@@ -33,22 +32,6 @@ impl Default for Request {
     fn default() -> Self {
         Self { impacts: 2000, depth: 6, max_bits: MAX_BITS }
     }
-}
-
-/// Progress of a description.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// The orbit: impacts that are certified.
-    Orbit(u64),
-    /// The trapping region: boxes.
-    Region(usize),
-    /// The horseshoe: boxes, and the number of impacts of the words.
-    Horseshoe {
-        /// Impacts of the words; 0 during the search for h-sets.
-        depth: usize,
-        /// Boxes.
-        boxes: u64,
-    },
 }
 
 /// What is proved of the motion from the start of a scene.
@@ -83,7 +66,7 @@ enum Horseshoe {
     NotExamined(String),
 }
 
-/// Describes the motion from the start of a scene, until `watch`, which receives the progress, returns false; what is proved so far is kept.
+/// Describes the motion from the start of a scene, until the watch stops it; what is proved so far is kept.
 ///
 /// **Cost**: milliseconds where the orbit's outcome decides the fate; up to half a minute for a horseshoe.
 ///
@@ -94,23 +77,20 @@ enum Horseshoe {
 /// use impact_pair::Scene;
 /// use impact_pair::describe::{Request, describe};
 /// use impact_pair::json::FateName;
+/// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 1, frequency = "pi", phase = 0 }
 ///     pair = { gap = "3*pi", restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12 }
 /// "#)?;
-/// let found = describe(&scene, &Request::default(), &|_| true)?;
+/// let found = describe(&scene, &Request::default(), &Unwatched)?;
 /// let document = found.document(&scene, "scene.toml")?;
 /// assert_eq!(document.fate.kind, FateName::Attracted);
 /// assert_eq!(document.fate.word.as_deref(), Some("P1 P2"));
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
-pub fn describe(
-    scene: &Scene,
-    request: &Request,
-    watch: &(dyn Fn(Stage) -> bool + Sync),
-) -> Result<Description, Error> {
-    let watch = Watched { watch, is_stopped: AtomicBool::new(false) };
+pub fn describe(scene: &Scene, request: &Request, watch: &dyn Watch) -> Result<Description, Error> {
+    let watch = Latched::new(watch);
     let orbit = orbit::followed(scene, request, &watch)?;
     let region = region(scene, &orbit, &watch);
     let horseshoe = horseshoe(scene, request, &region, &watch);
@@ -139,12 +119,12 @@ const DECIDED: &str = "the outcome of the orbit decides the fate";
 const STOPPED: &str = "interrupted";
 
 /// The trapping region around what attracts the motion, where the orbit's outcome leaves the fate undecided.
-fn region(scene: &Scene, orbit: &Followed, watch: &Watched<'_>) -> Region {
+fn region(scene: &Scene, orbit: &Followed, watch: &Latched<'_>) -> Region {
     let skipped = [(orbit.decides().is_some(), DECIDED), (watch.is_stopped(), STOPPED)];
     if let Some((_, why)) = skipped.iter().find(|(is_so, _)| *is_so) {
         return Region::NotExamined((*why).to_owned());
     }
-    match Trap::of(scene, 0, &|boxes| watch.goes_on(Stage::Region(boxes))) {
+    match Trap::of(scene, 0, watch) {
         Ok(Ok(trap)) => Region::Proved(trap),
         Ok(Err(why)) => Region::Unproved(why.words().to_owned()),
         // Several harmonics, or no excitation: the reduced impact map does not exist.
@@ -153,14 +133,13 @@ fn region(scene: &Scene, orbit: &Followed, watch: &Watched<'_>) -> Region {
 }
 
 /// The horseshoe of the impact map, where the motion stays in a region.
-fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Watched<'_>) -> Horseshoe {
+fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Latched<'_>) -> Horseshoe {
     let why = match region {
         Region::Proved(_) if watch.is_stopped() => STOPPED,
         Region::Proved(trap) if trap.entered().is_none() => "the motion is not proved to enter the region",
         Region::Proved(_) => {
             let question = Question { depth: request.depth, bases: Vec::new() };
-            let goes_on = |depth, boxes| watch.goes_on(Stage::Horseshoe { depth, boxes });
-            return match Chaos::of_scene(scene, &question, &goes_on) {
+            return match Chaos::of_scene(scene, &question, watch) {
                 Ok(chaos) => Horseshoe::Searched(Box::new(chaos)),
                 Err(error) => Horseshoe::NotExamined(error.to_string()),
             };
@@ -169,22 +148,4 @@ fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Watched<
         Region::NotExamined(why) => why,
     };
     Horseshoe::NotExamined(why.to_owned())
-}
-
-/// A watch that remembers whether it has stopped.
-struct Watched<'w> {
-    watch: &'w (dyn Fn(Stage) -> bool + Sync),
-    is_stopped: AtomicBool,
-}
-
-impl Watched<'_> {
-    fn goes_on(&self, stage: Stage) -> bool {
-        let goes_on = !self.is_stopped() && (self.watch)(stage);
-        self.is_stopped.fetch_or(!goes_on, Ordering::Relaxed);
-        goes_on
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.is_stopped.load(Ordering::Relaxed)
-    }
 }

@@ -1,13 +1,12 @@
 //! The certified orbit of a description: as few impacts as decide its fate.
 
-use std::cell::Cell;
-
 use impact_pair_document::{FateName, OrbitDocument};
 
-use super::{Request, Stage, Watched};
+use super::Request;
 use crate::document;
 use crate::lyapunov::{Disturbance, Exponent, limit};
-use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Watch};
+use crate::orbit::{Arithmetic, Orbit, Outcome, Settings};
+use crate::watch::Latched;
 use crate::{Error, Scene};
 
 /// Impacts that are followed first, and the factor from one attempt to the next.
@@ -38,12 +37,11 @@ impl Followed {
         self.document.outcome.impacts.unwrap_or_default()
     }
 
-    fn of(scene: &Scene, settings: Settings, watch: &Watched<'_>) -> Result<Self, Error> {
+    fn of(scene: &Scene, settings: Settings, watch: &Latched<'_>) -> Result<Self, Error> {
         let mut orbit = Orbit::of(scene, settings)?;
         let mut disturbance = Disturbance::of(&orbit);
-        let watch = Counted { watch, impacts: Cell::new(0) };
         let of = (scene.pair(), scene.start());
-        let document = document::follow(&mut orbit, of, &watch, |orbit, event| disturbance.follow(orbit, event));
+        let document = document::follow(&mut orbit, of, watch, |orbit, event| disturbance.follow(orbit, event));
         let limit = match orbit.outcome() {
             Some(Outcome::Attracted(attractor)) => Some(limit(&attractor.orbit)),
             _ => None,
@@ -53,7 +51,7 @@ impl Followed {
 }
 
 /// Follows the orbit until its outcome decides the fate, for at most the requested impacts, and in double precision for ten times as many.
-pub(super) fn followed(scene: &Scene, request: &Request, watch: &Watched<'_>) -> Result<Followed, Error> {
+pub(super) fn followed(scene: &Scene, request: &Request, watch: &Latched<'_>) -> Result<Followed, Error> {
     let Request { impacts: most, max_bits, .. } = *request;
     let settings = |arithmetic: Arithmetic, impacts: u64| Settings {
         impacts: Some(impacts),
@@ -76,20 +74,4 @@ pub(super) fn followed(scene: &Scene, request: &Request, watch: &Watched<'_>) ->
     }
     let longer = Followed::of(scene, settings(Arithmetic::Interval, most.saturating_mul(IN_DOUBLES)), watch)?;
     Ok(if longer.decides().is_some() { longer } else { found })
-}
-
-/// The watch of an orbit: counts its impacts.
-struct Counted<'w> {
-    watch: &'w Watched<'w>,
-    impacts: Cell<u64>,
-}
-
-impl Watch for Counted<'_> {
-    fn goes_on(&self) -> bool {
-        self.watch.goes_on(Stage::Orbit(self.impacts.get()))
-    }
-
-    fn reached(&self, index: u64) {
-        self.impacts.set(index);
-    }
 }

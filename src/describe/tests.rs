@@ -1,4 +1,5 @@
 use super::*;
+use crate::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_document::{DescriptionDocument, FateName};
 
 fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
@@ -13,7 +14,7 @@ fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
 
 /// What is said of a scene without a search for a horseshoe, which takes long.
 fn described(scene: &Scene) -> DescriptionDocument {
-    let watch = |stage| !matches!(stage, Stage::Horseshoe { .. });
+    let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
     let request = Request { impacts: 500, ..Request::default() };
     describe(scene, &request, &watch).unwrap().document(scene, "scene.toml").unwrap()
 }
@@ -93,7 +94,7 @@ fn several_harmonics_have_a_fate_but_no_region() {
 fn a_motion_in_a_region_carries_what_trap_proves() {
     let scene = figure("8", "9.42497", "0.5");
     let document = described(&scene);
-    let trap = Trap::of(&scene, 0, &|_| true).unwrap().unwrap();
+    let trap = Trap::of(&scene, 0, &Unwatched).unwrap().unwrap();
     assert_eq!((document.fate.kind, document.fate.from), (FateName::StaysInRegion, trap.entered()));
     assert_eq!(document.region, Some(crate::document::trap(&scene, &trap).unwrap()));
     assert!(document.certified && document.interrupted && document.proof.is_none());
@@ -103,7 +104,7 @@ fn a_motion_in_a_region_carries_what_trap_proves() {
 #[test]
 fn what_is_stopped_at_once_is_undecided_and_says_so() {
     let scene = figure("1", "9.42497", "0.5");
-    let found = describe(&scene, &Request::default(), &|_| false).unwrap();
+    let found = describe(&scene, &Request::default(), &|_: Stage<'_>| proceed_if(false)).unwrap();
     let document = found.document(&scene, "it's a scene.toml").unwrap();
     assert!(document.interrupted && !document.certified);
     assert_eq!(document.undecided[0].command, "impact-pair describe 'it'\\''s a scene.toml'");

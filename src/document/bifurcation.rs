@@ -9,7 +9,8 @@ use super::periodic::{Units, periodic_orbit};
 use crate::Error;
 use crate::mapping::Word;
 use crate::orbit::Start;
-use crate::periodic::bifurcation::{Branch, Diagram, End, Over, Point, Unproved};
+use crate::periodic::bifurcation::{Branch, Diagram, End, Point, Unproved};
+use crate::scene::Range;
 
 /// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
 ///
@@ -20,7 +21,7 @@ pub fn bifurcations(
     (word, cycles): (&Word, u32),
     diagram: &Diagram,
 ) -> Result<BifurcationDocument, Error> {
-    let Over { key, low, high } = diagram.over();
+    let Range { key, low, high, .. } = diagram.over();
     Ok(BifurcationDocument {
         schema: BIFURCATION_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),

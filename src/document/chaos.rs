@@ -15,7 +15,7 @@ use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Question, 
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
 use crate::pair::{Wall, within};
-use crate::periodic::bifurcation::Over;
+use crate::scene::Range;
 use crate::{Error, Scene};
 
 /// Bits that bounds are given in.
@@ -68,7 +68,7 @@ pub fn bounds_text([low, high]: &[Decimal; 2]) -> String {
 }
 
 /// Returns the chaos document of a scene, over a range of a parameter if given.
-pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Chaos) -> ChaosDocument {
+pub fn chaos(scene: &Scene, over: Option<&Range>, question: &Question, chaos: &Chaos) -> ChaosDocument {
     ChaosDocument {
         schema: CHAOS_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
@@ -103,7 +103,7 @@ pub fn chaos(scene: &Scene, over: Option<&Over>, question: &Question, chaos: &Ch
     }
 }
 
-fn range(Over { key, low, high }: &Over) -> ParameterRange {
+fn range(Range { key, low, high, .. }: &Range) -> ParameterRange {
     ParameterRange { key: key.place(), low: low.into(), high: high.into() }
 }
 

@@ -7,7 +7,8 @@ use impact_pair_document::{
 };
 
 use super::{Conclusion, Event};
-use crate::orbit::{Arithmetic, Orbit, Progress, Settings, Start, Watch};
+use crate::orbit::{Arithmetic, Orbit, Progress, Settings, Start};
+use crate::watch::{Unwatched, Watch};
 use crate::{Error, ImpactPair};
 
 /// Returns the orbit of `pair` from `start`, followed to its end, as a document.
@@ -30,10 +31,10 @@ use crate::{Error, ImpactPair};
 /// ```
 pub fn orbit(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<OrbitDocument, Error> {
     let mut orbit = Orbit::new(pair, start, settings)?;
-    Ok(follow(&mut orbit, (pair, start), &|| true, |_, _| ()))
+    Ok(follow(&mut orbit, (pair, start), &Unwatched, |_, _| ()))
 }
 
-/// Follows an orbit to its end, or the watch's, and returns it as a document; `each` receives every event.
+/// Follows an orbit, until it ends or the watch stops it, and returns it as a document; `each` receives every event.
 ///
 /// The pair and the start are those of the orbit.
 pub fn follow(

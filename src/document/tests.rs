@@ -3,6 +3,7 @@ use crate::Scene;
 use crate::exact::{Enclosure, Exact};
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
+use crate::watch::Unwatched;
 use impact_pair_certificate::Certificate;
 #[cfg(feature = "multiprecision")]
 use impact_pair_certificate::Verdict;
@@ -191,7 +192,7 @@ fn attracted() -> Value {
 
 #[cfg(feature = "multiprecision")]
 fn verdict(document: &Value) -> Verdict {
-    Certificate::parse(&document.to_string()).unwrap().check(|_| {}).unwrap()
+    Certificate::parse(&document.to_string()).unwrap().check(&Unwatched).unwrap()
 }
 
 #[test]

@@ -184,6 +184,7 @@ fn ball(x: &Enclosure) -> Ball {
 mod tests {
     use super::*;
     use crate::scene::Scene;
+    use crate::watch::Unwatched;
 
     fn followed(scene: &str, settings: &str) -> (Orbit, Dense, Vec<Progress>) {
         let path = format!("{}/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -191,7 +192,7 @@ mod tests {
         let settings = crate::orbit::Settings { arithmetic: settings.parse().unwrap(), ..scene.settings() };
         let mut orbit = Orbit::of(&scene, settings).unwrap();
         let (mut dense, mut events) = (Dense::new(&orbit, scene.start()), Vec::new());
-        let _ = orbit.follow(&|| true, |orbit, event| {
+        let _ = orbit.follow(&Unwatched, |orbit, event| {
             dense.record(orbit, &event);
             events.push(event);
             std::ops::ControlFlow::<()>::Continue(())

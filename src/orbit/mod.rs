@@ -7,6 +7,7 @@ mod begin;
 mod course;
 mod dense;
 mod event;
+mod follow;
 mod given;
 mod motion;
 mod passage;
@@ -25,7 +26,6 @@ mod splice;
 #[cfg(feature = "inari")]
 mod textbook;
 mod units;
-mod watch;
 mod width;
 
 pub use arrivals::{Arrival, Arrivals};
@@ -37,7 +37,6 @@ pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, Period, Place, Settings,
 pub use plan::Plan;
 pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;
-pub use watch::Watch;
 
 pub use crate::clock::Clock;
 use crate::clock::Phase;

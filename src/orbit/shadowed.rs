@@ -17,8 +17,9 @@ use super::splice::Splice;
 use super::{Arithmetic, Impact, Orbit, Outcome, Settings, Start};
 use crate::clock::Clock;
 use crate::contact::{Contact, Undecided};
-use crate::covering::chain::{AHEAD, Beginning, Chain, Covering};
+use crate::covering::chain::{AHEAD, Chain, Covering};
 use crate::covering::node::Node;
+use crate::covering::start::Beginning;
 use crate::covering::start::{Segment, Starts, Varied};
 use crate::exact::Enclosure;
 use crate::number::Ball;
@@ -253,6 +254,7 @@ mod tests {
     use crate::Scene;
     #[cfg(feature = "multiprecision")]
     use crate::orbit::Progress;
+    use crate::watch::Unwatched;
     use proptest::prelude::*;
     #[cfg(feature = "multiprecision")]
     use std::ops::ControlFlow;
@@ -307,7 +309,7 @@ mod tests {
         let scene = Scene::parse(text).unwrap();
         let events = |mut orbit: Orbit| {
             let mut events = Vec::new();
-            let _ = orbit.follow(&|| true, |_, event| {
+            let _ = orbit.follow(&Unwatched, |_, event| {
                 events.push(event);
                 ControlFlow::<()>::Continue(())
             });

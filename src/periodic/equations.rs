@@ -5,7 +5,8 @@ use std::cmp::Ordering;
 use nalgebra::Scalar;
 
 use super::chain::{Chain, Legs, Slopes};
-use super::krawczyk::{Equations, Jacobian};
+use super::krawczyk::Equations;
+use super::precondition::Jacobian;
 use super::shaking::Shaking;
 use crate::number::Enclosing;
 

@@ -2,9 +2,9 @@
 //!
 //! Periodic orbits, bifurcations and the slabs of a branch are zeros of equations of their own; this is what proves them all.
 
-use nalgebra::{DMatrix, Scalar};
+use nalgebra::Scalar;
 
-use super::precondition::Preconditioner;
+use super::precondition::{Jacobian, Preconditioner};
 use crate::number::Enclosing;
 
 /// As many equations as unknowns, `F(x) = 0`.
@@ -15,24 +15,6 @@ pub trait Equations<N: Scalar> {
     fn values(&self, x: &[N]) -> Option<Vec<N>>;
     /// `J`, which holds `F'` at all members of the box `x`; `None` where it may not be defined.
     fn jacobian(&self, x: &[N]) -> Option<Self::Jacobian>;
-}
-
-/// A square matrix by its entries: all of them, or those that may be other than 0.
-pub trait Jacobian<N: Scalar> {
-    /// How many rows it has, and columns.
-    fn size(&self) -> usize;
-    /// Row, column and value, row by row; what falls on one place is added.
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)>;
-}
-
-impl<N: Scalar> Jacobian<N> for DMatrix<N> {
-    fn size(&self) -> usize {
-        self.nrows()
-    }
-
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
-        (0..self.nrows()).flat_map(move |i| (0..self.ncols()).map(move |j| (i, j, &self[(i, j)])))
-    }
 }
 
 /// A zero proved: exactly one lies in `domain`, and it lies in `at`.
@@ -165,6 +147,7 @@ pub(super) fn widest<N: Enclosing>(balls: &[N]) -> f64 {
 mod tests {
     use super::*;
     use crate::number::{Ball, Wave};
+    use nalgebra::DMatrix;
     use proptest::prelude::*;
 
     const EFFORT: Effort = Effort { largest: LARGEST, domains: 14, images: 40, slow: 0 };

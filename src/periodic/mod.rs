@@ -39,6 +39,7 @@ use crate::number::interval::Interval;
 use crate::pair::{ImpactPair, Reduced, Wall};
 pub use crate::shaken::shaking;
 use crate::shaken::{One, Several};
+use crate::watch::{Unwatched, Watch};
 pub use attractor::{Attractor, Passing};
 pub(crate) use attractor::{LONGEST, find as find_attractor};
 pub use basin::Basin;
@@ -51,7 +52,7 @@ use impact_pair_model::{MAX_BITS, Start};
 pub use krawczyk::Proved;
 pub use measured::{MeasuredImpact, MeasuredOrbit};
 pub use orbit::{Finding, PeriodicImpact, PeriodicOrbit};
-pub use search::{Budget, Searched};
+pub use search::Budget;
 use several::repetition;
 pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 
@@ -176,31 +177,25 @@ impl Problem {
     ///
     /// Each once, in the order of their first phases. It proves that these exist, not that there are no others.
     pub fn find(&self, start: &Start, precision: Precision) -> Census {
-        self.find_while(start, precision, || true)
+        self.find_while(start, precision, &Unwatched)
     }
 
-    /// Finds orbits while `goes_on` returns true; it is called between guesses.
-    pub fn find_while(&self, start: &Start, precision: Precision, goes_on: impl Fn() -> bool) -> Census {
+    /// Finds orbits until the watch stops it, which is called between guesses.
+    pub fn find_while(&self, start: &Start, precision: Precision, watch: &dyn Watch) -> Census {
         if let Some(census) = self.settled() {
             return census;
         }
         match &self.pair {
-            Pair::One(one) => self.find_under(&**one, start, precision, goes_on),
-            Pair::Several(several) => self.find_under(&**several, start, precision, goes_on),
+            Pair::One(one) => self.find_under(&**one, start, precision, watch),
+            Pair::Several(several) => self.find_under(&**several, start, precision, watch),
         }
     }
 
-    fn find_under<S: Chained>(
-        &self,
-        shaken: &S,
-        start: &Start,
-        precision: Precision,
-        goes_on: impl Fn() -> bool,
-    ) -> Census {
+    fn find_under<S: Chained>(&self, shaken: &S, start: &Start, precision: Precision, watch: &dyn Watch) -> Census {
         let mut found: Vec<PeriodicOrbit> = Vec::new();
         let mut interrupted = false;
         for guess in guess::guesses(&self.chain, shaken, &self.impact_pair, start) {
-            if !goes_on() {
+            if !watch.goes_on() {
                 interrupted = true;
                 break;
             }

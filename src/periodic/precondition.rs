@@ -1,8 +1,24 @@
 //! Approximate inverses of Jacobian matrices, in doubles: nothing rests on how good they are.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Scalar};
 
-use super::krawczyk::Jacobian;
+/// A square matrix by its entries: all of them, or those that may be other than 0.
+pub trait Jacobian<N: Scalar> {
+    /// How many rows it has, and columns.
+    fn size(&self) -> usize;
+    /// Row, column and value, row by row; what falls on one place is added.
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)>;
+}
+
+impl<N: Scalar> Jacobian<N> for DMatrix<N> {
+    fn size(&self) -> usize {
+        self.nrows()
+    }
+
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, &N)> {
+        (0..self.nrows()).flat_map(move |i| (0..self.ncols()).map(move |j| (i, j, &self[(i, j)])))
+    }
+}
 
 /// An approximate inverse.
 #[derive(Clone, Debug)]

@@ -5,22 +5,22 @@ use impact_pair_document::{
     SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::{Asked, Axis, Grid, Point, State};
+use super::{Asked, Grid, Point, State, axis};
 use crate::document::is_certified;
 use crate::exact::{Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Outcome, Period};
-use crate::scene::Key;
+use crate::scene::{Key, Range};
 use crate::{Error, Scene};
 
 /// Returns what a sweep is about; a shard is given by its number and of how many.
 pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) -> SweepHead {
-    let over = |axis: &Axis| SweepAxis {
+    let over = |axis: &Range| SweepAxis {
         key: axis.key.to_string(),
         from: axis.low.text(),
         to: axis.high.text(),
-        count: axis.count,
+        count: axis.points(),
     };
     SweepHead {
         schema: SWEEP_SCHEMA.to_owned(),
@@ -46,8 +46,8 @@ pub fn head(scene: &Scene, grid: &Grid, asked: &Asked, shard: Option<[u64; 2]>) 
 /// # Errors
 /// When it is none, or has another number of points.
 pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
-    let axis = |over: &SweepAxis| format!("{}={}..{}:{}", over.key, over.from, over.to, over.count).parse::<Axis>();
-    let grid = Grid::new(head.over.iter().map(axis).collect::<Result<_, _>>()?)?;
+    let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
+    let grid = Grid::new(head.over.iter().map(axis_of).collect::<Result<_, _>>()?)?;
     if grid.points() != head.points {
         let message = format!("points is {}, but the grid has {}", head.points, grid.points());
         return Err(Error::out_of_range(None, message));

@@ -1,90 +1,38 @@
 //! The points of a sweep: exact values of one or two keys of a scene.
 
-use std::fmt;
-use std::str::FromStr;
-
 use crate::Error;
-use crate::exact::{Exact, ExactError};
-use crate::scene::{Key, Scene};
+use crate::exact::Exact;
+use crate::scene::{Key, Range, Scene};
 
 /// The points that a grid has at most.
 pub const MOST_POINTS: u64 = 100_000_000;
 
-const ACCEPTED: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
-
-/// Evenly spread exact values of a key: `KEY=LO..HI:COUNT`, endpoints included.
+/// Reads an axis: `KEY=LO..HI:COUNT`, evenly spread exact values of a key, endpoints included.
+///
+/// # Errors
+/// If it is no range with a number of values, which are 2 or more.
 ///
 /// ```
-/// use impact_pair::sweep::Axis;
-/// let axis: Axis = "amplitude=0..1:4".parse()?;
-/// let values: Vec<String> = (0..4).map(|i| axis.value(i).unwrap().text()).collect();
+/// let axis = impact_pair::sweep::axis("amplitude=0..1:4")?;
+/// let values: Vec<String> = (0..4).map(|i| axis.value(i, 3).unwrap().text()).collect();
 /// assert_eq!(values, ["0", "1/3", "2/3", "1"]);
-/// assert!("amplitude=1..0:4".parse::<Axis>().is_err());
+/// assert!(impact_pair::sweep::axis("amplitude=0..1").is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct Axis {
-    /// What varies.
-    pub key: Key,
-    /// The first value.
-    pub low: Exact,
-    /// The last one.
-    pub high: Exact,
-    /// How many there are.
-    pub count: u64,
+pub fn axis(text: &str) -> Result<Range, Error> {
+    Range::parse(text, ACCEPTED, is_axis)
 }
 
-impl Axis {
-    /// Value number `index` from 0.
-    ///
-    /// # Errors
-    /// If it exceeds the range of exact expressions.
-    pub fn value(&self, index: u64) -> Result<Exact, ExactError> {
-        // The ends as they are written.
-        if index == 0 {
-            return Ok(self.low.clone());
-        }
-        if index + 1 >= self.count {
-            return Ok(self.high.clone());
-        }
-        let whole = |n: u64| Exact::from(i64::try_from(n).expect("at most MOST_POINTS"));
-        let part = whole(index).checked_div(&whole(self.count - 1))?;
-        self.low.checked_add(&self.high.checked_sub(&self.low)?.checked_mul(&part)?)
-    }
-}
+const ACCEPTED: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
 
-impl FromStr for Axis {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self, Error> {
-        let parts = || {
-            let (key, rest) = text.split_once('=')?;
-            let (ends, count) = rest.rsplit_once(':')?;
-            let (low, high) = ends.split_once("..")?;
-            Some((key, low, high, count))
-        };
-        let (key, low, high, count) = parts().ok_or_else(|| refused(text, ACCEPTED))?;
-        let key = key.trim().parse()?;
-        let end = |text: &str| Exact::parse(text).ok().filter(Exact::is_point);
-        let axis = || {
-            let (low, high) = (end(low)?, end(high)?);
-            let count = count.trim().parse().ok().filter(|count| (2..=MOST_POINTS).contains(count))?;
-            low.compare(&high)?.is_lt().then_some(Self { key, low, high, count })
-        };
-        axis().ok_or_else(|| refused(text, ACCEPTED))
-    }
-}
-
-impl fmt::Display for Axis {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}..{}:{}", self.key, self.low, self.high, self.count)
-    }
+fn is_axis(range: &Range) -> bool {
+    range.count.is_some_and(|count| (2..=MOST_POINTS).contains(&count))
 }
 
 /// One axis, or two: then the second one's values run through faster.
 #[derive(Clone, Debug)]
 pub struct Grid {
-    axes: Vec<Axis>,
+    axes: Vec<Range>,
 }
 
 impl Grid {
@@ -92,9 +40,12 @@ impl Grid {
     ///
     /// # Errors
     /// When there are none or more than two, both say the same, or there are more than [`MOST_POINTS`] points.
-    pub fn new(axes: Vec<Axis>) -> Result<Self, Error> {
-        let text = || axes.iter().map(Axis::to_string).collect::<Vec<_>>().join(" ");
-        let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.count));
+    pub fn new(axes: Vec<Range>) -> Result<Self, Error> {
+        if let Some(range) = axes.iter().find(|range| !is_axis(range)) {
+            return Err(refused(&range.to_string(), ACCEPTED));
+        }
+        let text = || axes.iter().map(Range::to_string).collect::<Vec<_>>().join(" ");
+        let points = axes.iter().try_fold(1u64, |product, axis| product.checked_mul(axis.points()));
         match &axes[..] {
             [] | [_, _, _, ..] => return Err(refused(&text(), "one axis, or two")),
             [a, b] if a.key.is_one_with(b.key) => {
@@ -109,13 +60,13 @@ impl Grid {
     }
 
     /// Returns the axes.
-    pub fn axes(&self) -> &[Axis] {
+    pub fn axes(&self) -> &[Range] {
         &self.axes
     }
 
     /// Returns how many points it has.
     pub fn points(&self) -> u64 {
-        self.axes.iter().map(|axis| axis.count).product()
+        self.axes.iter().map(Range::points).product()
     }
 
     /// Returns the points at the ends of all axes.
@@ -123,8 +74,9 @@ impl Grid {
     /// Where they are scenes all points are: what a key accepts is an interval, and what two keys accept together, as `|y| < d/2`,
     /// convex.
     pub fn corners(&self) -> Vec<u64> {
-        match self.axes[..] {
-            [Axis { count: slow, .. }, Axis { count: fast, .. }] => {
+        match &self.axes[..] {
+            [slow, fast] => {
+                let (slow, fast) = (slow.points(), fast.points());
                 vec![0, fast - 1, (slow - 1) * fast, slow * fast - 1]
             }
             _ => vec![0, self.points() - 1],
@@ -134,7 +86,7 @@ impl Grid {
     /// Returns where a point lies on each axis, the numbers from 0.
     pub fn places(&self, point: u64) -> Vec<u64> {
         match &self.axes[..] {
-            [slow, fast] => vec![(point / fast.count) % slow.count, point % fast.count],
+            [slow, fast] => vec![(point / fast.points()) % slow.points(), point % fast.points()],
             _ => vec![point],
         }
     }
@@ -189,9 +141,10 @@ impl Grid {
     /// # Errors
     /// If one is beyond the range of exact expressions.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
-        let value = |(axis, place): (&Axis, u64)| {
-            let value =
-                axis.value(place).map_err(|error| refused(&axis.to_string(), &error.to_string()).because(error))?;
+        let value = |(axis, place): (&Range, u64)| {
+            let value = axis
+                .value(place, axis.points() - 1)
+                .map_err(|error| refused(&axis.to_string(), &error.to_string()).because(error))?;
             Ok((axis.key, value))
         };
         self.axes.iter().zip(self.places(point)).map(value).collect()

@@ -15,6 +15,6 @@ mod unit;
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_rows, doubles, rows};
 pub(crate) use document::exponent;
 pub use document::{grid, head, record};
-pub use grid::{Axis, Grid, MOST_POINTS};
+pub use grid::{Grid, MOST_POINTS, axis};
 pub use point::{Asked, Attraction, MOST_IMPACTS, Point, State, follow};
 pub use unit::Lasting;

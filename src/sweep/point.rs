@@ -13,6 +13,7 @@ use crate::pair::Wall;
 use crate::periodic::{Attractor, PeriodicImpact};
 use crate::scene::Scene;
 use crate::turns::in_radians;
+use crate::watch::Watch;
 
 use super::unit::{Lasting, Unit};
 
@@ -98,40 +99,35 @@ impl Point {
     }
 }
 
-/// Follows the orbit of a scene for as long as `goes_on` says so; `None` if it did not to the end.
+/// Follows the orbit of a scene to its end; `None` if the watch stops it before.
 ///
 /// In [`Arithmetic::Shadow`] only what doubles do not certify to the digits from the exact start is shadowed, and what neither does is
 /// left to [`Arithmetic::Auto`].
 ///
 /// # Errors
 /// When a value is beyond the range of double-precision flights.
-pub fn follow(scene: &Scene, asked: &Asked, goes_on: impl Fn() -> bool) -> Result<Option<Point>, Error> {
+pub fn follow(scene: &Scene, asked: &Asked, watch: &dyn Watch) -> Result<Option<Point>, Error> {
     if asked.settings.arithmetic != Arithmetic::Shadow {
-        return follow_in(asked.settings.arithmetic, scene, asked, &goes_on);
+        return follow_in(asked.settings.arithmetic, scene, asked, watch);
     }
     for arithmetic in [Arithmetic::Interval, Arithmetic::Shadow] {
-        match follow_in(arithmetic, scene, asked, &goes_on)? {
+        match follow_in(arithmetic, scene, asked, watch)? {
             Some(point) if !point.is_complete() => {}
             done => return Ok(done),
         }
     }
-    follow_in(Arithmetic::Auto, scene, asked, &goes_on)
+    follow_in(Arithmetic::Auto, scene, asked, watch)
 }
 
 /// The same in one arithmetic.
-fn follow_in(
-    arithmetic: Arithmetic,
-    scene: &Scene,
-    asked: &Asked,
-    goes_on: &impl Fn() -> bool,
-) -> Result<Option<Point>, Error> {
+fn follow_in(arithmetic: Arithmetic, scene: &Scene, asked: &Asked, watch: &dyn Watch) -> Result<Option<Point>, Error> {
     let impacts = Some(asked.transient.saturating_add(asked.impacts));
     let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..asked.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
     let unit = Unit::of(scene.pair(), asked.reference)?;
     let mut window = Window::new(&orbit, asked, &unit);
     let mut last = None;
-    let _ = orbit.follow(goes_on, |orbit, event| {
+    let _ = orbit.follow(watch, |orbit, event| {
         window.follow(orbit, &event);
         last = Some(event);
         ControlFlow::<()>::Continue(())
@@ -242,6 +238,7 @@ mod tests {
     use super::*;
     use crate::scene::Key;
     use crate::tolerances::TRANSIENT;
+    use crate::watch::{Stage, Unwatched};
     use approx::assert_abs_diff_eq;
 
     fn scene(name: &str) -> Scene {
@@ -257,7 +254,7 @@ mod tests {
             reference: None,
             settings: Settings { digits: 6, ..Settings::default() },
         };
-        follow(scene, &asked, || true).unwrap().unwrap()
+        follow(scene, &asked, &Unwatched).unwrap().unwrap()
     }
 
     #[test]
@@ -267,7 +264,7 @@ mod tests {
             let line = |summary| {
                 let settings = Settings { digits: 6, ..Settings::default() };
                 let asked = Asked { transient: 5, impacts: 40, summary, reference: None, settings };
-                crate::sweep::record(0, &values, &follow(&scene, &asked, || true).unwrap().unwrap())
+                crate::sweep::record(0, &values, &follow(&scene, &asked, &Unwatched).unwrap().unwrap())
             };
             let (short, mut full) = (line(true), line(false));
             assert_eq!((short.states.len(), full.states.len()), (0, 40));
@@ -319,9 +316,13 @@ mod tests {
     fn what_is_chaotic_is_shadowed_and_nothing_else() {
         let follow = |name: &str, impacts: u64| {
             let settings = Settings { arithmetic: Arithmetic::Shadow, digits: 6, ..Settings::default() };
-            follow(&scene(name), &Asked { transient: 500, impacts, summary: false, reference: None, settings }, || true)
-                .unwrap()
-                .unwrap()
+            follow(
+                &scene(name),
+                &Asked { transient: 500, impacts, summary: false, reference: None, settings },
+                &Unwatched,
+            )
+            .unwrap()
+            .unwrap()
         };
         let chaos = follow("figure-14", 20_000);
         assert!(chaos.shadow.is_some() && chaos.is_complete() && chaos.states.len() == 20_000);
@@ -341,9 +342,9 @@ mod tests {
         assert_eq!(chatter.states.len(), 60);
         let settings = Settings { arithmetic: Arithmetic::Interval, ..Settings::default() };
         let asked = Asked { transient: 20, impacts: 500, summary: false, reference: None, settings };
-        let chaos = follow(&scene("figure-14"), &asked, || true).unwrap().unwrap();
+        let chaos = follow(&scene("figure-14"), &asked, &Unwatched).unwrap().unwrap();
         assert!(matches!(chaos.outcome, Outcome::Undecided { .. }) && chaos.states.len() > 20);
         assert_eq!(chaos.states.len() as u64 + 20, chaos.impacts);
-        assert!(follow(&scene("figure-14"), &asked, || false).unwrap().is_none());
+        assert!(follow(&scene("figure-14"), &asked, &|_: Stage<'_>| ControlFlow::Break(())).unwrap().is_none());
     }
 }

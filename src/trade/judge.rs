@@ -8,9 +8,10 @@ use std::ops::ControlFlow;
 
 use super::ladder::Rung;
 use crate::exact::{Dyadic, Enclosure};
-use crate::orbit::{Arithmetic, Impact, Orbit, Settings, Watch};
+use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
 use crate::pair::Wall;
 use crate::scales::{Size, Unit, Units};
+use crate::watch::Watch;
 use crate::{Error, Scene};
 
 /// Digits of the truth: far beyond what doubles hold.

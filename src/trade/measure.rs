@@ -8,8 +8,9 @@ use impact_pair_document::ArithmeticDocument;
 
 use super::ladder::Rung;
 use crate::document::{Conclusion, Event, arithmetic, is_certified};
-use crate::orbit::{Impact, Orbit, Settings, Watch};
+use crate::orbit::{Impact, Orbit, Settings};
 use crate::scales::{Size, Units};
+use crate::watch::{Silent, Watch};
 use crate::{Error, Scene};
 
 /// Runs are repeated until those without and with bounds, and what prepares them, have taken so long together, ...
@@ -186,7 +187,7 @@ fn repeat(
 /// How long the orbit takes from here to its end; `None` if interrupted.
 fn time(mut orbit: Orbit, watch: &dyn Watch, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
     let since = Instant::now();
-    orbit.follow_impacts(&|| watch.goes_on(), |orbit, impact| {
+    orbit.follow_impacts(&Silent(watch), |orbit, impact| {
         each(orbit, impact);
         ControlFlow::Continue(())
     });
@@ -203,6 +204,7 @@ fn median(mut times: Vec<Duration>) -> Duration {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::watch::Unwatched;
 
     #[test]
     fn the_median_is_in_the_middle() {
@@ -219,7 +221,7 @@ mod tests {
                      start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
         let scene = Scene::parse(scene).unwrap();
         let (asked, units) = (Settings { impacts: Some(5), ..scene.settings() }, Units::of(&scene));
-        let of = |rung| measure(&scene, rung, &asked, &units, &|| true).unwrap().unwrap();
+        let of = |rung| measure(&scene, rung, &asked, &units, &Unwatched).unwrap().unwrap();
         let float = of(Rung::Float);
         assert!((float.impacts, float.is_complete(), float.is_certified) == (5, true, false));
         assert!(float.widths.is_none() && float.times.with_bounds.is_none());

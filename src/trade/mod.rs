@@ -10,8 +10,9 @@ pub use ladder::Rung;
 pub use measure::{Extent, Measured, Times, Widths};
 
 use crate::document::counted;
-use crate::orbit::{Settings, Watch};
+use crate::orbit::Settings;
 use crate::scales::Units;
+use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
 use ladder::Ladder;
 use measure::measure;
@@ -44,7 +45,7 @@ impl<'s> Trade<'s> {
         let mut ladder = Ladder::new(asked.max_bits, one_harmonic && cfg!(feature = "inari"));
         let mut trade = Self { scene, asked, units, rungs: Vec::new(), judgement: None, interrupted: None };
         while let Some(rung) = ladder.rung() {
-            watch.stage(&rung.to_string());
+            watch.note(Stage::Part(&rung.to_string()));
             let Some(measured) = measure(scene, rung, &trade.asked, &units, watch)? else {
                 trade.interrupted = Some(rung);
                 break;
@@ -52,7 +53,7 @@ impl<'s> Trade<'s> {
             ladder.climb(measured.impacts, measured.is_complete());
             trade.rungs.push(measured);
             if rung == Rung::Float {
-                watch.stage("true errors of float");
+                watch.note(Stage::Part("true errors of float"));
                 trade.judgement = Some(judge::judge_float(scene, &trade.asked, &units, watch)?);
             }
         }

@@ -42,6 +42,13 @@ pub(super) fn acos(x: &Real) -> Option<Real> {
     Some(high?.hull(&low?))
 }
 
+/// `a`, `sin a` and `cos a` for the members `cos a = c <= 1` of a drift; at `c = 1` for greater ones.
+pub(super) fn critical(drift: &Real) -> Option<(Real, Real, Real)> {
+    let cosine = drift.at_most(1);
+    let sine = (Real::int(1, drift.bits()) - cosine.square()).sqrt()?;
+    Some((acos(&cosine)?, sine, cosine))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

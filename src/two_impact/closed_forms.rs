@@ -15,10 +15,9 @@
 
 use std::cmp::Ordering;
 
-use super::angle::acos;
+use super::angle::{acos, critical};
 use super::isolate::refine;
 use super::jet::Jet;
-use super::motion::critical;
 use crate::exact::Real;
 
 /// `|v|/(A W) = (cos th0 - cos th1)/(1 - e)`, from a left impact to a right one; `None` if e may be 1. **Equation** (62)

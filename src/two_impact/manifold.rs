@@ -4,13 +4,13 @@
 //! which they do not change are known, and the properties of a part hold for every point of it. Bounds are in the bits of the
 //! requested digits, as doubles are not.
 
-use std::cell::Cell;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use crate::Error;
 use crate::exact::{Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::{ImpactPair, Wall, within};
+use crate::watch::{Latched, Watch};
 
 use super::closed_forms::{self, grazing_angle};
 use super::question::{ONE_HARMONIC, SHOWN};
@@ -124,7 +124,7 @@ struct Place {
 }
 
 impl Range<'_> {
-    /// Returns the parameter manifolds of some `N`, computed while `goes_on` returns true, and whether it did to the end; none is empty.
+    /// Returns the parameter manifolds of some `N`, until the watch stops them, and whether all were computed; none is empty.
     ///
     /// Even `N` have no equispaced motion (65): of a range the odd ones are given.
     ///
@@ -134,33 +134,29 @@ impl Range<'_> {
         &self,
         cycles: RangeInclusive<u32>,
         digits: u32,
-        goes_on: impl Fn() -> bool,
+        watch: &dyn Watch,
     ) -> Result<(Vec<Manifold>, bool), Error> {
         let is_one = cycles.start() == cycles.end();
-        let went_on = Cell::new(goes_on());
-        let goes_on = || {
-            went_on.set(went_on.get() && goes_on());
-            went_on.get()
-        };
+        let watch = Latched::new(watch);
         let mut curves: Vec<Manifold> = cycles
             .filter(|n| is_one || n % 2 == 1)
-            .take_while(|_| goes_on())
-            .map(|n| self.manifold(n, digits, goes_on))
+            .take_while(|_| watch.goes_on())
+            .map(|n| self.manifold(n, digits, &watch))
             .collect::<Result<_, _>>()?;
         curves.retain(|curve| !curve.points.is_empty());
-        Ok((curves, went_on.get()))
+        Ok((curves, !watch.is_stopped()))
     }
 
-    /// Returns the curve of N cycles, N odd; of its points the first ones, those that are there while `goes_on` says so.
+    /// Returns the curve of N cycles, N odd; of its points the first ones, those computed before the watch stops it.
     ///
     /// # Errors
     /// When there are several harmonics, e is not below 1, N is even (65), a number is an interval of values, the range is empty or
     /// holds 0, or two marks cannot be distinguished.
-    pub fn manifold(&self, cycles: u32, digits: u32, goes_on: impl Fn() -> bool) -> Result<Manifold, Error> {
+    pub fn manifold(&self, cycles: u32, digits: u32, watch: &dyn Watch) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);
         let marks = self.marks(cycles, bits)?;
-        let mut places = self.grid(bits, &goes_on)?;
+        let mut places = self.grid(bits, watch)?;
         places.retain(|place| marks.iter().all(|(_, x)| order(&place.x, x).is_some()));
         let ends = [places.first(), places.last()].map(|place| place.map(|place| place.x.clone()));
         for (mark, x) in &marks {
@@ -186,7 +182,7 @@ impl Range<'_> {
             mark: place.mark,
             after,
         };
-        let mut points: Vec<Point> = places.into_iter().zip(parts).take_while(|_| goes_on()).map(point).collect();
+        let mut points: Vec<Point> = places.into_iter().zip(parts).take_while(|_| watch.goes_on()).map(point).collect();
         if let Some(last) = points.last_mut() {
             last.after = None;
         }
@@ -267,8 +263,8 @@ impl Range<'_> {
         })
     }
 
-    /// The grid, by `x`, while `goes_on` says so.
-    fn grid(&self, bits: u32, goes_on: impl Fn() -> bool) -> Result<Vec<Place>, Error> {
+    /// The grid, by `x`, until the watch stops it.
+    fn grid(&self, bits: u32, watch: &dyn Watch) -> Result<Vec<Place>, Error> {
         let step = |index: usize| {
             let part = Exact::from(index as i64).checked_div(&Exact::from(self.count as i64 - 1))?; // exact: a count
             self.from.checked_add(&self.to.checked_sub(&self.from)?.checked_mul(&part)?)
@@ -285,7 +281,7 @@ impl Range<'_> {
             };
             Ok(Place { x: x.expect("checked not to be 0"), at, mark: None })
         };
-        (0..self.count).take_while(|_| goes_on()).map(place).collect()
+        (0..self.count).take_while(|_| watch.goes_on()).map(place).collect()
     }
 
     /// W or v at `x`.

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::angle::{acos, angle};
+use super::angle::{angle, critical};
 use super::closed_forms::drift;
 use crate::exact::Real;
 
@@ -135,13 +135,6 @@ impl Motion {
 fn near_height(theta0: &Real, sin0: &Real, drift: &Real) -> Option<Real> {
     let (a, sine, cosine) = critical(drift)?;
     Some(cosine * (a - theta0) - sine + sin0)
-}
-
-/// `a`, `sin a` and `cos a` for the members `cos a = c <= 1` of a drift; at `c = 1` for greater ones.
-pub(super) fn critical(drift: &Real) -> Option<(Real, Real, Real)> {
-    let cosine = drift.at_most(1);
-    let sine = (Real::int(1, drift.bits()) - cosine.square()).sqrt()?;
-    Some((acos(&cosine)?, sine, cosine))
 }
 
 /// A flight from the left wall to the right one, in the units of [`Motion`].

@@ -7,6 +7,7 @@ use impact_pair::json::{BaseDocument, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};
+use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
 use super::forged::bounds;
@@ -33,7 +34,7 @@ fn has_bifurcations(document: &Value) -> Option<bool> {
     let precision = Precision { digits: 20, ..Precision::default() };
     let wanted = Wanted { over: over.parse().ok()?, doublings: 3, precision };
     let asked = (&word, document["cycles"].as_u64()? as u32);
-    let diagram = survey(&pair, &start, asked, &wanted, || true).ok()?;
+    let diagram = survey(&pair, &start, asked, &wanted, &Unwatched).ok()?;
     let found = json!(document::bifurcations(&start, asked, &diagram).ok()?);
     let is_found = |claim: &Value| {
         found["points"].as_array().unwrap().iter().any(|point| {
@@ -61,8 +62,7 @@ fn has_words(document: &Value) -> Option<bool> {
     let question = Question { depth: document["depth"].as_u64()? as usize, bases: document::bases(&bases) };
     // It only names what is found.
     let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).ok()?;
-    let found =
-        json!(document::chaos(&scene, None, &question, &Chaos::of(&pair, &start, &question, &|_, _| true).ok()?));
+    let found = json!(document::chaos(&scene, None, &question, &Chaos::of(&pair, &start, &question, &Unwatched).ok()?));
     let found = found["words"].as_array()?;
     let all = document["words"].as_array()?;
     let count = |words: &[Value], word: &Value| words.iter().filter(|other| *other == word).count();

@@ -8,13 +8,15 @@ use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{Wanted, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
 
 use super::forged::{Original, with};
 use crate::spoiled::{documents, others};
+use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
 const KINDS: [&str; 11] = [
@@ -115,9 +117,9 @@ fn bifurcations() -> Vec<Original> {
     let of = |name: &str, (excitation, word, cycles): (&str, &str, u32), over: &str, (doublings, digits)| {
         let scene = scene(excitation, "1", "0.8");
         let precision = Precision { digits, ..Precision::default() };
-        let wanted = Wanted { over: over.parse::<Over>().unwrap(), doublings, precision };
+        let wanted = Wanted { over: over.parse().unwrap(), doublings, precision };
         let word = word.parse().unwrap();
-        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, || true).unwrap();
+        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &wanted, &Unwatched).unwrap();
         let document = json!(document::bifurcations(scene.start(), (&word, cycles), &diagram).unwrap());
         Original::new("bifurcations", name, document)
     };
@@ -134,7 +136,7 @@ fn bifurcations() -> Vec<Original> {
 
 fn cycles() -> Original {
     let (scene, asked) = (figure("figure-14"), 1..=3);
-    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &|_| true).unwrap();
+    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &Unwatched).unwrap();
     Original::new(
         "cycles",
         "of three impacts",
@@ -147,7 +149,7 @@ fn trap(name: &str) -> Original {
     Original::new(
         "trap",
         name,
-        json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap()),
+        json!(document::trap(&scene, &Trap::of(&scene, 0, &Unwatched).unwrap().unwrap()).unwrap()),
     )
 }
 
@@ -157,12 +159,12 @@ fn chaos(over: Option<&str>) -> Original {
     let bases: Vec<BaseDocument> =
         serde_json::from_value(serde_json::from_str::<Value>(&read).unwrap()["bases"].clone()).unwrap();
     let question = Question { depth: 3, bases: document::bases(&bases) };
-    let over: Option<Over> = over.map(|over| over.parse().unwrap());
+    let over: Option<Range> = over.map(|over| over.parse().unwrap());
     let pair = match &over {
         Some(over) => scene.pair().with(over.key, Exact::interval(&over.low, &over.high).unwrap()).unwrap(),
         None => scene.pair().clone(),
     };
-    let found = Chaos::of(&pair, scene.start(), &question, &|_, _| true).unwrap();
+    let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
     let name = if over.is_some() { "over a range" } else { "of a point" };
     Original::new("chaos", name, json!(document::chaos(&scene, over.as_ref(), &question, &found)))
 }
@@ -175,7 +177,7 @@ fn sweeps() -> Vec<Original> {
         let mut lines = vec![json!(sweep::head(scene, &grid, &asked, None))];
         for number in 0..grid.points() {
             let values = grid.values(number).unwrap();
-            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+            let point = sweep::follow(&grid.scene(scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
             lines.push(json!(sweep::record(number, &values, &point)));
         }
         Original::new("sweep", name, Value::Array(lines))

@@ -4,13 +4,14 @@ use std::fs;
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
-use impact_pair::describe::{Request, Stage, describe};
+use impact_pair::describe::{Request, describe};
 use impact_pair::document;
 use impact_pair::json::BaseDocument;
 use impact_pair::orbit::Settings;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation::{Wanted, survey};
 use impact_pair::sweep::{self, Asked, Grid};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use serde_json::{Value, json};
 
 fn file(name: &str) -> String {
@@ -32,7 +33,7 @@ fn bifurcations() -> Value {
     let precision = Precision { digits: 9, ..Precision::default() };
     let wanted = Wanted { over: "amplitude=0.3..0.4".parse().unwrap(), doublings: 1, precision };
     let asked = (&"RL".parse().unwrap(), 1);
-    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, || true).unwrap();
+    let diagram = survey(scene.pair(), scene.start(), asked, &wanted, &Unwatched).unwrap();
     json!(document::bifurcations(scene.start(), asked, &diagram).unwrap())
 }
 
@@ -40,26 +41,27 @@ fn chaos() -> Value {
     let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
     let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
     let (scene, question) = (figure("figure-14"), Question { depth: 6, bases: document::bases(&bases) });
-    let found = Chaos::of(scene.pair(), scene.start(), &question, &|_, _| true).unwrap();
+    let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
     json!(document::chaos(&scene, None, &question, &found))
 }
 
 fn trap() -> Value {
     let scene = figure("figure-14");
-    json!(document::trap(&scene, &Trap::of(&scene, 0, &|_| true).unwrap().unwrap()).unwrap())
+    json!(document::trap(&scene, &Trap::of(&scene, 0, &Unwatched).unwrap().unwrap()).unwrap())
 }
 
 /// What becomes of a motion, without a search for a horseshoe.
 pub fn description(name: &str) -> Value {
     let (scene, request) = (figure(name), Request { impacts: 60, ..Request::default() });
-    let found = describe(&scene, &request, &|stage| !matches!(stage, Stage::Horseshoe { .. })).unwrap();
+    let found =
+        describe(&scene, &request, &|at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }))).unwrap();
     json!(found.document(&scene, name).unwrap())
 }
 
 /// All cycles of figure 14 with one to so many impacts.
 pub fn cycles(most: u32) -> Value {
     let (scene, asked) = (figure("figure-14"), 1..=most);
-    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &|_| true).unwrap();
+    let found = Cycles::of(&scene, 0, &asked, Precision::default(), &Unwatched).unwrap();
     json!(document::cycles(&scene, &asked, found.as_ref().map_err(|why| *why)).unwrap())
 }
 
@@ -72,7 +74,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let mut lines = vec![json!(sweep::head(&scene, &grid, &asked, None))];
     for number in 0..grid.points() {
         let values = grid.values(number).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, || true).unwrap().unwrap();
+        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &asked, &Unwatched).unwrap().unwrap();
         lines.push(json!(sweep::record(number, &values, &point)));
     }
     lines

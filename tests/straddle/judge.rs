@@ -4,6 +4,7 @@ use impact_pair::Scene;
 use impact_pair::document::{Conclusion, Event, arithmetic, head};
 use impact_pair::json::{EventDocument, write_orbit};
 use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
+use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Certificate, Effort, Verdict};
 
 use super::starts::Case;
@@ -76,7 +77,7 @@ pub fn judge(case: &Case, number: u64) -> (Judgement, String) {
         return (Judgement::Nothing, String::new());
     }
     let certificate = Certificate::parse(&text).expect("what is written can be read");
-    match certificate.check_within(&EFFORT, |_| ()).expect("a scene that was run") {
+    match certificate.check_within(&EFFORT, &Unwatched).expect("a scene that was run") {
         Verdict::Confirmed { .. } => (Judgement::Confirmed, String::new()),
         Verdict::Interrupted { .. } => unreachable!("nobody stops it"),
         Verdict::Undecided(finding) => (Judgement::Open, finding.message),

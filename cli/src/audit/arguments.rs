@@ -7,7 +7,7 @@ use impact_pair::audit::{Asked, Column, Columns};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::MAX_BITS;
 
-use crate::arguments::Destination;
+use crate::destination::Destination;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 all agree; 1 something disagrees or is undecided; 2 usage, bad input, I/O";
@@ -63,7 +63,7 @@ pub struct AuditArguments {
     tolerance: Exact,
     /// Compare up to this time: later rows are ignored, and every impact certified before it is expected in the list [default:
     /// the last time listed]
-    #[arg(long, value_name = "T", value_parser = crate::arguments::point, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = crate::values::point, allow_hyphen_values = true)]
     until: Option<Exact>,
     /// The column of times, by its name or its number from 1 [default: time or t, or the first one]
     #[arg(long, value_name = "NAME|N")]
@@ -79,10 +79,10 @@ pub struct AuditArguments {
     #[arg(long, conflicts_with = "velocity_column")]
     no_velocity: bool,
     /// Digits of the certified orbit, relative as --tolerance [default: three more than the tolerance has]
-    #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
+    #[arg(long, value_name = "D", value_parser = crate::values::digits())]
     digits: Option<u32>,
     /// Maximum precision of the certified orbit, in bits
-    #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::arguments::bits())]
+    #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::values::bits())]
     max_bits: u32,
     /// Output format [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
@@ -123,7 +123,7 @@ impl AuditArguments {
 
 /// Reads a tolerance.
 fn tolerance(text: &str) -> Result<Exact, String> {
-    let tolerance = crate::arguments::point(text)?;
+    let tolerance = crate::values::point(text)?;
     let (low, high) = tolerance.enclose(64).to_f64_bounds();
     if low >= 0.0 && high <= 1.0 { Ok(tolerance) } else { Err("accepted is a number from 0 to 1".into()) }
 }

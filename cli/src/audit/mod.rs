@@ -9,8 +9,7 @@ use impact_pair::audit::{Audit, read};
 use impact_pair::json::one_a_line;
 
 use crate::Answer;
-use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::progress::Progress;
 use crate::scene;
 use arguments::{AuditArguments, AuditFormat};
 
@@ -32,14 +31,8 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
     let named = || scene::name(&arguments.events);
     let text = scene::text(&arguments.events)?;
     let list = read(&text, &arguments.columns(), scene.pair()).with_context(named)?;
-    for input in [&arguments.scene, &arguments.events] {
-        scene::keep(input, arguments.destination.output.as_deref())?;
-    }
-
-    // From here on Ctrl-C keeps what is certified.
-    interruption();
-    let out = Output::open(arguments.destination.output.as_deref())?;
-    let progress = Progress::new(Some(list.rows.len() as u64), !arguments.destination.quiet);
+    let files = arguments.destination.open(&[&arguments.scene, &arguments.events], None)?;
+    let progress = Progress::new(Some(list.rows.len() as u64), !files.quiet);
     let audit = Audit::of(&scene, list, &arguments.asked(), &progress).map_err(|error| match error.key() {
         Some("until") => anyhow!("--{error}"),
         _ if error.is_list() => Error::from(error).context(named()),
@@ -52,5 +45,5 @@ pub fn audit(arguments: &AuditArguments) -> Result<Answer> {
         AuditFormat::Json => format!("{}\n", one_a_line(&audit.document(), &["events"])),
     };
     let open = (!audit.is_agreed()).then(|| audit.conclusion().to_string());
-    out.answer(&text, open, (arguments.destination.quiet, format == AuditFormat::Table))
+    files.answer(&text, open, format == AuditFormat::Table)
 }

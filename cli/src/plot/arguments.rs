@@ -9,7 +9,8 @@ use impact_pair::scene::Run;
 use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::picture::Theme;
 
-use crate::arguments::{ARITHMETICS, bits, digits, point, window};
+use crate::destination::Destination;
+use crate::values::{ARITHMETICS, bits, digits, point, window};
 
 pub const HELP: &str = "\
 Examples:
@@ -51,7 +52,7 @@ pub struct PlotArguments {
     #[arg(long, value_name = "T0..T1", value_parser = window, allow_hyphen_values = true)]
     zoom: Option<[f64; 2]>,
     /// Stop after N impacts [default: 4000 for switch-planes and sections, else as many as the forcing periods need]
-    #[arg(long, value_name = "N", value_parser = crate::arguments::count(0..=u64::MAX))]
+    #[arg(long, value_name = "N", value_parser = crate::values::count(0..=u64::MAX))]
     impacts: Option<u64>,
     /// Stop at this time, a number or an expression such as 100*pi
     #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
@@ -81,6 +82,11 @@ pub struct PlotArguments {
 }
 
 impl PlotArguments {
+    /// Returns where the picture goes.
+    pub fn destination(&self) -> Destination {
+        Destination { output: Some(self.output.clone()), quiet: self.quiet }
+    }
+
     /// Returns the panels requested, each once, in the order of the paper if all are.
     pub fn figure(&self) -> Figure {
         let mut panels = if self.all { Panel::ALL.to_vec() } else { Vec::new() };

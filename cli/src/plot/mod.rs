@@ -2,35 +2,29 @@
 
 pub mod arguments;
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 
 use anyhow::{Context, Result};
 use impact_pair::orbit::Orbit;
 
 use crate::Answer;
-use crate::output::Output;
-use crate::progress::{Progress, interruption};
+use crate::destination::{Begun, Files};
+use crate::output::note;
+use crate::progress::Progress;
 use crate::scene;
 use arguments::PlotArguments;
 
 pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
-    let scene = scene::read(&arguments.scene)?;
-    scene::keep(&arguments.scene, Some(&arguments.output))?;
+    let Begun { scene, files: Files { out, quiet, .. }, path } =
+        arguments.destination().begin(&arguments.scene, None)?;
     let figure = arguments.figure();
     let settings = figure.settings(&scene);
-    let orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(&arguments.scene))?;
-
-    // From here on Ctrl-C keeps what is certified.
-    interruption();
-    let out = Output::open(Some(&arguments.output))?;
-    let visible = !arguments.quiet && io::stderr().is_terminal();
+    let orbit = Orbit::of(&scene, settings.clone()).with_context(|| scene::name(path))?;
+    let visible = !quiet && io::stderr().is_terminal();
     let progress = Progress::new(settings.impacts, visible);
     let (svg, ending) = figure.draw(&scene, (orbit, &settings), &progress);
     progress.clear();
     out.draw(&arguments.output, arguments.theme, || svg)?;
-    if !arguments.quiet {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{ending}");
-    }
+    note(quiet, &ending.to_string());
     Ok(if ending.is_complete() { Answer::Complete } else { Answer::Incomplete })
 }

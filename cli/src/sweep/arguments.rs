@@ -5,11 +5,12 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
-use impact_pair::sweep::{Axis, MOST_IMPACTS};
+use impact_pair::scene::Range;
+use impact_pair::sweep::{MOST_IMPACTS, axis};
 use impact_pair_plot::picture::Theme;
 use impact_pair_plot::sweep::Show;
 
-use crate::arguments::Destination;
+use crate::destination::Destination;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 everything requested is certified at every point; 1 at some points it is not, or the sweep was \
@@ -50,24 +51,24 @@ pub struct SweepArguments {
     #[arg(required_unless_present = "merge")]
     pub scene: Option<PathBuf>,
     /// What varies, one key or two
-    #[arg(long, value_name = "KEY=LO..HI:COUNT", required_unless_present = "merge", allow_hyphen_values = true)]
-    pub over: Vec<Axis>,
+    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
+    pub over: Vec<Range>,
     /// Number of impacts in the transient, which are certified but not written
-    #[arg(long, value_name = "N", default_value_t = 500, value_parser = crate::arguments::count(0..=MOST_IMPACTS))]
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = crate::values::count(0..=MOST_IMPACTS))]
     pub transient: u64,
     /// Number of impacts after the transient
-    #[arg(long, value_name = "M", default_value_t = 300, value_parser = crate::arguments::count(1..=MOST_IMPACTS))]
+    #[arg(long, value_name = "M", default_value_t = 300, value_parser = crate::values::count(1..=MOST_IMPACTS))]
     pub impacts: u64,
     /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W: finer
     /// than any picture
-    #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::arguments::digits())]
+    #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::values::digits())]
     pub digits: u32,
     /// The arithmetic, as in run; shadow is used only at points whose exact orbits doubles do not certify [default: auto, with
     /// --plot shadow]
-    #[arg(long, value_name = crate::arguments::ARITHMETICS)]
+    #[arg(long, value_name = crate::values::ARITHMETICS)]
     pub arithmetic: Option<Arithmetic>,
     /// Maximum precision of auto, in bits; enough for 100,000 chaotic impacts, and low enough that no point takes minutes to end undecided
-    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::arguments::bits())]
+    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::values::bits())]
     pub max_bits: u32,
     /// Write no impacts, only the result of each point
     #[arg(long)]
@@ -101,7 +102,7 @@ pub struct SweepArguments {
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,
     /// Range of the vertical axis of the diagram
-    #[arg(long, value_name = "LO..HI", value_parser = crate::arguments::window, requires = "plot", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO..HI", value_parser = crate::values::window, requires = "plot", allow_hyphen_values = true)]
     pub within: Option<[f64; 2]>,
     #[command(flatten)]
     pub destination: Destination,

@@ -5,13 +5,13 @@ mod formats;
 mod journal;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod points;
 mod record;
 mod work;
 mod write;
 
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::Instant;
 
@@ -20,18 +20,20 @@ use impact_pair::Scene;
 use impact_pair::json::SweepHead;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::sweep::{self, Asked, Grid, Table};
+use impact_pair::watch::Watch;
 use impact_pair_plot::sweep::Records;
 
 use crate::Answer;
 use crate::output::Output;
 
-use crate::progress::interruption;
+use crate::progress::{Interruption, catch_interruption};
 use crate::scene;
 use arguments::SweepArguments;
 use formats::Formats;
 use journal::{Journal, difference};
+use points::Sweep;
 use work::Work;
-use write::Sweep;
+use write::write;
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
     keep_files_apart(arguments)?;
@@ -86,14 +88,14 @@ fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
     }
 
     // From here on Ctrl-C keeps what is finished.
-    let interrupted = interruption();
+    catch_interruption();
     let mut journal = Journal::open(head.clone(), arguments.destination.output.as_deref(), arguments.resume)?;
     let (begun, before) = (Instant::now(), journal.points());
     let visible = !arguments.destination.quiet && io::stderr().is_terminal();
     work.complete(&mut journal, visible).with_context(|| scene::name(path))?;
     let computed = journal.points() - before;
     let left = journal.missing().len();
-    if left > 0 && interrupted.load(Ordering::Relaxed) && journal.path().is_some() {
+    if left > 0 && !Interruption.goes_on() && journal.path().is_some() {
         let path = journal.path().map(|path| path.display().to_string()).unwrap_or_default();
         let points = journal.points();
         note(
@@ -161,11 +163,11 @@ fn finish(arguments: &SweepArguments, sweep: &mut Sweep, formats: Formats) -> Re
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     if let Some(path) = &arguments.states {
         let mut states = Output::open(Some(path))?;
-        sweep.write(&mut states, formats.states, Table::States).context("cannot write the states")?;
+        write(sweep, &mut states, formats.states, Table::States).context("cannot write the states")?;
         states.commit()?;
     }
     let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
-    sweep.write(&mut out, formats.output, table).context("cannot write the output")?;
+    write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
     out.commit()?;
     if let Some(path) = &arguments.plot {
         Output::open(Some(path))?

@@ -12,8 +12,8 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 
+use super::points::Sweep;
 use super::record;
-use super::write::Sweep;
 use crate::output::Output;
 
 /// Rows that are kept in memory and written as one group.

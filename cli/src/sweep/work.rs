@@ -2,7 +2,6 @@
 
 use std::io::{self, IsTerminal};
 use std::sync::Mutex;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use anyhow::{Context, Error, Result};
@@ -14,7 +13,7 @@ use rayon::prelude::*;
 
 use super::journal::Journal;
 use super::record;
-use crate::progress::interruption;
+use crate::progress::Interruption;
 
 /// A sweep at work.
 pub struct Work<'w> {
@@ -47,7 +46,6 @@ impl Work<'_> {
 
     /// The record of a point; `None` when Ctrl-C has come before it was done.
     fn point(&self, point: u64) -> Result<Option<String>> {
-        let interrupted = interruption();
         let values = self.grid.values(point)?;
         let named = || {
             let value =
@@ -55,7 +53,7 @@ impl Work<'_> {
             format!("point {point} ({})", values.iter().map(value).collect::<Vec<_>>().join(", "))
         };
         let scene = self.grid.scene(self.scene, &values).with_context(named)?;
-        let found = follow(&scene, self.asked, || !interrupted.load(Ordering::Relaxed)).with_context(named)?;
+        let found = follow(&scene, self.asked, &Interruption).with_context(named)?;
         Ok(found.map(|found| record::line(&sweep::record(point, &values, &found))))
     }
 

@@ -8,7 +8,7 @@ use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
 use impact_pair_plot::picture::Theme;
 
-use crate::arguments::Destination;
+use crate::destination::Destination;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 every row was measured (an undecided one is a result); 1 interrupted (the output holds what was \
@@ -40,10 +40,10 @@ pub struct TradeArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// Stop each row after N impacts [default: that of the scene; 100 if the scene has no stop time either]
-    #[arg(long, value_name = "N", value_parser = crate::arguments::count(1..=u64::MAX))]
+    #[arg(long, value_name = "N", value_parser = crate::values::count(1..=u64::MAX))]
     impacts: Option<u64>,
     /// Maximum precision of a row, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::arguments::bits())]
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::values::bits())]
     pub max_bits: u32,
     /// Output format [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]

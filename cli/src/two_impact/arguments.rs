@@ -2,17 +2,16 @@
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use impact_pair::exact::Exact;
 use impact_pair::pair::Wall;
+use impact_pair::scene::{Key, Range};
 use impact_pair::two_impact::{COUNTS, CYCLES};
 use impact_pair_plot::picture::Theme;
 use impact_pair_plot::two_impact::Window;
 
-use crate::arguments::Destination;
+use crate::destination::Destination;
 use crate::ending;
 
 pub const EXIT_CODES: &str = "\
@@ -44,7 +43,7 @@ Ctrl-C ended a parameter manifold (the output holds what is proved so far); 2 us
 
 /// Reads two ranges, one for each axis.
 fn window(text: &str) -> Result<Window, String> {
-    let range = crate::arguments::window;
+    let range = crate::values::window;
     let (across, up) = text.split_once(':').ok_or("accepted are two ranges such as 7..21:0..0.8")?;
     Ok([range(across)?, range(up)?])
 }
@@ -54,8 +53,8 @@ pub struct TwoImpactArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// N, or a range such as 1..5, endpoints included
-    #[arg(long, value_name = "N|LO..HI", default_value = "1")]
-    pub cycles: Cycles,
+    #[arg(long, value_name = "N|LO..HI", default_value = "1", value_parser = crate::values::numbers(CYCLES))]
+    pub cycles: RangeInclusive<u32>,
     /// The wall whose impact is listed first
     #[arg(long, value_enum, default_value_t)]
     pub wall: Side,
@@ -63,11 +62,11 @@ pub struct TwoImpactArguments {
     #[arg(long, value_enum, default_value_t, value_name = "velocity|amplitude|gap", conflicts_with = "manifold")]
     pub solve_for: SolveFor,
     /// A_N over a range: frequency=LO..HI:COUNT (figure 10) or velocity=LO..HI:COUNT (figure 11)
-    #[arg(long, value_name = "KEY=LO..HI:COUNT")]
-    pub manifold: Option<ManifoldRange>,
+    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = manifold)]
+    pub manifold: Option<Range>,
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the
     /// scene, or 9]
-    #[arg(long, value_name = "D", value_parser = crate::arguments::digits())]
+    #[arg(long, value_name = "D", value_parser = crate::values::digits())]
     pub digits: Option<u32>,
     /// Output format [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
@@ -145,66 +144,19 @@ pub enum SolveFor {
     Gap,
 }
 
-/// N, one or several.
-#[derive(Clone, Debug)]
-pub struct Cycles(pub RangeInclusive<u32>);
-
-impl FromStr for Cycles {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (low, high) = text.split_once("..").unwrap_or((text, text));
-        let number = |text: &str| text.parse().ok().filter(|n| CYCLES.contains(n));
-        match (number(low), number(high)) {
-            (Some(low), Some(high)) if low <= high => Ok(Self(low..=high)),
-            _ => {
-                let (least, most) = (CYCLES.start(), CYCLES.end());
-                Err(format!("accepted is an integer from {least} to {most}, or a range of them such as 1..5"))
-            }
-        }
-    }
-}
-
-/// The parameter of a parameter manifold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Over {
-    Frequency,
-    Velocity,
-}
-
-/// The range of a parameter manifold.
-#[derive(Clone, Debug)]
-pub struct ManifoldRange {
-    pub over: Over,
-    pub from: Exact,
-    pub to: Exact,
-    pub count: usize,
-}
-
-impl FromStr for ManifoldRange {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let accepted = || {
-            let (least, most) = (COUNTS.start(), COUNTS.end());
-            format!(
-                "accepted is frequency=LO..HI:COUNT or velocity=LO..HI:COUNT with numbers LO < HI and COUNT from {least} to {most}"
-            )
-        };
-        let parts = || {
-            let (key, rest) = text.split_once('=')?;
-            let over = match key {
-                "frequency" => Over::Frequency,
-                "velocity" => Over::Velocity,
-                _ => return None,
-            };
-            let (ends, count) = rest.rsplit_once(':')?;
-            let (from, to) = ends.split_once("..")?;
-            let count = count.parse().ok().filter(|count| COUNTS.contains(count))?;
-            Some((over, from, to, count))
-        };
-        let (over, from, to, count) = parts().ok_or_else(accepted)?;
-        let number = |text: &str| Exact::parse(text).map_err(|error| format!("{text}: {error}"));
-        Ok(Self { over, from: number(from)?, to: number(to)?, count })
+/// Reads the range of a parameter manifold.
+fn manifold(text: &str) -> Result<Range, impact_pair::Error> {
+    let (least, most) = (COUNTS.start(), COUNTS.end());
+    let accepted = format!(
+        "frequency=LO..HI:COUNT or velocity=LO..HI:COUNT with numbers LO < HI and COUNT from {least} to {most}"
+    );
+    let is_accepted = |range: &Range| {
+        let is_counted = range.count.is_some_and(|count| (*least as u64..=*most as u64).contains(&count));
+        is_counted && matches!(range.key, Key::Frequency(None) | Key::StartVelocity)
+    };
+    // The velocity is that of the start.
+    match text.strip_prefix("velocity") {
+        Some(rest) => Range::parse(&format!("start.velocity{rest}"), &accepted, is_accepted),
+        None => Range::parse(text, &accepted, is_accepted),
     }
 }

@@ -10,39 +10,41 @@ use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::orbit::Settings;
+use impact_pair::scene::{Key, Range as ParameterRange};
 use impact_pair::two_impact::{Answer, Axis, Question, Range, Unknown, speed};
+use impact_pair::watch::Watch;
 
-use crate::output::Output;
-use crate::progress::{Progress, goes_on, interruption};
+use crate::destination::{Begun, Files};
+use crate::progress::Progress;
 use crate::{Answer as Exit, scene};
-use arguments::{ManifoldRange, Over, SolveFor, TwoImpactArguments, TwoImpactFormat};
+use arguments::{SolveFor, TwoImpactArguments, TwoImpactFormat};
 
 /// The arguments, and how the answer is written.
 type Asked<'a> = (&'a TwoImpactArguments, TwoImpactFormat);
 
 pub fn two_impact(arguments: &TwoImpactArguments) -> Result<Exit> {
     let format = arguments.format()?;
-    let scene = scene::read(&arguments.scene)?;
+    let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
+    let Begun { scene, files, path } = arguments.destination.begin(&arguments.scene, plot)?;
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(Settings::default().digits);
-    scene::keep_apart(&[&arguments.scene], arguments.destination.output.as_deref(), arguments.plot.as_deref())?;
-    let named = || scene::name(&arguments.scene);
+    let named = || scene::name(path);
     match &arguments.manifold {
-        Some(range) => draw_manifold((arguments, format), &scene, range, digits).with_context(named),
-        None => list_motions((arguments, format), &scene, digits).with_context(named),
+        Some(range) => draw_manifold((arguments, format), files, &scene, range, digits).with_context(named),
+        None => list_motions((arguments, format), files, &scene, digits).with_context(named),
     }
 }
 
-fn list_motions((arguments, format): Asked<'_>, scene: &Scene, digits: u32) -> Result<Exit> {
+fn list_motions((arguments, format): Asked<'_>, files: Files, scene: &Scene, digits: u32) -> Result<Exit> {
     let unknown = match arguments.solve_for {
         SolveFor::Velocity => Unknown::Velocity,
         SolveFor::Amplitude => Unknown::Amplitude(speed(scene)?),
         SolveFor::Gap => Unknown::Gap(speed(scene)?),
     };
-    let progress = Progress::of("isolating motions", !arguments.destination.quiet);
+    let progress = Progress::of("isolating motions", !files.quiet);
     let answers: Vec<Answer> = arguments
         .cycles
-        .0
         .clone()
+        .take_while(|_| progress.goes_on())
         .map(|cycles| Ok(Question::new(scene.pair(), cycles, unknown.clone())?.answer(digits)))
         .collect::<Result<_, Error>>()?;
     progress.clear();
@@ -58,26 +60,32 @@ fn list_motions((arguments, format): Asked<'_>, scene: &Scene, digits: u32) -> R
         }
         TwoImpactFormat::Table | TwoImpactFormat::Csv => table::motions(scene, &unknown, &answers, wall),
     };
-    let open = "not everything requested is decided: see what is undecided or null in the output";
-    let open = answers.iter().any(|answer| !answer.is_complete).then(|| open.to_owned());
+    let open = match answers.iter().all(|answer| answer.is_complete) {
+        true if answers.len() == arguments.cycles.clone().count() => None,
+        true => Some("interrupted: the motions written are proved, others are missing"),
+        false => Some("not everything requested is decided: see what is undecided or null in the output"),
+    };
+    let open = open.map(str::to_owned);
     let is_table = format == TwoImpactFormat::Table;
-    Output::open(arguments.destination.output.as_deref())?.answer(&text, open, (arguments.destination.quiet, is_table))
+    files.answer(&text, open, is_table)
 }
 
-fn draw_manifold((arguments, format): Asked<'_>, scene: &Scene, range: &ManifoldRange, digits: u32) -> Result<Exit> {
+fn draw_manifold(
+    (arguments, format): Asked<'_>,
+    files: Files,
+    scene: &Scene,
+    over: &ParameterRange,
+    digits: u32,
+) -> Result<Exit> {
     let wall = arguments.wall.wall();
-    let ManifoldRange { from, to, count, .. } = range.clone();
-    let (axis, speed) = match range.over {
-        Over::Frequency => (Axis::Frequency, speed(scene)?),
-        // Not used.
-        Over::Velocity => (Axis::Velocity(wall), Exact::from(0)),
+    let (axis, speed) = match over.key {
+        Key::StartVelocity => (Axis::Velocity(wall), Exact::from(0)), // the speed is what varies
+        _ => (Axis::Frequency, speed(scene)?),
     };
+    let (from, to, count) = (over.low.clone(), over.high.clone(), over.points() as usize);
     let range = Range { pair: scene.pair(), speed, axis, from, to, count };
-    // From here on Ctrl-C keeps what is proved.
-    interruption();
-    let out = Output::open(arguments.destination.output.as_deref())?;
-    let progress = Progress::of("computing parameter manifolds", !arguments.destination.quiet);
-    let (curves, went_on) = range.manifolds(arguments.cycles.0.clone(), digits, goes_on)?;
+    let progress = Progress::of("computing parameter manifolds", !files.quiet);
+    let (curves, went_on) = range.manifolds(arguments.cycles.clone(), digits, &progress)?;
     progress.clear();
     let interrupted = !went_on;
     let text = match format {
@@ -89,10 +97,8 @@ fn draw_manifold((arguments, format): Asked<'_>, scene: &Scene, range: &Manifold
         TwoImpactFormat::Csv => csv::csv(axis, &curves),
     };
     let open = interrupted.then(|| "interrupted: the points written are proved, others are missing".to_owned());
-    let answer = out.answer(&text, open, (arguments.destination.quiet, false))?;
-    if let Some(path) = arguments.plot.as_ref().filter(|_| !curves.is_empty()) {
-        Output::open(Some(path))?
-            .draw(path, arguments.theme, || impact_pair_plot::two_impact::svg(scene, axis, &curves, arguments.inset))?;
+    if curves.is_empty() {
+        return files.answer(&text, open, false);
     }
-    Ok(answer)
+    files.draw((&text, open, false), || impact_pair_plot::two_impact::svg(scene, axis, &curves, arguments.inset))
 }

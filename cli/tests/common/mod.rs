@@ -8,10 +8,31 @@ use std::{fs, io};
 
 /// `impact-pair run` with these arguments, in the root of the repository.
 pub fn run(arguments: &[&str]) -> Command {
-    let mut command = program(&["run"]);
-    command.args(arguments);
-    command
+    verb("run", arguments)
 }
+
+/// A verb with these arguments, in the root of the repository.
+pub fn verb(name: &str, arguments: &[&str]) -> Command {
+    program(&[&[name], arguments].concat())
+}
+
+/// A test for each command: stdout, stderr and exit code as they were recorded, but for what the filters cut out.
+macro_rules! snapshots {
+    ($filters:expr; $($name:ident: $command:expr;)*) => {
+        $(#[test]
+        fn $name() {
+            insta::with_settings!({ filters => $filters.to_vec() }, {
+                insta_cmd::assert_cmd_snapshot!(stringify!($name), $command);
+            });
+        })*
+    };
+}
+pub(crate) use snapshots;
+
+/// No filter of snapshots.
+pub const EXACT: [(&str, &str); 0] = [];
+/// Bounds depend on how well the arithmetic rounds: only certain digits are compared.
+pub const UNCERTAIN: [(&str, &str); 2] = [(r"\([-+]?\d+,[-+]?\d+\) *", "(..) "), (r"(\d\.\d{5})\d+", "$1..")];
 
 /// `impact-pair` with these arguments, in the root of the repository, without colour.
 pub fn program(arguments: &[&str]) -> Command {

@@ -154,7 +154,7 @@ impl BifurcationCertificate {
         self.points.iter().filter(|point| point.kind != Kind::Graze).count()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

@@ -78,7 +78,7 @@ impl ChaosCertificate {
         self.document.words.len()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

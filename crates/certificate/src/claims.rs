@@ -1,6 +1,6 @@
 //! Documents of every verb, and what `check` proves of them.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use serde_json::{Deserializer, Value};
 
@@ -13,6 +13,7 @@ use impact_pair_document::{
     MANIFOLD_SCHEMA, PERIODIC_SCHEMA, SWEEP_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, counted, value,
 };
 use impact_pair_model::Error;
+use impact_pair_model::watch::{Latched, Stage, Watch};
 
 /// What a document claims.
 #[derive(Clone, Debug)]
@@ -101,15 +102,14 @@ impl Claims {
     }
 
     /// Judges one document after another; the first that is not confirmed says why.
-    fn judge_each(
-        documents: &[(String, &Self)],
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        progress: &mut dyn FnMut(usize),
-    ) -> Result<Judged, Error> {
+    fn judge_each(documents: &[(String, &Self)], effort: &Effort, watch: &dyn Watch) -> Result<Judged, Error> {
         let (mut before, mut most) = (0, (0, 0));
         for (_, document) in documents {
-            let Judged { verdict, confirmed } = document.judge(effort, stop, &mut |event| progress(before + event))?;
+            let after = |at: Stage<'_>| match at {
+                Stage::Claims(claims) => watch.proceed(Stage::Claims(before + claims)),
+                at => watch.proceed(at),
+            };
+            let Judged { verdict, confirmed } = document.judge(effort, &after)?;
             let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
             let verdict = match verdict {
                 Verdict::Confirmed { bits, pieces } => {
@@ -131,63 +131,52 @@ impl Claims {
         Ok(Judged { verdict, confirmed: before })
     }
 
-    /// Proves every claim again, or returns the first one refuted or undecided, until `stop` is set, if given. `progress` receives
+    /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives
     /// the claims confirmed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
-        Ok(self.judge(effort, stop, &mut progress)?.verdict)
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        Ok(self.judge(effort, watch)?.verdict)
     }
 
-    /// Judges as [`check_until`](Self::check_until) does, and says how far its claims were confirmed one after another: what
+    /// Judges as [`check_within`](Self::check_within) does, and says how far its claims were confirmed one after another: what
     /// [`document`](Self::document) tells of each of them.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
-    pub fn judge(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        progress: &mut dyn FnMut(usize),
-    ) -> Result<Judged, Error> {
-        let mut reached = 0;
+    pub fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<Judged, Error> {
         if let Self::Description(certificate) = self
             && let Some(finding) = certificate.contradiction()
         {
             return Ok(Judged { verdict: Verdict::Refuted(finding), confirmed: 0 });
         }
         if let Some(documents) = self.documents() {
-            return Self::judge_each(&documents, effort, stop, progress);
+            return Self::judge_each(&documents, effort, &Latched::new(watch));
         }
         if let Self::Sweep(certificate) = self {
-            let verdict = certificate.judge_until(effort, stop, |point, are_confirmed| {
-                progress(point);
-                reached = if are_confirmed { point } else { reached };
-            })?;
-            return Ok(self.judged(verdict, reached));
+            let (verdict, certain) = certificate.judge_within(effort, watch)?;
+            return Ok(self.judged(verdict, certain));
         }
-        let watch = |event: usize| {
-            reached = reached.max(event);
-            progress(event);
+        let reached = AtomicUsize::new(0);
+        let watch = &|at: Stage<'_>| {
+            if let Stage::Claims(claims) = at {
+                reached.fetch_max(claims, Ordering::Relaxed);
+            }
+            watch.proceed(at)
         };
         let verdict = match self {
-            Self::Orbit(certificate) => certificate.check_until(effort, stop, watch),
-            Self::Periodic(certificate) => certificate.check_until(effort, stop, watch),
-            Self::Cycles(certificate) => certificate.check_until(effort, stop, watch),
-            Self::Bifurcations(certificate) => certificate.check_until(effort, stop, watch),
-            Self::Chaos(certificate) => certificate.check_until(effort, stop, watch),
-            Self::Trap(certificate) => certificate.check_until(effort, stop, watch),
+            Self::Orbit(certificate) => certificate.check_within(effort, watch),
+            Self::Periodic(certificate) => certificate.check_within(effort, watch),
+            Self::Cycles(certificate) => certificate.check_within(effort, watch),
+            Self::Bifurcations(certificate) => certificate.check_within(effort, watch),
+            Self::Chaos(certificate) => certificate.check_within(effort, watch),
+            Self::Trap(certificate) => certificate.check_within(effort, watch),
             Self::Description(_) | Self::List(_) | Self::Sweep(_) | Self::Unchecked(_) => {
                 Ok(Verdict::Undecided(Finding { event: 0, message: "nothing of it is checked".to_owned() }))
             }
         }?;
-        Ok(self.judged(verdict, reached))
+        Ok(self.judged(verdict, reached.into_inner()))
     }
 
     fn judged(&self, verdict: Verdict, reached: usize) -> Judged {

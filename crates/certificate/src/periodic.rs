@@ -166,7 +166,7 @@ impl PeriodicCertificate {
         self.mirrors_are_one
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

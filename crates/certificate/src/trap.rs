@@ -54,7 +54,7 @@ impl TrapCertificate {
         self.document.region.iter().map(boxes).sum()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_until`](Self::check_until) judges.
+    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }

@@ -1,31 +1,29 @@
 //! What `check` lists as claims: each value is there or named beside, and none is there that is not compared.
 
 use std::collections::BTreeSet;
-use std::sync::atomic::AtomicBool;
 
 use impact_pair_certificate::{Claims, Effort};
 use impact_pair_document::{CheckDocument, VerdictName};
 use impact_pair_exact::Exact;
+use impact_pair_model::watch::{Stage, Unwatched, Watch, proceed_if};
 use serde_json::{Value, json};
 
 use crate::environment::number;
 use crate::recorded::all;
 use crate::{changes, schemas};
 
-static STOPPED: AtomicBool = AtomicBool::new(true);
-
 pub fn text(lines: &[Value]) -> String {
     lines.iter().map(Value::to_string).collect::<Vec<_>>().join("\n")
 }
 
 /// What `check` finds; `None` where the document is refused as it is read.
-fn checked(lines: &[Value], stop: Option<&'static AtomicBool>) -> Option<CheckDocument> {
+fn checked(lines: &[Value], watch: &dyn Watch) -> Option<CheckDocument> {
     let text = text(lines);
     let claims = Claims::parse(&text).ok()?;
     // Where nothing is to be decided it is soon given up.
     let work = if lines[0]["claim"].is_string() { 1 << 12 } else { Effort::default().work };
     let effort = Effort { bits: 1 << 12, pieces: 16, work, ..Effort::default() };
-    let judged = claims.judge(&effort, stop, &mut |_| {}).ok()?;
+    let judged = claims.judge(&effort, watch).ok()?;
     Some(claims.document(&text, &judged))
 }
 
@@ -129,11 +127,11 @@ fn r32_every_value_of_every_schema_is_judged_or_named() {
         }
         // The last of the lines ends an orbit.
         let line = if name == "orbit-lines-end" { lines.len() - 1 } else { line };
-        assert_all_are_told(name, &lines, &checked(&lines, Some(&STOPPED)).expect(name));
+        assert_all_are_told(name, &lines, &checked(&lines, &|_: Stage<'_>| proceed_if(false)).expect(name));
         for property in schemas::properties(&schema) {
             let mut copy = lines.clone();
             schemas::ensure(&mut copy[line], &property, &schema);
-            match checked(&copy, Some(&STOPPED)) {
+            match checked(&copy, &|_: Stage<'_>| proceed_if(false)) {
                 Some(found) => {
                     assert_all_are_told(&format!("{name} with {property:?}"), &copy, &found);
                     told += 1;
@@ -222,7 +220,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
     let is_tried =
         |name: &str| name != "too long" && (!slow.contains(&name) || number("PROPTEST_CASES", 256) >= 100_000);
     for (name, lines) in all().into_iter().filter(|(name, _)| is_tried(name)) {
-        let found = checked(&lines, None).expect(&name);
+        let found = checked(&lines, &Unwatched).expect(&name);
         assert_eq!(found.verdict, VerdictName::Confirmed, "{name}: {}", found.message);
         assert!(found.claims.iter().all(|claim| claim.verdict == VerdictName::Confirmed && claim.reason.is_none()));
         assert_all_are_told(&name, &lines, &found);
@@ -251,7 +249,7 @@ fn r32_nothing_is_listed_as_a_claim_that_is_not_compared() {
                     lines[0] = changes::told(&lines[0]);
                 }
                 // A value that says nothing is not listed any more.
-                checked(&lines, None).is_some_and(|found| {
+                checked(&lines, &Unwatched).is_some_and(|found| {
                     found.verdict == VerdictName::Confirmed && !found.not_checked.contains(&claim.path)
                 })
             };

@@ -26,8 +26,55 @@ use super::enclosure::Enclosure;
 /// The best `(w, floor(pi * 2^w))` so far. Lower scales are its leading bits, so results never depend on history.
 static BEST_PI: Mutex<Option<(u64, BigInt)>> = Mutex::new(None);
 
+impl Enclosure {
+    /// Encloses pi, at most `2^(3 - bits)` wide.
+    pub fn pi(bits: u32) -> Enclosure {
+        pi(bits)
+    }
+
+    /// Encloses the square root; `None` if x may be negative.
+    pub fn sqrt(&self, bits: u32) -> Option<Enclosure> {
+        if self.inf().sign().is_lt() {
+            return None;
+        }
+        Enclosure::new(sqrt(self.inf(), bits, Round::Down), sqrt(self.sup(), bits, Round::Up))
+    }
+
+    /// Encloses sin x. **Cost**: grows with the logarithm of |x|, for the reduction modulo pi/2.
+    pub fn sin(&self, bits: u32) -> Enclosure {
+        self.lipschitz(bits, sin)
+    }
+
+    /// Encloses cos x. **Cost**: as [`sin`](Enclosure::sin).
+    pub fn cos(&self, bits: u32) -> Enclosure {
+        self.lipschitz(bits, cos)
+    }
+
+    /// Encloses f over the interval for f = sin or cos: both are 1-Lipschitz, so f([m - r, m + r]) lies in f(m) +- r.
+    fn lipschitz(&self, bits: u32, f: fn(&Dyadic, u32) -> Enclosure) -> Enclosure {
+        let one = Dyadic::power_of_two(0);
+        let whole = Enclosure::new(one.negated(), one).expect("-1 < 1");
+        if self.is_point() {
+            return f(self.inf(), bits).intersection(&whole).unwrap_or(whole); // X1: both hold it
+        }
+        let radius_bits = 32;
+        let width = self.wid();
+        if width >= Dyadic::power_of_two(3) {
+            return whole; // longer than a period
+        }
+        let middle = self.inf().plus(self.sup(), bits.saturating_add(4), Round::Down).scaled(-1); // X1: any middle
+        let left = middle.plus(&self.inf().negated(), radius_bits, Round::Up);
+        let right = self.sup().plus(&middle.negated(), radius_bits, Round::Up);
+        let radius = left.max(right); // X1: the farther end
+        let value = f(&middle, bits);
+        let lo = value.inf().plus(&radius.negated(), bits, Round::Down);
+        let spread = Enclosure::new(lo, value.sup().plus(&radius, bits, Round::Up)).expect("a radius is not negative");
+        spread.intersection(&whole).unwrap_or(whole) // X1: both hold it
+    }
+}
+
 /// Encloses pi in ends of `bits` mantissa bits.
-pub(crate) fn pi(bits: u32) -> Enclosure {
+fn pi(bits: u32) -> Enclosure {
     let scale = u64::from(bits);
     let floor = pi_floor(scale);
     let unit = -(scale as i64); // exact: of 33 bits at most
@@ -89,7 +136,7 @@ fn inverse_tangent(q: u32, scale: u64) -> (BigInt, u64) {
 }
 
 /// The square root of x >= 0 in `bits` mantissa bits, on the side that `round` says.
-pub(crate) fn sqrt(x: &Dyadic, bits: u32, round: Round) -> Dyadic {
+fn sqrt(x: &Dyadic, bits: u32, round: Round) -> Dyadic {
     // Shift to an even exponent and at least 2 bits + 2 digits, so that the integer root has bits + 1.
     let missing = (2 * i64::from(bits) + 2 - x.mantissa().bits() as i64).max(0); // exact: any shift that leaves it even
     let shift = missing + (x.exponent() - missing).rem_euclid(2);
@@ -100,7 +147,7 @@ pub(crate) fn sqrt(x: &Dyadic, bits: u32, round: Round) -> Dyadic {
 }
 
 /// Encloses sin x: absolute error below `2^(3 - bits)`, and relative error as small for |x| <= 1.
-pub(crate) fn sin(x: &Dyadic, bits: u32) -> Enclosure {
+fn sin(x: &Dyadic, bits: u32) -> Enclosure {
     if is_tiny(x, bits) {
         return sin_of_tiny(x, bits);
     }
@@ -108,7 +155,7 @@ pub(crate) fn sin(x: &Dyadic, bits: u32) -> Enclosure {
 }
 
 /// Encloses cos x: absolute error below `2^(3 - bits)`.
-pub(crate) fn cos(x: &Dyadic, bits: u32) -> Enclosure {
+fn cos(x: &Dyadic, bits: u32) -> Enclosure {
     if is_tiny(x, bits) {
         return cos_of_tiny(x, bits);
     }

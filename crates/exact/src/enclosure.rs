@@ -9,7 +9,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::dyadic::{Dyadic, Round, compare_rational, divide, scale_to_integer};
-use super::elementary;
 
 /// `floor` and `width` give up beyond `2^LARGEST_INTEGER` rather than fill the memory with one integer.
 const LARGEST_INTEGER: i64 = 1 << 24;
@@ -49,11 +48,6 @@ impl Enclosure {
     /// Returns the interval between two doubles, exactly; `None` for NaN, an infinity or `lo > hi`.
     pub fn from_f64_bounds(lo: f64, hi: f64) -> Option<Enclosure> {
         Enclosure::new(Dyadic::from_f64(lo)?, Dyadic::from_f64(hi)?)
-    }
-
-    /// Encloses pi, at most `2^(3 - bits)` wide.
-    pub fn pi(bits: u32) -> Enclosure {
-        elementary::pi(bits)
     }
 
     /// Returns the lower end.
@@ -114,17 +108,6 @@ impl Enclosure {
         }
     }
 
-    /// Encloses the square root; `None` if x may be negative.
-    pub fn sqrt(&self, bits: u32) -> Option<Enclosure> {
-        if self.lo.sign().is_lt() {
-            return None;
-        }
-        Some(Enclosure {
-            lo: elementary::sqrt(&self.lo, bits, Round::Down),
-            hi: elementary::sqrt(&self.hi, bits, Round::Up),
-        })
-    }
-
     /// Encloses x^n (with x^0 = 1); `None` if n < 0 and x may be zero.
     pub fn powi(&self, n: i32, bits: u32) -> Option<Enclosure> {
         // Each of the at most 2 * 32 roundings below costs less than an ulp relative, and squaring doubles what is
@@ -152,40 +135,6 @@ impl Enclosure {
             }
             (true, false) => Enclosure { lo: power(&self.lo, Round::Up).negated(), hi: power(&self.hi, Round::Up) },
         }
-    }
-
-    /// Encloses sin x. **Cost**: grows with the logarithm of |x|, for the reduction modulo pi/2.
-    pub fn sin(&self, bits: u32) -> Enclosure {
-        self.lipschitz(bits, elementary::sin)
-    }
-
-    /// Encloses cos x. **Cost**: as [`sin`](Enclosure::sin).
-    pub fn cos(&self, bits: u32) -> Enclosure {
-        self.lipschitz(bits, elementary::cos)
-    }
-
-    /// Encloses f over the interval for f = sin or cos: both are 1-Lipschitz, so f([m - r, m + r]) lies in f(m) +- r.
-    fn lipschitz(&self, bits: u32, f: fn(&Dyadic, u32) -> Enclosure) -> Enclosure {
-        let one = Dyadic::power_of_two(0);
-        let whole = Enclosure { lo: one.negated(), hi: one };
-        if self.is_point() {
-            return f(&self.lo, bits).intersection(&whole).unwrap_or(whole); // X1: both hold it
-        }
-        let radius_bits = 32;
-        let width = self.wid();
-        if width >= Dyadic::power_of_two(3) {
-            return whole; // longer than a period
-        }
-        let middle = self.lo.plus(&self.hi, bits.saturating_add(4), Round::Down).scaled(-1); // X1: any middle
-        let left = middle.plus(&self.lo.negated(), radius_bits, Round::Up);
-        let right = self.hi.plus(&middle.negated(), radius_bits, Round::Up);
-        let radius = left.max(right); // X1: the farther end
-        let value = f(&middle, bits);
-        let spread = Enclosure {
-            lo: value.lo.plus(&radius.negated(), bits, Round::Down),
-            hi: value.hi.plus(&radius, bits, Round::Up),
-        };
-        spread.intersection(&whole).unwrap_or(whole) // X1: both hold it
     }
 
     /// Returns the superset with ends of at most `bits` mantissa bits.

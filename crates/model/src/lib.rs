@@ -13,6 +13,7 @@ mod period;
 pub mod scene;
 mod settings;
 mod start;
+pub mod watch;
 
 pub use error::{Error, within};
 pub use excerpt::Excerpt;

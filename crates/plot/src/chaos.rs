@@ -6,7 +6,7 @@ use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{Base, Chaos, State, Trap, seen_impacts};
 use impact_pair::document::counted;
-use impact_pair::periodic::bifurcation::Over;
+use impact_pair::scene::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -63,7 +63,7 @@ pub fn trap(scene: &Scene, region: &Trap) -> Result<String> {
 ///
 /// # Errors
 /// When it cannot be drawn.
-pub fn chaos(scene: &Scene, over: Option<&Over>, found: &Chaos) -> Result<String> {
+pub fn chaos(scene: &Scene, over: Option<&Range>, found: &Chaos) -> Result<String> {
     let has_bases = !found.bases().is_empty();
     picture::svg(if has_bases { TOGETHER } else { ALONE }, SCALE, |root| {
         let top = caption(scene, over, proved(found), root)?;
@@ -186,7 +186,7 @@ fn entries(found: &Chaos) -> Vec<(Mark, String)> {
 /// Title, parameters, and what is proved; how high that is.
 fn caption(
     scene: &Scene,
-    over: Option<&Over>,
+    over: Option<&Range>,
     proved: String,
     root: &Canvas<'_>,
 ) -> Result<i32, Box<dyn std::error::Error>> {
@@ -194,7 +194,7 @@ fn caption(
 }
 
 /// The parameters of a scene, of one that varies its range.
-pub(crate) fn parameters(scene: &Scene, over: Option<&Over>) -> String {
+pub(crate) fn parameters(scene: &Scene, over: Option<&Range>) -> String {
     let words = scene.parameters_in_words();
     let Some(over) = over else { return greek(&format!("{words}; {}", scene.start_in_words())) };
     let symbol = over.key.symbol().0;
@@ -291,7 +291,7 @@ mod tests {
              start = { time = 0, wall = \"left\", velocity = -1 }",
         )
         .unwrap();
-        let over: Over = "gap=9.4..9.5".parse().unwrap();
+        let over: Range = "gap=9.4..9.5".parse().unwrap();
         let words = parameters(&scene, Some(&over));
         assert_eq!(words, "$A = 8, Ω = π, τ = 0, e = 0.5; start: t = 0, left wall, v = −1$; all $9.4 ≤ d ≤ 9.5$");
         assert!(parameters(&scene, None).contains("d = 9.42497"));

@@ -11,6 +11,7 @@ use impact_pair::json::{DescriptionDocument, FateName};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
+use impact_pair::watch::Unwatched;
 use plotters::prelude::*;
 
 use crate::chaos::section;
@@ -83,7 +84,7 @@ fn follow(scene: &Scene) -> Result<Followed> {
     let mut orbit = Orbit::of(scene, settings.clone())?;
     let mut recorder = Recorder::new(&orbit, ORBIT_CYCLES);
     let mut mappings = Vec::new();
-    let _ = orbit.follow(&|| true, |orbit, step| {
+    let _ = orbit.follow(&Unwatched, |orbit, step| {
         recorder.record(orbit, &step);
         if let Progress::Impact(impact) = &step {
             mappings.push(impact.mapping);

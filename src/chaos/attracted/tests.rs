@@ -8,6 +8,7 @@ use crate::Scene;
 use crate::chaos::tests::{meet, truth};
 use crate::chaos::{Asked, Cells, Stretch, Verdict};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Progress, Settings};
+use crate::watch::Unwatched;
 
 /// A state of a set, and the law whose `e` and `D` it is given for.
 fn member(set: &Set, law: &Law, part: [f64; 4]) -> (State, Law) {
@@ -125,7 +126,7 @@ fn orbits_of_values_in_a_cell_converge_as_it_says() {
     ] {
         let scene = Scene::parse(&text.replace("amplitude = 8", &format!("amplitude = {amplitude}"))).unwrap();
         let asked = Asked { over: over.parse().unwrap(), cells, halvings: 3, depth: 3 };
-        let found = Cells::of(scene.pair(), scene.start(), &asked, &|_| true).unwrap();
+        let found = Cells::of(scene.pair(), scene.start(), &asked, &Unwatched).unwrap();
         let [Stretch { low, high, verdict: Verdict::Attracted { word, cycles, .. }, .. }] = &found.stretches[..] else {
             panic!("{over}: {:?}", found.stretches)
         };

@@ -3,7 +3,7 @@
 use super::relation::{Leg, Relation};
 use crate::chaos::law::Side;
 use crate::number::interval::Interval;
-use crate::periodic::krawczyk::Jacobian;
+use crate::periodic::precondition::Jacobian;
 use crate::periodic::precondition::Preconditioner;
 
 /// Boxes of consecutive impacts; a closed chain goes on with its first impact, whole forcing periods later.

@@ -26,6 +26,7 @@ use crate::number::interval::Interval;
 use crate::number::{Ball, Number};
 use crate::pair::Wall;
 use crate::periodic::{Identity, PeriodicImpact, PeriodicOrbit, Precision, Problem, Region, Stability};
+use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
 use chain::{Chain, Laws};
 use graph::Graph;
@@ -56,12 +57,13 @@ pub const MOST_IMPACTS: u32 = 64;
 /// ```
 /// use impact_pair::Scene;
 /// use impact_pair::chaos::Cycles;
+/// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
-/// let cycles = Cycles::of(&scene, 0, &(1..=5), Default::default(), &|_| true)?.expect("a region");
+/// let cycles = Cycles::of(&scene, 0, &(1..=5), Default::default(), &Unwatched)?.expect("a region");
 /// assert!(cycles.fixed_points().values().eq(&[1, 1, 4, 1, 11]) && cycles.has_no_attractor());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
@@ -74,26 +76,10 @@ pub struct Cycles {
     undecided: Vec<(usize, Region)>,
 }
 
-/// How far a search for cycles has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// So many boxes of the region are known.
-    Region(usize),
-    /// Of the cycles of so many impacts.
-    Impacts {
-        /// How many impacts.
-        impacts: usize,
-        /// Blocks of the region that are done.
-        blocks: usize,
-        /// All of them.
-        of: usize,
-    },
-}
-
 impl Cycles {
     /// Returns all cycles of so many impacts in the region that [`Trap::of`] finds.
     ///
-    /// `goes_on` receives the progress and returns whether to continue; numbers of impacts not done then have no count.
+    /// `watch` receives the progress, and may stop it; numbers of impacts not done then have no count.
     ///
     /// # Errors
     /// With several harmonics, and when a value is beyond the range of double-precision flights.
@@ -102,9 +88,9 @@ impl Cycles {
         finer: u32,
         asked: &RangeInclusive<u32>,
         precision: Precision,
-        goes_on: &(dyn Fn(Stage) -> bool + Sync),
+        watch: &dyn Watch,
     ) -> Result<Result<Self, Untrapped>, Error> {
-        let trap = match Trap::of(scene, finer, &|boxes| goes_on(Stage::Region(boxes)))? {
+        let trap = match Trap::of(scene, finer, watch)? {
             Ok(trap) => trap,
             Err(why) => return Ok(Err(why)),
         };
@@ -118,10 +104,11 @@ impl Cycles {
         for impacts in numbers {
             let done = AtomicUsize::new(0);
             let of = graph.blocks.len();
-            let goes_on = || goes_on(Stage::Impacts { impacts, blocks: done.load(Ordering::Relaxed), of });
-            let task = Task { pair: scene.pair(), law, laws, precision, goes_on: &goes_on };
+            let blocks = || done.load(Ordering::Relaxed);
+            let watch = |_: Stage<'_>| watch.proceed(Stage::Cycles { impacts, blocks: blocks(), of });
+            let task = Task { pair: scene.pair(), law, laws, precision, watch: &watch };
             all.gather(&task, impacts, searched(&task, &graph, impacts, &done));
-            if !goes_on() {
+            if !watch.goes_on() {
                 break;
             }
         }
@@ -272,7 +259,7 @@ fn searched(task: &Task, graph: &Graph, impacts: usize, done: &AtomicUsize) -> V
     let work = || {
         loop {
             let Some(at) = queue.lock().expect("no thread has panicked").next() else { break };
-            let block = (task.goes_on)().then(|| searched_block(task, graph, at, impacts));
+            let block = task.watch.goes_on().then(|| searched_block(task, graph, at, impacts));
             let stopped = Block { found: Vec::new(), undecided: Vec::new(), is_whole: false };
             results.lock().expect("no thread has panicked").insert(at, block.unwrap_or(stopped)); // exact: nothing is certified
             done.fetch_add(1, Ordering::Relaxed);

@@ -12,6 +12,7 @@ use crate::number::interval::Interval;
 use crate::number::up;
 use crate::pair::ImpactPair;
 use crate::periodic::{Identity, PeriodicOrbit, Precision, Problem};
+use crate::watch::Watch;
 
 /// Parts of a forcing period that boxes are at most as wide as, when a chain grows by them.
 const PARTS: i64 = 32;
@@ -37,7 +38,7 @@ pub(super) struct Task<'t> {
     pub laws: Laws,
     pub precision: Precision,
     /// Whether the search goes on.
-    pub goes_on: &'t (dyn Fn() -> bool + Sync),
+    pub watch: &'t dyn Watch,
 }
 
 /// An orbit of a closed chain, motion or not.
@@ -69,7 +70,7 @@ impl<'t> Search<'t> {
 
     /// Whether it goes on.
     fn goes_on(&mut self) -> bool {
-        self.is_whole &= self.undecided.len() < MOST_UNDECIDED && (self.task.goes_on)();
+        self.is_whole &= self.undecided.len() < MOST_UNDECIDED && self.task.watch.goes_on();
         self.is_whole
     }
 

@@ -9,6 +9,7 @@ use super::told::Told;
 use super::*;
 use crate::chaos::guess::Guess;
 use crate::chaos::law::Side;
+use crate::watch::{Stage, Unwatched, proceed_if};
 
 fn scene(excitation: &str, pair: &str) -> Scene {
     Scene::parse(&format!(
@@ -31,7 +32,7 @@ fn figure(number: u32) -> Scene {
 }
 
 fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
-    Cycles::of(scene, 0, &impacts, Precision::default(), &|_| true).unwrap().unwrap()
+    Cycles::of(scene, 0, &impacts, Precision::default(), &Unwatched).unwrap().unwrap()
 }
 
 /// Whether a number computed in floating point may be in it.
@@ -147,7 +148,7 @@ fn where_a_motion_attracts_it_is_found_and_said() {
 /// A stop leaves what is proved, and no count that is not.
 #[test]
 fn what_is_stopped_claims_no_count() {
-    let until = |stage: Stage| !matches!(stage, Stage::Impacts { impacts: 3, blocks: 20.., .. });
+    let until = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Cycles { impacts: 3, blocks: 20.., .. }));
     let cycles = Cycles::of(&figure(14), 0, &(1..=7), Precision::default(), &until).unwrap().unwrap();
     assert!(cycles.fixed_points().keys().eq(&[1, 2]) && !cycles.is_exhaustive() && !cycles.has_no_attractor());
     assert!(!cycles.cycles().is_empty());

@@ -1,6 +1,5 @@
 //! All the branches that the orbits of a word lie on, and those that leave them: the bifurcation diagram.
 
-use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -25,6 +24,7 @@ use crate::mapping::Word;
 use crate::pair::ImpactPair;
 use crate::scene::Key;
 use crate::shaken::Several;
+use crate::watch::{Latched, Watch};
 use impact_pair_model::Start;
 
 /// A branch to be followed.
@@ -54,12 +54,12 @@ struct Survey<'w, S: Varied> {
     followed: Vec<(Ring, Path)>,
     leads: VecDeque<Lead>,
     diagram: Diagram,
-    goes_on: &'w dyn Fn() -> bool,
+    watch: &'w dyn Watch,
 }
 
 /// Finds the bifurcations on the branches of the orbits of a word, and on those that leave them.
 ///
-/// Each point is proved. That there are no others is not: branches are found and followed in floating point. Where `goes_on` ends it early,
+/// Each point is proved. That there are no others is not: branches are found and followed in floating point. Where the watch stops it,
 /// what was found until then is kept.
 ///
 /// # Errors
@@ -70,18 +70,18 @@ pub fn survey(
     start: &Start,
     (word, cycles): (&Word, u32),
     wanted: &Wanted,
-    goes_on: impl Fn() -> bool,
+    watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
     let parameter = Parameter::new(pair, &wanted.over)?;
     let base = parameter.base()?;
     match Several::new(&base, &BigInt::ZERO)? {
         None => {
             let chain = Chain::new(word, cycles)?;
-            survey_under(&One::of(&base)?, (&chain, &parameter), start, wanted, goes_on)
+            survey_under(&One::of(&base)?, (&chain, &parameter), start, wanted, watch)
         }
         Some(several) => {
             let chain = Chain::under(repetition(&base, &several.spectrum)?, word, cycles)?;
-            survey_under(&several, (&chain, &parameter), start, wanted, goes_on)
+            survey_under(&several, (&chain, &parameter), start, wanted, watch)
         }
     }
 }
@@ -91,18 +91,14 @@ fn survey_under<S: Varied>(
     (chain, parameter): (&Chain, &Parameter),
     start: &Start,
     wanted: &Wanted,
-    goes_on: impl Fn() -> bool,
+    watch: &dyn Watch,
 ) -> Result<Diagram, Error> {
     let diagram = Diagram::new(parameter.clone());
     // Lemma T7: on one wall there is none.
     let Some(unknown) = parameter.unknown.filter(|_| chain.crosses()) else { return Ok(diagram) };
     let range = parameter.ends()?;
     let setting = Setting { unknown, base, parameter };
-    let interrupted = Cell::new(false);
-    let goes_on = || {
-        interrupted.set(interrupted.get() || !goes_on());
-        !interrupted.get()
-    };
+    let watch = Latched::new(watch);
     let mut survey = Survey {
         wanted,
         chain,
@@ -112,15 +108,15 @@ fn survey_under<S: Varied>(
         followed: Vec::new(),
         leads: VecDeque::new(),
         diagram,
-        goes_on: &goes_on,
+        watch: &watch,
     };
-    for seed in seeds::<S>(chain, (parameter, start), &goes_on)? {
+    for seed in seeds::<S>(chain, (parameter, start), &watch)? {
         survey.sow(&seed.ring, seed.x);
         survey.follow_leads();
     }
     let mut diagram = survey.diagram;
     diagram.points.sort_by(|a, b| compare(a, b, wanted.over.key));
-    diagram.interrupted = interrupted.get();
+    diagram.interrupted = watch.is_stopped();
     Ok(diagram)
 }
 
@@ -165,7 +161,7 @@ impl<S: Varied> Survey<'_, S> {
 
     /// Follows what there is to follow.
     fn follow_leads(&mut self) {
-        while let Some(lead) = self.leads.pop_front().filter(|_| (self.goes_on)()) {
+        while let Some(lead) = self.leads.pop_front().filter(|_| self.watch.goes_on()) {
             if lead.leaves.is_some() && self.is_followed(&lead.ring, &lead.start.x) {
                 continue;
             }
@@ -180,7 +176,7 @@ impl<S: Varied> Survey<'_, S> {
             // All the way from one end to the other.
             let mut way: Vec<Station> = Vec::new();
             for (end, from) in ends.iter_mut().zip(ways) {
-                let path = follow(&lead.ring, &self.floats, (from, lead.step), self.range, self.goes_on);
+                let path = follow(&lead.ring, &self.floats, (from, lead.step), self.range, self.watch);
                 for station in &path.stations {
                     range = [range[0].min(station.parameter()), range[1].max(station.parameter())]; // shown
                 }
@@ -195,7 +191,7 @@ impl<S: Varied> Survey<'_, S> {
             if ends[0] == End::Closed {
                 ends[1] = End::Closed;
             }
-            let is_proved = is_one_curve(&lead.ring, (&self.floats, &self.setting.doubles()), &way, self.goes_on);
+            let is_proved = is_one_curve(&lead.ring, (&self.floats, &self.setting.doubles()), &way, self.watch);
             let range = [range[0].max(self.range[0]), range[1].min(self.range[1])]; // shown
             let (word, cycles, symmetric) = (lead.ring.word(), lead.ring.chain().cycles(), lead.ring.is_mirrored());
             self.diagram.branches.push(Branch { word, cycles, symmetric, range, ends, is_proved });
@@ -222,7 +218,7 @@ impl<S: Varied> Survey<'_, S> {
                 (Kind::PeriodDoubling, false) => lead.doublings + 1,
                 _ => lead.doublings,
             };
-            let proved = (self.goes_on)().then(|| prove(&self.setting, &ring, (change, &x), self.wanted.precision));
+            let proved = self.watch.goes_on().then(|| prove(&self.setting, &ring, (change, &x), self.wanted.precision));
             match proved.flatten() {
                 Some(point) => self.enter(Point { doublings, ..point }),
                 None => {

@@ -1,18 +1,19 @@
 //! The settings of a search for bifurcations, and its results.
 
 use super::super::Precision;
-use super::over::{Over, Parameter};
+use super::over::Parameter;
 use super::point::{Kind, Point};
 use crate::Error;
 use crate::exact::Enclosure;
 use crate::mapping::Word;
 use crate::pair::ImpactPair;
+use crate::scene::Range;
 
 /// The settings of a search for bifurcations.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// The parameter and its range.
-    pub over: Over,
+    pub over: Range,
     /// Doublings up to which the branches that leave are followed.
     pub doublings: u32,
     /// Requested widths of the enclosures.
@@ -88,7 +89,7 @@ impl Diagram {
     }
 
     /// Returns the parameter and its range.
-    pub fn over(&self) -> &Over {
+    pub fn over(&self) -> &Range {
         &self.parameter.over
     }
 

@@ -5,6 +5,7 @@
 use super::family::{Family, Varied};
 use super::ring::Ring;
 use super::trace::{Nearest, Station, Tests, correct};
+use crate::watch::Watch;
 
 /// What may happen on a branch.
 #[derive(Clone, Copy, Debug)]
@@ -59,19 +60,19 @@ const HALVINGS: u32 = 24;
 /// How near to its half a ring is at a forcing period that is a meeting.
 const TOGETHER: f64 = 1e-3;
 
-/// Follows the branch from a station the way of its tangent, for as long as `goes_on` says so.
+/// Follows the branch from a station the way of its tangent until the watch stops it.
 pub(super) fn follow<S: Varied>(
     ring: &Ring,
     family: &Family<S, f64>,
     (start, first): (Station, f64),
     [low, high]: [f64; 2],
-    goes_on: &dyn Fn() -> bool,
+    watch: &dyn Watch,
 ) -> Path {
     let longest = LONGEST.min(OF_RANGE * (high - low) + 1e-6);
     let mut size = first.min(longest);
     let mut path = Path { stations: vec![start], changes: Vec::new(), stop: Stop::Lost };
     while path.stations.len() < MOST_STATIONS && size > SHORTEST {
-        if !goes_on() {
+        if !watch.goes_on() {
             path.stop = Stop::Interrupted;
             break;
         }

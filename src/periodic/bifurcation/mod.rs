@@ -23,5 +23,5 @@ mod tube;
 
 pub use cascade::survey;
 pub use diagram::{Branch, Diagram, End, Unproved, Wanted};
-pub use over::Over;
+pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};

@@ -1,65 +1,43 @@
 //! The parameter that a branch is followed over, and its range.
 
-use std::str::FromStr;
-
 use super::family::Unknown;
 use crate::Error;
 use crate::exact::{Enclosure, Exact, ExactError};
 use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, ball, within};
-use crate::scene::Key;
+use crate::scene::{Key, Range};
 
-/// A parameter and the values it takes: `KEY=LO..HI`.
+/// Reads a range that branches are followed over: `KEY=LO..HI` of an amplitude, the gap, the restitution, or a frequency, over which nothing
+/// bifurcates (Lemma R1).
+///
+/// # Errors
+/// If it is no range, it is that of another key, or it has a number of values.
 ///
 /// ```
-/// use impact_pair::periodic::bifurcation::Over;
-/// use impact_pair::scene::Key;
-/// let over: Over = "amplitude=0.3..0.5".parse()?;
-/// assert_eq!((over.key, over.low.text().as_str()), (Key::Amplitude(None), "0.3"));
-/// assert_eq!("pair.gap=2..3".parse::<Over>()?.key, Key::Gap);
-/// assert!("gap=3..2".parse::<Over>().is_err());
+/// use impact_pair::periodic::bifurcation::over;
+/// assert_eq!(over("amplitude=0.3..0.5")?.low.text(), "0.3");
+/// assert!(over("gap=2..3:4").is_err() && over("start.velocity=1..2").is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct Over {
-    /// The parameter: an amplitude, the gap, the restitution, or a frequency, over which nothing bifurcates (Lemma R1).
-    pub key: Key,
-    /// Its least value.
-    pub low: Exact,
-    /// Its greatest value.
-    pub high: Exact,
+pub fn over(text: &str) -> Result<Range, Error> {
+    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {PARAMETERS}"), |range| {
+        is_parameter(range) && range.count.is_none()
+    })
 }
 
-fn not_a_range(text: &str) -> Error {
-    let accepted =
-        "KEY=LO..HI with LO < HI, KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
-    let key = text.split_once('=').map(|(key, _)| key.trim()).filter(|key| key.parse::<Key>().is_err());
-    let meant = key.and_then(Key::meant).map(str::to_owned);
-    Error::out_of_range(None, format!("the range is \"{text}\", but accepted are {accepted}")).meant(meant)
-}
+/// The keys that periodic orbits depend on, in words.
+pub const PARAMETERS: &str = "KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
 
-impl FromStr for Over {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self, Error> {
-        let parse = || {
-            let (name, range) = text.split_once('=')?;
-            let key: Key = name.parse().ok()?;
-            let is_followed = matches!(key, Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution);
-            let (low, high) = range.split_once("..")?;
-            let end = |text: &str| Exact::parse(text).ok().filter(Exact::is_point);
-            let (low, high) = (end(low)?, end(high)?);
-            (is_followed && low.compare(&high)?.is_lt()).then_some(Self { key, low, high })
-        };
-        parse().ok_or_else(|| not_a_range(text))
-    }
+/// Returns whether periodic orbits depend on the key of a range.
+pub fn is_parameter(range: &Range) -> bool {
+    matches!(range.key, Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution)
 }
 
 /// A parameter of a pair, in the units of the scene and without units.
 #[derive(Clone, Debug)]
 pub(super) struct Parameter {
     pub pair: ImpactPair,
-    pub over: Over,
+    pub over: Range,
     /// What varies without units; `None` where nothing does.
     pub unknown: Option<Unknown>,
     /// What other terms add to an amplitude.
@@ -71,7 +49,7 @@ impl Parameter {
     ///
     /// # Errors
     /// When an end of the range is not in that of the parameter, it is none of the pair, or no branch goes on over it.
-    pub fn new(pair: &ImpactPair, over: &Over) -> Result<Self, Error> {
+    pub fn new(pair: &ImpactPair, over: &Range) -> Result<Self, Error> {
         pair.with(over.key, over.low.clone())?;
         let high = pair.with(over.key, over.high.clone())?;
         let mut others = None;

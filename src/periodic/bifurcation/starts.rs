@@ -6,10 +6,12 @@ use super::super::chain::Chain;
 use super::super::guess::guesses;
 use super::super::identity::View;
 use super::family::Varied;
-use super::over::{Over, Parameter};
+use super::over::Parameter;
 use super::ring::Ring;
 use crate::Error;
 use crate::exact::Exact;
+use crate::scene::Range;
+use crate::watch::Watch;
 use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
@@ -25,23 +27,23 @@ pub(super) struct Seed {
 }
 
 /// Orbits of the chain at some values of the parameter, symmetric and repeated ones on the rings of their halves; those that
-/// are found while `goes_on` says so.
+/// are found before the watch stops it.
 ///
 /// # Errors
 /// When the range goes beyond what the parameter may be.
 pub(super) fn seeds<S: Varied>(
     chain: &Chain,
     (parameter, start): (&Parameter, &Start),
-    goes_on: &dyn Fn() -> bool,
+    watch: &dyn Watch,
 ) -> Result<Vec<Seed>, Error> {
     let mut found: Vec<Seed> = Vec::new();
-    for value in values(&parameter.over).into_iter().take_while(|_| goes_on()) {
+    for value in values(&parameter.over).into_iter().take_while(|_| watch.goes_on()) {
         let p = parameter.in_doubles(&value)?;
         let there = parameter.pair_at(value)?;
         // Without one of its harmonics the excitation is another one.
         let Some(shaken) = S::of(&there) else { continue };
         let from = found.len();
-        for phases in guesses(chain, &shaken, &there, start).take_while(|_| goes_on()) {
+        for phases in guesses(chain, &shaken, &there, start).take_while(|_| watch.goes_on()) {
             let mut x = phases.clone();
             x.push(p);
             let is_new = |seed: &Seed| !is_same(chain, &seed.ring.lift(&seed.x[..seed.x.len() - 1]), &phases);
@@ -54,7 +56,7 @@ pub(super) fn seeds<S: Varied>(
 }
 
 /// Values spread over the range, its ends among them.
-fn values(over: &Over) -> Vec<Exact> {
+fn values(over: &Range) -> Vec<Exact> {
     let part = |i: u32| {
         let weight = |n: u32| Exact::from(i64::from(n));
         let sum = over.low.checked_mul(&weight(PARTS - i)).ok()?.checked_add(&over.high.checked_mul(&weight(i)).ok()?);

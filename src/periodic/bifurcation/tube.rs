@@ -9,6 +9,7 @@ use super::system::{Curve, Posed, System};
 use super::trace::{Station, correct};
 use crate::number::{Ball, Enclosing, Number};
 use crate::several::Turning;
+use crate::watch::Watch;
 
 /// The part of a branch between two planes: `F = 0`, `a (x - x0) = t`, for all `|t| <= tau`.
 struct Slab<'r> {
@@ -94,17 +95,19 @@ impl Slab<'_> {
     }
 }
 
-/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, while `goes_on` says so. Lemma Y6
+/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, unless the watch stops it. Lemma Y6
 pub(super) fn is_one_curve<S: Varied>(
     ring: &Ring,
     families: (&Family<S, f64>, &Family<S, Ball>),
     stations: &[Station],
-    goes_on: &dyn Fn() -> bool,
+    watch: &dyn Watch,
 ) -> bool {
     let mut end: Option<Vec<Ball>> = None;
     // Of a single station nothing is proved.
     stations.len() > 1
-        && stations.windows(2).all(|ends| goes_on() && bridge(ring, families, [&ends[0].x, &ends[1].x], &mut end, 0))
+        && stations
+            .windows(2)
+            .all(|ends| watch.goes_on() && bridge(ring, families, [&ends[0].x, &ends[1].x], &mut end, 0))
 }
 
 /// Proves the way between two points of the branch and glues it to what ends at `end`; halves it where that fails.

@@ -1,7 +1,6 @@
 //! The orbits whose first impact lies in a cell of phases: Lemmas T9, T10.
 
-use super::cut::{Part, Terms};
-use super::grow::Stretch;
+use super::cut::{Part, Stretch, Terms};
 use super::newton::{Rows, Step};
 use crate::contact::Reason;
 use crate::exact::Enclosure;
@@ -14,6 +13,7 @@ use crate::periodic::krawczyk::Proved;
 use crate::periodic::newton::{is_plausible, polish};
 use crate::periodic::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::periodic::{Precision, Problem};
+use crate::watch::Watch;
 
 /// Boxes as narrow as that, in forcing periods, are asked whether an orbit is near.
 const NEAR: f64 = 1.0 / 16.0;
@@ -34,8 +34,8 @@ pub(super) struct Task<'p, S> {
     pub narrowest: f64,
     /// Orbits known before.
     pub known: &'p [PeriodicOrbit],
-    /// Whether the search goes on.
-    pub goes_on: &'p (dyn Fn() -> bool + Sync),
+    /// What may stop the search.
+    pub watch: &'p dyn Watch,
 }
 
 /// A cell, as far as it is searched.
@@ -73,7 +73,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
 
     /// Takes a box from the budget; false where there is none.
     pub fn look(&mut self) -> bool {
-        let looks = self.left > 0 && (self.task.goes_on)();
+        let looks = self.left > 0 && self.task.watch.goes_on();
         self.left -= u64::from(looks);
         looks
     }

@@ -2,13 +2,19 @@
 
 use std::ops::Range;
 
-use super::grow::Stretch;
 use crate::number::Ball;
 use crate::number::interval::Interval;
 use crate::pair::Reduced;
 use crate::pair::Wall;
 use crate::periodic::chain::Chain;
 use crate::periodic::chained::Rate;
+
+/// Consecutive flights of a chain and impacts between them: each impact lies between two flights that are known.
+#[derive(Clone, Debug)]
+pub(super) struct Stretch {
+    pub flights: Range<usize>,
+    pub impacts: Range<usize>,
+}
 
 /// The word, the parameters and the bounds of Lemma T8.
 #[derive(Clone, Debug)]

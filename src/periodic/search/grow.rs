@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
 
 use super::cell::Cell;
-use super::cut::Part;
+use super::cut::{Part, Stretch};
 use crate::number::interval::Interval;
 use crate::periodic::chained::Chained;
 
@@ -12,13 +12,6 @@ use crate::periodic::chained::Chained;
 const FELT: usize = 3;
 /// How wide the end of a segment is at most, in forcing periods.
 const END: f64 = 1.0 / 16.0;
-
-/// Consecutive flights of a chain and impacts between them: each impact lies between two flights that are known.
-#[derive(Clone, Debug)]
-pub(super) struct Stretch {
-    pub flights: Range<usize>,
-    pub impacts: Range<usize>,
-}
 
 /// Segments, each of a cell of the first impact and one of the other end, by the number of the latter.
 type Segments = BTreeMap<i64, Vec<Part>>;

@@ -18,6 +18,7 @@ use super::orbit::PeriodicOrbit;
 use super::{Pair, Precision, Problem};
 use crate::contact::Reason;
 use crate::number::interval::Interval;
+use crate::watch::{Stage, Unwatched, Watch};
 use cell::{Cell, Task};
 use cut::Terms;
 use impact_pair_model::Start;
@@ -37,15 +38,6 @@ impl Default for Budget {
     }
 }
 
-/// How far a search has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Searched {
-    /// Cells that are done.
-    pub cells: usize,
-    /// All of them.
-    pub of: usize,
-}
-
 /// Cells of the first phase in each turn of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
 /// Forcing periods that are cut into cells so; those of a longer period are wider.
@@ -56,27 +48,22 @@ impl Problem {
     ///
     /// Starts from the orbits that [`Problem::find`] finds. If the budget ends, the remaining parts of the state space are listed as undecided.
     pub fn find_all(&self, start: &Start, precision: Precision, budget: Budget) -> Census {
-        self.find_all_while(start, precision, budget, &|_| true)
+        self.find_all_while(start, precision, budget, &Unwatched)
     }
 
-    /// Searches while `goes_on` returns true; it receives the progress and is called between parts, by any thread.
+    /// Searches until the watch stops it, which receives the progress and is called between parts, by any thread.
     ///
     /// The parts not searched are listed as undecided.
-    pub fn find_all_while(
-        &self,
-        start: &Start,
-        precision: Precision,
-        budget: Budget,
-        goes_on: &(dyn Fn(Searched) -> bool + Sync),
-    ) -> Census {
+    pub fn find_all_while(&self, start: &Start, precision: Precision, budget: Budget, watch: &dyn Watch) -> Census {
         let of = self.cells() as usize; // exact: small
-        let found = self.find_while(start, precision, || goes_on(Searched { cells: 0, of }));
+        let guessing = |_: Stage<'_>| watch.proceed(Stage::Cells { done: 0, of });
+        let found = self.find_while(start, precision, &guessing);
         if found.exhaustive || found.is_family {
             return found;
         }
         match &self.pair {
-            Pair::One(one) => self.search(&**one, found.orbits, precision, budget, goes_on),
-            Pair::Several(several) => self.search(&**several, found.orbits, precision, budget, goes_on),
+            Pair::One(one) => self.search(&**one, found.orbits, precision, budget, watch),
+            Pair::Several(several) => self.search(&**several, found.orbits, precision, budget, watch),
         }
     }
 
@@ -92,14 +79,14 @@ impl Problem {
         known: Vec<PeriodicOrbit>,
         precision: Precision,
         budget: Budget,
-        goes_on: &(dyn Fn(Searched) -> bool + Sync),
+        watch: &dyn Watch,
     ) -> Census {
         let terms = Terms::new(&self.chain, shaken.pair(), shaken.rates());
         let narrowest = 2f64.powi(-(budget.halvings as i32)).max(terms.spread() / 16.0); // proposes: when to stop
         let done = AtomicUsize::new(0);
         let of = self.cells() as usize; // exact: small
-        let goes_on = || goes_on(Searched { cells: done.load(Ordering::Relaxed), of });
-        let task = Task { problem: self, shaken, terms, precision, narrowest, known: &known, goes_on: &goes_on };
+        let watch = |_: Stage<'_>| watch.proceed(Stage::Cells { done: done.load(Ordering::Relaxed), of });
+        let task = Task { problem: self, shaken, terms, precision, narrowest, known: &known, watch: &watch };
         // T10: any lines from 0 to the period
         let line = |n: u32| f64::from(n) * f64::from(self.chain.period()) / f64::from(self.cells());
         let mut cells: Vec<_> =
@@ -109,7 +96,7 @@ impl Problem {
         loop {
             let mut busy: Vec<_> = cells.iter_mut().filter(|cell| !cell.is_done()).collect();
             let share = left.checked_div(busy.len() as u64); // exact: a length
-            let Some(share) = share.filter(|share| *share > 0 && goes_on()) else { break };
+            let Some(share) = share.filter(|share| *share > 0 && watch.goes_on()) else { break };
             left -= share * busy.len() as u64; // exact: small
             busy.iter_mut().for_each(|cell| cell.left = share);
             let count = busy.len();
@@ -126,7 +113,7 @@ impl Problem {
             left += cells.iter().map(|cell| cell.left).sum::<u64>();
         }
         let mut census = self.gathered(&cells, &known, precision);
-        census.interrupted = !census.exhaustive && !goes_on();
+        census.interrupted = !census.exhaustive && !watch.goes_on();
         census
     }
 
@@ -174,6 +161,7 @@ mod tests {
     use crate::pair::Wall;
     use crate::periodic::Chain;
     use crate::shaken::Shaken;
+    use crate::watch::proceed_if;
     use crate::{Excitation, Harmonic, ImpactPair};
 
     fn is_physical(orbit: &PeriodicOrbit) -> bool {
@@ -200,7 +188,7 @@ mod tests {
             let precision = Precision::default();
             let guessed = problem.find(&start, precision).orbits;
             let Pair::One(one) = &problem.pair else { panic!("one harmonic") };
-            let census = problem.search(&**one, Vec::new(), precision, Budget::default(), &|_| true);
+            let census = problem.search(&**one, Vec::new(), precision, Budget::default(), &Unwatched);
             assert!(census.exhaustive, "{word}");
             let is_found = |orbit: &PeriodicOrbit| {
                 let is_it = |other: &PeriodicOrbit| is_one_orbit(&problem.chain, &orbit.proved, &other.proved);
@@ -281,7 +269,7 @@ mod tests {
                 precision: Precision::default(),
                 narrowest: 0.0,
                 known: &[],
-                goes_on: &|| true,
+                watch: &Unwatched,
             };
             let mut cell = Cell::new(&task, Interval::new(cell, cell + 1.0 / f64::from(CELLS)));
             cell.left = u64::MAX;
@@ -358,7 +346,7 @@ mod tests {
             precision: Precision::default(),
             narrowest: 0.0,
             known: &[],
-            goes_on: &|| true,
+            watch: &Unwatched,
         };
         let gathered = |orbit: PeriodicOrbit| {
             let mut cell = Cell::new(&task, Interval::new(0.0, 1.0));
@@ -382,8 +370,8 @@ mod tests {
         let problem = problem("1/9.42497", "0.5", "LR", 3);
         let all = |budget, ends_at: usize| {
             let calls = AtomicUsize::new(0);
-            let goes_on = |_| calls.fetch_add(1, Ordering::Relaxed) < ends_at;
-            problem.find_all_while(&start, Precision::default(), budget, &goes_on)
+            let watch = |_: Stage<'_>| proceed_if(calls.fetch_add(1, Ordering::Relaxed) < ends_at);
+            problem.find_all_while(&start, Precision::default(), budget, &watch)
         };
         let (one, other) = (all(Budget::default(), usize::MAX), all(Budget::default(), usize::MAX));
         assert!(one.exhaustive && !one.interrupted && one.is_certified());

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::cut::{Part, Terms};
 use crate::number::interval::Interval;
 use crate::number::{Ball, Number};
-use crate::periodic::krawczyk::Jacobian;
+use crate::periodic::precondition::Jacobian;
 use crate::periodic::precondition::Preconditioner;
 use crate::periodic::shaking::Shaking;
 

@@ -6,6 +6,7 @@ use crate::common;
 use crate::common::Random;
 use crate::common::scene::{At, Scene, Value};
 use impact_pair::orbit::Settings;
+use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Certificate, Verdict};
 use impact_pair_truth::Wall;
 use rug::ops::Pow;
@@ -20,7 +21,7 @@ fn document(scene: &Scene, impacts: u64, digits: u32) -> Json {
 }
 
 fn verdict(document: &Json) -> Verdict {
-    Certificate::parse(&document.to_string()).unwrap().check(|_| ()).unwrap()
+    Certificate::parse(&document.to_string()).unwrap().check(&Unwatched).unwrap()
 }
 
 fn assert_confirmed(document: &Json) {

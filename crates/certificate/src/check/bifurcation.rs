@@ -4,8 +4,6 @@
 //! Nothing of the extended systems that made the certificate is used: the orbits near the claimed one are proved to be one curve, over the
 //! parameter or, at a fold, over phase or velocity, and `det(DP - mu)` to have opposite signs at two of its points.
 
-use std::sync::atomic::AtomicBool;
-
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
@@ -24,6 +22,7 @@ use crate::attraction::Bounds;
 use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
+use impact_pair_model::watch::{Latched, Watch};
 use impact_pair_model::{Error, ImpactPair};
 
 /// Bits that the bounds of a bifurcation are wider than the box that it is proved to lie in.
@@ -34,24 +33,20 @@ const SPARE_BITS: i64 = 128;
 const LARGEST: i64 = -40;
 
 impl BifurcationCertificate {
-    /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until `stop` is set, if there is
-    /// one. `progress` receives the points checked so far.
+    /// Proves every point again but the grazes, or says which one is not as claimed or not proved, until the watch stops it, which
+    /// receives the points checked so far.
     ///
     /// # Errors
     /// None: what is beyond exact expressions leaves a point undecided.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
-        let budget = Budget::new(0, effort.parts, stop);
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
+        let budget = Budget::new(0, effort.parts, &watch);
         let end = |message: &str| Finding { event: self.count(), message: message.to_owned() };
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(end(message)));
         }
         let points = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
-        let each = one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), progress);
+        let each = one_by_one(points, (&budget, effort.work), |point| point.judged(self, &budget), &watch);
         Ok(match each.map(|bits| (bits, self.are_distinct())) {
             Ok((0, _)) => Verdict::Undecided(end("there is no bifurcation to check but grazes")),
             Ok((bits, Ok(()))) => Verdict::Confirmed { bits, pieces: 1 },
@@ -123,7 +118,7 @@ impl ClaimedPoint {
 
     /// A pair beside it, which has the harmonics of all that have a positive value of the parameter, and its data: the value in the scene, and
     /// an end of the bounds, may leave out a harmonic. Lemma V9
-    fn data(&self, certificate: &BifurcationCertificate) -> Result<(ImpactPair, Data), Doubt> {
+    fn data(&self, certificate: &BifurcationCertificate) -> Result<(ImpactPair, Data<'_>), Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let middle = (&self.parameter[0] + &self.parameter[1]) / BigInt::from(2);
         if !middle.is_positive() {

@@ -2,15 +2,16 @@
 
 use std::cell::Cell;
 use std::rc::Rc;
-use std::sync::atomic::{AtomicBool, Ordering};
+
+use impact_pair_model::watch::Watch;
 
 /// The work that is left to a check, shared by all that work for it.
-#[derive(Clone, Debug)]
-pub(crate) struct Budget {
+#[derive(Clone)]
+pub(crate) struct Budget<'w> {
     left: Rc<Cell<u64>>,
     /// Parts that a flight may be cut into.
     pub parts: u32,
-    stop: Option<&'static AtomicBool>,
+    watch: &'w dyn Watch,
 }
 
 /// Beyond these a sine takes about as long as the square of its bits.
@@ -18,10 +19,10 @@ const PLAIN_BITS: u32 = 512;
 /// Places that a claim may need.
 const PLACES: u64 = 256;
 
-impl Budget {
-    /// So much work; none is left once `stop` is set.
-    pub fn new(work: u64, parts: u32, stop: Option<&'static AtomicBool>) -> Self {
-        Self { left: Rc::new(Cell::new(work)), parts, stop }
+impl<'w> Budget<'w> {
+    /// So much work; none is left once the watch stops it.
+    pub fn new(work: u64, parts: u32, watch: &'w dyn Watch) -> Self {
+        Self { left: Rc::new(Cell::new(work)), parts, watch }
     }
 
     /// Allows so much more.
@@ -46,7 +47,7 @@ impl Budget {
 
     /// Returns whether its user has had enough.
     pub fn is_stopped(&self) -> bool {
-        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+        !self.watch.goes_on()
     }
 }
 

@@ -27,8 +27,8 @@ pub(super) struct Node {
 
 /// Where starts and impacts are, with the data that flights depend on.
 pub(super) struct Course<'c> {
-    pub data: &'c Data,
-    pub frame: Frame,
+    pub data: &'c Data<'c>,
+    pub frame: Frame<'c>,
     /// Walls and bounds of the impacts.
     pub hits: &'c [Hit<'c>],
     /// Whether the starts differ by their times alone; else by their velocities alone.

@@ -28,7 +28,7 @@ const THIN: i64 = 8;
 /// What a period makes of states over a parameter, or half of it seen in the mirror.
 pub(super) struct Curve<'t> {
     pub target: &'t Target<'t>,
-    pub frame: Frame,
+    pub frame: Frame<'t>,
     pub over: Key,
     /// Of an amplitude, the number of its harmonic, and what other terms in step add to it.
     pub harmonic: (usize, Option<Exact>),
@@ -75,7 +75,7 @@ impl Image {
     }
 }
 
-impl Curve<'_> {
+impl<'t> Curve<'t> {
     fn bits(&self) -> u32 {
         self.frame.turn.bits()
     }
@@ -85,7 +85,7 @@ impl Curve<'_> {
     }
 
     /// Returns the data with these values of the parameter.
-    pub fn parameters(&self, value: Affine) -> Parameters {
+    pub fn parameters(&self, value: Affine) -> Parameters<'t> {
         let mut parameters = self.frame.parameters.clone();
         match self.over {
             Key::Amplitude(_) => {

@@ -2,7 +2,6 @@
 //! (Lemma D23). That there are no others is not judged.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::AtomicBool;
 
 use num_rational::BigRational;
 
@@ -11,6 +10,7 @@ use super::{Effort, Finding, Verdict};
 use crate::attraction::{Bounds, Passage};
 use crate::cycles::CyclesCertificate;
 use impact_pair_exact::Enclosure;
+use impact_pair_model::watch::Watch;
 use impact_pair_model::{Error, Wall};
 
 /// Bits of pi, by which phases of different forcing periods are distinguished.
@@ -18,21 +18,16 @@ const BITS: u32 = 256;
 
 impl CyclesCertificate {
     /// Proves every orbit again, that they are different ones, and that the counts are theirs, or says what is not as claimed or not
-    /// proved, until `stop` is set, if there is one. `progress` receives the orbits confirmed so far.
+    /// proved, until the watch stops it, which receives the orbits confirmed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let whole = self.orbits().count();
         if let Some(message) = self.contradiction() {
             return Ok(Verdict::Refuted(Finding { event: whole, message: message.to_owned() }));
         }
-        let verdict = self.orbits().check_until(effort, stop, progress)?;
+        let verdict = self.orbits().check_within(effort, watch)?;
         Ok(match (verdict, self.are_different()) {
             (verdict @ Verdict::Confirmed { .. }, Ok(())) => verdict,
             (Verdict::Confirmed { .. }, Err(doubt)) => doubt.on(whole),

@@ -13,12 +13,13 @@ use super::step::Parameters;
 use impact_pair_exact::{Dyadic, Enclosure, Exact, ExactError, Real};
 use impact_pair_model::Error;
 use impact_pair_model::Harmonic;
+use impact_pair_model::watch::Unwatched;
 use impact_pair_model::{ImpactPair, Wall, within};
 use impact_pair_model::{Place, Start};
 
 /// The exact data.
-#[derive(Clone, Debug)]
-pub(crate) struct Data {
+#[derive(Clone)]
+pub(crate) struct Data<'w> {
     /// The harmonics, the reference first.
     pub tones: Vec<Tone>,
     pub half_gap: Exact,
@@ -32,7 +33,7 @@ pub(crate) struct Data {
     /// The whole forcing periods of the reference before the start.
     pub turns: BigInt,
     /// The work that is left.
-    pub budget: Budget,
+    pub budget: Budget<'w>,
     /// `y' / W`, before the impact for a start on a wall.
     pub velocity: Exact,
     pub wall: Option<Wall>,
@@ -71,7 +72,7 @@ const AMPLITUDE: usize = 4;
 const PHASE: usize = 5;
 const RATE: usize = 6;
 
-impl Data {
+impl Data<'_> {
     pub fn new(pair: &ImpactPair, start: &Start) -> Result<Self, Error> {
         let reference = pair.excitation().reference();
         let frequency = reference.frequency();
@@ -105,12 +106,12 @@ impl Data {
             velocity: within("start.velocity", start.velocity(), start.velocity().checked_div(frequency))?,
             wall,
             height,
-            budget: Budget::new(u64::MAX, Effort::default().parts, None),
+            budget: Budget::new(u64::MAX, Effort::default().parts, &Unwatched),
         })
     }
 
     /// `d/2`, `e` and the harmonics over a piece of the data.
-    pub fn parameters(&self, piece: &Piece, bits: u32) -> Parameters {
+    pub fn parameters(&self, piece: &Piece, bits: u32) -> Parameters<'_> {
         let (start, ..) = self.state(piece, bits);
         let term = |(k, tone): (usize, &Tone)| {
             let amplitude = piece.part(&tone.amplitude, AMPLITUDE + 3 * k, bits);

@@ -11,8 +11,8 @@ use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
 /// All flights from a set of departures.
-#[derive(Clone, Debug)]
-pub(crate) struct Flight {
+#[derive(Clone)]
+pub(crate) struct Flight<'w> {
     pub shaking: Shaking,
     pub half_gap: Real,
     /// `y0`
@@ -20,7 +20,7 @@ pub(crate) struct Flight {
     /// `p`
     pub velocity: Real,
     /// The work that is left.
-    pub budget: Budget,
+    pub budget: Budget<'w>,
 }
 
 /// What is known of a part of a flight.
@@ -33,7 +33,7 @@ pub(crate) enum Part {
     Open,
 }
 
-impl Flight {
+impl Flight<'_> {
     /// Returns the bits that it is computed with.
     pub fn bits(&self) -> u32 {
         self.velocity.bits()

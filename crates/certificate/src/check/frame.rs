@@ -9,15 +9,15 @@ use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
 /// Radians and their lengths, over a piece of the data.
-pub(crate) struct Frame {
-    pub parameters: Parameters,
+pub(crate) struct Frame<'w> {
+    pub parameters: Parameters<'w>,
     pub clock: Clock,
     /// `2 pi`
     pub turn: Real,
 }
 
-impl Frame {
-    pub fn new(data: &Data, piece: &Piece, bits: u32) -> Self {
+impl<'w> Frame<'w> {
+    pub fn new(data: &'w Data<'w>, piece: &Piece, bits: u32) -> Self {
         let clock = Clock::at_start(data, &data.state(piece, bits).0, bits);
         Self { parameters: data.parameters(piece, bits), clock, turn: Real::pi(bits) * 2 }
     }

@@ -47,8 +47,6 @@ mod sweep;
 mod target;
 mod walk;
 
-use std::sync::atomic::AtomicBool;
-
 use super::{Certificate, ClaimKind};
 use budget::Budget;
 pub(super) use contact::Doubt;
@@ -57,6 +55,7 @@ pub(super) use flight::Flight;
 use impact_pair_document::ClaimName;
 use impact_pair_exact::Enclosure;
 use impact_pair_model::Error;
+use impact_pair_model::watch::{Latched, Stage, Watch};
 pub(super) use walk::Walk;
 
 /// What a check finds.
@@ -131,7 +130,7 @@ fn one_by_one<C>(
     claims: impl Iterator<Item = (usize, C)>,
     (budget, work): (&Budget, u64),
     mut judge: impl FnMut(C) -> Result<u32, Doubt>,
-    mut progress: impl FnMut(usize),
+    watch: &dyn Watch,
 ) -> Result<u32, Verdict> {
     let mut most = 0;
     for (event, claim) in claims {
@@ -141,7 +140,7 @@ fn one_by_one<C>(
             Err(doubt) => return Err(doubt.on(event)),
             Ok(bits) => {
                 most = most.max(bits); // exact: what is shown
-                progress(event + 1);
+                watch.note(Stage::Claims(event + 1));
             }
         }
     }
@@ -149,7 +148,8 @@ fn one_by_one<C>(
 }
 
 impl Certificate {
-    /// Proves every claim again, or returns the first one refuted or undecided. `progress` receives the events confirmed so far.
+    /// Proves every claim again, or returns the first one refuted or undecided, until the watch stops it, which receives the events
+    /// confirmed so far.
     ///
     /// Of what comes after the events `impacts-reached` says nothing; `time-reached` and `undecided` say that nothing does up to a time.
     ///
@@ -158,39 +158,27 @@ impl Certificate {
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
-    pub fn check(&self, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
-        self.check_within(&Effort::default(), progress)
+    pub fn check(&self, watch: &dyn Watch) -> Result<Verdict, Error> {
+        self.check_within(&Effort::default(), watch)
     }
 
     /// Returns the same with no more than this effort.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
-    pub fn check_within(&self, effort: &Effort, progress: impl FnMut(usize)) -> Result<Verdict, Error> {
-        self.check_until(effort, None, progress)
-    }
-
-    /// Returns the same until `stop` is set, if there is one.
-    ///
-    /// # Errors
-    /// When the scene's values are beyond the range of exact expressions.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
-        let budget = Budget::new(effort.work, effort.parts, stop);
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
+        let budget = Budget::new(effort.work, effort.parts, &watch);
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
         let mut reached = 0;
         let mut progress = |event: usize| {
             reached = reached.max(event); // exact: a count
-            progress(event);
+            watch.note(Stage::Claims(event));
         };
         let is_whole = data.is_point();
         let verdict = match self.claim() {
             ClaimName::ExactStart => self.judged(effort, &data, &mut progress),
-            ClaimName::Shadowed => self.shadowed(effort, stop, &data, &mut progress),
+            ClaimName::Shadowed => self.shadowed(effort, &watch, &data, &mut progress),
         };
         Ok(match verdict {
             Verdict::Undecided(_) if budget.is_stopped() => {

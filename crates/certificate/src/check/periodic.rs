@@ -18,27 +18,23 @@ use super::{Effort, Verdict, one_by_one};
 use crate::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
-use std::sync::atomic::AtomicBool;
+use impact_pair_model::watch::{Latched, Watch};
 
 impl PeriodicCertificate {
-    /// Proves every orbit again, or says which one is not as claimed or not proved, until `stop` is set, if there is one. `progress`
+    /// Proves every orbit again, or says which one is not as claimed or not proved, until the watch stops it, which
     /// receives the orbits confirmed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
-        let budget = Budget::new(0, effort.parts, stop);
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
+        let budget = Budget::new(0, effort.parts, &watch);
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
         let judge = |OrbitOf { word, cycles, orbit }: &OrbitOf| {
             let target = Target::new(&data, word, *cycles, orbit)?;
             target.is_an_orbit(effort.pieces).map(|()| BITS)
         };
-        let each = one_by_one(self.orbits().iter().enumerate(), (&budget, effort.work), judge, progress);
+        let each = one_by_one(self.orbits().iter().enumerate(), (&budget, effort.work), judge, &watch);
         let whole = |_| self.whole(&data).map_err(|doubt| doubt.on(self.orbits().len()));
         Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }

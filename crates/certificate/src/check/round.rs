@@ -16,7 +16,7 @@ const ENOUGH: i64 = 32;
 
 /// A period of a word: from a state just before its first impact to the next one of these.
 pub(super) struct Round<'p> {
-    pub parameters: &'p Parameters,
+    pub parameters: &'p Parameters<'p>,
     /// Of the impacts, in time order.
     pub walls: &'p [Wall],
     /// After which the shaking repeats \[rad\].

@@ -6,7 +6,6 @@
 
 use std::cmp::Ordering;
 use std::ops::Range;
-use std::sync::atomic::AtomicBool;
 
 use num_rational::BigRational;
 
@@ -27,6 +26,7 @@ use crate::Certificate;
 use impact_pair_document::NearDocument;
 use impact_pair_exact::{Dyadic, Real};
 use impact_pair_model::Wall;
+use impact_pair_model::watch::Watch;
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 8;
@@ -56,7 +56,7 @@ pub(super) struct Shadow<'c> {
     pub hits: Vec<Hit<'c>>,
     pub is_of_times: bool,
     effort: &'c Effort,
-    stop: Option<&'static AtomicBool>,
+    watch: &'c dyn Watch,
 }
 
 impl Certificate {
@@ -64,7 +64,7 @@ impl Certificate {
     pub(super) fn shadowed(
         &self,
         effort: &Effort,
-        stop: Option<&'static AtomicBool>,
+        watch: &dyn Watch,
         data: &Data,
         progress: &mut impl FnMut(usize),
     ) -> Verdict {
@@ -79,7 +79,7 @@ impl Certificate {
             let start = Standing::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
             let is_of_times = data.wall.is_some() && start.departure().velocity.hull().is_zero();
             let hits = self.events().iter().map_while(Hit::of).collect();
-            let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, stop };
+            let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, watch };
             shadow.fits(start.last())?;
             if !data.is_point() {
                 return Err((0, Doubt::Open("a shadowed orbit is not checked where data are intervals".into())));
@@ -119,7 +119,7 @@ impl Shadow<'_> {
     fn under<T>(&self, bits: u32, answer: impl FnOnce(&Course<'_>) -> T) -> T {
         let Effort { work, parts, .. } = *self.effort;
         let data = Data::new(self.certificate.pair(), self.certificate.start()).expect("they have been read before");
-        let data = Data { budget: Budget::new(work, parts, self.stop), ..data };
+        let data = Data { budget: Budget::new(work, parts, self.watch), ..data };
         let frame = Frame::new(&data, &Piece::default(), bits);
         answer(&Course { data: &data, frame, hits: &self.hits, is_of_times: self.is_of_times })
     }

@@ -15,14 +15,13 @@ use impact_pair_model::{Mapping, Wall};
 ///
 /// A walk that goes on replaces it as a whole: what was known of the states before, or of the scene's own start, does not outlive
 /// them. So each of the constructors tells all that is known.
-#[derive(Debug)]
 pub(crate) struct Standing<'d> {
     departure: Departure,
     landing: Option<Landing>,
     last: Last,
     going: Going,
     /// The exact data of the scene's own start, if it is that one.
-    start: Option<&'d Data>,
+    start: Option<&'d Data<'d>>,
 }
 
 /// How the motion goes on.
@@ -49,7 +48,7 @@ pub(crate) enum Last {
 
 impl<'d> Standing<'d> {
     /// Returns the scene's own start.
-    pub fn at_start(data: &'d Data, parameters: &Parameters, piece: &Piece) -> Self {
+    pub fn at_start(data: &'d Data<'d>, parameters: &Parameters, piece: &Piece) -> Self {
         let (phase, velocity, height) = data.state(piece, parameters.bits());
         let phase = phase.less_centre();
         let mut departure = match (data.wall, height) {
@@ -131,7 +130,7 @@ impl<'d> Standing<'d> {
     }
 
     /// Returns the exact data, if it is the scene's own start.
-    pub fn start(&self) -> Option<&'d Data> {
+    pub fn start(&self) -> Option<&'d Data<'d>> {
         self.start
     }
 }

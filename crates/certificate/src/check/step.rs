@@ -9,8 +9,8 @@ use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
 /// What the motion depends on, over the data of the scene.
-#[derive(Clone, Debug)]
-pub(crate) struct Parameters {
+#[derive(Clone)]
+pub(crate) struct Parameters<'w> {
     /// `d/2` \[length\]
     pub half_gap: Affine,
     /// `e`
@@ -18,7 +18,7 @@ pub(crate) struct Parameters {
     /// The harmonics, the reference first.
     pub terms: Vec<Term>,
     /// The work that is left.
-    pub budget: Budget,
+    pub budget: Budget<'w>,
 }
 
 /// The states in which a flight begins; phases are counted from the origin of the orbit.
@@ -50,7 +50,7 @@ fn side(wall: Wall, bits: u32) -> Real {
     Real::int(if wall == Wall::Right { 1 } else { -1 }, bits)
 }
 
-impl Parameters {
+impl Parameters<'_> {
     /// Returns the bits that they are known with.
     pub fn bits(&self) -> u32 {
         self.half_gap.centre.bits()
@@ -130,7 +130,7 @@ impl Departure {
     }
 
     /// The flights of those members of the set that `member` says.
-    fn flight(&self, parameters: &Parameters, member: fn(&Affine) -> Real) -> Flight {
+    fn flight<'w>(&self, parameters: &Parameters<'w>, member: fn(&Affine) -> Real) -> Flight<'w> {
         let bits = self.bits(parameters);
         let of = |x: &Affine| member(x).rounded(bits);
         Flight {
@@ -152,7 +152,7 @@ impl Departure {
     }
 
     /// Returns the flights of the whole set.
-    pub fn flights(&self, parameters: &Parameters) -> Flight {
+    pub fn flights<'w>(&self, parameters: &Parameters<'w>) -> Flight<'w> {
         self.flight(parameters, Affine::hull)
     }
 

@@ -1,7 +1,5 @@
 //! Whether the impacts of a sweep's points are right: each orbit is followed from its exact start, and compared after the transient.
 
-use std::sync::atomic::AtomicBool;
-
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
@@ -13,46 +11,41 @@ use crate::Certificate;
 use crate::sweep::{ClaimedOrbit, ClaimedState, SweepCertificate};
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
+use impact_pair_model::watch::{Latched, Stage, Watch};
 
 impl SweepCertificate {
-    /// Proves the impacts of every point again, or says of which they are not true or not proved, until `stop` is set, if there is
-    /// one. `progress` receives the points checked so far.
+    /// Proves the impacts of every point again, or says of which they are not true or not proved, until the watch stops it, which
+    /// receives the points checked so far.
     ///
     /// # Errors
     /// When a scene's values are beyond the range of exact expressions.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
-        self.judge_until(effort, stop, |point, _| progress(point))
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        Ok(self.judge_within(effort, watch)?.0)
     }
 
-    /// The same; `progress` receives whether all points so far are confirmed as well.
-    pub(crate) fn judge_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize, bool),
-    ) -> Result<Verdict, Error> {
-        let (mut most, mut open, mut confirmed) = (0, None, 0);
+    /// Returns the verdict, and how many points are confirmed one after another from the first one on.
+    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+        let watch = Latched::new(watch);
+        let (mut most, mut open, mut confirmed, mut certain) = (0, None, 0, 0);
         for (event, point) in self.points().iter().enumerate() {
-            let budget = Budget::new(effort.work, effort.parts, stop);
+            let budget = Budget::new(effort.work, effort.parts, &watch);
             let certificate = Certificate::of_start(point.pair.clone(), point.start.clone());
             let data = Data { budget: budget.clone(), ..Data::new(&point.pair, &point.start)? };
             match point.judged(&certificate, &data, effort.bits) {
-                Err(Doubt::Open(_)) if budget.is_stopped() => return Ok(Verdict::Interrupted { events: confirmed }),
-                Err(Doubt::False(message)) => return Ok(Verdict::Refuted(Finding { event, message })),
+                Err(Doubt::Open(_)) if budget.is_stopped() => {
+                    return Ok((Verdict::Interrupted { events: confirmed }, certain));
+                }
+                Err(Doubt::False(message)) => return Ok((Verdict::Refuted(Finding { event, message }), certain)),
                 Err(Doubt::Open(message)) => open = open.or(Some(Finding { event, message })),
                 Ok(bits) => {
                     most = most.max(bits); // exact: what is shown
                     confirmed += 1;
                 }
             }
-            progress(event + 1, open.is_none());
+            certain += usize::from(open.is_none()); // exact: a count
+            watch.note(Stage::Claims(event + 1));
         }
-        Ok(match open {
+        let verdict = match open {
             Some(Finding { event, message }) => {
                 let message = format!("{message}; {confirmed} of {} points confirmed", self.count());
                 Verdict::Undecided(Finding { event, message })
@@ -61,7 +54,8 @@ impl SweepCertificate {
                 Verdict::Undecided(Finding { event: 0, message: "there is no point to check".to_owned() })
             }
             None => Verdict::Confirmed { bits: most, pieces: 1 },
-        })
+        };
+        Ok((verdict, certain))
     }
 }
 

@@ -26,7 +26,7 @@ const DOUBLED: u32 = 3;
 
 /// A claimed orbit of a word.
 pub(super) struct Target<'c> {
-    pub data: &'c Data,
+    pub data: &'c Data<'c>,
     pub claim: &'c ClaimedOrbit,
     /// Of the impacts of the word.
     pub walls: Vec<Wall>,

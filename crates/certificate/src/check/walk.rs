@@ -20,8 +20,8 @@ use impact_pair_model::Wall;
 /// An orbit followed along the claims.
 pub(crate) struct Walk<'c> {
     pub(super) certificate: &'c Certificate,
-    pub(super) data: &'c Data,
-    pub parameters: Parameters,
+    pub(super) data: &'c Data<'c>,
+    pub parameters: Parameters<'c>,
     pub clock: Clock,
     /// The whole half periods dropped from the phase that phases are counted from, which is within a turn of 0.
     pub(super) halves: BigInt,
@@ -40,7 +40,7 @@ pub(crate) struct Walk<'c> {
 
 impl<'c> Walk<'c> {
     /// From the scene's own start.
-    pub fn new(certificate: &'c Certificate, data: &'c Data, piece: &Piece, bits: u32) -> Self {
+    pub fn new(certificate: &'c Certificate, data: &'c Data<'c>, piece: &Piece, bits: u32) -> Self {
         let frame = Frame::new(data, piece, bits);
         let standing = Standing::at_start(data, &frame.parameters, piece);
         Self::at((certificate, data), frame, standing, 0)
@@ -48,8 +48,8 @@ impl<'c> Walk<'c> {
 
     /// From states after so many impacts, the first events that are claimed.
     pub fn at(
-        (certificate, data): (&'c Certificate, &'c Data),
-        frame: Frame,
+        (certificate, data): (&'c Certificate, &'c Data<'c>),
+        frame: Frame<'c>,
         standing: Standing<'c>,
         impacts: usize,
     ) -> Self {

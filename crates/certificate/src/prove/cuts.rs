@@ -18,8 +18,8 @@ const SHORT: f64 = 1e-3;
 const MANY_TURNS: f64 = 2.0;
 
 /// A flight of length `h`, to be cut.
-pub(super) struct Cuts {
-    flight: Flight,
+pub(super) struct Cuts<'w> {
+    flight: Flight<'w>,
     h: f64,
 }
 
@@ -30,8 +30,8 @@ enum Order {
     Last,
 }
 
-impl Cuts {
-    pub fn new(flight: &Flight, h: f64) -> Self {
+impl<'w> Cuts<'w> {
+    pub fn new(flight: &Flight<'w>, h: f64) -> Self {
         let lost = (3.0 * (-h.log2()).max(0.0)).ceil() as u32;
         Self { flight: flight.rounded(flight.bits().min(BITS.saturating_add(lost))), h }
     }

@@ -7,6 +7,7 @@ use crate::{Certificate, Claim, ClaimKind};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::Excitation;
 use impact_pair_model::Wall;
+use impact_pair_model::watch::{Stage, Watch};
 
 /// The start of an orbit.
 #[derive(Clone, Debug)]
@@ -87,7 +88,7 @@ pub(super) fn flights(
     data: &Data,
     claims: &[Claim],
     bits: u32,
-    progress: &mut impl FnMut(usize),
+    watch: &dyn Watch,
 ) -> (Origin, Vec<Flight>, Option<Doubt>) {
     let mut walk = Walk::new(certificate, data, &Piece::default(), bits);
     let parameters = walk.parameters.clone();
@@ -106,7 +107,7 @@ pub(super) fn flights(
         if let Err(doubt) = walk.confirm(claim) {
             return (origin, flights, Some(doubt));
         }
-        progress(flights.len() + 1);
+        watch.note(Stage::Claims(flights.len() + 1));
         let landing = walk.standing.landing().expect("an impact was confirmed");
         let from = departure.start.wall;
         let phases = [&departure.phase, &landing.phase].map(|x| middle(&walk.absolute(&x.centre)));

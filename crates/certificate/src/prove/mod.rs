@@ -15,6 +15,7 @@ use super::{Certificate, ClaimKind};
 use flights::{Flight, Origin, flights};
 use impact_pair_document::ClaimName;
 use impact_pair_model::Error;
+use impact_pair_model::watch::Watch;
 use legs::{Box, Leg, excess, leg, start};
 
 /// A file for Coq.
@@ -40,11 +41,11 @@ impl Certificate {
     /// parameters that the scene allows there is exactly one orbit, its impacts are first contacts on these walls, and its times
     /// and velocities lie in the printed bounds.
     ///
-    /// `progress` receives the impacts computed so far.
+    /// `watch` receives the impacts computed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond what exact expressions or Coq's hold, the box is not shaken, or the orbit is a shadowed one.
-    pub fn prove(&self, most: usize, mut progress: impl FnMut(usize)) -> Result<Theorem, Error> {
+    pub fn prove(&self, most: usize, watch: &dyn Watch) -> Result<Theorem, Error> {
         if self.claim() == ClaimName::Shadowed {
             return Err(Error::certificate("claim \"shadowed\": only orbits from exact starts can be proved".into()));
         }
@@ -61,7 +62,7 @@ impl Certificate {
         let until = until.filter(|_| claims.len() > listed);
         let (mut bits, mut scale) = (FIRST_BITS, FIRST_SCALE);
         loop {
-            let (origin, flights, doubt) = flights(self, &data, &claims, bits, &mut progress);
+            let (origin, flights, doubt) = flights(self, &data, &claims, bits, watch);
             let missing = match doubt {
                 Some(Doubt::Open(_)) if is_point && bits < MOST_BITS => {
                     bits *= 2;

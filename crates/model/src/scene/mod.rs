@@ -6,6 +6,7 @@
 //! that of all), `[pair]` with `gap` and `restitution`, and `[start]` with `time`, `velocity` and either `wall` or
 //! `position`. `title` and `[run]` are not.
 
+mod range;
 mod section;
 mod vary;
 mod words;
@@ -21,6 +22,7 @@ use crate::pair::{ImpactPair, Wall};
 use crate::settings::{Arithmetic, Settings};
 use crate::start::Start;
 use impact_pair_exact::Exact;
+pub use range::Range;
 use section::{Entry, Section, quoted};
 pub use vary::{Key, Term};
 

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::frame::Frame;
-use super::panel::Style;
+use super::style::Style;
 use super::trace::{Part, Point};
 use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 

@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::document::{Conclusion, Ending, Event, is_certified};
-use impact_pair::orbit::{Arithmetic, Orbit, Settings, Watch};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::scene::Run;
+use impact_pair::watch::Watch;
 
 use super::{Panel, Recorder, Sheet, Style, end_of};
 

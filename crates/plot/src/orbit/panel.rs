@@ -7,43 +7,14 @@ use plotters::style::text_anchor::HPos;
 
 use super::curves;
 use super::frame::Frame;
+use super::style::{FONT, Style};
 use super::symbols::{self, hatch, symbol};
 use super::trace::Span;
-use crate::picture::{BLUE, Canvas, Dots, Drawn, GREEN, GREY, Plane, SCALE, VERMILION, hull, words};
+use crate::picture::{Canvas, Dots, Drawn, Plane, SCALE, hull, words};
 
-/// Heights of letters.
-pub const FONT: i32 = 17 * SCALE;
 const TICK_FONT: i32 = 15 * SCALE;
 /// The least height and width of the frame around what is magnified elsewhere.
 const LEAST: i32 = 20 * SCALE;
-
-/// How a trace is drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct Style {
-    /// Whether it is certified: what is not has a colour of its own.
-    pub is_certified: bool,
-    /// The first so many impacts are the transient, which is grey.
-    pub transient: usize,
-}
-
-impl Style {
-    /// Returns the colour of curves after so many impacts.
-    pub fn curve(self, impacts: usize) -> RGBColor {
-        match (impacts < self.transient, self.is_certified) {
-            (true, _) => GREY,
-            (false, true) => BLUE,
-            (false, false) => VERMILION,
-        }
-    }
-
-    /// Returns the colour of the impact on a wall that so many are before.
-    pub fn impact(self, wall: Wall, impacts: usize) -> RGBColor {
-        match (self.curve(impacts), wall) {
-            (BLUE, Wall::Right) => GREEN,
-            (colour, _) => colour,
-        }
-    }
-}
 
 type Pixel = (i32, i32);
 

@@ -6,7 +6,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::frame::{Frame, Panel};
-use super::panel::{self, FONT, Style};
+use super::panel;
+use super::style::{FONT, Style};
 use super::symbols;
 use super::trace::Trace;
 use crate::picture::{self, Canvas, Drawn, LETTER, SCALE, greek, said, words, wrapped};

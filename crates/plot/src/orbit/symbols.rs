@@ -5,7 +5,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::frame::Panel;
-use super::panel::{FONT, Style};
+use super::style::{FONT, Style};
 use super::trace::{Kind, Part, Trace};
 use crate::picture::{Canvas, Drawn, GREY, LETTER, SCALE, VERMILION, letters, words};
 

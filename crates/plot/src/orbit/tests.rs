@@ -9,9 +9,9 @@ use impact_pair::pair::Wall;
 
 use super::curves::POINTS;
 use super::frame::{Frame, Panel};
-use super::panel::Style;
 use super::recorder::{Recorder, end_of};
 use super::sheet::Sheet;
+use super::style::Style;
 use super::trace::{Kind, Part, Span, Trace};
 use plotters::coord::ranged1d::Ranged;
 

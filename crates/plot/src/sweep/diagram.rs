@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use impact_pair::sweep;
 use plotters::prelude::*;
 
 use super::legend::{self, described};
@@ -10,6 +9,7 @@ use super::{Cells, Drawn, Plane, double, middle, value};
 use super::{Records, Show};
 use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Mark, SCALE, VERMILION};
 use impact_pair::json::{SweepImpact, SweepRecord};
+use impact_pair::scene::Range;
 
 /// The smallest cell: less than a pixel of most screens.
 const CELL: i32 = 3;
@@ -64,7 +64,7 @@ type Columns = BTreeMap<i32, Vec<i32>>;
 /// Draws axes and words; the data are handed back.
 pub fn draw(
     sweep: &mut impl Records,
-    axis: &sweep::Axis,
+    axis: &Range,
     (show, within): (Show, Option<[f64; 2]>),
     root: &Canvas<'_>,
 ) -> Drawn<String> {
@@ -84,14 +84,14 @@ pub fn draw(
     let up = within.map_or(up, |[low, high]| Axis::over(low, high));
     let plane = Plane::draw(&below, [across, up], [&described(axis.key), name])?;
     let (left, right) = plane.pixels[0];
-    let spacing = (right - left) / i32::try_from(axis.count - 1).unwrap_or(i32::MAX);
+    let spacing = (right - left) / i32::try_from(axis.points() - 1).unwrap_or(i32::MAX);
     // Each point has a column of its own, next to its neighbours', or one of those that can be seen.
     let (grain, width) = if spacing < CELL { (CELL, CELL) } else { (1, (spacing + 1).min(LARGEST)) };
     let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
     sweep.each_record(|record| {
         let class = Class::of(&record);
-        let column = plane.column(value(&axis.value(record.point)?));
+        let column = plane.column(value(&axis.value(record.point, axis.points() - 1)?));
         for state in &record.states {
             // A box when it is wide enough to be seen, from its upper bound down.
             let bounds = bounds(state, show)?;

@@ -6,8 +6,8 @@ use std::fmt::Write;
 
 use impact_pair::mapping::Word;
 use impact_pair::pair::Wall;
-use impact_pair::scene::Key;
-use impact_pair::sweep::{self, Grid};
+use impact_pair::scene::{Key, Range};
+use impact_pair::sweep::Grid;
 use plotters::prelude::*;
 
 use super::Records;
@@ -72,7 +72,7 @@ pub fn draw(sweep: &mut impl Records, grid: &Grid, root: &Canvas<'_>) -> Drawn<S
         .into_iter()
         .map(|(phase, velocity, colour)| ring((plane.column(phase), plane.row(velocity)), colour))
         .collect();
-    Ok(cells(&plane, x.count, y.count, colour) + &rings)
+    Ok(cells(&plane, x.points(), y.points(), colour) + &rings)
 }
 
 /// Where attractors hit the left wall first, as far as that is known, and their colours.
@@ -96,9 +96,9 @@ fn ring((x, y): (i32, i32), colour: RGBColor) -> String {
 }
 
 /// An axis with room for half a cell at both ends.
-fn scale(axis: &sweep::Axis) -> Axis {
+fn scale(axis: &Range) -> Axis {
     let (low, high) = (value(&axis.low), value(&axis.high));
-    let half = 0.5 * (high - low) / (axis.count - 1) as f64;
+    let half = 0.5 * (high - low) / (axis.points() - 1) as f64;
     let is_turn = matches!(axis.key, Key::Phase(_) | Key::StartPhase) && (low, high) == (0.0, TAU);
     if is_turn { Axis::turn(half) } else { Axis::over(low - half, high + half) }
 }

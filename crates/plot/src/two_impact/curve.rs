@@ -156,6 +156,7 @@ mod tests {
     use impact_pair::two_impact::Range;
 
     use super::*;
+    use impact_pair::watch::Unwatched;
 
     fn scene(name: &str) -> Scene {
         let path = format!("{}/../../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -182,7 +183,7 @@ mod tests {
             };
             for cycles in [1, 3] {
                 // The fine grid has a point in the middle between two of the coarse one.
-                let [coarse, fine] = [400, 799].map(|count| range(count).manifold(cycles, 12, || true).unwrap());
+                let [coarse, fine] = [400, 799].map(|count| range(count).manifold(cycles, 12, &Unwatched).unwrap());
                 let knots: Vec<Knot> =
                     stretches(&coarse, &slope).into_iter().flat_map(|stretch| stretch.knots).collect();
                 let mut judged = 0;

@@ -2,6 +2,7 @@
 
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Settings, Start};
+use impact_pair::watch::Unwatched;
 use impact_pair::{Scene, document, scene};
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use rug::Float;
@@ -47,7 +48,7 @@ fn check(document: &str) -> (Finding, String) {
     if matches!(claims, Claims::Chaos(_) | Claims::Trap(_)) && document.len() > 200_000 {
         return (Finding::Open, "too large".into());
     }
-    match claims.check_until(&EFFORT, None, |_| {}) {
+    match claims.check_within(&EFFORT, &Unwatched) {
         Ok(Verdict::Confirmed { .. }) => (Finding::Right, String::new()),
         Ok(Verdict::Refuted(finding)) => (Finding::Wrong, claims.described(&finding)),
         Ok(Verdict::Undecided(finding)) => (Finding::Open, claims.described(&finding)),

@@ -1,19 +1,20 @@
 //! What is asked of a scene, and the documents that come out: as the command line asks and writes, with less to do.
 
-use std::cell::Cell;
+use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{self, Base, Chaos, Cycles, Trap};
-use impact_pair::describe::{Request, Stage, describe};
+use impact_pair::describe::{Request, describe};
 use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{Over, Wanted, survey};
+use impact_pair::periodic::bifurcation::{Wanted, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
 use impact_pair::sweep::{self, Grid};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Scene, two_impact};
 use serde_json::{Value, json};
 
@@ -77,8 +78,8 @@ impl Patience {
         Self(AtomicUsize::new(0))
     }
 
-    fn goes_on(&self, most: usize) -> bool {
-        self.0.fetch_add(1, Ordering::Relaxed) < most
+    fn goes_on(&self, most: usize) -> ControlFlow<()> {
+        proceed_if(self.0.fetch_add(1, Ordering::Relaxed) < most)
     }
 }
 
@@ -199,7 +200,7 @@ impl Case {
         for point in 0..grid.points() {
             let values = grid.values(point)?;
             let scene = self.scene.with(&values)?;
-            let found = sweep::follow(&scene, &asked, || true)?.expect("nobody stops it");
+            let found = sweep::follow(&scene, &asked, &Unwatched)?.expect("nobody stops it");
             records.push(json!(sweep::record(point, &values, &found)));
             points.push(scene);
         }
@@ -222,7 +223,8 @@ impl Case {
         let precision = Precision { digits: 9, max_bits: 256 };
         let (patience, budget) = (Patience::new(), Budget { boxes: 1_500, halvings: 30 });
         let census = match is_all {
-            true => problem.find_all_while(self.scene.start(), precision, budget, &|_| patience.goes_on(SEARCHED)),
+            true => problem
+                .find_all_while(self.scene.start(), precision, budget, &|_: Stage<'_>| patience.goes_on(SEARCHED)),
             false => problem.find(self.scene.start(), precision),
         };
         Ok(Answer::Periodic(json!(units.document(&problem, self.scene.start(), &census))))
@@ -243,16 +245,13 @@ impl Case {
             _ if is_near_fold => (own * 0.5, own * 1.75),
             _ => (if self.random.below(2) == 0 { 0.0 } else { own * 0.5 }, own * 1.75 + 0.125),
         };
-        let over: Over = format!("{name}={low}..{high}").parse()?;
+        let over = format!("{name}={low}..{high}").parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
         let wanted = Wanted { over, doublings: 0, precision };
         let (word, cycles) = if is_near_fold { ("LR".parse()?, 1) } else { self.word() };
-        let asked = Cell::new(0);
-        let goes_on = || {
-            asked.set(asked.get() + 1);
-            asked.get() < if is_near_fold { 4_000 } else { 400 }
-        };
-        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, goes_on)?;
+        let patience = Patience::new();
+        let watch = |_: Stage<'_>| patience.goes_on(if is_near_fold { 3_999 } else { 399 });
+        let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &wanted, &watch)?;
         let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
         Ok(Answer::Bifurcations(json!(found)))
     }
@@ -260,17 +259,16 @@ impl Case {
     /// Without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
         let request = Request { impacts: 1 + self.random.below(40), depth: 2, max_bits: MAX_BITS };
-        let watch = |stage: Stage| match stage {
-            Stage::Orbit(_) => true,
-            Stage::Region(boxes) => boxes < BOXES,
-            Stage::Horseshoe { .. } => false,
+        let watch = |at: Stage<'_>| match at {
+            Stage::Region(boxes) => proceed_if(boxes < BOXES),
+            at => proceed_if(!matches!(at, Stage::Horseshoe { .. })),
         };
         let found = describe(&self.scene, &request, &watch)?;
         Ok(Answer::Description(json!(found.document(&self.scene, "scene.toml")?)))
     }
 
     fn trap(&mut self) -> Result<Answer, Error> {
-        let found = Trap::of(&self.scene, 0, &|boxes| boxes < BOXES)?;
+        let found = Trap::of(&self.scene, 0, &|at: Stage<'_>| proceed_if(!matches!(at, Stage::Region(BOXES..))))?;
         let Ok(region) = found else { return Ok(Answer::Nothing("no region")) };
         Ok(Answer::Trap(json!(document::trap(&self.scene, &region)?)))
     }
@@ -284,20 +282,23 @@ impl Case {
             if is_given { BASES.map(|[at, long, short]| Base::new(at, long, short)).to_vec() } else { Vec::new() };
         let question = chaos::Question { depth: 3, bases };
         let patience = Patience::new();
-        let goes_on = |_: usize, boxes: u64| patience.goes_on(CHAOS[usize::from(is_given)]) && boxes < 4 * BOXES as u64;
-        let found = Chaos::of_scene(&self.scene, &question, &goes_on)?;
+        let watch = |at: Stage<'_>| match at {
+            Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
+            _ => patience.goes_on(CHAOS[usize::from(is_given)]),
+        };
+        let found = Chaos::of_scene(&self.scene, &question, &watch)?;
         Ok(Answer::Chaos(json!(document::chaos(&self.scene, None, &question, &found))))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {
         let asked: RangeInclusive<u32> = 1..=2;
         let patience = Patience::new();
-        let goes_on = |stage: chaos::Stage| match stage {
-            chaos::Stage::Region(boxes) => boxes < BOXES,
-            chaos::Stage::Impacts { .. } => patience.goes_on(2_000),
+        let watch = |at: Stage<'_>| match at {
+            Stage::Cycles { .. } => patience.goes_on(2_000),
+            at => proceed_if(!matches!(at, Stage::Region(BOXES..))),
         };
         let precision = Precision { digits: 9, max_bits: 512 };
-        let found = Cycles::of(&self.scene, 0, &asked, precision, &goes_on)?;
+        let found = Cycles::of(&self.scene, 0, &asked, precision, &watch)?;
         Ok(Answer::Cycles(json!(document::cycles(&self.scene, &asked, found.as_ref().map_err(|why| *why))?)))
     }
 
@@ -323,7 +324,7 @@ impl Case {
         }
         let list = audit::read(&list, &Columns::default(), self.scene.pair())?;
         let asked = audit::Asked { max_bits: 256, ..audit::Asked::default() };
-        let found = Audit::of(&self.scene, list, &asked, &|| true)?;
+        let found = Audit::of(&self.scene, list, &asked, &Unwatched)?;
         Ok(Answer::Audit(json!(found.document())))
     }
 }

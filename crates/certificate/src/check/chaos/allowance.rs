@@ -1,6 +1,8 @@
 //! How much work a check of words may take, counted and not timed: its answer is the same on every machine.
 
-use std::sync::atomic::{AtomicBool, AtomicI64, Ordering};
+use std::sync::atomic::{AtomicI64, Ordering};
+
+use impact_pair_model::watch::Watch;
 
 use super::guess::MOST_TURNS;
 
@@ -16,21 +18,21 @@ pub(super) enum End {
 /// The work that is left, shared by all threads and by all chains of boxes that are tried.
 ///
 /// Whether it suffices for all that is done at one depth depends on nothing else; where it does not, nothing of that depth is kept.
-pub(super) struct Allowance {
+pub(super) struct Allowance<'w> {
     left: AtomicI64,
-    stop: Option<&'static AtomicBool>,
+    watch: &'w dyn Watch,
 }
 
-impl Allowance {
-    /// So much work, until `stop` is set.
-    pub fn new(work: u64, stop: Option<&'static AtomicBool>) -> Self {
+impl<'w> Allowance<'w> {
+    /// So much work, until the watch stops it.
+    pub fn new(work: u64, watch: &'w dyn Watch) -> Self {
         let left = i64::try_from(work).unwrap_or(i64::MAX); // proposes: when to give up
-        Self { left: AtomicI64::new(left), stop }
+        Self { left: AtomicI64::new(left), watch }
     }
 
     /// Takes the work of so many looks at flights of about so many forcing periods.
     pub fn spend(&self, looks: usize, turns: f64) -> Result<(), End> {
-        if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+        if !self.watch.goes_on() {
             return Err(End::Stopped);
         }
         // proposes: when to give up

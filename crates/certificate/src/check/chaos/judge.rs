@@ -1,8 +1,7 @@
 //! Whether the listed words of a chaos JSON are right (Lemma V12).
 
-use std::sync::atomic::AtomicBool;
-
 use impact_pair_model::Error;
+use impact_pair_model::watch::{Latched, Stage, Watch};
 
 use super::Law;
 use super::allowance::{Allowance, End};
@@ -35,21 +34,17 @@ const DOUBLE: u32 = f64::MANTISSA_DIGITS;
 
 impl ChaosCertificate {
     /// Proves every listed word again, and that the entropies and the horseshoe follow from the list, or says what is not true or not
-    /// proved, until `stop` is set, if there is one. `progress` receives the words confirmed so far.
+    /// proved, until the watch stops it, which receives the words confirmed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
         let law = Law::of(self.pair())?;
         let mut confirmed = 0;
         let mut progress = |words: usize| {
             confirmed = confirmed.max(words); // exact: a count
-            progress(confirmed);
+            watch.note(Stage::Claims(confirmed));
         };
         let (bases, words) = match self.says_one_thing() {
             Ok(said) => said,
@@ -57,7 +52,7 @@ impl ChaosCertificate {
         };
         let allowed = effort.work.saturating_mul(LOOKS); // proposes: when to give up
         let each = (allowed / MANY).saturating_mul(words.len() as u64); // proposes: when to give up
-        let work = Allowance::new(allowed.saturating_add(each), stop); // proposes: when to give up
+        let work = Allowance::new(allowed.saturating_add(each), &watch); // proposes: when to give up
         Ok(match self.lost(&law, &bases, &words, &work, &mut progress) {
             Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
             Ok(Some(found)) => {

@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use impact_pair_exact::{Dyadic, Exact, Real, compare_rational};
 use impact_pair_model::{Error, ImpactPair, Place, Start, Wall, within};
@@ -22,6 +21,7 @@ use crate::check::walk::Walk;
 use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
 use crate::trap::TrapCertificate;
 use impact_pair_document::{Decimal, TrapDocument};
+use impact_pair_model::watch::{Latched, Stage, Watch};
 
 /// What stops a check of boxes.
 enum End {
@@ -30,17 +30,13 @@ enum End {
 }
 
 impl TrapCertificate {
-    /// Proves again that the region is closed, and what is said of it, or says what is not true or not proved, until `stop` is set, if
-    /// there is one. `progress` receives the boxes confirmed so far.
+    /// Proves again that the region is closed, and what is said of it, or says what is not true or not proved, until the watch stops
+    /// it, which receives the boxes confirmed so far.
     ///
     /// # Errors
     /// When the scene's values are beyond the range of exact expressions, and with several harmonics.
-    pub fn check_until(
-        &self,
-        effort: &Effort,
-        stop: Option<&'static AtomicBool>,
-        mut progress: impl FnMut(usize),
-    ) -> Result<Verdict, Error> {
+    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+        let watch = Latched::new(watch);
         let law = Law::of(self.pair())?;
         let boxes = match self.boxes() {
             Ok(boxes) => boxes,
@@ -52,7 +48,7 @@ impl TrapCertificate {
         let of_block = |block: Range<usize>| {
             block
                 .map(|k| {
-                    if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+                    if !watch.goes_on() {
                         return Err(End::Stopped);
                     }
                     region.times(&law, &guess, boxes[k]).map_err(|why| End::Open(k, why))
@@ -60,11 +56,11 @@ impl TrapCertificate {
                 .collect()
         };
         let mut confirmed = 0;
-        let watch = |known| {
+        let progress = |known| {
             confirmed = known;
-            progress(known);
+            watch.note(Stage::Claims(known));
         };
-        let times = match in_blocks(0..boxes.len(), BLOCK, of_block, watch) {
+        let times = match in_blocks(0..boxes.len(), BLOCK, of_block, progress) {
             Ok(times) => times.into_iter().reduce(Span::hull),
             Err(End::Stopped) => return Ok(Verdict::Interrupted { events: confirmed }),
             Err(End::Open(event, why)) => {
@@ -80,13 +76,12 @@ impl TrapCertificate {
         };
         let answer = self.says_what_holds(times).map(|()| f64::MANTISSA_DIGITS);
         let answer = match (answer, self.document().entered_at_impact) {
-            (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, stop)?.map(|more| bits.max(more)), // exact: what is shown
+            (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, &watch)?.map(|more| bits.max(more)), // exact: what is shown
             (answer, _) => answer,
         };
-        let is_stopped = || stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         Ok(match answer {
             Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
-            Err(Doubt::Open(_)) if is_stopped() => Verdict::Interrupted { events: confirmed },
+            Err(Doubt::Open(_)) if !watch.goes_on() => Verdict::Interrupted { events: confirmed },
             Err(doubt) => doubt.on(self.count()),
         })
     }
@@ -172,7 +167,7 @@ impl TrapCertificate {
         region: &Region,
         impact: u64,
         effort: &Effort,
-        stop: Option<&'static AtomicBool>,
+        watch: &dyn Watch,
     ) -> Result<Result<u32, Doubt>, Error> {
         let (pair, start) = (self.pair(), self.start());
         let open = || Doubt::Open(format!("entered_at_impact: impact {impact} is not proved to be in the region"));
@@ -181,7 +176,7 @@ impl TrapCertificate {
             let is_in = state.is_some_and(|state| holds(region, &state));
             return Ok(if is_in { Ok(BITS) } else { Err(open()) });
         }
-        let budget = Budget::new(effort.work, effort.parts, stop);
+        let budget = Budget::new(effort.work, effort.parts, watch);
         let data = Data { budget: budget.clone(), ..Data::new(pair, start)? };
         let certificate = Certificate::of_start(pair.clone(), start.clone());
         let harmonic = pair.harmonic("a region")?;

@@ -75,7 +75,7 @@ pub(super) struct Search<'s> {
     /// How chains of boxes are made: as the first one says, where that loses words as others do.
     makings: &'s [Making],
     guess: Guess,
-    work: &'s Allowance,
+    work: &'s Allowance<'s>,
     listed: &'s Counts,
     /// The beginnings of all listed words, by their h-set.
     beginnings: HashSet<Beginning>,
@@ -90,7 +90,7 @@ impl<'s> Search<'s> {
         bases: &'s [Base],
         listed: &'s Counts,
         (makings, ahead): (&'s [Making], &'s Ahead),
-        work: &'s Allowance,
+        work: &'s Allowance<'s>,
     ) -> Self {
         let run = |(from, base): (usize, &Base)| Run {
             from,

@@ -1,0 +1,92 @@
+//! Where an answer goes, and what every verb begins with: its inputs are kept apart from its outputs, and these are opened.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Error, Result};
+use clap::{Args, ValueEnum};
+use impact_pair::Scene;
+use impact_pair_plot::picture::Theme;
+
+use crate::output::Output;
+use crate::progress::catch_interruption;
+use crate::{Answer, ending, scene};
+
+/// Where an answer goes, and what is said beside it.
+#[derive(Args, Debug)]
+pub struct Destination {
+    /// Write to FILE, atomically, instead of stdout; its ending chooses the format
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Print no notes and no progress on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+impl Destination {
+    /// The format of the output: the one given, else that of its ending, else the usual one.
+    ///
+    /// # Errors
+    /// When the ending is of no format, or contradicts the one given.
+    pub fn format<F: ValueEnum + Default>(&self, given: Option<F>) -> Result<F> {
+        ending::format(given, ("--output", self.output.as_deref()), F::value_variants(), F::default())
+    }
+
+    /// Opens the outputs of a verb that reads these inputs. From here on Ctrl-C keeps what is certified.
+    ///
+    /// # Errors
+    /// If an output is one of the inputs or cannot be written, or both outputs are one file.
+    pub fn open(&self, inputs: &[&PathBuf], plot: Option<(&Path, Theme)>) -> Result<Files> {
+        let output = self.output.as_deref();
+        scene::keep_apart(inputs, output, plot.map(|(path, _)| path))?;
+        catch_interruption();
+        let out = Output::open(output)?;
+        let open = |(path, theme): (&Path, Theme)| Ok::<_, Error>((Output::open(Some(path))?, path.to_owned(), theme));
+        Ok(Files { out, picture: plot.map(open).transpose()?, quiet: self.quiet })
+    }
+
+    /// Reads the scene of a verb and opens its outputs.
+    ///
+    /// # Errors
+    /// If the scene is none, and as [`open`](Self::open).
+    pub fn begin<'a>(&self, path: &'a PathBuf, plot: Option<(&Path, Theme)>) -> Result<Begun<'a>> {
+        let scene = scene::read(path)?;
+        Ok(Begun { files: self.open(&[path], plot)?, scene, path })
+    }
+}
+
+/// A verb that has begun.
+pub struct Begun<'a> {
+    /// What it is about.
+    pub scene: Scene,
+    /// Where that is read from.
+    pub path: &'a PathBuf,
+    /// Where the answer goes.
+    pub files: Files,
+}
+
+/// The open outputs of a verb.
+pub struct Files {
+    pub out: Output,
+    picture: Option<(Output, PathBuf, Theme)>,
+    pub quiet: bool,
+}
+
+impl Files {
+    /// Writes an answer, all of it; what it leaves open is said on stderr as well, unless it stands in a table on stdout.
+    pub fn answer(self, text: &str, open: Option<String>, is_table: bool) -> Result<Answer> {
+        self.out.answer(text, open, (self.quiet, is_table))
+    }
+
+    /// Writes an answer, and the picture if one is requested.
+    pub fn draw(
+        self,
+        (text, open, is_table): (&str, Option<String>, bool),
+        svg: impl FnOnce() -> Result<String>,
+    ) -> Result<Answer> {
+        let answer = self.out.answer(text, open, (self.quiet, is_table))?;
+        if let Some((picture, path, theme)) = self.picture {
+            picture.draw(&path, theme, svg)?;
+        }
+        Ok(answer)
+    }
+}

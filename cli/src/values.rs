@@ -1,0 +1,88 @@
+//! Values of options: how they are read, and what is accepted.
+
+use std::ops::RangeInclusive;
+
+use clap::builder::RangedI64ValueParser;
+use impact_pair::Scene;
+use impact_pair::exact::Exact;
+use impact_pair::orbit::BITS;
+use impact_pair::periodic::Precision;
+use impact_pair::scene::DIGITS;
+
+/// The arithmetics, as they are typed.
+pub const ARITHMETICS: &str = "auto|float|interval|inari|shadow|BITS";
+
+/// The digits of the command line, or else of the scene, or else the usual ones.
+pub fn precision(digits: Option<u32>, max_bits: u32, scene: &Scene) -> Precision {
+    let digits = digits.or(scene.run().digits).unwrap_or(Precision::default().digits);
+    Precision { digits, max_bits }
+}
+
+/// Reads a number of digits.
+pub fn digits() -> impl Fn(&str) -> Result<u32, String> + Clone {
+    let whole = count(u64::from(*DIGITS.start())..=u64::from(*DIGITS.end()));
+    // exact: in the range of digits
+    move |text| whole(text).map(|digits| digits as u32)
+}
+
+/// Reads a number of bits.
+pub fn bits() -> RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(i64::from(*BITS.start())..=i64::from(*BITS.end()))
+}
+
+/// Reads how many: a whole number of this range.
+pub fn count(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String> + Clone {
+    move |text| match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        Ok(_) if *range.end() == u64::MAX => Err(format!("accepted are whole numbers from {} on", range.start())),
+        Ok(_) => Err(format!("accepted are whole numbers from {} to {}", range.start(), range.end())),
+        Err(_) => {
+            // 1e5, 1,000
+            let meant = Exact::parse(text).ok().and_then(|number| number.as_rational().map(ToString::to_string));
+            let meant = meant.unwrap_or_else(|| text.replace([',', '_', ' ', '\''], ""));
+            let hint = if meant.parse::<u64>().is_ok() { format!("; did you mean {meant}?") } else { String::new() };
+            let range = match *range.end() {
+                u64::MAX => String::new(),
+                most => format!(" from {} to {most}", range.start()),
+            };
+            Err(format!("accepted are whole numbers{range}{hint}"))
+        }
+    }
+}
+
+/// Reads whole numbers of this range: one, or from the first to the last one.
+pub fn numbers(accepted: RangeInclusive<u32>) -> impl Fn(&str) -> Result<RangeInclusive<u32>, String> + Clone {
+    move |text| {
+        let (low, high) = text.split_once("..").unwrap_or((text, text));
+        let number = |text: &str| text.trim().parse().ok().filter(|number| accepted.contains(number));
+        match (number(low), number(high)) {
+            (Some(low), Some(high)) if low <= high => Ok(low..=high),
+            _ => {
+                let (least, most) = (accepted.start(), accepted.end());
+                Err(format!("accepted is an integer from {least} to {most}, or a range of them such as 1..5"))
+            }
+        }
+    }
+}
+
+/// Reads a single exact number.
+pub fn point(text: &str) -> Result<Exact, String> {
+    let unit = || match text.trim().split_once(' ') {
+        Some((number, unit)) if Exact::parse(number).is_ok() && unit.trim().chars().all(char::is_alphabetic) => {
+            format!("; numbers are in the units of the scene and have none of their own: did you mean {number}?")
+        }
+        _ => String::new(),
+    };
+    let number = Exact::parse(text).map_err(|error| format!("{error}{}", unit()))?;
+    if number.is_point() { Ok(number) } else { Err("accepted is a single number, not an interval".into()) }
+}
+
+/// Reads a range on an axis of a picture: about what its ends are.
+pub fn window(text: &str) -> Result<[f64; 2], String> {
+    let number = |text: &str| Ok::<f64, String>(point(text)?.enclose(64).mid_rad().0);
+    let (low, high) = text.split_once("..").ok_or("accepted is a range such as 0.2..0.5")?;
+    match (number(low)?, number(high)?) {
+        (low, high) if low < high => Ok([low, high]),
+        _ => Err("accepted is a range whose lower end comes first".into()),
+    }
+}

@@ -1,0 +1,152 @@
+//! Progress of long computations, and their interruption: [`Watch`].
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The progress of a computation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage<'s> {
+    /// The computation is between two steps; nothing countable is new.
+    Working,
+    /// A part of the computation begins, of this name.
+    Part(&'s str),
+    /// Impact `.0` of an orbit is computed.
+    Impact(u64),
+    /// An impact computed before is computed again, in higher precision.
+    Retraced {
+        /// The index of the impact.
+        index: u64,
+        /// The precision of the first impact, in bits.
+        bits: u32,
+    },
+    /// Cells of the state space are searched for periodic orbits.
+    Cells {
+        /// Cells that are done.
+        done: usize,
+        /// All of them.
+        of: usize,
+    },
+    /// A trapping region has `.0` boxes so far.
+    Region(usize),
+    /// Periodic orbits of one period of the impact map are searched for in a trapping region.
+    Cycles {
+        /// The period: the number of impacts.
+        impacts: usize,
+        /// Blocks of the region that are done.
+        blocks: usize,
+        /// All of them.
+        of: usize,
+    },
+    /// Covering relations are proved.
+    Horseshoe {
+        /// Impacts of the words; 0 during the search for h-sets.
+        depth: usize,
+        /// Boxes.
+        boxes: u64,
+    },
+    /// `.0` cells of a parameter's range are done.
+    Parameter(u32),
+    /// `.0` claims of a document are confirmed.
+    Claims(usize),
+}
+
+/// Observes a computation, and decides whether it continues.
+///
+/// Any thread of the computation may call it, often. A computation that was stopped returns what it has certified until then.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use impact_pair_model::watch::{Stage, Watch, proceed_if};
+/// let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Region(boxes) if boxes > 1000));
+/// assert_eq!(watch.proceed(Stage::Region(10)), ControlFlow::Continue(()));
+/// assert_eq!(watch.proceed(Stage::Region(2000)), ControlFlow::Break(()));
+/// ```
+pub trait Watch: Sync {
+    /// Returns whether the computation continues, after its progress.
+    fn proceed(&self, at: Stage<'_>) -> ControlFlow<()>;
+
+    /// Returns whether the computation continues, where nothing countable is new.
+    fn goes_on(&self) -> bool {
+        self.proceed(Stage::Working).is_continue()
+    }
+
+    /// Reports progress; whether to continue is asked later.
+    fn note(&self, at: Stage<'_>) {
+        let _ = self.proceed(at);
+    }
+}
+
+impl<F: Fn(Stage<'_>) -> ControlFlow<()> + Sync> Watch for F {
+    fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
+        self(at)
+    }
+}
+
+/// Returns the answer of a [`Watch`] from whether the computation continues.
+pub fn proceed_if(goes_on: bool) -> ControlFlow<()> {
+    if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+}
+
+/// A watch that never stops.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn proceed(&self, _: Stage<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// A watch without progress: only whether to continue.
+pub struct Silent<'w>(pub &'w dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn proceed(&self, _: Stage<'_>) -> ControlFlow<()> {
+        self.0.proceed(Stage::Working)
+    }
+}
+
+/// A watch that stays stopped once it has stopped, and knows it.
+pub struct Latched<'w> {
+    watch: &'w dyn Watch,
+    is_stopped: AtomicBool,
+}
+
+impl<'w> Latched<'w> {
+    /// Latches a watch.
+    pub fn new(watch: &'w dyn Watch) -> Self {
+        Self { watch, is_stopped: AtomicBool::new(false) }
+    }
+
+    /// Returns whether it has stopped; the watch is not called.
+    pub fn is_stopped(&self) -> bool {
+        self.is_stopped.load(Ordering::Relaxed)
+    }
+}
+
+impl Watch for Latched<'_> {
+    fn proceed(&self, at: Stage<'_>) -> ControlFlow<()> {
+        if self.is_stopped() {
+            return ControlFlow::Break(());
+        }
+        let answer = self.watch.proceed(at);
+        self.is_stopped.fetch_or(answer.is_break(), Ordering::Relaxed);
+        answer
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_stopped_stays_stopped() {
+        let watch = |at: Stage<'_>| proceed_if(at != Stage::Claims(3));
+        let latched = Latched::new(&watch);
+        assert!(latched.goes_on() && !latched.is_stopped());
+        assert!(latched.proceed(Stage::Claims(3)).is_break() && latched.is_stopped());
+        assert!(!latched.goes_on() && watch.goes_on());
+        assert!(Silent(&watch).proceed(Stage::Claims(3)).is_continue());
+    }
+}

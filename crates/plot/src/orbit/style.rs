@@ -1,0 +1,37 @@
+//! Colours and letters of panels.
+
+use impact_pair::pair::Wall;
+use plotters::style::RGBColor;
+
+use crate::picture::{BLUE, GREEN, GREY, SCALE, VERMILION};
+
+/// Heights of letters.
+pub const FONT: i32 = 17 * SCALE;
+
+/// How a trace is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
+    /// Whether it is certified: what is not has a colour of its own.
+    pub is_certified: bool,
+    /// The first so many impacts are the transient, which is grey.
+    pub transient: usize,
+}
+
+impl Style {
+    /// Returns the colour of curves after so many impacts.
+    pub fn curve(self, impacts: usize) -> RGBColor {
+        match (impacts < self.transient, self.is_certified) {
+            (true, _) => GREY,
+            (false, true) => BLUE,
+            (false, false) => VERMILION,
+        }
+    }
+
+    /// Returns the colour of the impact on a wall that so many are before.
+    pub fn impact(self, wall: Wall, impacts: usize) -> RGBColor {
+        match (self.curve(impacts), wall) {
+            (BLUE, Wall::Right) => GREEN,
+            (colour, _) => colour,
+        }
+    }
+}

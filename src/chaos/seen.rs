@@ -1,0 +1,63 @@
+//! A floating-point orbit on what attracts it.
+//!
+//! Labels: proposes throughout.
+
+use std::f64::consts::TAU;
+
+use super::guess::{Guess, applied, length};
+use super::quad::State;
+
+/// Impacts before the orbit is looked at, and how many are.
+const TRANSIENT: usize = 2000;
+const LOOKED_AT: usize = 100_000;
+/// An orbit that expands less, an impact, is regular.
+const LEAST_EXPONENT: f64 = 1e-3;
+
+/// A floating-point orbit on what attracts it, phases modulo 1, with its expanding directions.
+#[derive(Debug)]
+pub(crate) struct Seen {
+    pub points: Vec<(State, State)>,
+    /// The Lyapunov exponent per impact.
+    pub exponent: f64,
+}
+
+/// The floating-point orbit from a state; `None` where it ends.
+pub(crate) fn seen(guess: &Guess, start: State) -> Option<Seen> {
+    let (mut state, mut direction, mut sum) = (start, [1.0 / TAU, 0.3], 0.0);
+    let mut points = Vec::with_capacity(LOOKED_AT);
+    for k in 0..TRANSIENT + LOOKED_AT {
+        let growth = step(guess, &mut state, &mut direction)?;
+        if k >= TRANSIENT {
+            sum += growth.ln();
+            points.push((state, direction));
+        }
+    }
+    Some(Seen { points, exponent: sum / LOOKED_AT as f64 })
+}
+
+/// One impact further, with the direction that expands; by how much it does.
+pub(super) fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> {
+    let image = guess.map(*state)?;
+    let [u, w] = applied(image.jacobian, *direction);
+    let growth = (TAU * u).hypot(w);
+    *direction = [u / growth, w / growth];
+    *state = [image.state[0].rem_euclid(1.0), image.state[1]];
+    Some(growth)
+}
+
+/// How far apart two states are, phases less whole forcing periods.
+pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
+    length([u - v - (u - v).round(), w - x])
+}
+
+impl Seen {
+    /// Returns the orbit's states.
+    pub fn states(self) -> Vec<State> {
+        self.points.into_iter().map(|(state, _)| state).collect()
+    }
+
+    /// Returns whether neighbours part.
+    pub fn is_chaotic(&self) -> bool {
+        self.exponent > LEAST_EXPONENT
+    }
+}
