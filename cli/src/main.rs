@@ -8,6 +8,7 @@ mod check;
 mod cycles;
 mod describe;
 mod ending;
+mod graph;
 mod heading;
 mod listing;
 mod man;
