@@ -136,6 +136,10 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         Some(Ok(words)) => (Some(words), None),
         None => (None, None),
     };
+    if let (true, Some(why)) = (is_drawn, &open) {
+        note(*quiet, why);
+        return Ok(Answer::Incomplete);
+    }
     document.words = words.as_ref().map(document::wall_words);
     let entered = document.entered_at_impact.is_none().then(|| entered(&document));
     let open: Vec<String> = open.into_iter().chain(entered).collect();

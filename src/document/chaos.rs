@@ -199,7 +199,7 @@ fn lower(x: f64) -> Decimal {
 /// An upper bound of an entropy, as [`lower`] rounds lower ones.
 fn raised(x: f64) -> Decimal {
     let [_, upper] = decimal_bounds_f64(x - 1e-5, x);
-    Decimal::printed(upper)
+    Decimal::printed(if x > 0.0 { upper } else { "0".to_owned() })
 }
 
 fn upper(x: f64) -> Decimal {

@@ -60,7 +60,7 @@ pub struct TrapDocument {
 pub struct WallWordsDocument {
     /// Number of impacts of the words that are counted.
     pub impacts: u32,
-    /// They are at most so many: exactly the number of words that the graph of the boxes allows.
+    /// There are at most so many: the number of words that a graph of the boxes allows.
     pub count: Decimal,
     /// The topological entropy of the words is at most this, in nats per impact, rounded up.
     pub entropy_at_most: Decimal,

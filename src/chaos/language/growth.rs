@@ -1,7 +1,7 @@
 //! Upper bounds of the growth rate of the number of words: Lemmas D30 and D31.
 
 use num_bigint::BigUint;
-use num_traits::ToPrimitive;
+use num_traits::{One, ToPrimitive};
 
 use crate::number::{Ball, Number, logarithm, up};
 
@@ -13,6 +13,9 @@ const PATIENCE: usize = 200;
 
 /// Returns an upper bound of the logarithm of a count over the length of the words. Lemma D30
 pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
+    if count.is_one() {
+        return 0.0; // exact: its logarithm
+    }
     let shift = count.bits().saturating_sub(BITS); // D30: of a short one no bits are left out
     let leading = (count >> shift).to_f64().unwrap_or(f64::INFINITY) + 1.0; // exact: below 2^53
     let two = logarithm(Ball::exact(2.0)).expect("a positive number");
@@ -24,7 +27,7 @@ pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
 /// Returns an upper bound of the growth rate of the number of paths. Lemma D31
 pub(super) fn limit(steps: &[[Option<u32>; 2]]) -> f64 {
     let radius = parts(steps).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
-    logarithm(Ball::exact(radius)).map_or(f64::INFINITY, above)
+    if radius == 1.0 { 0.0 } else { logarithm(Ball::exact(radius)).map_or(f64::INFINITY, above) } // exact: the logarithm of 1
 }
 
 fn above(x: Ball) -> f64 {
@@ -39,8 +42,16 @@ fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
     let mut vector = vec![1.0f64; part.len()];
     let (mut least, mut since) = (f64::INFINITY, 0);
     for _ in 0..STEPS {
-        let image: Vec<f64> = inside.iter().map(|to| to.iter().fold(0.0, |sum, &to| up(sum + vector[to]))).collect();
-        let ratio = image.iter().zip(&vector).map(|(image, x)| up(image / x)).fold(0.0, f64::max); // D31: of all members
+        let image: Vec<f64> = inside
+            .iter()
+            .map(|to| match to[..] {
+                [a, b] => up(vector[a] + vector[b]),
+                [a] => vector[a],
+                _ => 0.0, // exact: it leads nowhere in its part
+            })
+            .collect();
+        let quotient = |image: f64, x: f64| if image == x { 1.0 } else { up(image / x) };
+        let ratio = image.iter().zip(&vector).map(|(image, x)| quotient(*image, *x)).fold(0.0, f64::max); // D31: of all members
         since = if ratio < least { 0 } else { since + 1 };
         least = least.min(ratio); // D31: each vector proves its own
         if since > PATIENCE {

@@ -1,6 +1,7 @@
 //! Words of motions against what the graph allows, counts against an enumeration, growth rates that are known.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::LN_2;
 
 use super::*;
 use crate::chaos::cycles::Cycles;
@@ -33,8 +34,11 @@ fn words(graph: &BoxGraph, impacts: u32) -> WallWords {
     WallWords::of(graph, impacts, &|_| true).unwrap()
 }
 
+/// Edges of a graph.
+type Edges<'e> = &'e [(u32, char, u32)];
+
 /// A graph by its edges, of so many boxes.
-fn small(boxes: i32, edges: &[(u32, char, u32)]) -> BoxGraph {
+fn small(boxes: i32, edges: Edges<'_>) -> BoxGraph {
     let side = |letter| if letter == 'F' { Side::Far } else { Side::Near };
     let edges = edges.iter().map(|&(from, letter, to)| Edge { from, side: side(letter), to }).collect();
     BoxGraph { cells: (0..boxes).map(|column| (column, 0)).collect(), edges }
@@ -140,7 +144,7 @@ fn words_are_counted_as_they_are() {
 fn growth_rates_are_those_of_known_shifts() {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     // No two N in a row; every word; even numbers of N between two F; a circle of three boxes; a loop that leads to a faster one.
-    let shifts: [(&[(u32, char, u32)], i32, f64, u64); 5] = [
+    let shifts: [(Edges<'_>, i32, f64, u64); 5] = [
         (&[(0, 'F', 0), (0, 'N', 1), (1, 'F', 0)], 2, golden, 8),
         (&[(0, 'F', 0), (0, 'N', 0)], 1, 2.0, 16),
         (&[(0, 'F', 0), (0, 'N', 1), (1, 'N', 0)], 2, golden, 12),
@@ -164,7 +168,7 @@ fn longer_words_bound_the_entropy_more_narrowly() {
     assert!(by_counts.windows(2).all(|pair| pair[1] < pair[0]) && by_counts.iter().all(|&rate| all.entropy() <= rate));
     // Sound for powers of two, whose logarithm is known.
     let two = growth::rate(&(BigUint::from(1_u32) << 4000_u32), 4000);
-    assert!(two >= std::f64::consts::LN_2 && two < std::f64::consts::LN_2 + 1e-12);
+    assert!((LN_2..LN_2 + 1e-12).contains(&two));
     assert_eq!(WallWords::of(&graph, 22, &|sets| sets < 3).unwrap_err(), Unclosed::Interrupted);
     assert!(!WallWords::of(&graph, 2, &|sets| sets < 20).unwrap().is_closed());
 }

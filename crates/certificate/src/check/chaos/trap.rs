@@ -9,6 +9,7 @@ use impact_pair_model::{Error, ImpactPair, Place, Start, Wall, within};
 use num_rational::BigRational;
 
 use super::guess::Guess;
+use super::language;
 use super::region::{Open, Region};
 use super::span::Span;
 use super::{BITS, Law};
@@ -47,7 +48,7 @@ impl TrapCertificate {
             Err(doubt) => return Ok(doubt.on(self.count())),
         };
         let TrapDocument { columns, rows, .. } = *self.document();
-        let region = Region::new(columns, rows, boxes.iter().copied().collect::<HashSet<_>>());
+        let region = Region::new(columns, rows, boxes.iter().copied());
         let guess = Guess::new(&law);
         let of_block = |block: Range<usize>| {
             block
@@ -78,7 +79,9 @@ impl TrapCertificate {
         let Some(times) = times else {
             return Ok(Doubt::False("there is no box".into()).on(0));
         };
-        let answer = self.says_what_holds(times).map(|()| f64::MANTISSA_DIGITS);
+        let of_words = |words| language::says_what_holds(words, (&law, &guess), &region, &boxes, stop);
+        let answer = self.says_what_holds(times).and_then(|()| self.document().words.as_ref().map_or(Ok(()), of_words));
+        let answer = answer.map(|()| f64::MANTISSA_DIGITS);
         let answer = match (answer, self.document().entered_at_impact) {
             (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, stop)?.map(|more| bits.max(more)), // exact: what is shown
             (answer, _) => answer,
