@@ -60,7 +60,7 @@ pub struct TrapDocument {
 pub struct WallWordsDocument {
     /// Number of impacts of the words that are counted.
     pub impacts: u32,
-    /// There are at most so many: the number of words that a graph of the boxes allows.
+    /// An upper bound of the number of these words: a graph of the boxes allows no others.
     pub count: Decimal,
     /// The topological entropy of the words is at most this, in nats per impact, rounded up.
     pub entropy_at_most: Decimal,
