@@ -6,8 +6,10 @@ use anyhow::{Result, bail};
 use clap::ValueEnum;
 
 /// Endings that say what is in a file: another format in it would mislead.
-const TELLING: [&str; 14] =
-    ["json", "jsonl", "ndjson", "csv", "tsv", "parquet", "xlsx", "nc", "svg", "png", "pdf", "html", "toml", "v"];
+const TELLING: [&str; 16] = [
+    "json", "jsonl", "ndjson", "csv", "tsv", "parquet", "xlsx", "nc", "svg", "png", "pdf", "html", "toml", "v",
+    "graphml", "dot",
+];
 
 /// The format of the file that an option names: the one `given`, else that of its ending, else the `usual` one.
 ///

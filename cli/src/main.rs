@@ -9,6 +9,7 @@ mod cycles;
 mod describe;
 mod destination;
 mod ending;
+mod graph;
 mod heading;
 mod listing;
 mod man;

@@ -4,18 +4,18 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair::chaos::Trap;
+use impact_pair::chaos::{BoxGraph, MOST_COUNTED, Trap, WallWords};
 use impact_pair::document;
 use impact_pair::json::TrapDocument;
 use impact_pair_plot::picture::Theme;
 
 use crate::Answer;
 use crate::destination::{Begun, Destination};
+use crate::graph::Graph;
 use crate::heading::heading;
 use crate::output::note;
-use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
 
@@ -23,6 +23,8 @@ pub const HELP: &str = "\
 Examples:
   impact-pair trap scenes/figure-14.toml
   impact-pair trap scenes/figure-17.toml --plot region.svg --format json --output region.json
+  impact-pair trap scenes/figure-14.toml --words 22
+  impact-pair trap scenes/figure-14.toml --words 22 --output words.graphml
 
 The trapping region (forward invariant) is a set of boxes in phase and speed before the impact, with every impact \
 mirrored to the left wall. It grows from the end of a floating-point orbit until each flight from a box is proved to \
@@ -30,8 +32,18 @@ land in boxes; at a graze both continuations are included. A motion with one imp
 impacts there, never sticks, has no complete chatter, and keeps within the bounds for all time. Whether the region \
 attracts motions from outside is not claimed. One harmonic only.
 
-Exit code: 0 a region is proved, and the scene's own orbit is in it from some impact on; 1 either is undecided; 2 \
-usage, bad input, I/O.";
+With --words N an edge of the graph of boxes leads from each to all that its flights may land in: F on the far wall \
+(P1 or P2), N on the near one (P3 or P4). The sets of boxes that words of F and N lead to are the nodes of the graph \
+of words. The words of N letters that it allows are counted exactly: the motions in the region make no others, so \
+the topological entropy of their words is at most ln count / N for each N, and at most the growth rate of the paths \
+where the graph of words is closed. Of P1-P4 there are twice as many words, as each begins on either wall. The \
+entropy of the motions themselves may be greater: two may have one word.
+
+The formats graphml and dot write the graph of boxes, with --words the graph of words, whose paths from node 0 on \
+are the words. At a graze both walls are allowed.
+
+Exit code: 0 a region is proved, the scene's own orbit is in it from some impact on, and the words are counted if \
+--words is given; 1 one of these is undecided; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
 pub struct TrapArguments {
@@ -40,10 +52,13 @@ pub struct TrapArguments {
     /// Bisect the boxes of the coarsest forward-invariant grid N times, for narrower bounds
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=6))]
     finer: u32,
+    /// Count the words of N walls that the motions in the region can make, and bound their entropy from above
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_COUNTED)))]
+    words: Option<u32>,
     /// Output format; json is schema impact-pair/trap/1
     /// [default: as the ending of --output says, else table]
     #[arg(long, value_enum)]
-    format: Option<PeriodicFormat>,
+    format: Option<TrapFormat>,
     /// Draw the region, and a floating-point orbit in it
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     plot: Option<PathBuf>,
@@ -54,6 +69,28 @@ pub struct TrapArguments {
     pub destination: Destination,
 }
 
+/// How a region is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum TrapFormat {
+    /// Human-readable
+    #[default]
+    Table,
+    /// One document of the schema named above
+    Json,
+    /// The graph of boxes, or of words, in GraphML
+    Graphml,
+    /// The same in the language of Graphviz
+    Dot,
+}
+
+/// What is proved of a region.
+struct Proved<'s> {
+    scene: &'s Scene,
+    graph: Option<BoxGraph>,
+    words: Option<WallWords>,
+    document: TrapDocument,
+}
+
 pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let format = arguments.destination.format(arguments.format)?;
     let plot = arguments.plot.as_deref().map(|path| (path, arguments.theme));
@@ -62,7 +99,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let progress = Progress::stages(!files.quiet);
     let found = Trap::of(&scene, arguments.finer, &progress).with_context(named)?;
     progress.clear();
-    let is_table = format == PeriodicFormat::Table;
+    let is_table = format == TrapFormat::Table;
     let region = match found {
         Ok(region) => region,
         Err(why) => {
@@ -74,29 +111,87 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
             return Ok(Answer::Incomplete);
         }
     };
-    let document = document::trap(&scene, &region).with_context(named)?;
-    let text = match format {
-        PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
-        PeriodicFormat::Table => table(&scene, &document)?,
+    let is_drawn = matches!(format, TrapFormat::Graphml | TrapFormat::Dot);
+    let graph = (arguments.words.is_some() || is_drawn).then(|| BoxGraph::of(scene.pair(), &region));
+    let graph = graph.transpose().with_context(named)?;
+    let mut document = document::trap(&scene, &region).with_context(named)?;
+    let counted = graph.as_ref().zip(arguments.words).map(|(graph, impacts)| WallWords::of(graph, impacts, &progress));
+    progress.clear();
+    let (words, open) = match counted {
+        Some(Err(why)) => (None, Some(format!("undecided: the words are not counted; {}", why.words()))),
+        Some(Ok(words)) => (Some(words), None),
+        None => (None, None),
     };
-    let open = document.entered_at_impact.is_none().then(|| entered(&document));
+    if let (true, Some(why)) = (is_drawn, &open) {
+        note(files.quiet, why);
+        return Ok(Answer::Incomplete);
+    }
+    document.words = words.as_ref().map(document::wall_words);
+    let entered = document.entered_at_impact.is_none().then(|| entered(&document));
+    let open: Vec<String> = open.into_iter().chain(entered).collect();
+    let proved = Proved { scene: &scene, graph, words, document };
+    let text = match format {
+        TrapFormat::Json => serde_json::to_string(&proved.document)? + "\n",
+        TrapFormat::Table => proved.table(&open)?,
+        TrapFormat::Graphml => proved.graph().graphml()?,
+        TrapFormat::Dot => proved.graph().dot()?,
+    };
+    let open = (!open.is_empty()).then(|| open.join("; "));
     files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region))
 }
 
-fn table(scene: &Scene, document: &TrapDocument) -> Result<String, fmt::Error> {
-    let mut out = heading(scene);
-    writeln!(
-        out,
-        "\nregion of {} boxes, {} columns per forcing period, {} rows per speed A W\nflight [time]       {}\nspeed [length/time] {}\n\n\
-         certified: a trapping region, without sticking and without complete chatter;\n{}",
-        document.boxes,
-        document.columns,
-        document.rows,
-        document::bounds_text(&document.flight_time),
-        document::bounds_text(&document.speed_before),
-        entered(document),
-    )?;
-    Ok(out)
+impl Proved<'_> {
+    fn table(&self, open: &[String]) -> Result<String, fmt::Error> {
+        let mut out = heading(self.scene);
+        let document = &self.document;
+        writeln!(
+            out,
+            "\nregion of {} boxes, {} columns per forcing period, {} rows per speed A W\nflight [time]       {}\nspeed [length/time] {}",
+            document.boxes,
+            document.columns,
+            document.rows,
+            document::bounds_text(&document.flight_time),
+            document::bounds_text(&document.speed_before),
+        )?;
+        if let (Some(own), Some(words)) = (&document.words, &self.words) {
+            let sets = words.sets();
+            let closed = if words.is_closed() { "closed" } else { "not closed" };
+            writeln!(
+                out,
+                "words of {} walls   at most {}: {sets} sets of boxes, {closed}\nentropy of words    at most {} per impact",
+                own.impacts,
+                own.count.text(),
+                own.entropy_at_most.text()
+            )?;
+        }
+        let closing = "certified: a trapping region, without sticking and without complete chatter;";
+        writeln!(out, "\n{closing}")?;
+        let is_counted = open.iter().filter(|open| **open != entered(document));
+        is_counted.into_iter().try_for_each(|open| writeln!(out, "{open};"))?;
+        writeln!(out, "{}", entered(document))?;
+        Ok(out)
+    }
+
+    /// The graph that is written: of words if they are counted, else of boxes.
+    fn graph(&self) -> Graph<'_> {
+        let (scene, TrapDocument { columns, rows, .. }) = (self.scene.parameters_in_words(), &self.document);
+        let keys = ["column", "row"];
+        match (&self.words, &self.graph) {
+            (Some(words), _) => Graph {
+                title: format!("words of walls, from node 0 on; {scene}"),
+                keys,
+                nodes: vec![Vec::new(); words.sets()],
+                edges: Box::new(words.edges()),
+            },
+            (None, Some(graph)) => Graph {
+                title: format!("boxes, {columns} columns per forcing period, {rows} rows per speed A W; {scene}"),
+                keys,
+                nodes: graph.boxes().iter().map(|&(column, row)| vec![column.into(), row.into()]).collect(),
+                edges: Box::new(graph.edges()),
+            },
+            (None, None) => unreachable!("a graph is found before it is written"),
+        }
+    }
 }
 
 /// Whether the scene's own orbit is in the region.

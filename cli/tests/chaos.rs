@@ -2,6 +2,7 @@
 
 #![cfg(feature = "multiprecision")]
 
+use std::collections::BTreeSet;
 use std::f64::consts::LN_2;
 use std::fs;
 use std::time::Instant;
@@ -17,6 +18,12 @@ const BASES: [&str; 2] = ["--bases", "docs/bases-figure-14.json"];
 snapshots! { SEEN;
     region_of_figure_14: program(&["trap", "scenes/figure-14.toml"]);
     region_of_figure_12: program(&["trap", "scenes/figure-12.toml"]);
+    words_of_figure_14: program(&["trap", "scenes/figure-14.toml", "--words", "22"]);
+    words_of_no_walls: program(&["trap", "scenes/figure-14.toml", "--words", "0"]);
+    words_of_too_many_walls: program(&["trap", "scenes/figure-14.toml", "--words", "1000000000000"]);
+    words_without_a_region: program(&["trap", "scenes/chatter.toml", "--words", "5"]);
+    graph_of_words: program(&["trap", "scenes/figure-12.toml", "--words", "5", "--format", "graphml"]);
+    graph_of_boxes: program(&["trap", "scenes/figure-12.toml", "--format", "dot"]);
     region_of_chatter: program(&["trap", "scenes/chatter.toml"]);
     region_under_two_harmonics: program(&["trap", "scenes/two-tones.toml"]);
     horseshoe_of_figure_14: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3"]);
@@ -164,4 +171,44 @@ fn r35_shares_of_a_range_below_the_resolution_of_doubles() {
     let over = ["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.00000000000000000001:1"];
     let said = String::from_utf8(program(&over).output().unwrap().stdout).unwrap();
     assert!(said.contains("over 100.00 % of the range the scene's own orbit is attracted"), "{said}");
+}
+
+/// Both formats have the same nodes and edges; a node has an edge at least, as every motion goes on, and no letter leads to two nodes.
+#[test]
+fn graphs_are_written_in_two_languages() {
+    let folder = folder("graphs");
+    for (words, name) in [(None, "boxes"), (Some("3"), "words")] {
+        let mut edges = Vec::new();
+        for ending in ["graphml", "dot"] {
+            let path = folder.join(format!("{name}.{ending}"));
+            let mut arguments = vec!["trap", "scenes/figure-14.toml", "--output", path.to_str().unwrap()];
+            arguments.extend(words.into_iter().flat_map(|words| ["--words", words]));
+            assert!(program(&arguments).status().unwrap().success());
+            edges.push(edges_of(&fs::read_to_string(path).unwrap()));
+        }
+        let from: BTreeSet<&str> = edges[0].iter().map(|edge| edge[0].as_str()).collect();
+        let by_letters: BTreeSet<[&str; 2]> =
+            edges[0].iter().map(|[from, letter, _]| [from.as_str(), letter]).collect();
+        assert_eq!(edges[0], edges[1]);
+        assert!(from.len() == (0..from.len()).filter(|node| from.contains(node.to_string().as_str())).count());
+        assert!(by_letters.len() == edges[0].len() || words.is_none(), "{name}");
+        assert!(if words.is_some() { from.len() < 100 } else { from.len() == 431 }, "{name}: {}", from.len());
+    }
+}
+
+/// From where, by which letter, to where, of both formats.
+fn edges_of(text: &str) -> Vec<[String; 3]> {
+    let of_line = |line: &str| {
+        let parts: Vec<&str> = if line.contains("<edge ") {
+            let [_, from, _, to, _, flight, rest] = line.split('"').collect::<Vec<_>>()[..] else { panic!("{line}") };
+            assert!(flight == "flight" && rest.ends_with("</data></edge>"), "{line}");
+            vec![from, &rest[1..2], to]
+        } else {
+            let (from, rest) = line.trim().split_once(" -> ")?;
+            let (to, rest) = rest.split_once(" [label=")?;
+            vec![from, &rest[..1], to]
+        };
+        Some([parts[0].to_owned(), parts[1].to_owned(), parts[2].to_owned()])
+    };
+    text.lines().filter(|line| line.contains("<edge ") || line.contains(" -> ")).filter_map(of_line).collect()
 }

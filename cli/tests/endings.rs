@@ -14,7 +14,7 @@ const VERBS: [(&[&str], &[&str]); 11] = [
         &["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1", "--over", "frequency=1..2"],
         &["txt", "json"],
     ),
-    (&["trap", "scenes/figure-12.toml"], &["txt", "json"]),
+    (&["trap", "scenes/figure-12.toml"], &["txt", "json", "graphml", "dot"]),
     (&["describe", "scenes/figure-12.toml"], &["txt", "json"]),
     (&["cycles", "scenes/figure-12.toml", "--impacts", "1"], &["txt", "json"]),
     (&["chaos", "scenes/figure-12.toml", "--depth", "1"], &["txt", "json"]),
@@ -37,6 +37,8 @@ fn is_written_as(ending: &str, text: &str) -> bool {
     match ending {
         "json" => serde_json::from_str::<serde_json::Value>(text).is_ok(),
         "jsonl" => text.lines().count() > 1 && text.lines().all(|line| line.starts_with('{') && line.ends_with('}')),
+        "graphml" => text.starts_with("<?xml ") && text.ends_with("</graphml>\n"),
+        "dot" => text.starts_with("digraph {") && text.ends_with("}\n"),
         "csv" => text.lines().next().is_some_and(|header| header.split(',').count() > 3 && !header.contains(' ')),
         _ => !text.starts_with('{') && text.contains(' '),
     }

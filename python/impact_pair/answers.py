@@ -250,6 +250,18 @@ class Trap(Document):
         found: int | None = self.document["entered_at_impact"]
         return found
 
+    @property
+    def words(self) -> int | None:
+        """An upper bound of the number of words of N walls; None if they are not counted."""
+        found = self.document.get("words")
+        return None if found is None else int(found["count"])
+
+    @property
+    def words_entropy(self) -> float | None:
+        """An upper bound of the topological entropy of the words [nats per impact]; None if they are not counted."""
+        found = self.document.get("words")
+        return None if found is None else float(outward([(found["entropy_at_most"], found["entropy_at_most"])])[0, 1])
+
     def __repr__(self) -> str:
         if not self.certified:
             return f"undecided: no region is proved; {self.document['message']}"

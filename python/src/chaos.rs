@@ -1,7 +1,8 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
 use impact_pair::chaos::{
-    Asked, Cells, Chaos, Cycles, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Trap,
+    Asked, BoxGraph, Cells, Chaos, Cycles, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question,
+    Trap, WallWords,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -22,17 +23,25 @@ use crate::watched::watched;
 pub fn trap(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, bool),
+    question: (u32, Option<u32>, bool),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Option<String>, bool, Option<String>)> {
-    let (finer, picture) = question;
+    let (finer, impacts, picture) = question;
     let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| match Trap::of(&scene, accepted("finer", finer, 0..=6)?, monitor)? {
-        Err(why) => Ok((None, false, Some(why.words().to_owned()))),
-        Ok(region) => {
-            let document = document::trap(&scene, &region)?;
-            let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
-            Ok((Some(text(&document)), document.entered_at_impact.is_some(), svg))
+    watched(py, progress, move |monitor| {
+        let impacts = impacts.map(|impacts| accepted("words", impacts, 1..=MOST_COUNTED)).transpose()?;
+        match Trap::of(&scene, accepted("finer", finer, 0..=6)?, monitor)? {
+            Err(why) => Ok((None, false, Some(why.words().to_owned()))),
+            Ok(region) => {
+                let mut document = document::trap(&scene, &region)?;
+                if let Some(impacts) = impacts {
+                    let words = WallWords::of(&BoxGraph::of(scene.pair(), &region)?, impacts, monitor);
+                    document.words = words.ok().as_ref().map(document::wall_words);
+                }
+                let is_counted = impacts.is_none() || document.words.is_some();
+                let svg = picture.then(|| drawn(impact_pair_plot::chaos::trap(&scene, &region))).transpose()?;
+                Ok((Some(text(&document)), is_counted && document.entered_at_impact.is_some(), svg))
+            }
         }
     })
 }

@@ -42,7 +42,9 @@ impl Watch for Monitor {
         match at {
             Stage::Impact(done) | Stage::Horseshoe { boxes: done, .. } => self.tell(done),
             Stage::Parameter(done) => self.tell(done.into()),
-            Stage::Cells { done, .. } | Stage::Region(done) | Stage::Claims(done) => self.tell(done as u64),
+            Stage::Cells { done, .. } | Stage::Region(done) | Stage::Sets(done) | Stage::Claims(done) => {
+                self.tell(done as u64)
+            }
             Stage::Cycles { impacts, .. } => self.tell(impacts as u64),
             _ => {}
         }

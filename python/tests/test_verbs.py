@@ -58,6 +58,10 @@ def test_trap_and_chaos(cli):
     found = Scene.named("figure-17").trap()
     assert found.document == cli.json("trap", "scenes/figure-17.toml")
     assert found.complete == (found.entered_at_impact is not None)
+    counted = Scene.named("figure-14").trap(words=22)
+    assert counted.document == cli.json("trap", "scenes/figure-14.toml", "--words", 22)
+    assert counted.complete and counted.words == int(counted.document["words"]["count"])
+    assert counted.words_entropy >= float(counted.document["words"]["entropy_at_most"]) and found.words is None
     file = ROOT / "docs/bases-figure-14.json"
     found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"])
     told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file)
@@ -65,6 +69,35 @@ def test_trap_and_chaos(cli):
     assert (found.entropy > 0) == found.complete
     again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})
     assert again.document["over"]["key"] == "pair.gap" or again.document["over"]
+
+
+@pytest.mark.parametrize("words", [(), ("--words", 9)])
+def test_graphs_of_a_region(cli, tmp_path, words):
+    """NetworkX reads the graphs; its own counts of paths are those of the words."""
+    networkx = pytest.importorskip("networkx")
+    path = tmp_path / "graph.graphml"
+    cli.text("trap", "scenes/figure-14.toml", *words, "--output", path)
+    graph = networkx.read_graphml(path, force_multigraph=True)
+    flights = {flight for *_, flight in graph.edges(data="flight")}
+    assert graph.is_directed() and flights == {"F", "N"}
+    assert all(graph.out_degree(node) > 0 for node in graph)
+    if not words:
+        told = cli.json("trap", "scenes/figure-14.toml")
+        boxes = {(column, row) for column, first, last in told["region"] for row in range(first, last + 1)}
+        assert {(node["column"], node["row"]) for _, node in graph.nodes(data=True)} == boxes
+        return
+    paths = {"0": 1}
+    for _ in range(9):
+        longer: dict[str, int] = {}
+        for node, count in paths.items():
+            for _, following in graph.out_edges(node):
+                longer[following] = longer.get(following, 0) + count
+        paths = longer
+    told = cli.json("trap", "scenes/figure-14.toml", *words)["words"]
+    assert sum(paths.values()) == int(told["count"])
+    matrix = networkx.to_numpy_array(graph)
+    growth = np.log(np.abs(np.linalg.eigvals(matrix)).max())
+    assert 0 <= float(told["entropy_at_most"]) - growth < 1e-6
 
 
 def test_describe(cli, tmp_path):

@@ -70,13 +70,13 @@ impl Grid {
         Quad::rectangle(centre, radii, row / self.rows)
     }
 
-    /// Adds the boxes that all images of the states of a rectangle lie in. Lemma D4
-    pub fn image(&self, law: &Law, quad: &Quad, found: &mut HashSet<Cell>) -> Result<Reach, Refusal> {
+    /// Notes the boxes that all images of the states of a rectangle lie in, and the walls of the flights there. Lemma D4
+    pub fn image(&self, law: &Law, quad: &Quad, note: &mut dyn FnMut(Side, Cell)) -> Result<Reach, Refusal> {
         self.landings(law, quad, &mut |Arrivals { column, side, speeds }| {
             let shift = if side == Side::Far { self.columns / 2 } else { 0 };
             let column = (column + shift).rem_euclid(self.columns) as i32; // exact: fewer than 2^31
             let rows = speeds.map(|speed| (speed * self.rows).floor() as i32); // D4: of both ends
-            found.extend((rows[0]..=rows[1]).map(|row| (column, row)));
+            (rows[0]..=rows[1]).for_each(|row| note(side, (column, row)));
         })
     }
 
@@ -185,9 +185,10 @@ impl Region {
                     let results = &results;
                     scope.spawn(move || {
                         let mut found = HashSet::new();
+                        let mut note = |_, cell| _ = found.insert(cell);
                         let reaches: Result<Vec<_>, _> = part
                             .iter()
-                            .map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut found)?)))
+                            .map(|&cell| Ok((cell, grid.image(law, &grid.quad(cell), &mut note)?)))
                             .collect();
                         results.lock().expect("no thread has panicked").push(reaches.map(|reaches| (reaches, found)));
                     });

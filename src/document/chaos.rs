@@ -8,10 +8,10 @@ use num_traits::ToPrimitive;
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
     EnteredDocument, EntropyDocument, PROGRAM, ParameterRange, PeriodDocument, SceneDocument, SceneOrbitDocument,
-    SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WordDocument, bounds,
+    SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument, WordDocument, bounds,
 };
 
-use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Question, Stretch, Trap, Verdict};
+use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Question, Stretch, Trap, Verdict, WallWords};
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
 use crate::pair::{Wall, within};
@@ -59,7 +59,17 @@ pub fn trap(scene: &Scene, trap: &Trap) -> Result<TrapDocument, Error> {
         region: runs
             .flat_map(|(column, runs)| runs.into_iter().map(move |(first, last)| [column, first, last]))
             .collect(),
+        words: None,
     })
+}
+
+/// Returns the bounds for words of walls, as the document of their region has them.
+pub fn wall_words(words: &WallWords) -> WallWordsDocument {
+    WallWordsDocument {
+        impacts: words.impacts(),
+        count: Decimal::printed(words.count().to_string()),
+        entropy_at_most: raised(words.entropy()),
+    }
 }
 
 /// Returns the bounds of a document as text.
@@ -184,6 +194,12 @@ fn stretch(stretch: &Stretch) -> StretchDocument {
 fn lower(x: f64) -> Decimal {
     let [lower, _] = decimal_bounds_f64(x, x + 1e-5);
     Decimal::printed(if x > 0.0 { lower } else { "0".to_owned() })
+}
+
+/// An upper bound of an entropy, as [`lower`] rounds lower ones.
+fn raised(x: f64) -> Decimal {
+    let [_, upper] = decimal_bounds_f64(x - 1e-5, x);
+    Decimal::printed(if x > 0.0 { upper } else { "0".to_owned() })
 }
 
 fn upper(x: f64) -> Decimal {

@@ -3,7 +3,7 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
+use impact_pair::chaos::{Chaos, Cycles, Question};
 use impact_pair::document::{self, Units};
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
@@ -145,12 +145,7 @@ fn cycles() -> Original {
 }
 
 fn trap(name: &str) -> Original {
-    let scene = figure(name);
-    Original::new(
-        "trap",
-        name,
-        json!(document::trap(&scene, &Trap::of(&scene, 0, &Unwatched).unwrap().unwrap()).unwrap()),
-    )
+    Original::new("trap", name, others::region(name, 10))
 }
 
 fn chaos(over: Option<&str>) -> Original {

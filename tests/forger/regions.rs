@@ -1,5 +1,6 @@
 //! Regions and horseshoes: entropies, words, bases, blocks, and what is said of the scene's own orbit.
 
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use impact_pair::exact::Exact;
@@ -34,6 +35,11 @@ pub const FORGERIES: &[Forgery] = &[
         name: "trap: bounds",
         why: "there are faster and slower impacts, longer and shorter flights",
         forge: narrowed,
+    },
+    Forgery {
+        name: "trap: words",
+        why: "its own orbit makes more words, or the blocks P1 P2 and P1 P2 P4, which come in any order, do",
+        forge: wall_words,
     },
     Forgery { name: "trap: a box less", why: "the scene's own orbit comes to that box", forge: boxes },
 ];
@@ -221,6 +227,37 @@ fn narrowed(original: &Original) -> Vec<Forged> {
     let longest = rational(&original.document["longest_flight"]).unwrap() / fraction(2, 1);
     all.push(original.with("/longest_flight", &[("/longest_flight", json!(super::forged::decimal(&longest)))]));
     all
+}
+
+/// The entropy of the words of the blocks FF and FFN in any order, of which no two make one word: `ln x` with `x^3 = x + 1`.
+const OF_BLOCKS: &str = "0.28119";
+
+fn wall_words(original: &Original) -> Vec<Forged> {
+    let document = &original.document;
+    let Some(impacts) = document["words"]["impacts"].as_u64().filter(|_| original.kind == "trap") else {
+        return Vec::new();
+    };
+    let seen = words_seen(document, impacts as usize).expect("an orbit that is in the region");
+    let mut all = Vec::new();
+    for fewer in [0, seen - 1] {
+        all.push(original.with(format!("{fewer} words"), &[("/words/count", json!(fewer.to_string()))]));
+    }
+    all.push(original.with("less entropy than none", &[("/words/entropy_at_most", json!("-0.0001"))]));
+    if original.name == "figure-14" {
+        all.push(original.with("less entropy", &[("/words/entropy_at_most", json!(OF_BLOCKS))]));
+        all.push(original.with("longer words", &[("/words/impacts", json!(400))]));
+    }
+    all
+}
+
+/// How many words of so many walls the scene's own orbit makes in its first impacts in the region.
+fn words_seen(document: &Value, impacts: usize) -> Option<usize> {
+    let entered = document["entered_at_impact"].as_u64()?;
+    let events = motion(&document["scene"], entered + 120)?;
+    let in_region = events.iter().skip(entered.saturating_sub(1) as usize).filter(|event| event["event"] == "impact");
+    let walls: Vec<_> = in_region.map(|event| &event["wall"]).collect();
+    let is_far: Vec<bool> = walls.windows(2).map(|pair| pair[0] != pair[1]).collect();
+    Some(is_far.windows(impacts).collect::<BTreeSet<_>>().len())
 }
 
 /// The boxes that the scene's own orbit is in, from the impact on at which it enters.

@@ -3,7 +3,7 @@
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Cycles, Question, Trap};
+use impact_pair::chaos::{BoxGraph, Chaos, Cycles, Question, Trap, WallWords};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document;
 use impact_pair::json::BaseDocument;
@@ -46,8 +46,17 @@ fn chaos() -> Value {
 }
 
 fn trap() -> Value {
-    let scene = figure("figure-14");
-    json!(document::trap(&scene, &Trap::of(&scene, 0, &Unwatched).unwrap().unwrap()).unwrap())
+    region("figure-14", 12)
+}
+
+/// A region, and the words of so many walls in it.
+pub fn region(name: &str, impacts: u32) -> Value {
+    let scene = figure(name);
+    let trap = Trap::of(&scene, 0, &Unwatched).unwrap().unwrap();
+    let words = WallWords::of(&BoxGraph::of(scene.pair(), &trap).unwrap(), impacts, &Unwatched).unwrap();
+    let mut document = document::trap(&scene, &trap).unwrap();
+    document.words = Some(document::wall_words(&words));
+    json!(document)
 }
 
 /// What becomes of a motion, without a search for a horseshoe.

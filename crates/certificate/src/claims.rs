@@ -267,7 +267,14 @@ impl Claims {
             Self::Chaos(certificate) => {
                 format!("{}, the entropies and the horseshoe", counted(certificate.count(), "word"))
             }
-            Self::Trap(certificate) => format!("a trapping region of {} and its bounds", boxes(certificate.count())),
+            Self::Trap(certificate) => {
+                let words = if certificate.document().words.is_some() {
+                    ", and the count and entropy of its words"
+                } else {
+                    ""
+                };
+                format!("a trapping region of {} and its bounds{words}", boxes(certificate.count()))
+            }
             Self::Description(certificate) => {
                 let each: Vec<_> = certificate.parts().iter().map(|(_, document)| document.all()).collect();
                 format!("the fate: {}", each.join(", "))

@@ -48,6 +48,22 @@ pub struct TrapDocument {
     pub speed_before: Bounds,
     /// Runs of boxes: a column, the first row and the last one.
     pub region: Vec<[i32; 3]>,
+    /// What words of walls the motions in it can make, if that was asked.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub words: Option<WallWordsDocument>,
+}
+
+/// Upper bounds for the words of walls that motions in a region make from any impact in it on: a flight to the far wall (P1 or P2) or back to
+/// the near one (P3 or P4).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct WallWordsDocument {
+    /// Number of impacts of the words that are counted.
+    pub impacts: u32,
+    /// An upper bound of the number of these words: a graph of the boxes allows no others.
+    pub count: Decimal,
+    /// The topological entropy of the words is at most this, in nats per impact, rounded up.
+    pub entropy_at_most: Decimal,
 }
 
 /// Words of the impact map, which h-sets they connect, and the entropy that follows.

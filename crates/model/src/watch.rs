@@ -29,6 +29,8 @@ pub enum Stage<'s> {
     },
     /// A trapping region has `.0` boxes so far.
     Region(usize),
+    /// The words of walls in a trapping region have led to `.0` sets of its boxes.
+    Sets(usize),
     /// Periodic orbits of one period of the impact map are searched for in a trapping region.
     Cycles {
         /// The period: the number of impacts.

@@ -1,9 +1,9 @@
 //! The boxes of a region as a graph, and which of them a cycle may pass when: Lemma D21.
 
-use std::collections::{BTreeMap, HashSet};
-use std::sync::Mutex;
-use std::{mem, thread};
+use std::collections::BTreeMap;
+use std::mem;
 
+use crate::chaos::boxes::{Links, edges};
 use crate::chaos::law::Law;
 use crate::chaos::trap::{Cell, Grid, Region};
 use crate::number::interval::Interval;
@@ -24,33 +24,15 @@ pub(super) struct Graph {
     block: Vec<usize>,
 }
 
-/// For each box those linked to it.
-struct Links {
-    start: Vec<u32>,
-    to: Vec<u32>,
-}
-
-impl Links {
-    /// From pairs, in any order.
-    fn new(count: usize, pairs: &mut [(u32, u32)]) -> Self {
-        pairs.sort_unstable();
-        let start = |cell: usize| pairs.partition_point(|&(from, _)| (from as usize) < cell) as u32; // exact: fewer than 2^32
-        Self { start: (0..=count).map(start).collect(), to: pairs.iter().map(|&(_, to)| to).collect() }
-    }
-
-    fn of(&self, cell: u32) -> &[u32] {
-        let cell = cell as usize; // exact: an index
-        let [from, to] = [self.start[cell], self.start[cell + 1]].map(|at| at as usize); // exact: an index
-        &self.to[from..to]
-    }
-}
-
 impl Graph {
     pub fn new(law: &Law, region: &Region) -> Self {
         let grid = region.grid;
         let mut cells: Vec<Cell> = region.cells.keys().copied().collect();
         cells.sort_unstable();
-        let mut pairs = pairs(law, grid, &cells);
+        let mut pairs: Vec<(u32, u32)> =
+            edges(law, grid, &cells, false).iter().map(|edge| (edge.from, edge.to)).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
         let next = Links::new(cells.len(), &mut pairs);
         pairs.iter_mut().for_each(|(from, to)| mem::swap(from, to));
         let previous = Links::new(cells.len(), &mut pairs);
@@ -118,30 +100,6 @@ impl Graph {
         }
         Layer { grid: self.grid, start, rows }
     }
-}
-
-/// Each box with each of those that it flies to, by their numbers.
-fn pairs(law: &Law, grid: Grid, cells: &[Cell]) -> Vec<(u32, u32)> {
-    let pairs = Mutex::new(Vec::new());
-    let threads = thread::available_parallelism().map_or(1, usize::from); // exact: threads decide nothing
-    let share = cells.len().div_ceil(threads).max(1); // exact: a length
-    thread::scope(|scope| {
-        for (part, some) in cells.chunks(share).enumerate() {
-            let pairs = &pairs;
-            scope.spawn(move || {
-                let (mut own, mut found) = (Vec::new(), HashSet::new());
-                for (i, &cell) in some.iter().enumerate() {
-                    found.clear();
-                    grid.image(law, &grid.quad(cell), &mut found).expect("all flights of a region are followed");
-                    let from = (part * share + i) as u32; // exact: fewer than 2^32
-                    let number = |cell| cells.binary_search(cell).expect("a region holds its images") as u32; // exact: fewer than 2^32
-                    own.extend(found.iter().map(|cell| (from, number(cell))));
-                }
-                pairs.lock().expect("no thread has panicked").append(&mut own);
-            });
-        }
-    });
-    pairs.into_inner().expect("no thread has panicked")
 }
 
 /// Squares of boxes, the fastest first: few ways lead from the first ones back to them that pass nothing faster.

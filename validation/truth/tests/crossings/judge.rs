@@ -1,10 +1,13 @@
 //! One answer, by `check` and by the truth.
 
+use std::collections::BTreeSet;
+
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Settings, Start};
 use impact_pair::watch::Unwatched;
 use impact_pair::{Scene, document, scene};
 use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_truth::Wall;
 use rug::Float;
 use serde_json::Value;
 
@@ -125,6 +128,7 @@ fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     };
     let mut motion = Motion::new(&member.shaken, member.start.clone());
     let mut last: Option<Float> = None;
+    let mut walls = Vec::new();
     for _ in 1..=entered + 20 {
         let mut releases = Vec::new();
         let Some(contact) = motion.contact(&mut releases)? else { return wrong("a region, but it ends".into()) };
@@ -140,9 +144,23 @@ fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
                 return wrong(format!("flights in {}, but {time:.20}", document["flight_time"]));
             }
         }
+        walls.push(contact.wall);
         last = Some(contact.time);
     }
+    wall_words(document, &walls)?;
     if last.is_some() { Ok(()) } else { Err(Halt::Open("it chatters before the region")) }
+}
+
+/// An orbit in a region does not make more words of so many flights, to the far wall or back to the near one, than are told.
+fn wall_words(document: &Value, walls: &[Wall]) -> Judged<()> {
+    let words = &document["words"];
+    let (Some(impacts), Some(count)) = (words["impacts"].as_u64(), words["count"].as_str()) else { return Ok(()) };
+    let is_far: Vec<bool> = walls.windows(2).map(|pair| pair[0] != pair[1]).collect();
+    let made = is_far.windows(impacts as usize).collect::<BTreeSet<_>>().len();
+    if count.parse::<usize>().is_ok_and(|count| made > count) {
+        return wrong(format!("{made} words of {impacts} walls, but {words}"));
+    }
+    Ok(())
 }
 
 /// The orbit and the region that a description has are true, and its fate is theirs.

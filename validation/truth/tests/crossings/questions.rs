@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_pair::audit::{self, Audit, Columns};
-use impact_pair::chaos::{self, Base, Chaos, Cycles, Trap};
+use impact_pair::chaos::{self, Base, BoxGraph, Chaos, Cycles, Trap, WallWords};
 use impact_pair::describe::{Request, describe};
 use impact_pair::document::{self, Units};
 use impact_pair::mapping::Word;
@@ -270,7 +270,13 @@ impl Case {
     fn trap(&mut self) -> Result<Answer, Error> {
         let found = Trap::of(&self.scene, 0, &|at: Stage<'_>| proceed_if(!matches!(at, Stage::Region(BOXES..))))?;
         let Ok(region) = found else { return Ok(Answer::Nothing("no region")) };
-        Ok(Answer::Trap(json!(document::trap(&self.scene, &region)?)))
+        let impacts = 1 + self.random.below(8) as u32;
+        let words = WallWords::of(&BoxGraph::of(self.scene.pair(), &region)?, impacts, &|at: Stage<'_>| {
+            proceed_if(!matches!(at, Stage::Sets(BOXES..)))
+        });
+        let mut document = document::trap(&self.scene, &region)?;
+        document.words = words.ok().as_ref().map(document::wall_words);
+        Ok(Answer::Trap(json!(document)))
     }
 
     fn chaos(&mut self) -> Result<Answer, Error> {

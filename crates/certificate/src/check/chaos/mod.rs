@@ -2,7 +2,7 @@
 //!
 //! The impact map with every impact mirrored to the left wall: a state is a phase in forcing periods and a speed over `A W`, lengths are in
 //! amplitudes, times of flight in forcing periods since the departure. Of a region the document's own boxes are proved to be closed
-//! ([`region`], [`trap`]). Of words it has the h-sets: chains of boxes are made anew ([`propose`]), followed along the listed words only, and each
+//! ([`region`], [`trap`]), and the words of walls are counted on a graph of its own ([`language`]). Of words it has the h-sets: chains of boxes are made anew ([`propose`]), followed along the listed words only, and each
 //! cell is proved ([`words`]).
 
 mod allowance;
@@ -12,6 +12,7 @@ mod blocks;
 mod entropy;
 mod guess;
 mod judge;
+mod language;
 mod propose;
 mod region;
 mod said;

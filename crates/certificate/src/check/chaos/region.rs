@@ -1,6 +1,6 @@
 //! Whether a set of boxes is closed under the map, both ways to go on at a graze included (Lemma V11, closed).
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use super::Law;
 use super::beam::{Beam, Quad, State, View};
@@ -12,8 +12,12 @@ pub(super) struct Region {
     /// `M`, even, and `R`: powers of two.
     columns: f64,
     rows: f64,
-    boxes: HashSet<[i64; 2]>,
+    /// The number of each.
+    boxes: HashMap<[i64; 2], u32>,
 }
+
+/// What is told of flights: whether they end on the far wall, and with what phases and speeds; it answers whether that is allowed.
+type Note<'n> = &'n mut dyn FnMut(bool, [Span; 2]) -> bool;
 
 /// A box is halved so often, and gone through part by part from the other number on.
 const HALVINGS: u32 = 12;
@@ -32,89 +36,137 @@ pub(super) enum Open {
 }
 
 impl Region {
-    pub fn new(columns: u32, rows: u32, boxes: HashSet<[i64; 2]>) -> Self {
+    pub fn new(columns: u32, rows: u32, boxes: impl IntoIterator<Item = [i64; 2]>) -> Self {
+        let boxes = boxes.into_iter().zip(0..).collect();
         Self { columns: f64::from(columns), rows: f64::from(rows), boxes }
     }
 
     /// Returns whether all states between these are in boxes of the set; no speed is negative.
     pub fn holds(&self, phase: Span, speed: Span) -> bool {
+        self.met(phase, speed).is_some()
+    }
+
+    /// Returns the numbers of the boxes that meet such states, if all of these are in boxes of the set; no speed is negative.
+    fn met(&self, phase: Span, speed: Span) -> Option<Vec<u32>> {
         let ends = |x: Span, size: f64| {
             let [low, high] = [x.lo() * size, x.hi() * size].map(f64::floor); // V11: the boxes of both ends, `size` a power of two
             (high - low < MOST && high.abs() < f64::from(i32::MAX)).then_some(low as i64..=high as i64) // exact: whole numbers, small
         };
-        let (Some(columns), Some(rows)) = (ends(phase, self.columns), ends(speed, self.rows)) else { return false };
+        let (columns, rows) = (ends(phase, self.columns)?, ends(speed, self.rows)?);
         let all = self.columns as i64; // exact: a power of two
-        columns.into_iter().all(|column| {
-            rows.clone().filter(|&row| row >= 0).all(|row| self.boxes.contains(&[column.rem_euclid(all), row]))
-        })
+        let number = |column: i64, row: i64| self.boxes.get(&[column.rem_euclid(all), row]).copied();
+        let of_column = |column| rows.clone().filter(|&row| row >= 0).map(move |row| number(column, row));
+        columns.into_iter().flat_map(of_column).collect()
     }
 
     /// Returns bounds of the times of all flights from a box, which is proved to be mapped into the set.
-    pub fn times(&self, law: &Law, guess: &Guess, [column, row]: [i64; 2]) -> Result<Span, Open> {
-        let corner = |i: i64, j: i64| [i as f64 / self.columns, j as f64 / self.rows]; // exact: a power of two
-        let mut open = vec![([corner(column, row), corner(column + 1, row + 1)], 0)];
+    pub fn times(&self, law: &Law, guess: &Guess, cell: [i64; 2]) -> Result<Span, Open> {
         let mut times: Option<Span> = None;
-        while let Some((ends, depth)) = open.pop() {
-            match self.piece(law, guess, ends, depth) {
-                Ok(lasting) => times = Some(times.map_or(lasting, |times| times.hull(lasting))),
-                Err(why) if depth == HALVINGS => return Err(why),
-                Err(_) => open.extend(halves(ends, depth % 2 == 0).map(|half| (half, depth + 1))),
-            }
-        }
+        let mut holds = |_, [phase, speed]: [Span; 2]| self.holds(phase, speed);
+        self.cut(cell, 0, |ends, depth| {
+            let lasting = piece(law, guess, ends, depth, &mut holds)?;
+            times = Some(times.map_or(lasting, |times| times.hull(lasting)));
+            Ok(())
+        })?;
         times.ok_or(Open::Leaves)
     }
 
-    /// The same of a rectangle.
-    fn piece(&self, law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32) -> Result<Span, Open> {
-        let quad = Quad::rectangle(low, high);
-        let beam = Beam::new(law, &quad);
-        let from = beam.depart().ok_or(Open::Rest)?;
-        let [zero, one] = [0.0, 1.0].map(Span::point);
-        let landing = guess.map(quad.middle()).and_then(|image| beam.land(image.is_far, image.time));
-        if let Some(landing) = landing {
-            let along = |n| landing.along(n, [zero, zero]);
-            if self.holds(along([one, zero]), along([zero, one])) {
-                return Ok(landing.times);
-            }
-        }
-        if depth < COARSE {
-            return Err(Open::Leaves);
-        }
-        self.march(&beam, from, high[0] - low[0]).ok_or(Open::Leaves)
+    /// Returns to which boxes flights from a box may lead, on the near wall and on the far one, the box halved so often at least; `None`
+    /// where it is not proved to be mapped into the set. Lemma V16
+    pub fn reached(&self, law: &Law, guess: &Guess, cell: [i64; 2], halvings: u32) -> Option<[Vec<u32>; 2]> {
+        let mut all = [Vec::new(), Vec::new()];
+        let cut = self.cut(cell, halvings, |ends, depth| {
+            let mut own = Vec::new();
+            let mut note = |is_far: bool, [phase, speed]: [Span; 2]| {
+                let met = self.met(phase, speed);
+                met.map(|met| own.extend(met.into_iter().map(|to| (is_far, to)))).is_some()
+            };
+            piece(law, guess, ends, depth, &mut note)?;
+            own.into_iter().for_each(|(is_far, to)| all[usize::from(is_far)].push(to));
+            Ok(())
+        });
+        all.iter_mut().for_each(|to| {
+            to.sort_unstable();
+            to.dedup();
+        });
+        cut.ok().map(|()| all)
     }
 
-    /// Goes through the flights part by part, each no shorter than `least`, until all are beyond a wall.
-    fn march(&self, beam: &Beam, mut from: f64, least: f64) -> Option<Span> {
-        let mut step = least;
-        let mut times: Option<Span> = None;
-        while from < LONGEST {
-            let to = from + step;
-            let view = beam.over(from, to);
-            if beam.is_inside(view.height) {
-                from = to;
-                step *= 2.0;
-                continue;
+    /// Goes through the parts of a box, halved so often, and more often where a part is refused.
+    fn cut(
+        &self,
+        [column, row]: [i64; 2],
+        halvings: u32,
+        mut look: impl FnMut([State; 2], u32) -> Result<(), Open>,
+    ) -> Result<(), Open> {
+        let corner = |i: i64, j: i64| [i as f64 / self.columns, j as f64 / self.rows]; // exact: a power of two
+        let mut open = vec![([corner(column, row), corner(column + 1, row + 1)], 0)];
+        while let Some((ends, depth)) = open.pop() {
+            let is_cut = depth < halvings
+                || match look(ends, depth) {
+                    Ok(()) => false,
+                    Err(why) if depth >= HALVINGS => return Err(why),
+                    Err(_) => true,
+                };
+            if is_cut {
+                open.extend(halves(ends, depth % 2 == 0).map(|half| (half, depth + 1)));
             }
-            if [false, true].into_iter().any(|is_far| (view.height - beam.level(is_far)).signed(is_far).is_positive()) {
-                return times;
-            }
-            if step > least {
-                step = (0.5 * step).max(least); // proposes: any part
-                continue;
-            }
-            let part = Span::new(from, to);
-            for is_far in [false, true] {
-                let Some(speed) = beam.arrivals(is_far, part, &view) else { continue };
-                let phase = beam.phase + part + Span::point(if is_far { 0.5 } else { 0.0 });
-                if !self.holds(phase, speed) {
-                    return None;
-                }
-                times = Some(times.map_or(part, |times| times.hull(part)));
-            }
-            from = to;
         }
-        None
+        Ok(())
     }
+}
+
+/// Returns bounds of the times of all flights from a rectangle, each of which is noted, and allowed.
+fn piece(law: &Law, guess: &Guess, [low, high]: [State; 2], depth: u32, note: Note<'_>) -> Result<Span, Open> {
+    let quad = Quad::rectangle(low, high);
+    let beam = Beam::new(law, &quad);
+    let from = beam.depart().ok_or(Open::Rest)?;
+    let [zero, one] = [0.0, 1.0].map(Span::point);
+    let image = guess.map(quad.middle());
+    if let Some((is_far, landing)) = image.and_then(|image| Some((image.is_far, beam.land(image.is_far, image.time)?)))
+    {
+        let along = |n| landing.along(n, [zero, zero]);
+        if note(is_far, [along([one, zero]), along([zero, one])]) {
+            return Ok(landing.times);
+        }
+    }
+    if depth < COARSE {
+        return Err(Open::Leaves);
+    }
+    march(&beam, from, high[0] - low[0], note).ok_or(Open::Leaves)
+}
+
+/// Goes through the flights part by part, each no shorter than `least`, until all are beyond a wall.
+fn march(beam: &Beam, mut from: f64, least: f64, note: Note<'_>) -> Option<Span> {
+    let mut step = least;
+    let mut times: Option<Span> = None;
+    while from < LONGEST {
+        let to = from + step;
+        let view = beam.over(from, to);
+        if beam.is_inside(view.height) {
+            from = to;
+            step *= 2.0;
+            continue;
+        }
+        if [false, true].into_iter().any(|is_far| (view.height - beam.level(is_far)).signed(is_far).is_positive()) {
+            return times;
+        }
+        if step > least {
+            step = (0.5 * step).max(least); // proposes: any part
+            continue;
+        }
+        let part = Span::new(from, to);
+        for is_far in [false, true] {
+            let Some(speed) = beam.arrivals(is_far, part, &view) else { continue };
+            let phase = beam.phase + part + Span::point(if is_far { 0.5 } else { 0.0 });
+            if !note(is_far, [phase, speed]) {
+                return None;
+            }
+            times = Some(times.map_or(part, |times| times.hull(part)));
+        }
+        from = to;
+    }
+    None
 }
 
 /// Both halves of a rectangle, by phase or by speed: exact, as its sides are powers of two.

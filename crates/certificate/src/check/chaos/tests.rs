@@ -10,6 +10,7 @@ use super::Law;
 use super::beam::{Beam, Quad, State};
 use super::entropy::{at_least, exponential};
 use super::guess::Guess;
+use super::language::{Sets, is_above};
 use super::region::Region;
 use super::span::Span;
 use super::trap::mirrored;
@@ -168,6 +169,25 @@ proptest! {
         }
     }
 
+    /// V16: the box that a flight lands in is among those reached on its wall, however finely boxes are cut.
+    #[test]
+    fn boxes_that_are_reached_are_named_by_their_wall(
+        which in 0..3usize, column in 0..64i64, row in prop_oneof![Just(0), 0..12i64], (a, b) in (0.0..=1.0f64, 0.0..=1.0f64),
+        halvings in 0..5u32,
+    ) {
+        let pair = &pairs()[which];
+        let law = Law::of(pair).unwrap();
+        let all: Vec<[i64; 2]> = (0..64).flat_map(|column| (0..64).map(move |row| [column, row])).collect();
+        let region = Region::new(64, 8, all.iter().copied());
+        let Some(reached) = region.reached(&law, &Guess::new(&law), [column, row], halvings) else { return Ok(()) };
+        let member = [(column as f64 + a) / 64.0, (row as f64 + b) / 8.0];
+        if let Some((is_far, [u, w])) = truth(pair, member) {
+            let cell = [((u.to_f64() * 64.0).floor() as i64).rem_euclid(64), (w.to_f64() * 8.0).floor() as i64];
+            let number = all.iter().position(|own| *own == cell).unwrap() as u32;
+            prop_assert!(reached[usize::from(is_far)].contains(&number), "{member:?} {cell:?}");
+        }
+    }
+
     /// V11, closed: the box that a flight lands in cannot be left out.
     #[test]
     fn no_box_that_is_reached_can_be_left_out(
@@ -189,4 +209,20 @@ proptest! {
             prop_assert!(is_closed(left).is_err(), "{member:?} {reached:?}");
         }
     }
+}
+
+/// V16: no two letters of a kind in a row, whose words are the Fibonacci numbers; a slower growth is not proved, by counts nor by all sets.
+#[test]
+fn words_grow_by_the_golden_mean() {
+    let edges = [[vec![1], vec![0]], [vec![], vec![0]]];
+    let sets = Sets::of(&edges).unwrap();
+    let counts = sets.counts(30);
+    assert_eq!(counts[..5].iter().map(ToString::to_string).collect::<Vec<_>>(), ["2", "3", "5", "8", "13"]);
+    let golden = 0.5 * (1.0 + 5f64.sqrt());
+    let decimal = |x: f64| num_rational::BigRational::from_float(x).unwrap();
+    assert!(is_above(&sets, &counts, &decimal(golden.ln() + 1e-9)));
+    assert!(!is_above(&sets, &counts, &decimal(golden.ln() - 1e-9)));
+    // All words: no growth below that of two letters is proved by fewer of them.
+    let all = Sets::of(&[[vec![0], vec![0]]]).unwrap();
+    assert!(!is_above(&all, &all.counts(9), &decimal(0.69)) && is_above(&all, &all.counts(9), &decimal(0.694)));
 }

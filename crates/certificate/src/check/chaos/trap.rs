@@ -8,6 +8,7 @@ use impact_pair_model::{Error, ImpactPair, Place, Start, Wall, within};
 use num_rational::BigRational;
 
 use super::guess::Guess;
+use super::language;
 use super::region::{Open, Region};
 use super::span::Span;
 use super::{BITS, Law};
@@ -43,7 +44,7 @@ impl TrapCertificate {
             Err(doubt) => return Ok(doubt.on(self.count())),
         };
         let TrapDocument { columns, rows, .. } = *self.document();
-        let region = Region::new(columns, rows, boxes.iter().copied().collect::<HashSet<_>>());
+        let region = Region::new(columns, rows, boxes.iter().copied());
         let guess = Guess::new(&law);
         let of_block = |block: Range<usize>| {
             block
@@ -74,7 +75,9 @@ impl TrapCertificate {
         let Some(times) = times else {
             return Ok(Doubt::False("there is no box".into()).on(0));
         };
-        let answer = self.says_what_holds(times).map(|()| f64::MANTISSA_DIGITS);
+        let of_words = |words| language::says_what_holds(words, (&law, &guess), &region, &boxes, &watch);
+        let answer = self.says_what_holds(times).and_then(|()| self.document().words.as_ref().map_or(Ok(()), of_words));
+        let answer = answer.map(|()| f64::MANTISSA_DIGITS);
         let answer = match (answer, self.document().entered_at_impact) {
             (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, &watch)?.map(|more| bits.max(more)), // exact: what is shown
             (answer, _) => answer,
