@@ -1,7 +1,7 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
 use impact_pair::chaos::{
-    Asked, Cells, Chaos, Cycles, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Stage, Trap,
+    Asked, Cells, Chaos, Cycles, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question, Stage, Trap,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -75,11 +75,11 @@ pub fn cycles(
 pub fn chaos(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, Option<String>, Option<String>),
+    question: (u32, Option<String>, Option<String>, bool),
     picture: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
-    let (depth, over, bases) = question;
+    let (depth, over, bases, hyperbolic) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let bases: Option<Vec<BaseDocument>> =
@@ -100,9 +100,14 @@ pub fn chaos(
             monitor.goes_on()
         };
         let found = Chaos::of(&pair, scene.start(), &question, &watch)?;
-        let document = document::chaos(&scene, over.as_ref(), &question, &found);
+        let mut document = document::chaos(&scene, over.as_ref(), &question, &found);
+        if hyperbolic {
+            let set = Hyperbolic::of(&pair, &found, &|cells| watch(0, cells))?;
+            document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+        }
+        let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
         let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;
-        Ok((text(&document), found.entropy() > 0.0 && !document.interrupted, svg))
+        Ok((text(&document), is_proved, svg))
     })
 }
 

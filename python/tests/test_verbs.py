@@ -59,8 +59,8 @@ def test_trap_and_chaos(cli):
     assert found.document == cli.json("trap", "scenes/figure-17.toml")
     assert found.complete == (found.entered_at_impact is not None)
     file = ROOT / "docs/bases-figure-14.json"
-    found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"])
-    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file)
+    found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"], hyperbolic=True)
+    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--hyperbolic")
     assert found.document == told
     assert (found.entropy > 0) == found.complete
     again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})
