@@ -21,7 +21,7 @@ const UNJUDGED: [&str; 12] = [
     "boxes",
     "depth",
     "exponent_seen",
-    "hyperbolic",
+    "hyperbolic.cells",
     "interrupted",
     "program",
     "scene.excitation.frequency",
