@@ -1,7 +1,7 @@
 //! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs.md`.
 
 use super::frame::{Frame, least};
-use super::strip::{Branch, Cell, Image, Map, Strip, beside};
+use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, up};
 
@@ -84,7 +84,7 @@ impl Map<'_> {
 }
 
 /// What states on the way have to be, and images.
-type Wanted<'w> = (&'w dyn Fn(usize, [Ball; 2], &[[Ball; 2]; 2]) -> bool, &'w dyn Fn(&Image) -> bool);
+type Wanted<'w> = (Passed<'w>, &'w dyn Fn(&Image) -> bool);
 
 /// Whether a curve with slopes up to `kappa` meets each side of the strip once. Lemma D26
 pub(crate) fn is_flat(branch: &Branch, kappa: f64) -> bool {

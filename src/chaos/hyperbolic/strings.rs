@@ -80,7 +80,8 @@ impl Strings<'_> {
         if low > high {
             return None;
         }
-        if !(high - low < 2.0) {
+        let is_part = high - low < 2.0; // D28: not if it is NaN
+        if !is_part {
             return Some(*cell); // exact: all of it
         }
         let radius = cell.radii[0];

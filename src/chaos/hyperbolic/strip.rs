@@ -115,6 +115,9 @@ impl Lost {
     }
 }
 
+/// What is asked of the states after so many impacts: their middle and half sides.
+pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &[[Ball; 2]; 2]) -> bool;
+
 /// What the flights of a cell are followed by.
 pub(crate) struct Map<'m> {
     pub law: &'m Law,
@@ -125,12 +128,7 @@ pub(crate) struct Map<'m> {
 impl Map<'_> {
     /// Returns the image of a cell of a word's strip, where each flight is proved to land as the word says. `passed` receives the states
     /// after each impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
-    pub fn image(
-        &self,
-        branch: &Branch,
-        cell: Cell,
-        passed: &dyn Fn(usize, [Ball; 2], &[[Ball; 2]; 2]) -> bool,
-    ) -> Result<Image, Lost> {
+    pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Image, Lost> {
         let (frame, strip) = (&self.frames[branch.from], &branch.strip);
         let [place, slope] = strip.line(cell.at[0]);
         let eta = Ball::exact(cell.at[1]);

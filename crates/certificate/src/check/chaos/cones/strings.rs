@@ -156,7 +156,8 @@ impl Strings<'_> {
             for _ in 0..LOOKS {
                 let Some(cell) = narrowed(&image, strip, across) else { continue 'images };
                 let [width, before] = [cell.across, image.cell.across].map(|[a, b]| b - a);
-                if !(width < NARROWER * before) {
+                let is_narrower = width < NARROWER * before;
+                if !is_narrower {
                     break;
                 }
                 match self.map.image(branch, cell, &|_, _, _| true)? {
