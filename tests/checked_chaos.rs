@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Question, Trap};
+use impact_pair::chaos::{Chaos, Hyperbolic, Question, Trap};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::BaseDocument;
@@ -40,6 +40,37 @@ fn chaos_of(bases: &str, depth: usize, over: Option<&str>) -> Value {
     };
     let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
     json!(document::chaos(&scene, over.as_ref(), &question, &found))
+}
+
+/// The chaos JSON of figure 14 with what its hyperbolic set is measured to be.
+pub fn hyperbolic(depth: usize) -> Value {
+    let scene = figure("figure-14");
+    let read: Value = serde_json::from_str(&file("docs/bases-figure-14.json")).unwrap();
+    let bases: Vec<BaseDocument> = serde_json::from_value(read["bases"].clone()).unwrap();
+    let question = Question { depth, bases: document::bases(&bases) };
+    let found = Chaos::of(scene.pair(), scene.start(), &question, &Unwatched).unwrap();
+    let set = Hyperbolic::of(scene.pair(), &found, &Unwatched).unwrap();
+    let mut document = document::chaos(&scene, None, &question, &found);
+    document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+    json!(document)
+}
+
+/// Its bounds are proved again by strips and cells of its own; none that is narrower than what is true, and no other words or cones.
+#[test]
+fn a_hyperbolic_set_is_proved_again() {
+    let document = hyperbolic(3);
+    assert!(is_confirmed(&document), "{:?}", verdict(&document));
+    let refuses = |key: &str, value: Value, reason: &str| {
+        let mut forged = document.clone();
+        *forged.pointer_mut(&format!("/hyperbolic/{key}")).unwrap() = value;
+        refuses(&forged, key, reason);
+    };
+    refuses("exponents/per_impact/1", json!("0.84"), "hyperbolic.exponents");
+    refuses("kappa", json!("400"), "kappa");
+    refuses("words", json!([0, 1, 2, 3, 5]), "lead back");
+    refuses("words", json!([0, 2, 3, 3]), "different");
+    refuses("words", json!([0, 2, 3]), "entropy");
+    refuses("entropy/per_cycle/1", json!("0.6931"), "entropy.per_cycle");
 }
 
 /// The document with a base more than a turn wide in the place of base 1, from which and to which no word leads.

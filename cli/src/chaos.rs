@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::chaos::{Asked, Base, Cells, Chaos, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, Question};
+use impact_pair::chaos::{Asked, Base, Cells, Chaos, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, Question};
 use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{BaseDocument, one_a_line};
@@ -27,6 +27,7 @@ pub const HELP: &str = "\
 Examples:
   impact-pair chaos scenes/figure-14.toml --depth 4
   impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --over gap=9.4249..9.4251
+  impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --hyperbolic
   impact-pair chaos scenes/figure-14.toml --over amplitude=1..1.1:2 --plot proved.svg
 
 The h-sets are quadrilaterals of states along the leaves of the attractor, found from a floating-point orbit or read \
@@ -36,6 +37,8 @@ each sequence of words that fit together there is a true motion with these impac
 periodic one; their number bounds the topological entropy from below. This proves a horseshoe and sensitive \
 dependence on initial conditions in it. It does not prove that every motion is chaotic, that the attractor is, or \
 that the Lyapunov exponent is positive. One harmonic only.
+
+With --hyperbolic, words are proved to be uniformly hyperbolic by cones, where they are; the others are left out. For each two-sided sequence of these words there is then exactly one motion, and the output bounds their entropy from both sides, the Lyapunov exponents of every invariant measure on the set of these motions, and its Hausdorff dimension. That set is not the attractor, and a typical orbit is not in it.
 
 For the orbit of the scene's own start, the output states whether it is proved to converge to a periodic orbit, so \
 that only transients visit the horseshoe, or to stay in a trapping region that contains the horseshoe. With --over \
@@ -52,6 +55,10 @@ pub struct ChaosArguments {
     /// Maximum number of impacts of a word: each further impact takes about 1.3 times as long
     #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_DEPTH)))]
     depth: u32,
+    /// Prove besides that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
+    /// the Hausdorff dimension
+    #[arg(long)]
+    hyperbolic: bool,
     /// Read the h-sets from FILE: JSON with a list "bases" as written by this verb
     #[arg(long, value_name = "FILE")]
     bases: Option<PathBuf>,
@@ -110,6 +117,9 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
             if !bases.is_empty() {
                 bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key);
             }
+            if arguments.hyperbolic {
+                bail!("--hyperbolic applies to one range, but --over {}=... is divided into {cells} cells", over.key);
+            }
             work.cells(over, u32::try_from(*cells)?)
         }
         over => work.horseshoe(over.as_ref(), bases),
@@ -142,13 +152,17 @@ impl Work<'_> {
         };
         let progress = Progress::stages(!self.files.quiet);
         let found = Chaos::of(&pair, scene.start(), &question, &progress).with_context(named)?;
+        let mut document = document::chaos(scene, over, &question, &found);
+        if self.arguments.hyperbolic {
+            let set = Hyperbolic::of(&pair, &found, &progress).with_context(named)?;
+            document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+        }
         progress.clear();
-        let document = document::chaos(scene, over, &question, &found);
         let text = match self.format {
             PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
             PeriodicFormat::Table => heading(scene) + &table::horseshoe(&document, &found)?,
         };
-        let is_proved = document.certified && !document.interrupted;
+        let is_proved = document.certified && !document.interrupted && document.hyperbolic != Some(None);
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || impact_pair_plot::chaos::chaos(scene, over, &found))

@@ -127,6 +127,7 @@ impl Watch for Progress {
                 }
             }
             Stage::Cells { done, of } => self.searched(done as u64, of as u64),
+            Stage::Cones(cells) => self.count("cells with cones: ".to_owned(), cells),
             Stage::Sets(sets) => self.count("words of walls, sets of boxes: ".to_owned(), sets as u64),
             Stage::Region(boxes) => self.count("trapping region, boxes: ".to_owned(), boxes as u64),
             Stage::Cycles { impacts, blocks, of } => {

@@ -28,6 +28,8 @@ snapshots! { SEEN;
     region_under_two_harmonics: program(&["trap", "scenes/two-tones.toml"]);
     horseshoe_of_figure_14: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3"]);
     horseshoe_over_a_range: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42477..9.42498"]);
+    hyperbolic_horseshoe: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--hyperbolic"]);
+    hyperbolic_cells: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.2:2", "--hyperbolic"]);
     horseshoe_within_a_part_in_ten_thousand:
         program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42403..9.42591"]);
     cells_that_attract: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.2:2"]);
@@ -40,6 +42,26 @@ snapshots! { SEEN;
     bases_that_are_none: program(&["chaos", "scenes/figure-14.toml", "--bases", "scenes/figure-14.toml"]);
     arguments_of_trap: program(&["trap", "--help"]);
     arguments_of_chaos: program(&["chaos", "--help"]);
+}
+
+/// Bounds hold what is known, and a key that was not asked for is not there.
+#[test]
+fn a_hyperbolic_set_is_measured() {
+    let arguments = ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--format", "json"];
+    let chaos = |more: &[&str]| -> Value {
+        let output = program(&[&arguments[..], more].concat()).output().unwrap();
+        assert!(output.status.success());
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let (plain, asked) = (chaos(&[]), chaos(&["--hyperbolic"]));
+    assert!(plain.get("hyperbolic").is_none() && asked["words"] == plain["words"]);
+    let set = &asked["hyperbolic"];
+    let bounds = |bounds: &Value| [0, 1].map(|end| bounds[end].as_str().unwrap().parse::<f64>().unwrap());
+    let [low, high] = bounds(&set["entropy"]["per_cycle"]);
+    assert!(low <= LN_2 && LN_2 <= high && set["words"] == serde_json::json!([0, 2, 3, 5]));
+    let ([low, high], [second_low, second_high]) =
+        (bounds(&set["exponents"]["per_impact"]), bounds(&set["second_exponent"]));
+    assert!((low + second_high + 2.0 * LN_2).abs() < 5e-3 && (high + second_low + 2.0 * LN_2).abs() < 5e-3);
 }
 
 /// The bases that a document lists lead to the same words again, and the picture is there.

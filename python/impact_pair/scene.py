@@ -378,11 +378,15 @@ class Scene:
         depth: int = 12,
         over: Mapping[str, tuple[Value, Value]] | None = None,
         bases: list[dict[str, Any]] | None = None,
+        hyperbolic: bool = False,
         picture: bool = False,
         progress: Progress = None,
     ) -> answers.Chaos:
-        """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given."""
-        question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases))
+        """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given.
+
+        With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``.
+        """
+        question = (depth, None if over is None else ranged(over), None if bases is None else json.dumps(bases), hyperbolic)
         with reporting(progress, "boxes") as tell:
             return answers.Chaos(*_core.chaos(self._core, question, picture, tell))
 

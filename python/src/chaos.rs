@@ -1,8 +1,8 @@
 //! Regions, all periodic motions in them, and chaos: the verbs `trap`, `cycles` and `chaos`.
 
 use impact_pair::chaos::{
-    Asked, BoxGraph, Cells, Chaos, Cycles, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, Question,
-    Trap, WallWords,
+    Asked, BoxGraph, Cells, Chaos, Cycles, Hyperbolic, MOST_CELLS, MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS,
+    MOST_IMPACTS, Question, Trap, WallWords,
 };
 use impact_pair::document;
 use impact_pair::exact::Exact;
@@ -77,11 +77,11 @@ pub fn cycles(
 pub fn chaos(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, Option<String>, Option<String>),
+    question: (u32, Option<String>, Option<String>, bool),
     picture: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
-    let (depth, over, bases) = question;
+    let (depth, over, bases, hyperbolic) = question;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let bases: Option<Vec<BaseDocument>> =
@@ -98,9 +98,14 @@ pub fn chaos(
             None => scene.pair().clone(),
         };
         let found = Chaos::of(&pair, scene.start(), &question, monitor)?;
-        let document = document::chaos(&scene, over.as_ref(), &question, &found);
+        let mut document = document::chaos(&scene, over.as_ref(), &question, &found);
+        if hyperbolic {
+            let set = Hyperbolic::of(&pair, &found, monitor)?;
+            document.hyperbolic = Some(set.as_ref().map(document::hyperbolic));
+        }
+        let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
         let svg = picture.then(|| drawn(impact_pair_plot::chaos::chaos(&scene, over.as_ref(), &found))).transpose()?;
-        Ok((text(&document), found.entropy() > 0.0 && !document.interrupted, svg))
+        Ok((text(&document), is_proved, svg))
     })
 }
 

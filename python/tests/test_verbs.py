@@ -63,8 +63,8 @@ def test_trap_and_chaos(cli):
     assert counted.complete and counted.words == int(counted.document["words"]["count"])
     assert counted.words_entropy >= float(counted.document["words"]["entropy_at_most"]) and found.words is None
     file = ROOT / "docs/bases-figure-14.json"
-    found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"])
-    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file)
+    found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"], hyperbolic=True)
+    told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--hyperbolic")
     assert found.document == told
     assert (found.entropy > 0) == found.complete
     again = Scene.named("figure-14").chaos(depth=3, bases=told["bases"], over={"gap": ("9.42496", "9.42498")})

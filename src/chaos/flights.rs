@@ -31,6 +31,8 @@ pub(crate) struct Flights<const M: usize = 1> {
     centre_sin: Ball,
     drift: Ball,
     sides: [Slope; 2],
+    /// Along the phase and along the speed.
+    units: [Slope; 2],
     parameters: [Slope; M],
     /// The radius of `D`, if it is no direction.
     loose: f64,
@@ -59,6 +61,8 @@ pub(crate) struct Landing<const M: usize = 1> {
     slope: Ball,
     /// By side, and by parameter: the change of phase, and the change of speed at a fixed phase.
     along: [[Ball; 2]; 2],
+    /// The same for a unit of phase, and of speed.
+    units: [[Ball; 2]; 2],
     parameters: [[Ball; 2]; M],
     /// Bounds of the same for twist and slack, and for `D` if it is no direction.
     rest: [f64; 2],
@@ -98,6 +102,7 @@ impl<const M: usize> Flights<M> {
             ahead: 0.0,
         };
         let [along, across, twist] = [slope(quad.sides[0]), slope(quad.sides[1]), slope(quad.twist)];
+        let units = [slope([1.0, 0.0]), slope([0.0, 1.0])];
         // Lemmas D12, D15: parameters are directions like the others
         let parameter = |k: usize| match slope(moved[k]) {
             by if k == 0 => Slope { drift: by.drift + Ball::new(speed, speed_radius) * Ball::exact(e.rad()), ..by },
@@ -114,7 +119,23 @@ impl<const M: usize> Flights<M> {
         let spread = up(along.drift.mag() + across.drift.mag() + by_parameters + rest[0]);
         let sides = [along, across];
         let gap = law.gap;
-        Self { gap, start, radius, sin, cos, after, least, centre_sin, drift, sides, parameters, loose, rest, spread }
+        Self {
+            gap,
+            start,
+            radius,
+            sin,
+            cos,
+            after,
+            least,
+            centre_sin,
+            drift,
+            sides,
+            units,
+            parameters,
+            loose,
+            rest,
+            spread,
+        }
     }
 
     /// `th1 - th0` of the centre, and of all.
@@ -248,14 +269,15 @@ impl<const M: usize> Flights<M> {
             };
             [-((all * s.drift - away).signed(sign) * inverse), s.drift.signed(sign)]
         };
-        let (along, parameters) = (self.sides.each_ref().map(change), self.parameters.each_ref().map(change));
+        let [along, units] = [self.sides, self.units].map(|slopes| slopes.each_ref().map(change));
+        let parameters = self.parameters.each_ref().map(change);
         // Lemma D12: the wall moves by its radius
         let rest = [up(up(all.mag() * self.rest[0] + self.rest[1] + loose) * inverse.mag()), self.rest[0]];
         let phase = match side {
             Side::Near => phase,
             Side::Far => phase + Ball::exact(0.5),
         };
-        Some(Landing { phase, speed, slope, along, parameters, rest })
+        Some(Landing { phase, speed, slope, along, units, parameters, rest })
     }
 
     /// `D`
@@ -292,6 +314,26 @@ impl<const M: usize> Landing<M> {
     /// Holds `n (x - p)` for all images `x`.
     pub fn along(&self, normal: [Ball; 2], point: [Ball; 2]) -> Ball {
         self.projected(normal, point, |_, change| change)
+    }
+
+    /// Returns the image of a vector by the derivative of the map at any of the states. Lemma D24
+    pub fn derivative(&self, [u, w]: [Ball; 2]) -> [Ball; 2] {
+        let [[delay_u, speed_u], [delay_w, speed_w]] = self.units;
+        self.sheared([u * delay_u + w * delay_w, u * speed_u + w * speed_w])
+    }
+
+    /// Holds the image of the centre for all parameters. Lemma D24
+    pub fn centre(&self) -> [Ball; 2] {
+        let moved = |[u, w]: [Ball; 2], by: &[Ball; 2]| {
+            let [v, x] = self.sheared(*by);
+            [u.widened(v.mag()), w.widened(x.mag())]
+        };
+        self.parameters.iter().fold([self.phase, self.speed], moved)
+    }
+
+    /// A delay, and a change of speed at a fixed phase, as changes of phase and speed.
+    fn sheared(&self, [delay, speed]: [Ball; 2]) -> [Ball; 2] {
+        [delay, speed + delay * self.slope]
     }
 
     /// Returns the same where `p` moves by so much for the radius of each parameter, as the images do. Lemma D15

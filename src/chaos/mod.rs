@@ -1,9 +1,9 @@
 //! Chaos, proved: trapping regions with all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
 //! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `index`, `leaves`, `propose` and `trials`; intervals verify in `flights`,
-//! `tube`, `words`, `trap`, `boxes`, `language`, `cycles` and `attracted`.
+//! `tube`, `words`, `hyperbolic`, `trap`, `boxes`, `language`, `cycles` and `attracted`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
-//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D23, D30 and D31 of `docs/proofs.md`.
+//! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D28, D30 and D31 of `docs/proofs.md`.
 
 mod attracted;
 mod bases;
@@ -19,6 +19,7 @@ mod fate;
 mod flights;
 mod guess;
 mod horseshoe;
+mod hyperbolic;
 mod index;
 mod language;
 mod law;
@@ -40,6 +41,7 @@ pub use cells::{Asked, Cells, Horseshoe, MOST_CELLS, MOST_HALVINGS, Stretch, Ver
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub use fate::{Entered, Fate};
 pub use horseshoe::{Chaos, MOST_DEPTH, Question};
+pub use hyperbolic::Hyperbolic;
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub use quad::{Chord, State};
 pub use region::{Trap, Untrapped};

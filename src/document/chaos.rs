@@ -7,11 +7,14 @@ use num_traits::ToPrimitive;
 
 use impact_pair_document::{
     BaseDocument, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, ChaosCellsDocument, ChaosDocument, CornersDocument, Decimal,
-    EnteredDocument, EntropyDocument, PROGRAM, ParameterRange, PeriodDocument, SceneDocument, SceneOrbitDocument,
-    SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument, WordDocument, bounds,
+    EnteredDocument, EntropyDocument, HyperbolicDocument, PROGRAM, ParameterRange, PeriodDocument, RatesDocument,
+    SceneDocument, SceneOrbitDocument, SharesDocument, StretchDocument, TRAP_SCHEMA, TrapDocument, WallWordsDocument,
+    WordDocument, bounds,
 };
 
-use crate::chaos::{Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Question, Stretch, Trap, Verdict, WallWords};
+use crate::chaos::{
+    Asked, Base, Cells, Chaos, Chord, Fate, Horseshoe, Hyperbolic, Question, Stretch, Trap, Verdict, WallWords,
+};
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
 use crate::pair::{Wall, within};
@@ -110,6 +113,22 @@ pub fn chaos(scene: &Scene, over: Option<&Range>, question: &Question, chaos: &C
             })
             .collect(),
         exponent_seen: chaos.exponent(),
+        hyperbolic: None,
+    }
+}
+
+/// Returns what a hyperbolic set is measured to be.
+pub fn hyperbolic(set: &Hyperbolic) -> HyperbolicDocument {
+    let of = |[low, high]: [f64; 2]| bounds(&Enclosure::from_f64_bounds(low, high).expect("finite bounds in order"));
+    let rates = |[impact, cycle]: [[f64; 2]; 2]| RatesDocument { per_impact: of(impact), per_cycle: of(cycle) };
+    HyperbolicDocument {
+        kappa: Decimal::printed(decimal_f64(set.kappa)),
+        cells: set.cells as u64,
+        words: set.words.iter().map(|&word| word as u32).collect(),
+        entropy: rates(set.entropy),
+        exponents: rates(set.exponents),
+        second_exponent: of(set.second),
+        dimension: of(set.dimension),
     }
 }
 

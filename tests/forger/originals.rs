@@ -19,7 +19,7 @@ use crate::spoiled::{documents, others};
 use impact_pair::scene::Range;
 
 /// Kinds of documents, in the order of the table.
-const KINDS: [&str; 11] = [
+const KINDS: [&str; 12] = [
     "orbit",
     "shadow",
     "periodic",
@@ -28,6 +28,7 @@ const KINDS: [&str; 11] = [
     "cycles",
     "trap",
     "chaos",
+    "hyperbolic",
     "description",
     "sweep",
     "list",
@@ -39,6 +40,7 @@ pub fn all() -> Vec<Original> {
     all.push(every_orbit());
     all.extend(bifurcations());
     all.extend([cycles(), trap("figure-14"), trap("figure-12"), chaos(None), chaos(Some("gap=9.42477..9.42498"))]);
+    all.push(hyperbolic());
     let described = ["figure-13", "chatter", "figure-14"];
     all.extend(described.map(|name| Original::new("description", name, others::description(name))));
     all.extend(sweeps());
@@ -162,6 +164,13 @@ fn chaos(over: Option<&str>) -> Original {
     let found = Chaos::of(&pair, scene.start(), &question, &Unwatched).unwrap();
     let name = if over.is_some() { "over a range" } else { "of a point" };
     Original::new("chaos", name, json!(document::chaos(&scene, over.as_ref(), &question, &found)))
+}
+
+/// The horseshoe of a point with what its hyperbolic set is measured to be.
+fn hyperbolic() -> Original {
+    let mut document = chaos(None).document;
+    document["hyperbolic"] = crate::checked_chaos::hyperbolic(3)["hyperbolic"].clone();
+    Original::new("hyperbolic", "of a point", document)
 }
 
 /// Impacts of points, over parameters and initial data; and basins, without impacts.

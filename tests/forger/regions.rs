@@ -30,6 +30,11 @@ pub const FORGERIES: &[Forgery] = &[
         why: "it converges to no such orbit, and one box is no region",
         forge: scene_orbits,
     },
+    Forgery {
+        name: "chaos: hyperbolic",
+        why: "a periodic orbit has an exponent beyond the bound, other words another entropy, strips lean too much for so wide cones",
+        forge: hyperbolic,
+    },
     Forgery { name: "trap: entered", why: "an impact outside comes later", forge: entered },
     Forgery {
         name: "trap: bounds",
@@ -63,6 +68,24 @@ fn entropies(original: &Original) -> Vec<Forged> {
         all.extend([raised(own), json!("9")].map(|value| original.with(path.clone(), &[(&path, value)])));
     }
     all
+}
+
+fn hyperbolic(original: &Original) -> Vec<Forged> {
+    if original.kind != "hyperbolic" {
+        return Vec::new();
+    }
+    let changes = [
+        ("/hyperbolic/words", json!([0, 1, 2, 3, 5])),
+        ("/hyperbolic/exponents/per_impact/1", json!("0.84")),
+        ("/hyperbolic/dimension/1", json!("0.6")),
+        ("/hyperbolic/kappa", json!("400")),
+        ("/hyperbolic/entropy/per_impact/0", json!("0.2812")),
+        ("/hyperbolic/exponents/per_cycle/0", json!("1.34")),
+        ("/hyperbolic/second_exponent/0", json!("-2.22")),
+        ("/hyperbolic/dimension/0", json!("0.615")),
+        ("/hyperbolic/words", json!([0, 2, 3])),
+    ];
+    changes.into_iter().map(|(path, value)| original.with(format!("{path}: {value}"), &[(path, value)])).collect()
 }
 
 fn depths(original: &Original) -> Vec<Forged> {

@@ -3,8 +3,10 @@
 use std::fmt::{self, Write};
 
 use impact_pair::chaos::Chaos;
-use impact_pair::document::counted;
-use impact_pair::json::{ChaosCellsDocument, ChaosDocument, Decimal, SharesDocument};
+use impact_pair::document::{bounds_text, counted};
+use impact_pair::json::{
+    ChaosCellsDocument, ChaosDocument, Decimal, HyperbolicDocument, RatesDocument, SharesDocument,
+};
 use impact_pair::pair::Wall;
 
 /// One horseshoe, for one pair or all of a range.
@@ -36,10 +38,36 @@ pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt:
     if let Some(exponent) = document.exponent_seen {
         writeln!(out, "Lyapunov exponent of the floating-point orbit: {exponent:.3} per impact (non-rigorous)")?;
     }
+    match &document.hyperbolic {
+        Some(Some(set)) => out.push_str(&hyperbolic(document, set)?),
+        Some(None) => writeln!(out, "undecided whether any of its words are hyperbolic")?,
+        None => {}
+    }
     for line in fate(document) {
         writeln!(out, "{line}")?;
     }
     writeln!(out, "\n{}", conclusion(document, found))?;
+    Ok(out)
+}
+
+/// The hyperbolic set of words, and what it is measured to be.
+fn hyperbolic(document: &ChaosDocument, set: &HyperbolicDocument) -> Result<String, fmt::Error> {
+    let mut out = String::new();
+    let all = document.words.len();
+    let left = if set.words.len() == all { "all".to_owned() } else { format!("{} of the", set.words.len()) };
+    writeln!(
+        out,
+        "\nproved: the motions of {left} {all} words are a uniformly hyperbolic set ({} cells, cones of slope {})",
+        set.cells,
+        set.kappa.text()
+    )?;
+    let rates = |rates: &RatesDocument| {
+        format!("{} per impact, {} per forcing period", bounds_text(&rates.per_impact), bounds_text(&rates.per_cycle))
+    };
+    writeln!(out, "  topological entropy          {}", rates(&set.entropy))?;
+    writeln!(out, "  greater Lyapunov exponent    {} (every invariant measure)", rates(&set.exponents))?;
+    writeln!(out, "  smaller Lyapunov exponent    {} per impact", bounds_text(&set.second_exponent))?;
+    writeln!(out, "  Hausdorff dimension          {}", bounds_text(&set.dimension))?;
     Ok(out)
 }
 

@@ -1,6 +1,6 @@
 //! The JSON of trapping regions and of chaos, schemas `impact-pair/trap/1`, `impact-pair/chaos/1` and `impact-pair/chaos-cells/1`.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bifurcation::ParameterRange;
 use super::number::{Bounds, Decimal, Written};
@@ -103,6 +103,44 @@ pub struct ChaosDocument {
     pub words: Vec<WordDocument>,
     /// The Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub exponent_seen: Option<f64>,
+    /// A uniformly hyperbolic set of motions that words make, if it was asked for; `null` where none is proved.
+    #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "asked")]
+    pub hyperbolic: Option<Option<HyperbolicDocument>>,
+}
+
+/// A key that is there, whether it is `null` or not.
+fn asked<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Option<HyperbolicDocument>>, D::Error> {
+    Option::deserialize(deserializer).map(Some)
+}
+
+/// A uniformly hyperbolic set: for each two-sided sequence of its words that fit together it has exactly one motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct HyperbolicDocument {
+    /// The greatest slope of the cones around the expanding direction, in coordinates from -1 to 1 along each h-set and across it.
+    pub kappa: Decimal,
+    /// Number of cells on which the cones are proved.
+    pub cells: u64,
+    /// Its words, counted from 0 in `words`: those that are proved to be hyperbolic, and lead back to each other.
+    pub words: Vec<u32>,
+    /// Bounds of the topological entropy on the set.
+    pub entropy: RatesDocument,
+    /// Bounds of the greater Lyapunov exponent of every invariant measure on the set.
+    pub exponents: RatesDocument,
+    /// Bounds of the smaller one per impact: `2 ln e` less the greater one.
+    pub second_exponent: Bounds,
+    /// Bounds of the Hausdorff dimension of the set, in the plane of phase and speed.
+    pub dimension: Bounds,
+}
+
+/// Bounds of a rate, in nats.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct RatesDocument {
+    /// Per impact.
+    pub per_impact: Bounds,
+    /// Per forcing period.
+    pub per_cycle: Bounds,
 }
 
 /// The result for the orbit of the scene's own start: whether it visits the horseshoe. Absent keys mean undecided.

@@ -47,6 +47,8 @@ pub enum Stage<'s> {
         /// Boxes.
         boxes: u64,
     },
+    /// `.0` cells of a hyperbolic set, with cones, are cut.
+    Cones(u64),
     /// `.0` cells of a parameter's range are done.
     Parameter(u32),
     /// `.0` claims of a document are confirmed.

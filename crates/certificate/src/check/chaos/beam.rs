@@ -94,6 +94,7 @@ pub(super) struct Beam {
     after: Span,
     /// `2 pi` times each side's phase, and `e` times its speed; the last one is that of `e` itself.
     sides: [Spot; 4],
+    restitution: Span,
 }
 
 /// A departure is proved for this time at first, and for no shorter one than the other.
@@ -112,26 +113,33 @@ pub(super) struct Landing {
     bend: Span,
     /// By side, by `e` and by `D`: the change of the phase of arrival \[rad\], and of the speed at a fixed one.
     changes: [Spot; 5],
+    /// The same changes by a unit of phase, and of speed.
+    units: [Spot; 2],
     /// Times of flight \[forcing periods\].
     pub times: Span,
 }
 
 impl Beam {
     pub fn new(law: &Law, quad: &Quad) -> Self {
-        let e = law.restitution;
         let hull = |i: usize| {
             let [p, q, r, s] = quad.corners;
             p[i].hull(q[i]).hull(r[i].hull(s[i]))
         };
-        let (phase, speed, centre) = (hull(0), hull(1), quad.centre());
+        Self::of(law, [hull(0), hull(1)], quad.centre(), quad.sides())
+    }
+
+    /// Those of states within bounds, whose differences from a centre are sums of parts of sides.
+    pub fn of(law: &Law, [phase, speed]: Spot, centre: Spot, sides: [Spot; 3]) -> Self {
+        let e = law.restitution;
         let (sin, cos) = phase.sin_cos();
         let (centre_sin, centre_cos) = centre[0].sin_cos();
         // V12: the centre's `e` is the middle one, and `e` a direction like the others
         let (middle, around) = e.parted();
         let drift = middle * centre[1] + centre_cos;
-        let [a, b, c] = quad.sides().map(|[u, w]| [u.turned(), e * w]);
+        let [a, b, c] = sides.map(|[u, w]| [u.turned(), e * w]);
         let sides = [a, b, c, [Span::point(0.0), around * speed]];
-        Self { gap: law.gap, phase, speed, centre, sin, cos, centre_sin, drift, after: e * speed, sides }
+        let (gap, after) = (law.gap, e * speed);
+        Self { gap, phase, speed, centre, sin, cos, centre_sin, drift, after, sides, restitution: e }
     }
 
     /// Returns the level of a wall.
@@ -258,19 +266,40 @@ impl Beam {
         let mut changes = [[Span::point(0.0); 2]; 5];
         changes[4][0] = around.over(rate)?;
         let mut times = time + changes[4][0].unturned().around();
-        for ([u, w], change) in self.sides.into_iter().zip(&mut changes) {
+        let by = |[u, w]: Spot| {
             // What the drift changes by counts once, so that a side that is contracted is seen to be.
             let drift = w - self.sin * u;
-            let delay = (self.after * u - angle * drift).over(rate)?;
-            *change = [delay, drift.signed(is_far)];
-            times = times + (delay - u).unturned().around();
+            Some([(self.after * u - angle * drift).over(rate)?, drift.signed(is_far)])
+        };
+        for (side, change) in self.sides.into_iter().zip(&mut changes) {
+            *change = by(side)?;
+            times = times + (change[0] - side[0]).unturned().around();
         }
+        let zero = Span::point(0.0);
+        let units = [by([Span::point(1.0).turned(), zero])?, by([zero, self.restitution])?];
         let phase = if is_far { phase + Span::point(0.5) } else { phase };
-        Some(Landing { centre: [phase, speed], bend, changes, times: times.common(bracket)? })
+        Some(Landing { centre: [phase, speed], bend, changes, units, times: times.common(bracket)? })
     }
 }
 
 impl Landing {
+    /// Holds what the derivative at any of the states makes of a vector (V14).
+    pub fn derivative(&self, [u, w]: Spot) -> Spot {
+        let [[delay_u, speed_u], [delay_w, speed_w]] = self.units;
+        self.sheared([u * delay_u + w * delay_w, u * speed_u + w * speed_w])
+    }
+
+    /// Holds the image of the centre for all parameters (V14).
+    pub fn image(&self) -> Spot {
+        let [.., e, gap] = self.changes.map(|change| self.sheared(change).map(Span::around));
+        [0, 1].map(|i| self.centre[i] + e[i] + gap[i])
+    }
+
+    /// A delay, an angle, and a change of speed at a fixed phase, as changes of phase and speed.
+    fn sheared(&self, [delay, speed]: Spot) -> Spot {
+        [delay.unturned(), speed + self.bend * delay]
+    }
+
     /// Holds `n (x - q)` for all images `x`.
     pub fn along(&self, [n, m]: Spot, [u, w]: Spot) -> Span {
         let sheared = n.unturned() + m * self.bend;

@@ -3,12 +3,12 @@
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 
-use super::Law;
 use super::allowance::{Allowance, End};
 use super::bases::Base;
 use super::entropy::at_least;
 use super::propose::Making;
 use super::words::{Ahead, Counts, Search, Word};
+use super::{Law, cones};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
 use crate::check::{Effort, Verdict};
@@ -54,13 +54,33 @@ impl ChaosCertificate {
         let each = (allowed / MANY).saturating_mul(words.len() as u64); // proposes: when to give up
         let work = Allowance::new(allowed.saturating_add(each), &watch); // proposes: when to give up
         Ok(match self.lost(&law, &bases, &words, &work, &mut progress) {
-            Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+            Ok(None) => match self.hyperbolic(&law, (&bases, &words), allowed, &watch) {
+                Ok(None) => Verdict::Confirmed { bits: DOUBLE, pieces: 1 },
+                Ok(Some(doubt)) => doubt.on(self.count()),
+                Err(_) => Verdict::Interrupted { events: confirmed },
+            },
             Ok(Some(found)) => {
                 let why = if work.is_spent() { "the work allowed is spent" } else { "it is not proved again" };
                 shortfall((found, why), &words, bases.len())
             }
             Err(_) => Verdict::Interrupted { events: confirmed },
         })
+    }
+
+    /// The doubt that is left of a hyperbolic set, if one is claimed.
+    fn hyperbolic(
+        &self,
+        law: &Law,
+        listed: (&[Base], &[Word]),
+        allowed: u64,
+        watch: &dyn Watch,
+    ) -> Result<Option<Doubt>, End> {
+        let Some(Some(set)) = &self.document().hyperbolic else { return Ok(None) };
+        let work = Allowance::new(allowed.saturating_mul(CONES), watch); // proposes: when to give up
+        match cones::doubt(law, listed, set, &work) {
+            Err(End::Spent) => Ok(Some(Doubt::Open("hyperbolic: the work allowed is spent".to_owned()))),
+            found => found,
+        }
     }
 
     /// `None` if all words are found, or what is along the chains of boxes along which most of them are. Where the work is spent on the way, what
@@ -176,3 +196,5 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
 const LOOKS: u64 = 1 << 7;
 /// So many words allow as much work again as there is for any number of them.
 const MANY: u64 = 1 << 6;
+/// Cones are so many times as much work.
+const CONES: u64 = 1 << 4;

@@ -9,6 +9,7 @@ mod allowance;
 mod bases;
 mod beam;
 mod blocks;
+mod cones;
 mod entropy;
 mod guess;
 mod judge;

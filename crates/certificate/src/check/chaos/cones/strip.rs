@@ -1,0 +1,245 @@
+//! Strips across the parallelogram of an h-set, and the images of their cells (Lemma V14).
+
+use super::super::Law;
+use super::super::allowance::{Allowance, End};
+use super::super::bases::Base;
+use super::super::beam::{Beam, Spot, State};
+use super::super::guess::Guess;
+use super::super::span::Span;
+
+/// An h-set as the parallelogram of its middle and its half vectors.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub centre: State,
+    pub along: State,
+    pub across: State,
+}
+
+/// Between two lines across a parallelogram: each by its place at the middle, and how far that is from there to the top.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Strip {
+    pub left: [f64; 2],
+    pub right: [f64; 2],
+}
+
+/// A listed word with its strip.
+#[derive(Clone, Debug)]
+pub(super) struct Branch {
+    pub from: usize,
+    pub to: usize,
+    pub flights: Vec<bool>,
+    pub half_cycles: i64,
+    pub turns: f64,
+    pub strip: Strip,
+    /// Whether the image goes from left to right.
+    pub rises: bool,
+}
+
+/// A part of a strip: fractions of the way from left to right, from -1 to 1, and heights.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    pub across: [f64; 2],
+    pub heights: [f64; 2],
+}
+
+/// Where the middle of a cell is mapped to, in the coordinates there, and what the derivative makes of its half sides.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Image {
+    pub cell: Cell,
+    pub middle: Spot,
+    pub sides: [Spot; 2],
+}
+
+pub(super) fn spot(x: State) -> Spot {
+    x.map(Span::point)
+}
+
+fn cross([a, b]: Spot, [c, d]: Spot) -> Span {
+    a * d - b * c
+}
+
+/// Returns whether no member is within so much of 0.
+pub(super) fn is_beyond(x: Span, most: Span) -> bool {
+    (x - most).is_positive() || (x + most).is_negative()
+}
+
+impl Frame {
+    pub fn of(Base { left, right }: &Base) -> Self {
+        let quarter = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
+        let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);
+        Self {
+            centre: quarter(&|i| p[i] + q[i] + r[i] + s[i]),
+            along: quarter(&|i| r[i] + s[i] - p[i] - q[i]),
+            across: quarter(&|i| q[i] + s[i] - p[i] - r[i]),
+        }
+    }
+
+    /// Coordinates of a vector, `None` if the sides may be parallel.
+    pub fn told(&self, vector: Spot) -> Option<Spot> {
+        let (along, across) = (spot(self.along), spot(self.across));
+        let area = cross(along, across);
+        Some([cross(vector, across).over(area)?, cross(along, vector).over(area)?])
+    }
+
+    /// Those of a state, so many forcing periods earlier.
+    pub fn place(&self, [u, w]: Spot, turns: f64) -> Option<Spot> {
+        let [centre, speed] = spot(self.centre);
+        self.told([u - Span::point(turns) - centre, w - speed])
+    }
+
+    pub fn vector(&self, xi: Span, eta: Span) -> Spot {
+        [0, 1].map(|i| xi.scaled(self.along[i]) + eta.scaled(self.across[i]))
+    }
+
+    /// Returns whether it has no state in common with another one, so many forcing periods earlier.
+    pub fn is_apart(&self, other: &Self, turns: f64) -> bool {
+        let parts = |one: &Self, two: &Self, turns: f64| {
+            let (Some(centre), Some(a), Some(b)) =
+                (one.place(spot(two.centre), turns), one.told(spot(two.along)), one.told(spot(two.across)))
+            else {
+                return false;
+            };
+            (0..2).any(|i| is_beyond(centre[i], Span::point(1.0) + a[i].around() + b[i].around()))
+        };
+        parts(self, other, turns) || parts(other, self, -turns)
+    }
+}
+
+impl Strip {
+    /// The place and the lean of the line at a fraction of the way from left to right.
+    pub fn line(&self, at: Span) -> Spot {
+        let one = Span::point(1.0);
+        [0, 1].map(|i| ((one - at).scaled(self.left[i]) + (one + at).scaled(self.right[i])).scaled(0.5))
+    }
+
+    /// Half of the way from left to right at some heights.
+    pub fn half(&self, heights: Span) -> Span {
+        let [place, lean] = [0, 1].map(|i| (Span::point(self.right[i]) - Span::point(self.left[i])).scaled(0.5));
+        place + lean * heights
+    }
+
+    /// Returns whether it lies in its parallelogram and is nowhere empty.
+    pub fn is_sound(&self) -> bool {
+        let one = Span::point(1.0);
+        let is_in = |[place, lean]: [f64; 2]| !is_beyond_or_at(Span::point(place), one - Span::point(lean).around());
+        is_in(self.left) && is_in(self.right) && self.half(Span::new(-1.0, 1.0)).is_positive()
+    }
+
+    /// Returns whether all of it is on the left of another one.
+    pub fn is_before(&self, other: &Self) -> bool {
+        [-1.0, 1.0].iter().all(|&end| {
+            let at = |[place, lean]: [f64; 2]| Span::point(place) + Span::point(lean).scaled(end);
+            (at(other.left) - at(self.right)).is_positive()
+        })
+    }
+}
+
+/// Whether a member may be as far from 0.
+fn is_beyond_or_at(x: Span, most: Span) -> bool {
+    !((most - x).is_positive() && (most + x).is_positive())
+}
+
+impl Cell {
+    pub const WHOLE: Self = Self { across: [-1.0, 1.0], heights: [-1.0, 1.0] };
+
+    pub fn halves(&self, is_height: bool) -> [Self; 2] {
+        let cut = |[a, b]: [f64; 2]| {
+            let middle = 0.5 * (a + b);
+            [[a, middle], [middle, b]]
+        };
+        if is_height {
+            cut(self.heights).map(|heights| Self { heights, ..*self })
+        } else {
+            cut(self.across).map(|across| Self { across, ..*self })
+        }
+    }
+
+    /// Some middle, and half sides that hold what is left of it on both sides.
+    pub fn centred([a, b]: [f64; 2]) -> [Span; 2] {
+        let middle = Span::point(0.5 * (a + b));
+        let half = (Span::point(b) - middle).hull(middle - Span::point(a));
+        [middle, Span::point(half.hi())]
+    }
+
+    /// Its half breadth and its half height; what the place changes by with both at all its states.
+    fn rates(&self, strip: &Strip) -> [Spot; 2] {
+        let ([_, across], [_, height]) = (Self::centred(self.across), Self::centred(self.heights));
+        let [a, b] = [self.across, self.heights].map(|[low, high]| Span::new(low, high));
+        [[across, height], [strip.half(b), strip.line(a)[1]]]
+    }
+}
+
+/// What flights are followed by.
+pub(super) struct Map<'m> {
+    pub law: &'m Law,
+    pub guess: &'m Guess,
+    pub frames: &'m [Frame],
+    pub work: &'m Allowance<'m>,
+}
+
+/// What is asked of states after some flights, and what was known when an image was lost.
+pub(super) type Passed<'p> = &'p dyn Fn(usize, Spot, &[Spot; 2]) -> bool;
+
+impl Map<'_> {
+    /// Returns the image of a cell of a word's strip; or else its half sides as far as they were known.
+    pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Result<Image, [Spot; 2]>, End> {
+        let (frame, strip) = (&self.frames[branch.from], &branch.strip);
+        let ([at, _], [height, _]) = (Cell::centred(cell.across), Cell::centred(cell.heights));
+        let [place, lean] = strip.line(at);
+        let offset = frame.vector(place + lean * height, height);
+        let mut centre = [0, 1].map(|i| Span::point(frame.centre[i]) + offset[i]);
+        let [[a, b], [breadth, lean]] = cell.rates(strip);
+        let mut sides = [frame.vector(breadth * a, Span::point(0.0)), frame.vector(lean * b, b)];
+        for (k, &is_far) in branch.flights.iter().enumerate() {
+            let middle = centre.map(Span::mid);
+            let Some(image) = self.guess.map(middle).filter(|image| image.is_far == is_far) else {
+                return Ok(Err(sides));
+            };
+            self.work.spend(4, image.time)?;
+            let around = [0, 1].map(|i| (centre[i] - Span::point(middle[i])).around());
+            let [phase, speed] =
+                [0, 1].map(|i| Span::point(middle[i]) + around[i] + sides[0][i].around() + sides[1][i].around());
+            // V14: they have landed, so no speed is negative
+            let speed = if speed.lo() < 0.0 { Span::new(0.0, speed.hi()) } else { speed };
+            let beam = Beam::of(self.law, [phase, speed], spot(middle), [sides[0], sides[1], around]);
+            let Some(landing) = beam.land(is_far, image.time) else { return Ok(Err(sides)) };
+            let (moved, by) = (landing.image(), landing.derivative(around));
+            centre = [0, 1].map(|i| moved[i] + by[i]);
+            sides = sides.map(|side| landing.derivative(side));
+            if k + 1 < branch.flights.len() && !passed(k + 1, centre, &sides) {
+                return Ok(Err(sides));
+            }
+        }
+        let frame = &self.frames[branch.to];
+        let told = (frame.place(centre, branch.turns), frame.told(sides[0]), frame.told(sides[1]));
+        Ok(match told {
+            (Some(middle), Some(a), Some(b)) => Ok(Image { cell, middle, sides: [a, b] }),
+            _ => Err(sides),
+        })
+    }
+}
+
+impl Image {
+    /// Holds a coordinate of all images.
+    pub fn all(&self, i: usize) -> Span {
+        self.middle[i] + self.sides[0][i].around() + self.sides[1][i].around()
+    }
+
+    pub fn is_outside(&self) -> bool {
+        is_beyond(self.all(0), Span::point(1.0))
+    }
+
+    /// Holds the images of `(1, slope)` at each state of the cell.
+    pub fn direction(&self, strip: &Strip, slope: f64) -> Option<Spot> {
+        let [[a, b], [breadth, lean]] = self.cell.rates(strip);
+        let along = (Span::point(1.0) - lean.scaled(slope)).over(breadth * a)?;
+        let across = Span::point(slope).over(b)?;
+        Some([0, 1].map(|i| self.sides[0][i] * along + self.sides[1][i] * across))
+    }
+}
+
+/// Whether a cell is better halved in its height: any answer will do.
+pub(super) fn is_tall(sides: &[Spot; 2]) -> bool {
+    let [most, width] = [sides[0].map(Span::most), sides[1].map(|x| 0.5 * (x.hi() - x.lo()))];
+    4.0 * (width[0] + width[1]) > most[0] + most[1]
+}

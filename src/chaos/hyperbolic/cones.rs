@@ -1,0 +1,152 @@
+//! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs.md`.
+
+use super::frame::{Frame, least};
+use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
+use crate::chaos::flights::is_positive;
+use crate::number::{Ball, Number, up};
+use crate::watch::Watch;
+
+/// A strip is cut into no more cells than this.
+const MOST_CELLS: usize = 1 << 16;
+/// A cell is no smaller than this beside its strip.
+const SMALLEST: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
+
+/// Expansions are known up to such a part.
+const KNOWN: f64 = 0.25;
+
+/// A word with the images of the cells of its strip.
+#[derive(Clone, Debug)]
+pub(crate) struct Proved {
+    pub number: usize,
+    pub branch: Branch,
+    pub images: Vec<Image>,
+}
+
+impl Map<'_> {
+    /// Returns the images of cells that cover a word's strip, if it is proved to be mapped across the next h-set, and each cell that meets
+    /// the h-set to map the cone of slopes up to `kappa` into itself, and to expand. Lemmas D25, D26
+    pub fn prove(&self, branch: &Branch, kappa: f64, watch: &dyn Watch) -> Option<Vec<Image>> {
+        if !is_flat(branch, kappa) {
+            return None;
+        }
+        let is_good = |image: &Image| {
+            crosses(branch, image) && (image.is_outside() || is_cone(branch, image, kappa) && is_known(branch, image))
+        };
+        self.cut(branch, vec![Cell::WHOLE], (&|_, _, _| true, &is_good), watch)
+    }
+
+    /// Whether no state of a word's strip is proved to be on the way where another word begins whose flights are the last ones of this one, at
+    /// a height that an image of a word has there. Lemma D25
+    pub fn is_alone(&self, word: &Proved, all: &[Proved], heights: &[Ball], watch: &dyn Watch) -> bool {
+        let branch = &word.branch;
+        let shortcuts: Vec<Shortcut<'_>> = all.iter().filter_map(|other| Shortcut::of(branch, &other.branch)).collect();
+        let passed = |impacts: usize, centre: [Ball; 2], sides: &[[Ball; 2]; 2]| {
+            let mut there = shortcuts.iter().filter(|shortcut| shortcut.passed == impacts);
+            there.all(|shortcut| {
+                shortcut.is_clear(&self.frames[shortcut.branch.from], heights[shortcut.branch.from], (centre, sides))
+            })
+        };
+        let cells = word.images.iter().map(|image| image.cell).collect();
+        shortcuts.is_empty() || self.cut(branch, cells, (&passed, &|_| true), watch).is_some()
+    }
+
+    /// The images of cells, cut until each of them passes and is good; `None` if one never is.
+    fn cut(
+        &self,
+        branch: &Branch,
+        mut open: Vec<Cell>,
+        (passed, is_good): Wanted<'_>,
+        watch: &dyn Watch,
+    ) -> Option<Vec<Image>> {
+        let mut done = Vec::new();
+        while let Some(cell) = open.pop() {
+            let axis = match self.image(branch, cell, passed) {
+                Ok(image) if is_good(&image) => {
+                    done.push(image);
+                    continue;
+                }
+                Ok(image) => image.axis(),
+                Err(lost) => lost.axis(),
+            };
+            // proposes: when to give up, nothing is certified
+            if !watch.goes_on() || open.len() + done.len() > MOST_CELLS || cell.radii[0].min(cell.radii[1]) < SMALLEST {
+                return None;
+            }
+            open.extend(cell.halves(axis));
+        }
+        Some(done)
+    }
+}
+
+/// What states on the way have to be, and images.
+type Wanted<'w> = (Passed<'w>, &'w dyn Fn(&Image) -> bool);
+
+/// Whether a curve with slopes up to `kappa` meets each side of the strip once. Lemma D26
+pub(crate) fn is_flat(branch: &Branch, kappa: f64) -> bool {
+    let Strip { slope, taper, .. } = branch.strip;
+    up(kappa * up(slope.abs() + taper.abs())) < 1.0
+}
+
+/// Whether all of the image is between bottom and top of the h-set, and what is of the strip's sides is beyond its edges. Lemma D25
+fn crosses(branch: &Branch, image: &Image) -> bool {
+    let one = Ball::exact(1.0);
+    let height = image.spread(1);
+    let is_between = is_positive(one - height) && is_positive(one + height);
+    let Cell { at: [a, _], radii: [r, _] } = image.cell;
+    let sign = if branch.rises { 1.0 } else { -1.0 };
+    let beyond = |end: f64| {
+        // The side is the end of the cell, at all its heights.
+        let at = image.middle[0] + Ball::exact(end) * image.sides[0][0];
+        let edge = (at.widened(image.sides[1][0].mag())).signed(end * sign);
+        is_positive(edge - one)
+    };
+    // exact: dyadic
+    is_between && [-1.0, 1.0].iter().all(|&end| (a + end * r) * end < 1.0 || beyond(end))
+}
+
+/// Whether a cell, whose image meets the h-set maps the cone into itself, and expands. Lemma D26
+fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
+    let sign = if branch.rises { 1.0 } else { -1.0 };
+    [-kappa, kappa].iter().all(|&slope| {
+        image.direction(&branch.strip, slope).is_some_and(|[x, y]| {
+            let x = x.signed(sign);
+            is_positive(x - Ball::exact(1.0)) && is_positive(Ball::exact(kappa) * x - Ball::exact(y.mag()))
+        })
+    })
+}
+
+/// Whether the expansion is known well enough to be worth bounding; any answer will do.
+fn is_known(branch: &Branch, image: &Image) -> bool {
+    image.direction(&branch.strip, 0.0).is_some_and(|[x, _]| x.rad() < KNOWN * x.mid().abs()) // proposes
+}
+
+/// A strip that a word's images must not meet on the way, as its flights are the last ones of the word: the flights before it, and the
+/// whole turns after which it is there.
+struct Shortcut<'b> {
+    passed: usize,
+    turns: f64,
+    branch: &'b Branch,
+}
+
+impl<'b> Shortcut<'b> {
+    fn of(word: &Branch, branch: &'b Branch) -> Option<Self> {
+        let passed = word.sides.len().checked_sub(branch.sides.len()).filter(|&passed| passed > 0)?;
+        let is_end = word.to == branch.to && word.sides[passed..] == branch.sides;
+        is_end.then_some(Self { passed, turns: word.turns - branch.turns, branch })
+    }
+
+    /// Whether no state `centre + a sides[0] + b sides[1]` is in it. Lemma D25
+    fn is_clear(&self, frame: &Frame, heights: Ball, (centre, sides): ([Ball; 2], &[[Ball; 2]; 2])) -> bool {
+        let (Some(middle), [Some(breadth), Some(height)]) =
+            (frame.place(centre, self.turns), sides.map(|side| frame.coordinates(side)))
+        else {
+            return false;
+        };
+        let [place, slope] = self.branch.strip.line(0.0);
+        let above = middle[1].widened(up(breadth[1].mag() + height[1].mag()));
+        let reach = up(beside(breadth, slope).mag() + beside(height, slope).mag());
+        let beside = (beside(middle, slope) - place).widened(reach);
+        let half = self.branch.strip.breadth(Ball::new(0.0, 1.0)).mag();
+        least(above - heights) > 0.0 || least(beside) > half // D25: no height of an image, or beside its breadth
+    }
+}

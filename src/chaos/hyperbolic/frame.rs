@@ -1,0 +1,101 @@
+//! The parallelogram of an h-set and its coordinates: Lemma D25 of `docs/proofs.md`.
+
+use crate::chaos::flights::is_positive;
+use crate::chaos::quad::State;
+use crate::chaos::words::Base;
+use crate::number::{Ball, Number, UNIT};
+
+/// The states `centre + xi along + eta across` with `|xi|, |eta| <= 1`, all numbers exact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub centre: State,
+    pub along: State,
+    pub across: State,
+    determinant: Ball,
+}
+
+fn point(x: State) -> [Ball; 2] {
+    x.map(Ball::exact)
+}
+
+fn cross([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
+    a * d - b * c
+}
+
+/// Returns a lower bound of the absolute values inside: negative where one may be 0.
+pub(crate) fn least(x: Ball) -> f64 {
+    (x.mid().abs() - x.rad()) * (1.0 - 4.0 * UNIT)
+}
+
+impl Frame {
+    /// That of the half vectors between the middles of opposite edges.
+    pub fn of(Base { left, right }: &Base) -> Self {
+        let mean = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
+        let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);
+        let centre = mean(&|i| (p[i] + q[i]) + (r[i] + s[i]));
+        let along = mean(&|i| (r[i] - p[i]) + (s[i] - q[i]));
+        let across = mean(&|i| (q[i] - p[i]) + (s[i] - r[i]));
+        let determinant = cross(point(along), point(across));
+        Self { centre, along, across, determinant }
+    }
+
+    /// Whether its directions are proved not to be parallel, the second one to the left.
+    pub fn is_proper(&self) -> bool {
+        is_positive(self.determinant)
+    }
+
+    /// Holds the coordinates of a vector.
+    pub fn coordinates(&self, vector: [Ball; 2]) -> Option<[Ball; 2]> {
+        let xi = cross(vector, point(self.across)).checked_div(self.determinant)?;
+        let eta = cross(point(self.along), vector).checked_div(self.determinant)?;
+        Some([xi, eta])
+    }
+
+    /// Holds the coordinates of a state, so many forcing periods earlier.
+    pub fn place(&self, [u, w]: [Ball; 2], turns: f64) -> Option<[Ball; 2]> {
+        let [centre, speed] = point(self.centre);
+        self.coordinates([u - Ball::exact(turns) - centre, w - speed])
+    }
+
+    /// Holds the vector of coordinates.
+    pub fn vector(&self, xi: Ball, eta: Ball) -> [Ball; 2] {
+        [0, 1].map(|i| xi * Ball::exact(self.along[i]) + eta * Ball::exact(self.across[i]))
+    }
+
+    /// Holds the state of coordinates.
+    pub fn state(&self, xi: Ball, eta: Ball) -> [Ball; 2] {
+        let [u, w] = self.vector(xi, eta);
+        [u + Ball::exact(self.centre[0]), w + Ball::exact(self.centre[1])]
+    }
+
+    /// Whether no state of another one, so many forcing periods earlier, is proved to be between two of its edges.
+    fn parts(&self, other: &Self, turns: f64) -> bool {
+        let Some(centre) = self.place(point(other.centre), turns) else { return false };
+        let (Some(a), Some(b)) = (self.coordinates(point(other.along)), self.coordinates(point(other.across))) else {
+            return false;
+        };
+        (0..2).any(|i| {
+            is_positive(Ball::exact(least(centre[i])) - Ball::exact(1.0).widened(a[i].mag()).widened(b[i].mag()))
+        })
+    }
+
+    /// Returns whether it has no state in common with another one, nor whole forcing periods earlier or later. Lemma D25
+    pub fn is_apart(&self, other: &Self) -> bool {
+        self.is_near() && other.is_near() && (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)))
+    }
+
+    /// Returns whether it has no state in common with itself whole forcing periods later: by its convexity one is enough. Lemma D9
+    pub fn is_apart_from_its_translates(&self) -> bool {
+        self.is_parted(self, 1.0)
+    }
+
+    fn is_parted(&self, other: &Self, turns: f64) -> bool {
+        self.parts(other, turns) || other.parts(self, -turns)
+    }
+
+    /// Whether its phases are from -1 to 2 and its speeds positive.
+    fn is_near(&self) -> bool {
+        let [u, w] = [0, 1].map(|i| Ball::new(self.centre[i], 0.0).widened(self.along[i].abs() + self.across[i].abs()));
+        is_positive(u + Ball::exact(1.0)) && is_positive(Ball::exact(2.0) - u) && is_positive(w)
+    }
+}

@@ -1,0 +1,198 @@
+//! The set of the words is uniformly hyperbolic: exponents of all its invariant measures, and its dimension. Lemmas D24-D28 of
+//! `docs/proofs.md`.
+//!
+//! Floating point proposes the strips ([`propose`]); intervals prove what they are mapped to ([`strip`], [`cones`]), and bound how much strings
+//! of words expand ([`strings`]) and what follows ([`root`]).
+
+mod cones;
+mod frame;
+mod propose;
+mod root;
+mod strings;
+mod strip;
+#[cfg(test)]
+mod tests;
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::blocks::Word;
+use super::each::each;
+use super::guess::Guess;
+use super::horseshoe::Chaos;
+use super::law::Law;
+use super::words::Base;
+use crate::Error;
+use crate::number::{Ball, logarithm};
+use crate::pair::ImpactPair;
+use crate::watch::{Stage, Watch};
+use cones::Proved;
+use frame::Frame;
+use root::{Edge, ratios, root};
+use strings::{Strings, ends, hull};
+use strip::{Branch, Map};
+
+/// The greatest slope of the cones, in the coordinates of an h-set.
+const KAPPA: f64 = 64.0;
+
+/// A uniformly hyperbolic set of motions of a horseshoe: those of some of its words.
+///
+/// **Enclosure**: on a compact set that the impact map keeps it is uniformly hyperbolic, and for each sequence of the words, without beginning and
+/// end, that fit together there is exactly one motion. Its entropy, the exponents of all its invariant measures and its Hausdorff
+/// dimension lie in the bounds. Lemmas D24-D28
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hyperbolic {
+    /// The greatest slope of the cones, in the coordinates of an h-set, from -1 to 1 along and across it.
+    pub kappa: f64,
+    /// Number of cells.
+    pub cells: usize,
+    /// Its words, by their places among those of the horseshoe.
+    pub words: Vec<usize>,
+    /// Bounds of its topological entropy, per impact and per forcing period.
+    pub entropy: [[f64; 2]; 2],
+    /// Bounds of the greater exponent of every invariant measure, likewise.
+    pub exponents: [[f64; 2]; 2],
+    /// Bounds of the smaller exponent per impact.
+    pub second: [f64; 2],
+    /// Bounds of its Hausdorff dimension.
+    pub dimension: [f64; 2],
+}
+
+impl Hyperbolic {
+    /// Returns the set of those words that are proved to be hyperbolic and to lead back to each other; `None` if none are, or if the
+    /// h-sets overlap as parallelograms. `watch` receives the number of cells.
+    ///
+    /// # Errors
+    /// If the pair has several harmonics, or a value is beyond the range of flights.
+    pub fn of(pair: &ImpactPair, chaos: &Chaos, watch: &dyn Watch) -> Result<Option<Self>, Error> {
+        Ok(Self::proved(&Law::of(pair)?, chaos.bases(), chaos.words(), watch))
+    }
+
+    fn proved(law: &Law, bases: &[Base], words: &[Word], watch: &dyn Watch) -> Option<Self> {
+        let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
+        if !are_apart(&frames) {
+            return None;
+        }
+        let guess = Guess::new(law);
+        let map = Map { law, guess: &guess, frames: &frames };
+        let cells = AtomicU64::new(0);
+        let watch = |_: Stage<'_>| watch.proceed(Stage::Cones(cells.fetch_add(1, Ordering::Relaxed)));
+        let mut strips: Vec<(usize, Branch)> = Vec::new();
+        for (number, branch) in propose::branches(&guess, &frames, words) {
+            if fits(&branch, &strips) {
+                strips.push((number, branch));
+            }
+        }
+        let prove = |(number, branch): &(usize, Branch)| {
+            let images = map.prove(branch, KAPPA, &watch)?;
+            Some(Proved { number: *number, branch: branch.clone(), images })
+        };
+        let all = recurrent(each(&strips, &prove).into_iter().flatten().collect(), frames.len());
+        let measured = Measured::of(&map, &all, &watch)?;
+        let heights = heights(&all, frames.len());
+        let alone: Vec<bool> = each(&all, &|word: &Proved| map.is_alone(word, &all, &heights, &watch));
+        let own: Vec<Proved> =
+            all.iter().zip(&alone).filter(|(_, alone)| **alone).map(|(word, _)| word.clone()).collect();
+        let own = recurrent(own, frames.len());
+        let inner = if own.len() == all.len() {
+            Some(measured.dimension)
+        } else {
+            Measured::of(&map, &own, &watch).map(|own| own.dimension)
+        };
+        let twice = Ball::exact(2.0) * logarithm(law.restitution)?;
+        let [low, high] = measured.exponents[0].map(|x| ends(twice - Ball::exact(x)));
+        Some(Self {
+            kappa: KAPPA,
+            cells: all.iter().map(|word| word.images.len()).sum(),
+            words: all.iter().map(|word| word.number).collect(),
+            entropy: measured.entropy,
+            exponents: measured.exponents,
+            second: [high[0], low[1]],
+            // D28: where words may be seen in two ways, the sum bounds it from above only
+            dimension: [inner.map_or(0.0, |inner| inner[0]), measured.dimension[1]],
+        })
+    }
+}
+
+/// Whether the parallelograms have no state in common, nor whole forcing periods later. Lemma D25
+fn are_apart(frames: &[Frame]) -> bool {
+    let apart = |k: usize| frames[..k].iter().all(|other| frames[k].is_apart(other));
+    (0..frames.len()).all(|k| frames[k].is_proper() && frames[k].is_apart_from_its_translates() && apart(k))
+}
+
+/// Whether a strip is in its h-set, beside those that are there, and takes some time. Lemma D25
+fn fits(branch: &Branch, strips: &[(usize, Branch)]) -> bool {
+    let mut others = strips.iter().map(|(_, other)| other).filter(|other| other.from == branch.from);
+    branch.half_turns > 0 && branch.strip.is_inside() && others.all(|other| branch.strip.is_apart(&other.strip))
+}
+
+/// The words between h-sets that lead back to each other: of several such parts one with most words. Lemma D27
+fn recurrent(words: Vec<Proved>, bases: usize) -> Vec<Proved> {
+    let mut leads = vec![vec![false; bases]; bases];
+    words.iter().for_each(|word| leads[word.branch.from][word.branch.to] = true);
+    for by in 0..bases {
+        for from in 0..bases {
+            for to in 0..bases {
+                leads[from][to] |= leads[from][by] && leads[by][to];
+            }
+        }
+    }
+    let is_in = |at: usize, word: &Proved| {
+        [word.branch.from, word.branch.to].iter().all(|&other| leads[at][other] && leads[other][at])
+    };
+    let best = (0..bases).max_by_key(|&at| words.iter().filter(|word| is_in(at, word)).count());
+    words.into_iter().filter(|word| best.is_some_and(|at| is_in(at, word))).collect()
+}
+
+/// Holds the heights of all images in each h-set. Lemma D25
+fn heights(words: &[Proved], bases: usize) -> Vec<Ball> {
+    let images = |at: usize| words.iter().filter(move |word| word.branch.to == at).flat_map(|word| &word.images);
+    let of = |at: usize| {
+        let inside = images(at).filter(|image| !image.is_outside()).map(|image| ends(image.spread(1)));
+        let [low, high] = inside.fold([f64::INFINITY, f64::NEG_INFINITY], hull);
+        let middle = Ball::exact(0.5) * (Ball::exact(low) + Ball::exact(high));
+        Ball::exact(middle.mid()).widened((Ball::exact(high) - Ball::exact(middle.mid())).mag())
+    };
+    (0..bases).map(of).collect()
+}
+
+/// What is bounded by the strings of words.
+struct Measured {
+    entropy: [[f64; 2]; 2],
+    exponents: [[f64; 2]; 2],
+    dimension: [f64; 2],
+}
+
+impl Measured {
+    fn of(map: &Map<'_>, words: &[Proved], watch: &dyn Watch) -> Option<Self> {
+        let half_cycles = |word: usize| words[word].branch.half_turns as f64; // exact: a small integer
+        let graph = Strings { map, words, kappa: KAPPA, watch }.graph()?;
+        let by_impacts: Vec<Edge> = graph.iter().map(|(edge, _)| *edge).collect();
+        // exact: halves
+        let by_cycles: Vec<Edge> =
+            graph.iter().map(|(edge, word)| Edge { length: 0.5 * half_cycles(*word), ..*edge }).collect();
+        let twice = Ball::exact(2.0) * logarithm(map.law.restitution)?;
+        // Lemma D28: what contracts takes up what is left of the area
+        let contracting = |edge: &Edge| {
+            let area = twice * Ball::exact(edge.length);
+            let [least, most] = edge.weight.map(|x| ends(Ball::exact(x) - area));
+            Edge { weight: [least[0], most[1]], ..*edge }
+        };
+        let stable: Vec<Edge> = by_impacts.iter().map(contracting).collect();
+        let ([low, high], [least, most]) = (root(&by_impacts)?, root(&stable)?);
+        let between = |length: &dyn Fn(usize) -> f64| -> Vec<Edge> {
+            let edge = |word: usize| {
+                let Branch { from, to, .. } = words[word].branch;
+                Edge { from, to, weight: [length(word); 2], length: length(word) }
+            };
+            (0..words.len()).map(edge).collect()
+        };
+        let impacts = root(&between(&|word| words[word].branch.sides.len() as f64))?; // exact: a length
+        let halves = root(&between(&half_cycles))?;
+        Some(Self {
+            // exact: doubled
+            entropy: [impacts, halves.map(|x| 2.0 * x)],
+            exponents: [ratios(&by_impacts), ratios(&by_cycles)],
+            dimension: [(low + least).next_down(), (high + most).next_up()],
+        })
+    }
+}

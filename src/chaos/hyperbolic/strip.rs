@@ -1,0 +1,197 @@
+//! Strips across an h-set, and what the composed map does to their parts: Lemmas D24-D26 of `docs/proofs.md`.
+
+use super::frame::{Frame, least};
+use crate::chaos::flights::{Flights, is_positive};
+use crate::chaos::guess::Guess;
+use crate::chaos::law::{Law, Side};
+use crate::chaos::quad::Quad;
+use crate::number::{Ball, Number, UNIT, up};
+
+/// The states `xi = middle + slope eta + a (half + taper eta)`, `|a|, |eta| <= 1`, of an h-set, all numbers exact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strip {
+    pub middle: f64,
+    pub slope: f64,
+    pub half: f64,
+    pub taper: f64,
+}
+
+/// A word with its strip: where it comes from and leads to, its flights, its whole turns, and whether `xi` grows along it.
+#[derive(Clone, Debug)]
+pub(crate) struct Branch {
+    pub from: usize,
+    pub to: usize,
+    pub sides: Vec<Side>,
+    pub half_turns: i64,
+    pub turns: f64,
+    pub strip: Strip,
+    pub rises: bool,
+}
+
+/// The part of a strip with `a` and `eta` within `radii` of `at`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cell {
+    pub at: [f64; 2],
+    pub radii: [f64; 2],
+}
+
+/// The image of a cell in the coordinates of the h-set it is mapped to: that of its middle, and what its two half sides become
+/// under the derivative at any of its states.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Image {
+    pub cell: Cell,
+    pub middle: [Ball; 2],
+    pub sides: [[Ball; 2]; 2],
+}
+
+/// Why a cell has no image: what its half sides had become, in forcing periods and speeds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lost {
+    sides: [[Ball; 2]; 2],
+}
+
+impl Strip {
+    /// Returns whether it lies in its h-set, and has some breadth everywhere. Lemma D25
+    pub fn is_inside(&self) -> bool {
+        let Self { middle, slope, half, taper } = *self;
+        up(middle.abs() + slope.abs() + half.abs() + taper.abs()) < 1.0 && half > taper.abs()
+    }
+
+    /// Returns whether it has no state in common with another one of the same h-set: it is on one side at both ends. Lemma D25
+    pub fn is_apart(&self, other: &Self) -> bool {
+        let is_right = |one: &Self, two: &Self| {
+            [-1.0, 1.0].iter().all(|&eta| {
+                let eta = Ball::exact(eta);
+                let [[left, right_slope], [right, left_slope]] = [one.line(-1.0), two.line(1.0)];
+                is_positive(left + right_slope * eta - right - left_slope * eta)
+            })
+        };
+        is_right(self, other) || is_right(other, self)
+    }
+
+    /// Holds the place at `eta = 0` and the slope of the line with this `a`.
+    pub fn line(&self, a: f64) -> [Ball; 2] {
+        let a = Ball::exact(a);
+        [Ball::exact(self.middle) + a * Ball::exact(self.half), Ball::exact(self.slope) + a * Ball::exact(self.taper)]
+    }
+
+    /// Holds half of the breadth at heights.
+    pub fn breadth(&self, eta: Ball) -> Ball {
+        Ball::exact(self.half) + Ball::exact(self.taper) * eta
+    }
+}
+
+/// `xi - slope eta`
+pub(crate) fn beside([xi, eta]: [Ball; 2], slope: Ball) -> Ball {
+    xi - slope * eta
+}
+
+impl Cell {
+    pub const WHOLE: Self = Self { at: [0.0; 2], radii: [1.0; 2] };
+
+    /// Holds what `xi` changes by with `a`, and with `eta`, at each of its states.
+    fn slopes(&self, strip: &Strip) -> [Ball; 2] {
+        let [a, eta] = [0, 1].map(|i| Ball::new(self.at[i], self.radii[i]));
+        [strip.breadth(eta), Ball::exact(strip.slope) + Ball::exact(strip.taper) * a]
+    }
+
+    /// Returns both halves, along the strip's breadth or its height: dyadic.
+    pub fn halves(&self, axis: usize) -> [Self; 2] {
+        [-0.5, 0.5].map(|half| {
+            let mut part = *self;
+            part.at[axis] += half * self.radii[axis];
+            part.radii[axis] *= 0.5;
+            part
+        })
+    }
+}
+
+impl Lost {
+    /// Returns along which axis a cell is better halved: the height where its image is not known well beside the breadth.
+    pub fn axis(&self) -> usize {
+        let size = |[u, w]: [Ball; 2], of: fn(Ball) -> f64| (6.0 * of(u)).hypot(of(w));
+        let [breadth, height] = self.sides;
+        usize::from(4.0 * size(height, Ball::rad) > size(breadth, Ball::mag)) // proposes: any part will do
+    }
+}
+
+/// What is asked of the states after so many impacts: their middle and half sides.
+pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &[[Ball; 2]; 2]) -> bool;
+
+/// What the flights of a cell are followed by.
+pub(crate) struct Map<'m> {
+    pub law: &'m Law,
+    pub guess: &'m Guess,
+    pub frames: &'m [Frame],
+}
+
+impl Map<'_> {
+    /// Returns the image of a cell of a word's strip, where each flight is proved to land as the word says. `passed` receives the states
+    /// after each impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
+    pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Image, Lost> {
+        let (frame, strip) = (&self.frames[branch.from], &branch.strip);
+        let [place, slope] = strip.line(cell.at[0]);
+        let eta = Ball::exact(cell.at[1]);
+        let mut centre = frame.state(place + slope * eta, eta);
+        let ([breadth, slope], [a, height]) = (cell.slopes(strip), cell.radii.map(Ball::exact));
+        let mut sides = [frame.vector(breadth * a, Ball::exact(0.0)), frame.vector(slope * height, height)];
+        for (k, &side) in branch.sides.iter().enumerate() {
+            let lost = Lost { sides };
+            let landing = self.land(centre, &sides, side).ok_or(lost)?;
+            let [u, w] = centre.map(|x| Ball::new(0.0, x.rad()));
+            let [v, x] = landing.derivative([u, w]);
+            let [phase, speed] = landing.centre();
+            centre = [phase + v, speed + x];
+            sides = sides.map(|side| landing.derivative(side));
+            if k + 1 < branch.sides.len() && !passed(k + 1, centre, &sides) {
+                return Err(Lost { sides });
+            }
+        }
+        let frame = &self.frames[branch.to];
+        let lost = Lost { sides };
+        let middle = frame.place(centre, branch.turns).ok_or(lost)?;
+        let [breadth, height] = sides.map(|side| frame.coordinates(side));
+        Ok(Image { cell, middle, sides: [breadth.ok_or(lost)?, height.ok_or(lost)?] })
+    }
+
+    /// All flights from the states `centre + a sides[0] + b sides[1]`.
+    fn land(&self, centre: [Ball; 2], sides: &[[Ball; 2]; 2], side: Side) -> Option<crate::chaos::flights::Landing<2>> {
+        let middles = sides.map(|side| side.map(Ball::mid));
+        let slack = [0, 1].map(|i| up(centre[i].rad() + sides[0][i].rad() + sides[1][i].rad()));
+        let state = centre.map(Ball::mid);
+        let reach = up(middles[0][1].abs() + middles[1][1].abs() + slack[1]);
+        let floor = ((state[1] - reach) * (1.0 - 4.0 * UNIT)).max(0.0); // D24: no speed is negative
+        let quad = Quad { centre: state, sides: middles, twist: [0.0; 2], slack, floor };
+        let image = self.guess.map(state).filter(|image| image.side == side)?;
+        Flights::<2>::moved(self.law, &quad, [[0.0; 2]; 2]).land(side, image.state[0] - side.shift())
+    }
+}
+
+impl Image {
+    /// Holds a coordinate of all images.
+    pub fn spread(&self, axis: usize) -> Ball {
+        self.middle[axis].widened(up(self.sides[0][axis].mag() + self.sides[1][axis].mag()))
+    }
+
+    /// Returns whether no image is in the h-set.
+    pub fn is_outside(&self) -> bool {
+        is_positive(Ball::exact(least(self.spread(0))) - Ball::exact(1.0))
+    }
+
+    /// Holds the image of the vector `(1, slope)` of the h-set it comes from, at each state of the cell. Lemma D26
+    pub fn direction(&self, strip: &Strip, slope: f64) -> Option<[Ball; 2]> {
+        let ([breadth, own], [a, height]) = (self.cell.slopes(strip), self.cell.radii.map(Ball::exact));
+        let slope = Ball::exact(slope);
+        let along = (Ball::exact(1.0) - slope * own).checked_div(breadth * a)?;
+        let across = slope.checked_div(height)?;
+        Some([0, 1].map(|i| self.sides[0][i] * along + self.sides[1][i] * across))
+    }
+}
+
+impl Image {
+    /// Returns along which axis its cell is better halved.
+    pub fn axis(&self) -> usize {
+        let size = |side: [Ball; 2], of: fn(Ball) -> f64| of(side[0]).hypot(of(side[1]));
+        usize::from(4.0 * size(self.sides[1], Ball::rad) > size(self.sides[0], Ball::mag)) // proposes: any part will do
+    }
+}
