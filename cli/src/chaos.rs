@@ -26,7 +26,6 @@ use crate::scene;
 pub const HELP: &str = "\
 Examples:
   impact-pair chaos scenes/figure-14.toml --depth 4
-  impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --over gap=9.4249..9.4251
   impact-pair chaos scenes/figure-14.toml --bases bases.json --depth 3 --hyperbolic
   impact-pair chaos scenes/figure-14.toml --over amplitude=1..1.1:2 --plot proved.svg
 

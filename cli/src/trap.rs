@@ -24,7 +24,6 @@ Examples:
   impact-pair trap scenes/figure-14.toml
   impact-pair trap scenes/figure-17.toml --plot region.svg --format json --output region.json
   impact-pair trap scenes/figure-14.toml --words 22
-  impact-pair trap scenes/figure-14.toml --words 22 --output words.graphml
 
 The trapping region (forward invariant) is a set of boxes in phase and speed before the impact, with every impact \
 mirrored to the left wall. It grows from the end of a floating-point orbit until each flight from a box is proved to \

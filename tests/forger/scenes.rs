@@ -50,7 +50,7 @@ fn is_interval(text: &Value) -> bool {
 
 fn neighbours(original: &Original) -> Vec<Forged> {
     // Horseshoes and regions are as true of neighbours.
-    if original.is(&["trap", "chaos"]) {
+    if original.is(&["trap", "chaos", "hyperbolic"]) {
         return Vec::new();
     }
     let keys = [
@@ -148,7 +148,7 @@ fn units(original: &Original) -> Vec<Forged> {
 }
 
 fn harmonics(original: &Original) -> Vec<Forged> {
-    if original.is(&["trap", "chaos"]) {
+    if original.is(&["trap", "chaos", "hyperbolic"]) {
         return Vec::new();
     }
     let own = scene(original);

@@ -103,7 +103,7 @@ pub struct ChaosDocument {
     pub words: Vec<WordDocument>,
     /// The Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub exponent_seen: Option<f64>,
-    /// A uniformly hyperbolic set of motions that words make, if it was asked for; `null` where none is proved.
+    /// A uniformly hyperbolic set of motions that words make, if it was requested; `null` where none is proved.
     #[serde(skip_serializing_if = "Option::is_none", default, deserialize_with = "asked")]
     pub hyperbolic: Option<Option<HyperbolicDocument>>,
 }
