@@ -13,7 +13,7 @@ use impact_pair_exact::{Exact, ExactError};
 /// use impact_pair_model::scene::{Key, Range};
 /// let range: Range = "pair.gap=2..3:5".parse()?;
 /// assert_eq!((range.key, range.low.text().as_str(), range.count), (Key::Gap, "2", Some(5)));
-/// assert_eq!(range.value(1, 4)?.text(), "9/4");
+/// assert_eq!(range.value(1, 4)?.text(), "2.25");
 /// assert!("gap=3..2".parse::<Range>().is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
