@@ -354,9 +354,7 @@ class Scene:
         with reporting(progress, "steps") as tell:
             return answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), tell))
 
-    def trap(
-        self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None
-    ) -> answers.Trap:
+    def trap(self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None) -> answers.Trap:
         """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
         with reporting(progress, "boxes") as tell:
             document, complete, said = _core.trap(self._core, (finer, optional_whole("words", words), picture), tell)

@@ -60,8 +60,10 @@ def test_trap_and_chaos(cli):
     assert found.complete == (found.entered_at_impact is not None)
     counted = Scene.named("figure-14").trap(words=22)
     assert counted.document == cli.json("trap", "scenes/figure-14.toml", "--words", 22)
-    assert counted.complete and counted.words == int(counted.document["words"]["count"])
-    assert counted.words_entropy >= float(counted.document["words"]["entropy_at_most"]) and found.words is None
+    assert counted.complete
+    assert counted.words == int(counted.document["words"]["count"])
+    assert counted.words_entropy >= float(counted.document["words"]["entropy_at_most"])
+    assert found.words is None
     file = ROOT / "docs/bases-figure-14.json"
     found = Scene.named("figure-14").chaos(depth=3, bases=json.loads(file.read_text(encoding="utf-8"))["bases"], hyperbolic=True)
     told = cli.json("chaos", "scenes/figure-14.toml", "--depth", 3, "--bases", file, "--hyperbolic")
@@ -79,7 +81,8 @@ def test_graphs_of_a_region(cli, tmp_path, words):
     cli.text("trap", "scenes/figure-14.toml", *words, "--output", path)
     graph = networkx.read_graphml(path, force_multigraph=True)
     flights = {flight for *_, flight in graph.edges(data="flight")}
-    assert graph.is_directed() and flights == {"F", "N"}
+    assert graph.is_directed()
+    assert flights == {"F", "N"}
     assert all(graph.out_degree(node) > 0 for node in graph)
     if not words:
         told = cli.json("trap", "scenes/figure-14.toml")
