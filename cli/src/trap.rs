@@ -116,31 +116,32 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let mut document = document::trap(&scene, &region).with_context(named)?;
     let counted = graph.as_ref().zip(arguments.words).map(|(graph, impacts)| WallWords::of(graph, impacts, &progress));
     progress.clear();
-    let (words, open) = match counted {
+    let (words, uncounted) = match counted {
         Some(Err(why)) => (None, Some(format!("undecided: the words are not counted; {}", why.words()))),
         Some(Ok(words)) => (Some(words), None),
         None => (None, None),
     };
-    if let (true, Some(why)) = (is_drawn, &open) {
+    if let (true, Some(why)) = (is_drawn, &uncounted) {
         note(files.quiet, why);
         return Ok(Answer::Incomplete);
     }
     document.words = words.as_ref().map(document::wall_words);
-    let entered = document.entered_at_impact.is_none().then(|| entered(&document));
-    let open: Vec<String> = open.into_iter().chain(entered).collect();
     let proved = Proved { scene: &scene, graph, words, document };
     let text = match format {
         TrapFormat::Json => serde_json::to_string(&proved.document)? + "\n",
-        TrapFormat::Table => proved.table(&open)?,
+        TrapFormat::Table => proved.table(uncounted.as_deref())?,
         TrapFormat::Graphml => proved.graph().graphml()?,
         TrapFormat::Dot => proved.graph().dot()?,
     };
+    let entered = proved.document.entered_at_impact.is_none().then(|| entered(&proved.document));
+    let open: Vec<String> = uncounted.into_iter().chain(entered).collect();
     let open = (!open.is_empty()).then(|| open.join("; "));
     files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region))
 }
 
 impl Proved<'_> {
-    fn table(&self, open: &[String]) -> Result<String, fmt::Error> {
+    /// The region, and why its words are not counted if they were requested and are not.
+    fn table(&self, uncounted: Option<&str>) -> Result<String, fmt::Error> {
         let mut out = heading(self.scene);
         let document = &self.document;
         writeln!(
@@ -163,10 +164,10 @@ impl Proved<'_> {
                 own.entropy_at_most.text()
             )?;
         }
-        let closing = "certified: a trapping region, without sticking and without complete chatter;";
-        writeln!(out, "\n{closing}")?;
-        let is_counted = open.iter().filter(|open| **open != entered(document));
-        is_counted.into_iter().try_for_each(|open| writeln!(out, "{open};"))?;
+        writeln!(out, "\ncertified: a trapping region, without sticking and without complete chatter;")?;
+        if let Some(why) = uncounted {
+            writeln!(out, "{why};")?;
+        }
         writeln!(out, "{}", entered(document))?;
         Ok(out)
     }

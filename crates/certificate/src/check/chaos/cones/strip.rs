@@ -81,7 +81,7 @@ impl Frame {
         Some([cross(vector, across).over(area)?, cross(along, vector).over(area)?])
     }
 
-    /// Those of a state, so many forcing periods earlier.
+    /// Those of a state, a number of forcing periods earlier.
     pub fn place(&self, [u, w]: Spot, turns: f64) -> Option<Spot> {
         let [centre, speed] = spot(self.centre);
         self.told([u - Span::point(turns) - centre, w - speed])
@@ -91,7 +91,7 @@ impl Frame {
         [0, 1].map(|i| xi.scaled(self.along[i]) + eta.scaled(self.across[i]))
     }
 
-    /// Returns whether it has no state in common with another one, so many forcing periods earlier.
+    /// Returns whether it has no state in common with another one, a number of forcing periods earlier.
     pub fn is_apart(&self, other: &Self, turns: f64) -> bool {
         let parts = |one: &Self, two: &Self, turns: f64| {
             let (Some(centre), Some(a), Some(b)) =
