@@ -77,13 +77,13 @@ impl Clock {
         })
     }
 
-    /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole forcing periods of the origin, and `2 pi / (W d)`, in so many bits.
+    /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole forcing periods of the origin, and `2 pi / (W d)`, in N bits.
     pub(crate) fn factors(&self, bits: u32) -> [Enclosure; 3] {
         let origin = Enclosure::from_rational(&BigRational::from(self.origin.clone()), bits);
         [self.rate.enclose(bits), self.shift.enclose(bits).sub(&origin, bits), self.slowness.enclose(bits)]
     }
 
-    /// How many forcing periods after the start of a period of so many forcing periods phases are counted from.
+    /// How many forcing periods after the start of a period of N forcing periods phases are counted from.
     pub(crate) fn turns_into(&self, period: u32) -> i64 {
         self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0) // exact: below 2^32
     }

@@ -38,7 +38,7 @@ pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     turns.sub(&whole, bits).mul(&two_pi, bits)
 }
 
-/// Returns the turn, less whole common periods of so many forcing periods, that a phase is in: 0 with one harmonic.
+/// Returns the turn, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
     turn.to_u32().expect("less than the period")

@@ -114,7 +114,7 @@ fn attractors_with_any_bound_moved_are_not_confirmed() {
     judges_attractors(1);
 }
 
-/// Every attractor as it is, and with each value changed; of the bounds of its orbit one in so many.
+/// Every attractor as it is, and with each value changed; of the bounds of its orbit one in N.
 fn judges_attractors(every: usize) {
     for (name, document) in attracted() {
         let outcome = &document["outcome"];

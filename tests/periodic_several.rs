@@ -47,7 +47,7 @@ fn questions() -> Vec<(ImpactPair, &'static str, u32)> {
     ]
 }
 
-/// All the physical orbits that are found of the questions, to so many digits.
+/// All the physical orbits that are found of the questions, to N digits.
 fn motions(digits: u32) -> Vec<(ImpactPair, Problem, PeriodicOrbit)> {
     let mut motions = Vec::new();
     for (pair, word, cycles) in questions() {
@@ -131,7 +131,7 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
 }
 
 /// A harmonic that is hardly there moves no orbit by much, but tells which turn of the common period it begins in. None of the
-/// orbits of one harmonic is at a bifurcation, so each of them goes on as so many as it differs from itself some turns later.
+/// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each turn after which it differs from itself.
 #[test]
 fn a_search_counts_the_orbits_of_one_harmonic_in_each_turn_under_a_faint_slower_one() {
     for (word, ratio, restitution, slow, turns) in [
@@ -157,7 +157,7 @@ fn a_search_holds_what_guesses_lead_to() {
     }
 }
 
-/// A certified run from this state: times and velocities of so many impacts.
+/// A certified run from this state: times and velocities of N impacts.
 fn run(pair: &ImpactPair, wall: Wall, [time, velocity]: [Exact; 2], count: usize) -> Vec<(Wall, Enclosure, Enclosure)> {
     let start = Start::on_wall(time, wall, velocity).unwrap();
     let settings = Settings { impacts: Some(count as u64), arithmetic: Arithmetic::Bits(1024), ..Settings::default() };

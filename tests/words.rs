@@ -231,6 +231,25 @@ fn user_facing_text_is_in_the_words_of_the_field() {
     assert!(faults.is_empty(), "private words in user-facing text:\n{faults}");
 }
 
+/// Refused in every comment.
+const COMMENTS: [&str; 1] = ["so many"];
+
+#[test]
+fn comments_give_numbers_a_name() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut faults = String::new();
+    for folder in ["src", "crates", "cli", "python/src", "benches", "examples", "validation/truth"] {
+        for source in files(&root.join(folder), "rs") {
+            let text = fs::read_to_string(&source).unwrap();
+            let comments = text.lines().enumerate().filter_map(|(i, line)| Some((i + 1, line.split_once("//")?.1)));
+            for (line, comment) in comments.filter(|(_, comment)| COMMENTS.iter().any(|word| comment.contains(word))) {
+                faults += &format!("{}:{line}:{comment}\n", source.strip_prefix(root).unwrap().display());
+            }
+        }
+    }
+    assert!(faults.is_empty(), "private words in comments:\n{faults}");
+}
+
 #[test]
 fn each_word_of_the_table_is_found_where_it_stands() {
     for (word, ..) in WORDS {

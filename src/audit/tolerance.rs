@@ -20,7 +20,7 @@ impl Tolerance {
     /// Bits beyond those of the digits: for large times, and so that roundings do not matter.
     pub const GUARD: u32 = 256;
 
-    /// Returns the tolerance relative to the scene's period and velocity, for enclosures of so many digits.
+    /// Returns the tolerance relative to the scene's period and velocity, for enclosures of N digits.
     pub fn new(scene: &Scene, relative: &Exact, digits: u32) -> Self {
         let scales = Scales::of(scene);
         let bits = digits.saturating_mul(10) / 3 + Self::GUARD; // proposes

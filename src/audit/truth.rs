@@ -81,7 +81,7 @@ pub(super) struct Truth {
 }
 
 impl Truth {
-    /// Follows the orbit of the scene for a list of so many rows; when interrupted, as far as it came.
+    /// Follows the orbit of the scene for a list of N rows; when interrupted, as far as it came.
     ///
     /// A row is at most one contact. So of more than `2 n + 1000` impacts the list of `n` rows lacks more than `n`: it is wrong, and
     /// where its later rows go is not worth an orbit to times that may be arbitrarily late. Of the impacts since the ball left the

@@ -24,9 +24,9 @@ mod tests;
 
 /// Impacts that are followed.
 const IMPACTS: usize = 2000;
-/// The most from a set to a later one that lies in it; so many more are followed to find the shortest period.
+/// The most from a set to a later one that lies in it; N more are followed to find the shortest period.
 const LONGEST: usize = 128;
-/// Every so many impacts sets may begin anew that have room for so often the way by which the orbit misses an earlier impact, if that is
+/// Every N impacts sets may begin anew that have room for so often the way by which the orbit misses an earlier impact, if that is
 /// near: each of these is tried.
 const AGAIN: usize = 32;
 const ROOMS: [f64; 2] = [0.0, 8.0];
@@ -152,7 +152,7 @@ fn directions([p, q]: [State; 2]) -> [State; 2] {
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
 
-/// A periodic orbit that has a state in a set: so many impacts, and whole forcing periods, after which it comes again.
+/// A periodic orbit that has a state in a set: N impacts, and whole forcing periods, after which it comes again.
 struct Period {
     from: usize,
     impacts: usize,
@@ -201,7 +201,7 @@ fn converges(law: &Law, first: &Visited, room: f64, watch: &dyn Watch) -> Option
 }
 
 impl Period {
-    /// It comes again after so many impacts as well: so after the greatest common divisor of both. Lemma D15
+    /// It comes again after N impacts as well: so after the greatest common divisor of both. Lemma D15
     fn divide(&mut self, impacts: usize) {
         let common = self.impacts.gcd(&impacts);
         self.turns /= (self.impacts / common) as f64; // exact: whole turns after each part
@@ -209,7 +209,7 @@ impl Period {
     }
 }
 
-/// The word of so many flights from a wall, in whole forcing periods of mirrored phases; twice where it ends on the other wall.
+/// The word of N flights from a wall, in whole forcing periods of mirrored phases; twice where it ends on the other wall.
 fn word_of(wall: Wall, sides: &[Side], turns: f64) -> Option<(Word, u32)> {
     let far = sides.iter().filter(|&&side| side == Side::Far).count();
     let half_cycles = 2 * turns as i64 - far as i64; // exact: whole numbers, each far impact is word_of half a turn later

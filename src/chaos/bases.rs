@@ -15,12 +15,12 @@ use super::tube::side_of;
 use super::words::Base;
 use crate::watch::Watch;
 
-/// Returns of so many impacts are looked for, and of each so many that come nearest.
+/// Returns of N impacts are looked for, and of each the N that come nearest.
 const RETURNS: usize = 12;
 const NEAREST: usize = 8;
 /// How far apart these are.
 const APART: f64 = 0.02;
-/// Transients begin at so many phases and speeds, up to so many times the greatest one seen.
+/// Transients begin at N phases and speeds, up to M times the greatest one seen.
 const STARTS: [usize; 2] = [48, 24];
 const FASTER: f64 = 1.5;
 /// They are looked at from one impact to another, until they are so near to the orbit that they lead to.
@@ -29,7 +29,7 @@ const NEAR: f64 = 0.01;
 /// Those that are shorter, or grow less an impact, see no saddle.
 const LONG: usize = 16;
 const GROWTH: f64 = 0.1;
-/// Bundles of leaves are judged by words of so many impacts at most.
+/// Bundles of leaves are judged by words of N impacts at most.
 const JUDGED_TO: usize = 20;
 /// H-sets from everywhere are judged by words of so much of the depth: long ones are often seen where none are proved.
 const SHALLOWER: [f64; 3] = [1.0, 0.75, 0.5];

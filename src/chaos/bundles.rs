@@ -13,16 +13,16 @@ use super::seen::{Seen, apart};
 use super::words::Base;
 use crate::watch::Watch;
 
-/// Points of the orbit that are that far apart, and at most so many.
+/// Points of the orbit that are that far apart, and at most N.
 const APART: f64 = 0.004;
 const MIDDLES: usize = 80;
 /// The widest gap parts, or the widest two, or three, or none.
 const NESTED: [u32; 4] = [0b0, 0b1, 0b11, 0b111];
-/// At most so many h-sets.
+/// At most N h-sets.
 const MOST: u32 = 4;
 /// If they are not apart from one another they are made shorter.
 const SHORTER: [f64; 5] = [1.0, 0.93, 0.86, 0.8, 0.7];
-/// So many places, that far apart, relative to what is there, are moved; and so many of these are parted further.
+/// N places, that far apart, relative to what is there, are moved; and N of these are parted further.
 const STARTS: usize = 16;
 const ELSEWHERE: f64 = 0.25;
 const FURTHER: usize = 5;

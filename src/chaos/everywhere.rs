@@ -17,13 +17,13 @@ use super::words::{Base, Path};
 
 /// So many points of the orbit are judges.
 const JUDGES: usize = 40_000;
-/// Middles of h-sets are that far apart, and at most so many.
+/// Middles of h-sets are that far apart, and at most N.
 const EVERYWHERE: f64 = 0.004;
 const MIDDLES: usize = 160;
 /// Half lengths, each shorter than the one before by a factor, and half widths relative to them.
 const SHORTER: (usize, f64) = (16, 0.8);
 const WIDTHS: [f64; 6] = [0.01, 0.02, 0.04, 0.08, 0.16, 0.3];
-/// In each h-set so many points are looked at; more than so many in a row make a crossing.
+/// In each h-set N points are looked at; more than M in a row make a crossing.
 const POINTS: usize = 1000;
 const IN_A_ROW: usize = 4;
 /// Images reach that far beyond the ends, and not beyond that much of the width.

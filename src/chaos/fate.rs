@@ -57,7 +57,7 @@ impl Fate {
     }
 }
 
-/// The periodic orbit that so many impacts of an orbit prove it to converge to. Lemma Q3
+/// The periodic orbit that N impacts of an orbit prove it to converge to. Lemma Q3
 fn limit(
     pair: &ImpactPair,
     start: &Start,

@@ -64,7 +64,7 @@ impl Guess {
         Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]], moved })
     }
 
-    /// Returns the direction that so many flights ahead contract most, of length 1 in radians and speeds, its speed not negative.
+    /// Returns the direction that N flights ahead contract most, of length 1 in radians and speeds, its speed not negative.
     pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = state;

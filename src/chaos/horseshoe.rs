@@ -89,7 +89,7 @@ const SHALLOW: usize = 8;
 const NEARLY: f64 = 0.95;
 
 impl Chaos {
-    /// Returns the words of at most so many impacts.
+    /// Returns the words of at most N impacts.
     ///
     /// `watch` receives the depth and the number of boxes, and may stop it; results proved so far
     /// are kept. If no h-sets are given and the floating-point orbit is regular, there are no words.

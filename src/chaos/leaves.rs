@@ -31,7 +31,7 @@ const FOLLOWED: [f64; 3] = [0.3, 0.6, 1.05];
 /// As one bundle are followed the leaves that are so far in the gaps beside them; the h-set reaches so far into these.
 const BAND: f64 = 0.2;
 const INTO: f64 = 0.1;
-/// In each h-set so many points are looked at. More than so many in a row make a crossing, if images of neighbours are that near; those
+/// In each h-set N points are looked at. More than N in a row make a crossing, if images of neighbours are that near; those
 /// that are so far away make none. A half length is 1.
 const POINTS: usize = 1200;
 const IN_A_ROW: usize = 4;

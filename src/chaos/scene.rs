@@ -40,7 +40,7 @@ impl Visited {
     }
 }
 
-/// The start of an orbit and its first impacts, so many, each mirrored to the left wall: certified.
+/// The start of an orbit and its first impacts, N, each mirrored to the left wall: certified.
 pub(super) fn visited(pair: &ImpactPair, start: &Start, impacts: u64) -> Result<Vec<Visited>, Error> {
     let harmonic = pair.harmonic(WHAT)?;
     let mut found = Vec::new();

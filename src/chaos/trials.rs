@@ -15,7 +15,7 @@ use crate::watch::{Stage, Watch};
 /// How much is tried to find h-sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
-    /// Trials: of so many h-sets, with so many boxes each; those that lead to most entropy stay.
+    /// Trials: of N h-sets, with M boxes each; those that lead to most entropy stay.
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
     last: (usize, u64),
@@ -35,7 +35,7 @@ pub(super) const SLOW: Effort =
     Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, everywhere: false };
 /// Words of more impacts are not tried.
 pub(super) const DEPTH: usize = 60;
-/// Trials of bundles: of so many, with so many boxes an h-set each.
+/// Trials of bundles: of N, with M boxes per h-set.
 const BUNDLES: [(usize, u64); 2] = [(32, 10_000), (8, 60_000)];
 /// What an h-set more has to add, as a factor.
 const WORTH: f64 = 1.01;
@@ -51,7 +51,7 @@ pub(super) struct Trials<'t> {
 }
 
 impl Trials<'_> {
-    /// The entropy that h-sets lead to with so many boxes.
+    /// The entropy that h-sets lead to with N boxes.
     fn worth(&self, bases: &[Base], boxes: u64) -> f64 {
         let mut search = Search::new(self.law, bases, self.making);
         search.threads = 1;

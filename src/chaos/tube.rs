@@ -54,7 +54,7 @@ impl Part {
     }
 }
 
-/// Images lie in the cells up to so many before and after their place.
+/// Images lie in the cells up to N before and after their place.
 pub(crate) const WINDOW: usize = 2;
 /// A part is halved so often.
 const HALVINGS: u32 = 9;

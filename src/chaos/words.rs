@@ -80,7 +80,7 @@ impl Base {
         (0..4).all(|i| is_positive(side_of(round[i], round[(i + 1) % 4], round[(i + 2) % 4], 0.0)))
     }
 
-    /// The stretches of a chain of boxes that cross the h-set so many forcing periods later, each as two chords. Lemma D8
+    /// The stretches of a chain of boxes that cross the h-set N forcing periods later, each as two chords. Lemma D8
     fn crossings(&self, tube: &Tube, turns: f64) -> Vec<(usize, usize)> {
         let Self { left, right } = self;
         let mut found = Vec::new();

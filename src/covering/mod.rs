@@ -58,7 +58,7 @@ pub enum Ending {
 /// **Enclosure**: for all parameters of the scene and every start that it allows there is a start with the same time and place
 /// whose velocity lies in [`Shadow::start`] (with the same velocity and a time in there, where no velocity is left after the
 /// impact) and whose true orbit has the impacts listed, as its first ones and without another contact between: impact `i` is on
-/// that wall, so many forcing periods later, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
+/// that wall, N forcing periods later, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
 /// the orbit of the given start itself is another. Lemmas F1-F4
 /// **Cost**: two certified flights an impact, and about 2 MB.
 ///

@@ -85,7 +85,7 @@ impl Node {
         self.sides[0] * unstable.abs() + self.sides[1] * stable.abs() + TINY
     }
 
-    /// Proves that all flights from the node land on one wall, so many forcing periods later, transversally.
+    /// Proves that all flights from the node land on one wall, N forcing periods later, transversally.
     #[inline(always)]
     pub fn land<S: Flying>(&self, shaken: &S) -> Result<Landing, Undecided> {
         let Self { wall, turns, .. } = *self;

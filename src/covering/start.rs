@@ -20,7 +20,7 @@ pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     /// The starts within `a`, in units of the curve's parameter.
     fn starts(&self, a: f64) -> Starts;
 
-    /// Proves that all of the starts within `a` come to one wall, so many forcing periods later, transversally; the derivative is that by the
+    /// Proves that all of the starts within `a` come to one wall, N forcing periods later, transversally; the derivative is that by the
     /// parameter.
     fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
 

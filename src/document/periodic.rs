@@ -79,7 +79,7 @@ impl Units {
         document
     }
 
-    /// An impact of a search or of a bifurcation, in so many bits and turns of the common period.
+    /// An impact of a search or of a bifurcation, in N bits and turns of the common period.
     pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> PeriodicImpactDocument {
         periodic_impact(&measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)), period)
     }

@@ -123,7 +123,7 @@ impl MpBall {
         Self { mid, rad }
     }
 
-    /// The number that the double `x` is, exactly, with so many bits.
+    /// The number that the double `x` is, exactly, with N bits.
     pub fn from_f64_bits(x: f64, bits: u32) -> Self {
         Self::exact(Float::with_val(bits.max(f64::MANTISSA_DIGITS), x)) // M1: bits enough for a double
     }
@@ -203,7 +203,7 @@ impl MpBall {
         self.enclosure_in(u32::MAX)
     }
 
-    /// The same, its ends rounded outward to so many bits at most.
+    /// The same, its ends rounded outward to N bits at most.
     pub(crate) fn enclosure_in(&self, bits: u32) -> Option<Enclosure> {
         let rad = float_of_magnitude(self.rad)?;
         // Enough bits for all between the top of one and the bottom of the other.
@@ -235,7 +235,7 @@ impl MpBall {
         (Self { mid: sin, rad }, Self { mid: cos, rad })
     }
 
-    /// How many quarter turns it is, when it is exactly so many, and a few at most.
+    /// How many quarter turns it is, when it is exactly that many, and a few at most.
     fn quarter(&self) -> Option<i32> {
         if !self.rad.is_zero() {
             return None;
@@ -276,12 +276,12 @@ impl MpBall {
         self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
     }
 
-    /// The same in so many bits that a few times `error` is added to the radii.
+    /// The same in N bits that a few times `error` is added to the radii.
     pub(crate) fn departure_within(&self, error: Magnitude) -> Option<Departure<Self>> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
-        // A number of that size is worth so many bits.
+        // A number of that size is worth N bits.
         let worth = |size: Magnitude| {
             let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
             (bits as u32).clamp(LEAST_BITS, self.bits().max(LEAST_BITS)) // M1: any number of bits

@@ -5,7 +5,7 @@ use crate::periodic::{Attractor, LONGEST, Passing, Problem, find_attractor};
 
 /// How many of the last impacts are kept.
 const KEPT: usize = 4096;
-/// An attractor's orbit is enclosed to so many digits at most.
+/// An attractor's orbit is enclosed to N digits at most.
 const DIGITS: u32 = 100;
 const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
 
@@ -13,7 +13,7 @@ const _: () = assert!(KEPT > LONGEST, "a period and the state after it");
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recent {
     states: Vec<Passing>,
-    /// Where the next one goes, once there are so many.
+    /// Where the next one goes, once there are N.
     next: usize,
 }
 

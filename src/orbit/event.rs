@@ -92,7 +92,7 @@ pub enum Progress {
 }
 
 impl Progress {
-    /// The same event so many periods later; `None` where forcing periods are not counted any more.
+    /// The same event N periods later; `None` where forcing periods are not counted any more.
     pub(super) fn after(&self, period: Period, rounds: u64) -> Option<Self> {
         let cycles = i64::try_from(period.cycles.checked_mul(rounds)?).ok()?;
         let mut event = self.clone();

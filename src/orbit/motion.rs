@@ -63,7 +63,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// Phase and velocity of the last contact more narrowly than in doubles, if they are known so; in so many bits at most.
+    /// Phase and velocity of the last contact more narrowly than in doubles, if they are known so; in N bits at most.
     fn enclosures(&self, _: u32) -> Option<(Enclosure, Enclosure)> {
         None
     }

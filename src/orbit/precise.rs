@@ -81,7 +81,7 @@ impl PreciseSet {
         (phase.rad().log2(), velocity.rad().log2())
     }
 
-    /// Phases and velocities as intervals, in so many bits at most.
+    /// Phases and velocities as intervals, in N bits at most.
     pub fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
         let (phase, velocity) = self.balls();
         Some((phase.enclosure_in(bits)?, velocity.enclosure_in(bits)?))

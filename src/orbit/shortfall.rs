@@ -60,7 +60,7 @@ impl Orbit {
     /// The motion cannot go on: in more precision, or not at all.
     #[cold]
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
-        // What so many bits do not tell apart is called a graze; both continuations are then followed as one set.
+        // What the precision does not distinguish is called a graze; both continuations are then followed as one set.
         let may_graze = undecided.reason == Reason::Graze && self.cursor.index == self.listed;
         let deep = self.engine.arithmetic != Arithmetic::Auto || self.engine.motion.bits() >= GRAZE_BITS;
         if may_graze
@@ -78,7 +78,7 @@ impl Orbit {
         }
     }
 
-    /// A contact is wider than requested by so many bits; `None` when it has to be taken as it is.
+    /// A contact is wider than requested by N bits; `None` when it has to be taken as it is.
     #[cold]
     pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
         if self.engine.arithmetic != Arithmetic::Auto || self.first_wide.is_some() {

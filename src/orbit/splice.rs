@@ -59,7 +59,7 @@ struct Flown {
 }
 
 impl Splice {
-    /// Of the orbit of `pair` from `start`, and so many impacts.
+    /// Of the orbit of `pair` from `start`, and N impacts.
     ///
     /// # Errors
     /// When these are not all proved.
@@ -125,7 +125,7 @@ impl Splice {
     }
 }
 
-/// Follows an orbit through so many impacts and nothing else. Lemma F6
+/// Follows an orbit through N impacts and nothing else. Lemma F6
 fn fly(orbit: &mut Orbit, count: u64, varied: Varied) -> Option<Flown> {
     let mut impacts: Vec<Impact> = Vec::new();
     let mut column = Column::along(varied.direction());

@@ -38,11 +38,11 @@ pub struct Attractor {
 
 /// The longest period that is looked for, in impacts.
 pub(crate) const LONGEST: usize = 128;
-/// States this near, relative to their size, make a guess, and so many guesses are tried: nothing rests on either.
+/// States this near, relative to their size, make a guess, and N guesses are tried: nothing rests on either.
 const NEAR: f64 = 0.02;
 const NEAR_BEFORE: f64 = 0.2;
 const TRIED: usize = 8;
-/// A period is tried from so many of its impacts: in doubles the contraction is seen from some and not from others.
+/// A period is tried from N of its impacts: in doubles the contraction is seen from some and not from others.
 const ENDS: usize = 32;
 /// Bits that its orbit is enclosed in at most.
 const BITS: u32 = 1024;

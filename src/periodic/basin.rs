@@ -38,7 +38,7 @@ type Axes = [[f64; 2]; 2];
 /// Two vectors of phase and velocity.
 type Basis = [[f64; 2]; 2];
 
-/// The radii tried, each half of the one before, in forcing periods; the second axis so many times shorter.
+/// The radii tried, each half of the one before, in forcing periods; the second axis N times shorter.
 const LARGEST: f64 = 0.125;
 const HALVINGS: usize = 44;
 const SHORTER: [f64; 3] = [1.0, 0.125, 0.015_625];

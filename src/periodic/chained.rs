@@ -56,7 +56,7 @@ pub(super) trait Chained: Flying {
         Some((contact.wall, whole + contact.turns + contact.phase, contact.velocity))
     }
 
-    /// The first contact of all flights that start with an impact in a box of phases, so many whole forcing periods on, and of
+    /// The first contact of all flights that start with an impact in a box of phases, N whole forcing periods on, and of
     /// velocities before; `None` where it is not proved.
     fn step(&self, wall: Wall, turns: f64, phase: Ball, before: Ball) -> Option<Step> {
         // H11: whole, polished phases are below 2^40

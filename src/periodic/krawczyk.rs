@@ -42,7 +42,7 @@ pub struct Effort {
 /// `2^-5`, the largest radius that is of use, in forcing periods, and the factor from one domain to the next.
 pub(super) const LARGEST: f64 = 0.031_25;
 const FINER: f64 = 0.125;
-/// An image that takes so many bits off an enclosure is not slow.
+/// An image that takes N bits off an enclosure is not slow.
 const FAST: f64 = 0.25;
 /// Bits that one step with a preconditioner in doubles adds at least, where it adds what it should.
 pub(super) const GAINED: u32 = 32;
@@ -75,7 +75,7 @@ pub(super) fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
     inner.iter().zip(outer).all(|(inner, outer)| inner.is_interior_to(outer))
 }
 
-/// A guess after so many steps of simplified Newton's iteration; nothing is proved.
+/// A guess after N steps of simplified Newton's iteration; nothing is proved.
 pub(super) fn polish<N: Enclosing, E: Equations<N>>(
     equations: &E,
     inverse: &Preconditioner,

@@ -227,7 +227,7 @@ impl Problem {
         identity::reduced_impacts(&self.chain, &orbit.proved)
     }
 
-    /// What asks for an orbit that is after so many impacts what it was, or its mirror image: for one round of it, or two where
+    /// What asks for an orbit that is after N impacts what it was, or its mirror image: for one round of it, or two where
     /// walls are exchanged; and the phases of that.
     pub(crate) fn least(&self, impacts: usize, orbit: &PeriodicOrbit) -> Option<(Self, Vec<Interval>)> {
         let (walls, count) = (self.chain.walls(), self.chain.impacts());

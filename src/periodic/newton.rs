@@ -7,7 +7,7 @@ use crate::pair::Inward;
 
 /// Steps before a start is given up.
 const MOST_STEPS: usize = 60;
-/// Phases beyond so many forcing periods have lost the orbit.
+/// Phases beyond N forcing periods have lost the orbit.
 const FARTHEST: f64 = 1e9;
 /// The least part of a flight's time that one step leaves.
 const KEPT: f64 = 0.2;
@@ -15,7 +15,7 @@ const KEPT: f64 = 0.2;
 /// Steps below this are tiny.
 const TINY: f64 = 1e-9;
 
-/// Takes at most so many steps, each of which tells its size, until they are tiny and no longer shrink: as far as doubles go.
+/// Takes at most N steps, each of which tells its size, until they are tiny and no longer shrink: as far as doubles go.
 ///
 /// `None` where they do not settle.
 pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Option<()> {

@@ -22,7 +22,7 @@ const MOST_SLOW: u32 = 64;
 #[cfg(feature = "multiprecision")]
 const DECIDING_BITS: u32 = 1024;
 
-/// What an orbit is worth in so many bits.
+/// What an orbit is worth in N bits.
 fn effort(bits: u32) -> Effort {
     // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
     let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1; // proposes: which domains are tried
@@ -49,7 +49,7 @@ impl Problem {
         })
     }
 
-    /// Proves an orbit and all that follows in an arithmetic of so many bits.
+    /// Proves an orbit and all that follows in an arithmetic of N bits.
     fn attempt<N: Enclosing, B: Shaking<N>>(
         &self,
         shaking: &B,
@@ -172,7 +172,7 @@ impl Problem {
         false
     }
 
-    /// A guess in so many bits after so many steps; nothing is proved.
+    /// A guess in N bits after some steps; nothing is proved.
     #[cfg(feature = "multiprecision")]
     fn polish_precisely<B: Shaking<MpBall>>(
         &self,

@@ -85,7 +85,7 @@ pub(crate) struct Kinematics<N> {
     pub acceleration: N,
 }
 
-/// Departures take at most so many turns.
+/// Departures take at most N turns.
 const SHORT: f64 = 0.124;
 
 impl<'h, N: Phased> SumFlight<'h, N> {

@@ -147,7 +147,7 @@ impl Phased for Ball {
     }
 }
 
-/// Bits that turns can take: phases are told with so many more.
+/// Bits that turns can take: phases are given with N more.
 #[cfg(feature = "multiprecision")]
 pub(super) const TURN_BITS: u32 = 64;
 

@@ -109,7 +109,7 @@ pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, E
     pair.excitation().harmonics().iter().map(phase).collect()
 }
 
-/// Bits of the whole turns of a phase: so many more enclose it as finely as one of less than a turn.
+/// Bits of the whole turns of a phase: N more enclose it as finely as one of less than a turn.
 fn whole_bits(phase: &Exact) -> u32 {
     let top = phase.enclose(64).mag().top();
     top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0) // X1: any number of bits encloses

@@ -67,7 +67,7 @@ pub(crate) trait Shaken: Debug + Send + Sync {
     /// that does not leave, `None` where it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
     fn accumulation(&self, wall: Wall, turns: i64, phase: &Enclosure, after: Ball, phases: &[Exact]) -> Option<f64>;
 
-    /// When a ball that rests on a wall since a phase is released, shown in so many bits. Lemmas Z2, H8
+    /// When a ball that rests on a wall since a phase is released, shown in N bits. Lemmas Z2, H8
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released>;
 
     /// Whether the contact force on a wall may be 0 at a phase.
@@ -125,11 +125,11 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         Ok((image, jacobian.ok_or(Undecided::width(&all))?))
     }
 
-    /// The parameters in so many bits.
+    /// The parameters in N bits.
     #[cfg(feature = "multiprecision")]
     fn precise(&self, bits: u32) -> Self::In<MpBall>;
 
-    /// Those of [`Shaken::pair`] in so many bits.
+    /// Those of [`Shaken::pair`] in N bits.
     #[cfg(feature = "multiprecision")]
     fn widened(&self, bits: u32) -> Self::In<MpBall>;
 
@@ -156,7 +156,7 @@ pub(crate) trait Flying: Shaken + Sized + 'static {
         bits: u32,
     ) -> Result<Arrival<Self::Waves<MpBall>>, Undecided>;
 
-    /// The first contacts of all flights from inside the gap, to so many bits: in doubles, phase less the whole forcing periods, velocity.
+    /// The first contacts of all flights from inside the gap, to N bits: in doubles, phase less the whole forcing periods, velocity.
     #[cfg(feature = "multiprecision")]
     fn arrive_from_inside(
         &self,

@@ -14,7 +14,7 @@ pub trait Shaking<N: Number> {
 
     /// `e`
     fn restitution(&self) -> &N;
-    /// The box a phase `rest` after so many whole forcing periods.
+    /// The box a phase `rest` after N whole forcing periods.
     fn moment(&self, turns: f64, rest: &N) -> Self::Moment;
     /// `D + E_1 - E_0`: how far the ball goes in space, if it goes `displacement` in the box. **Equation** (11)
     fn way(&self, from: &Self::Moment, to: &Self::Moment, displacement: f64) -> N;

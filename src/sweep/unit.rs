@@ -98,7 +98,7 @@ impl Unit {
         passed.is_integer().then(|| in_radians(&other.turns(turns, bits), bits))
     }
 
-    /// Returns how long so many own cycles are.
+    /// Returns how long N own cycles are.
     pub fn lasting(&self, cycles: u64) -> Lasting {
         let Some(other) = &self.other else { return Lasting { cycles: Some(cycles), time: None } };
         let passed = other.fraction.as_ref().map(|fraction| fraction * BigRational::from_integer(cycles.into()));

@@ -101,7 +101,7 @@ impl Ladder {
 mod tests {
     use super::*;
 
-    /// The names of the rungs when `bits` bits reach so many of 100 impacts.
+    /// The names of the rungs when `bits` bits reach N of 100 impacts.
     fn rungs(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
         let mut ladder = Ladder::new(max_bits, true);
         let mut names = Vec::new();

@@ -267,7 +267,7 @@ impl Bounds {
     }
 }
 
-/// Whether phases and speed have so many digits.
+/// Whether phases and speed have N digits.
 fn is_narrow(motion: &Motion, digits: u32) -> bool {
     let power = BigRational::new(1.into(), BigInt::from(10).pow(digits));
     let unit = Enclosure::from_rational(&power, 64).inf().clone();

@@ -192,7 +192,7 @@ fn moved_bounds(path: &[String], [lower, upper]: &[String; 2]) -> Vec<(&'static 
     all
 }
 
-/// A decimal, so many units of its last place higher.
+/// A decimal, N units of its last place higher.
 pub fn moved(text: &str, units: i64) -> String {
     let (digits, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let places = digits.split_once('.').map_or(0, |(_, part)| part.len() as i64);

@@ -44,7 +44,7 @@ fn next(state: &mut u64) -> u64 {
     *state >> 33
 }
 
-/// All changes of a document, or so many of them.
+/// All changes of a document, or N of them.
 fn some(document: &Value, most: usize, seed: u64) -> Vec<changes::Change> {
     let mut all = changes::all(document);
     let mut state = seed;

@@ -49,7 +49,7 @@ fn trap() -> Value {
     region("figure-14", 12)
 }
 
-/// A region, and the words of so many walls in it.
+/// A region, and the words of N walls in it.
 pub fn region(name: &str, impacts: u32) -> Value {
     let scene = figure(name);
     let trap = Trap::of(&scene, 0, &Unwatched).unwrap().unwrap();
@@ -67,7 +67,7 @@ pub fn description(name: &str) -> Value {
     json!(found.document(&scene, name).unwrap())
 }
 
-/// All cycles of figure 14 with one to so many impacts.
+/// All cycles of figure 14 with one to N impacts.
 pub fn cycles(most: u32) -> Value {
     let (scene, asked) = (figure("figure-14"), 1..=most);
     let found = Cycles::of(&scene, 0, &asked, Precision::default(), &Unwatched).unwrap();

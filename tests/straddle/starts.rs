@@ -74,7 +74,7 @@ impl Dice {
         format!("{}/{}", self.below(37), 37)
     }
 
-    /// A quarter turn, so many whole turns away.
+    /// A quarter turn, N whole turns away.
     fn quarter(&mut self) -> String {
         format!("{}/4", self.below(9) as i64 - 4)
     }

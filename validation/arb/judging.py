@@ -21,7 +21,7 @@ from simulate import exact
 from timeline import Timeline
 from untold import told
 
-# A motion that is said never to touch a wall is followed for so many periods.
+# A motion that is said never to touch a wall is followed for N periods.
 NEVER = 100
 # A velocity of 10^-60 in 256 bits is told from its neighbours.
 STRADDLING_DIGITS = 140

@@ -17,7 +17,7 @@ from straddling_scenes import straddling_scenes
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
 DIGITS = 9
-# Doubles must reach so many impacts of every figure.
+# Doubles must reach N impacts of every figure.
 IN_DOUBLES = 60
 
 # `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.

@@ -18,14 +18,14 @@ from parts import FULL, PARTS, QUICK, SEVERAL, STRADDLING, jobs
 from report import write_report
 
 PROCESSES = 2
-# Of the resting scenes with small e or small A/d, so many must come to rest, or the scenes are badly drawn.
+# Of the resting scenes with small e or small A/d, N must come to rest, or the scenes are badly drawn.
 RESTING = 0.6
 # So many scenes may end before all was compared: undecided, in doubles above all, or beyond this proof. Of the
 # straddling ones it is a third: most of 10^-17 to 10^-60 is nothing to 64 bits, and without drift nothing ever comes.
 CUT_SHORT = {"resting scenes": 0.2, "extreme scenes": 0.1, SEVERAL: 0.1, STRADDLING: 0.4}
-# Of those that `auto` runs, in 1,024 bits, so many may be undecided.
+# Of those that `auto` runs, in 1,024 bits, N may be undecided.
 STRADDLING_AUTO = 0.3
-# Of all scenes with several harmonics so many must come to rest.
+# Of all scenes with several harmonics N must come to rest.
 SEVERAL_RESTING = 0.4
 
 
@@ -81,7 +81,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="less of everything")
     parser.add_argument("--report", metavar="DIR", help="write DIR/arb.md")
     parser.add_argument("--seed", type=int, default=1995)
-    parser.add_argument("--scenes", type=int, help="so many random scenes of each kind")
+    parser.add_argument("--scenes", type=int, help="N random scenes of each kind")
     parser.add_argument("--part", action="append", choices=PARTS, help="only this part; may be repeated")
     parser.add_argument("--show", action="store_true", help="a line for each job")
     asked = parser.parse_args()

@@ -1,4 +1,4 @@
-"""What follows a graze that so many bits do not tell from a miss: the proof tells, and the rows are judged with it.
+"""What follows a graze that the precision does not distinguish from a miss: the proof tells, and the rows are judged with it.
 
 Such a graze is listed in place of an impact or of nothing, and what follows encloses both continuations. The proved
 orbit says which: the graze is replaced by the proved impact, or left out, and the rows are those of a plain listing.

@@ -41,8 +41,8 @@ impl CyclesCertificate {
 
 /// What a document says that its own fields exclude.
 ///
-/// Lemma D23: of `n` impacts the fixed points are those of the cycles whose least number of impacts divides `n`, so many of each. So
-/// where a count stands all these cycles are listed, those of fewer impacts as well.
+/// Lemma D23: of `n` impacts the fixed points are those of the cycles whose least number of impacts divides `n`, as many of each as it has
+/// impacts. So where a count stands all these cycles are listed, those of fewer impacts as well.
 fn contradiction(document: &CyclesDocument, orbits: &[OrbitOf]) -> Option<String> {
     let CyclesDocument { certified, exhaustive, impacts: [least, most], fixed_points, no_attractor, .. } = document;
     if least > most {

@@ -101,7 +101,7 @@ impl PeriodicCertificate {
         let whole = Place::of_schema(&value, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
         let mut unjudged = whole.unread::<CyclesDocument>()?;
-        // That there are no others is not judged, nor what follows from it, but that these are so many.
+        // That there are no others is not judged, nor what follows from it, but that there are N of these.
         unjudged.extend(whole.keys_but(&["schema", "scene", "orbits"]));
         unjudged.push("scene.start".to_owned());
         let is_open = |orbit: &PeriodicOrbitDocument| orbit.physical != Some(true) || orbit.symmetric.is_none();

@@ -10,12 +10,12 @@ use super::decimal::{POINT_DIGITS, decimal_bounds, exact_decimal, is_coarse, mul
 use super::dyadic::Round;
 use super::enclosure::Enclosure;
 
-/// Returns the bits that so many decimal digits are worth, rounded down: `digits log2(10)`.
+/// Returns the bits that N decimal digits are worth, rounded down: `digits log2(10)`.
 pub fn whole_bits(digits: u32) -> u32 {
     log2_of_digits(f64::from(digits)) as u32 // proposes: bits to try
 }
 
-/// Bits to compute with first, so that a result may be known to so many decimal digits.
+/// Bits to compute with first, so that a result may be known to N decimal digits.
 ///
 /// Nothing certain rests on it: what is found to be wider than asked is computed again with more. The slack of 64 bits suffices while
 /// a computation makes its roundings less than `2^64` times as large. A chain of a thousand impacts adds ten bits for its length; a zero

@@ -17,7 +17,7 @@ use crate::sweep::Cells;
 /// Of one panel, and of two beside each other.
 const ALONE: (u32, u32) = (900, 640);
 const TOGETHER: (u32, u32) = (1120, 640);
-/// Impacts of a floating-point orbit that are shown, of that in a region after so many others.
+/// Impacts of a floating-point orbit that are shown, of that in a region after N others.
 const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
 /// Images up to this many impacts later are shown.

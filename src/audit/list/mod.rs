@@ -126,7 +126,7 @@ impl Number {
         (low.low <= high.low).then_some(Self { low: low.low, high: high.low, written })
     }
 
-    /// Encloses it in ends of so many bits.
+    /// Encloses it in ends of N bits.
     pub(super) fn enclose(&self, bits: u32) -> Enclosure {
         Enclosure::from_rational(&self.low, bits).hull(&Enclosure::from_rational(&self.high, bits))
     }

@@ -44,7 +44,7 @@ impl Graph {
         Self { grid, cells, next, previous, blocks, block }
     }
 
-    /// Returns the boxes in which a cycle of so many impacts may be, impact by impact from one in this block on, if it has none in the
+    /// Returns the boxes in which a cycle of N impacts may be, impact by impact from one in this block on, if it has none in the
     /// blocks before; `None` where there is none. Lemma D21
     pub fn layers(&self, block: usize, impacts: usize) -> Option<Vec<Layer>> {
         let forth = self.walk(&self.next, &self.blocks[block], block, impacts, None);
@@ -117,7 +117,7 @@ fn blocks(cells: &[Cell]) -> Vec<Vec<u32>> {
     }
 }
 
-/// The boxes in which a cycle may be after so many impacts.
+/// The boxes in which a cycle may be after N impacts.
 pub(super) struct Layer {
     grid: Grid,
     /// The place of the first box of each column.
@@ -139,7 +139,7 @@ impl Layer {
         &rows[from..from + rows[from..].partition_point(|&row| row <= high)]
     }
 
-    /// Rectangles, each at most so many columns wide, that hold all states of the layer with such phases and speeds.
+    /// Rectangles, each at most N columns wide, that hold all states of the layer with such phases and speeds.
     pub fn parts(&self, phases: Interval, speeds: Interval, width: i64) -> Vec<[Interval; 2]> {
         let Grid { columns, rows } = self.grid;
         let per_turn = columns as f64; // exact: a power of two
@@ -149,7 +149,7 @@ impl Layer {
         self.rectangles(across, along, width).into_iter().filter_map(cut).collect()
     }
 
-    /// Rectangles, each at most so many columns wide, that hold the boxes of these columns and rows.
+    /// Rectangles, each at most N columns wide, that hold the boxes of these columns and rows.
     fn rectangles(&self, [first, last]: [i64; 2], [low, high]: [i32; 2], width: i64) -> Vec<[Interval; 2]> {
         let Grid { columns, rows } = self.grid;
         let per_turn = columns as f64; // exact: a power of two

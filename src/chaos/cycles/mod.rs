@@ -77,7 +77,7 @@ pub struct Cycles {
 }
 
 impl Cycles {
-    /// Returns all cycles of so many impacts in the region that [`Trap::of`] finds.
+    /// Returns all cycles of N impacts in the region that [`Trap::of`] finds.
     ///
     /// `watch` receives the progress, and may stop it; numbers of impacts not done then have no count.
     ///
@@ -120,7 +120,7 @@ impl Cycles {
         Ok(Ok(all))
     }
 
-    /// Takes up what the blocks found of so many impacts, block by block. Lemma D23
+    /// Takes up what the blocks found of N impacts, block by block. Lemma D23
     fn gather(&mut self, task: &Task, impacts: usize, blocks: Vec<Block>) {
         let before = self.undecided.len();
         let is_whole = blocks.iter().all(|block| block.is_whole);
@@ -215,7 +215,7 @@ impl Cycles {
         &self.asked
     }
 
-    /// By the number of impacts: how many states of the region come again after so many, for those numbers where that is proved.
+    /// By the number of impacts: how many states of the region come again after N, for those numbers where that is proved.
     pub fn fixed_points(&self) -> &BTreeMap<usize, usize> {
         &self.fixed_points
     }

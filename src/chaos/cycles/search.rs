@@ -1,4 +1,4 @@
-//! All closed chains of so many impacts through a block of boxes: Lemma D22.
+//! All closed chains of N impacts through a block of boxes: Lemma D22.
 
 use std::collections::BTreeMap;
 

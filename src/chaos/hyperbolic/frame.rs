@@ -51,7 +51,7 @@ impl Frame {
         Some([xi, eta])
     }
 
-    /// Holds the coordinates of a state, so many forcing periods earlier.
+    /// Holds the coordinates of a state, N forcing periods earlier.
     pub fn place(&self, [u, w]: [Ball; 2], turns: f64) -> Option<[Ball; 2]> {
         let [centre, speed] = point(self.centre);
         self.coordinates([u - Ball::exact(turns) - centre, w - speed])
@@ -68,7 +68,7 @@ impl Frame {
         [u + Ball::exact(self.centre[0]), w + Ball::exact(self.centre[1])]
     }
 
-    /// Whether no state of another one, so many forcing periods earlier, is proved to be between two of its edges.
+    /// Whether no state of another one, N forcing periods earlier, is proved to be between two of its edges.
     fn parts(&self, other: &Self, turns: f64) -> bool {
         let Some(centre) = self.place(point(other.centre), turns) else { return false };
         let (Some(a), Some(b)) = (self.coordinates(point(other.along)), self.coordinates(point(other.across))) else {

@@ -27,7 +27,7 @@ struct Sample {
     images: Vec<(State, Side)>,
 }
 
-/// The middle line of an h-set, seen so many impacts ahead.
+/// The middle line of an h-set, seen N impacts ahead.
 struct Line<'l> {
     guess: &'l Guess,
     frames: &'l [Frame],

@@ -115,7 +115,7 @@ impl Lost {
     }
 }
 
-/// What is asked of the states after so many impacts: their middle and half sides.
+/// What is asked of the states after N impacts: their middle and half sides.
 pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &[[Ball; 2]; 2]) -> bool;
 
 /// What the flights of a cell are followed by.

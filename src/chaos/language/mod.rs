@@ -73,7 +73,7 @@ fn letter(side: Side) -> char {
 /// The words of walls that the graph of a region's boxes allows, counted.
 ///
 /// **Enclosure**: motions with an impact in the region make, from there on and mirrored to one wall, at most [`count`](Self::count)
-/// different words of so many flights, `F` to the far wall and `N` back to the near one; so their growth rate, the topological entropy of
+/// different words of n flights, `F` to the far wall and `N` back to the near one; so their growth rate, the topological entropy of
 /// the words per impact, is at most [`entropy`](Self::entropy). Of P1-P4 there are at most twice as many words, as each begins on either
 /// wall. Lemmas D30, D31
 ///
@@ -120,7 +120,7 @@ impl WallWords {
         self.impacts
     }
 
-    /// Returns how many words of so many impacts the graph allows.
+    /// Returns how many words of n impacts the graph allows.
     pub fn count(&self) -> &BigUint {
         self.counts.last().expect("words have an impact at least")
     }

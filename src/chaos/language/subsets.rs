@@ -44,7 +44,7 @@ pub(super) struct Subsets {
 }
 
 impl Subsets {
-    /// Returns all of them, or if they are too many those of words of so many letters at least.
+    /// Returns all of them, or if they are too many those of words of n letters at least.
     pub fn of(links: &[Links; 2], boxes: usize, letters: usize, watch: &dyn Watch) -> Result<Self, Unclosed> {
         let size = boxes.div_ceil(64);
         let all = set(size, 0..boxes as u32); // exact: fewer than 2^32

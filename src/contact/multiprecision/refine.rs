@@ -106,7 +106,7 @@ impl Isolated {
 
     /// Whether the departure root is better divided out: a short flight back to its wall.
     fn is_hop(&self, flight: &Flight<MpBall>, bits: u32) -> bool {
-        // A series of so many terms costs less than a sine.
+        // A series of N terms costs less than a sine.
         let terms = -f64::from(bits) / self.time.mid().log2();
         let is_short = self.time.mid() <= 2f64.powi(-8) && terms <= MOST_TERMS;
         is_short && self.target == Target::Near && flight.height.mid().is_zero()

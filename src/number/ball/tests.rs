@@ -55,7 +55,7 @@ proptest! {
             Some(Ordering::Equal) => prop_assert!(x == Ball::exact(x.mid()) && x.mid() == 0.0),
             None => prop_assert!(x.rad() >= x.mid().abs()),
         }
-        // One whose centre is so many radii away and whose end is next to the end.
+        // One whose centre is N radii away and whose end is next to the end.
         let other = Ball::new(x.mid() + by * x.rad(), (1.0 - by.abs()).abs() * x.rad());
         for inner in [y, other] {
             if inner.is_interior_to(&x) {

@@ -58,7 +58,7 @@ impl MpBall {
         }
     }
 
-    /// The product in so many bits; what the radii add is bounded within a factor of two.
+    /// The product in N bits; what the radii add is bounded within a factor of two.
     pub(crate) fn product(&self, b: &Self, bits: u32) -> Self {
         let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
         let spread = |rad: Magnitude, of: Magnitude| if rad.is_zero() { rad } else { rad * of };

@@ -49,7 +49,7 @@ struct Series {
     waves: [Integer; 2],
 }
 
-/// `[sin 2 pi u, cos 2 pi u]` in so many bits and what each may be off by; `None` where MPFR has to do it.
+/// `[sin 2 pi u, cos 2 pi u]` in N bits and what each may be off by; `None` where MPFR has to do it.
 ///
 /// **Enclosure** (Lemma M5): each lies within its magnitude of the number found.
 pub(super) fn sin_cos(u: &Float, bits: u32) -> Option<[(Float, Magnitude); 2]> {
@@ -70,7 +70,7 @@ pub(super) fn sin_cos(u: &Float, bits: u32) -> Option<[(Float, Magnitude); 2]> {
 }
 
 impl Circle {
-    /// Has the table in so many bits or more.
+    /// Has the table in N bits or more.
     fn reach(&mut self, fine: u32) {
         if self.bits >= fine {
             return;

@@ -110,7 +110,7 @@ proptest! {
         if let Some(least) = x.mig() {
             prop_assert!(!bound(least).exceeds(a.abs()), "{x:?}");
         }
-        // One whose centre is so many radii away and whose end is next to the end.
+        // One whose centre is N radii away and whose end is next to the end.
         let shift = Float::with_val(60, by) * x.rad.to_f64();
         let rest = Magnitude::new((1.0 - by.abs()).abs(), 0) * x.rad;
         let other = MpBall::new(Float::with_val(260, &x.mid + shift), rest);

@@ -46,7 +46,7 @@ impl<S: Varied> Setting<'_, S> {
         Family { unknown: self.unknown, base: self.base.balls().clone() }
     }
 
-    /// In so many bits.
+    /// In N bits.
     #[cfg(feature = "multiprecision")]
     pub fn balls(&self, bits: u32) -> Family<S, MpBall> {
         Family { unknown: self.unknown, base: self.base.precise(bits) }
@@ -158,7 +158,7 @@ impl<E: Condition, S: Varied> Claim<'_, E, S> {
         }
     }
 
-    /// Proves the zero near a guess in an arithmetic of so many bits; the largest domain that is tried has the radius `largest`.
+    /// Proves the zero near a guess in an arithmetic of N bits; the largest domain that is tried has the radius `largest`.
     fn certify<N: Enclosing + Turning>(
         &self,
         family: &Family<S, N>,

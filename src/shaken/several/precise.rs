@@ -84,7 +84,7 @@ impl Isolated {
 }
 
 impl Several {
-    /// Isolates the first contacts of all, in doubles if they suffice, and finds that of the centre to so many bits.
+    /// Isolates the first contacts of all, in doubles if they suffice, and finds that of the centre to N bits.
     pub(super) fn isolated(
         &self,
         sum: &Sum<MpBall>,

@@ -32,7 +32,7 @@ let spell { qnum; qden } =
 
 let zero = Rational { qnum = Z.zero; qden = Z.one }
 
-(* Whether an expression has so many parts at most. *)
+(* Whether an expression has at most n parts. *)
 let is_small most value =
   let rec left most = function
     | Rational _ | Pi -> most - 1

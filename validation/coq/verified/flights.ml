@@ -175,7 +175,7 @@ let listed ~is_point data beginning impacts =
     | i :: rest -> let found, next = flight launch i in found :: all next rest in
   all (start_of s beginning) (if is_point then middles s impacts else followed s beginning impacts)
 
-(* The phase at which a flight first meets a wall, about, and that wall: by steps that grow from the launch on, to so many for
+(* The phase at which a flight first meets a wall, about, and that wall: by steps that grow from the launch on, up to `steps_per_radian` for
    each radian of the fastest harmonic. *)
 let steps_per_radian = 200.0
 let most_steps_of_flight = 2_000_000

@@ -129,7 +129,7 @@ let leg (f, box, (s, th1, v)) th0 (from : box) =
     v = grid v; rv = Z.of_float box.rv; depart = (if f.from = None then Z.sub (cut 0.0) radius else cut f.depart);
     approach = cut f.approach; tilt = of_float box.scale (f.bend1 /. f.rate) }
 
-(* Hints for these impacts, with a first scale of so many bits or more. *)
+(* Hints for these impacts, with a first scale of n bits or more. *)
 let rec from_scale data beginning impacts flights spread least tries =
   let s = setting (least + working_spare) data in
   let th, v, origin = origin_box spread s beginning least in

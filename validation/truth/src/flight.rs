@@ -111,7 +111,7 @@ pub(crate) struct Flight<'a> {
     pub half_gap: Float,
     /// max(d, A).
     pub scale: Float,
-    /// log2 |W t_i + tau|, at least 0: so many of P bits of the phase are whole turns.
+    /// log2 |W t_i + tau|, at least 0: this many of P bits of the phase are whole turns.
     pub phase_bits: u32,
 }
 

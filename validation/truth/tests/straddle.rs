@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 
 const ARITHMETICS: [Arithmetic; 5] =
     [Arithmetic::Interval, Arithmetic::Inari, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];
-/// More than an `auto` of so many bits takes: a start that does is shown.
+/// More than an `auto` of N bits takes: a start that does is shown.
 const SLOW: Duration = Duration::from_secs(2);
 
 /// How often each judgement was found in each family.

@@ -35,7 +35,7 @@ pub(super) struct Contraction {
 
 /// Units of velocity that axes are sought in, in those of the first impact.
 const UNITS: [f64; 3] = [1.0, 0.125, 8.0];
-/// Each ellipse tried is so many times smaller than the one before, as a power of 2.
+/// Each ellipse tried is N times smaller than the one before, as a power of 2.
 const SMALLER: usize = 2;
 impl Ellipse {
     /// `None` where `T` may have no inverse.

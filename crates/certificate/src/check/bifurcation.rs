@@ -73,7 +73,7 @@ impl BifurcationCertificate {
 }
 
 impl ClaimedPoint {
-    /// It is one, proved in so many bits. Another one that is found refutes nothing: there may be several.
+    /// It is one, proved in N bits. Another one that is found refutes nothing: there may be several.
     fn judged(&self, certificate: &BifurcationCertificate, budget: &Budget) -> Result<u32, Doubt> {
         let open = |message: &str| Doubt::Open(message.into());
         let over = certificate.over();

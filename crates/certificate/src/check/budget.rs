@@ -30,12 +30,12 @@ impl<'w> Budget<'w> {
         self.left.set(self.left.get().saturating_add(work)); // proposes: when to give up
     }
 
-    /// Takes what one place of a flight costs, at so many bits and under so many harmonics.
+    /// Takes what one place of a flight costs, at N bits and under N harmonics.
     pub fn spend(&self, bits: u32, harmonics: usize) {
         self.left.set(self.left.get().saturating_sub(cost(bits, harmonics))); // proposes: when to give up
     }
 
-    /// Allows what a claim may cost at so many bits, as one has been confirmed.
+    /// Allows what a claim may cost at N bits, as one has been confirmed.
     pub fn allow(&self, bits: u32, harmonics: usize) {
         self.add(PLACES * cost(bits, harmonics));
     }

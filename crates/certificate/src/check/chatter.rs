@@ -5,7 +5,7 @@ use super::step::{Departure, Parameters};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
-/// Windows are tried from so many times what a constant contact force would take, doubled at most so often.
+/// Windows are tried from N times what a constant contact force would take, doubled at most so often.
 const WINDOWS: u32 = 8;
 
 /// How long after the departure the last of infinitely many impacts on the same wall comes \[rad\]; `None`: not proved.

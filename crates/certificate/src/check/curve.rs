@@ -16,9 +16,9 @@ pub(super) type Point = [Real; 3];
 pub(super) const PARAMETER: usize = 2;
 /// Steps of Newton's iteration.
 const STEPS: u32 = 16;
-/// The last one needed is below so many bits of the arithmetic.
+/// The last one needed is below N bits of the arithmetic.
 const ENOUGH: i64 = 40;
-/// A box that holds the curve at an end is so many times smaller than the one that holds all of it, as a power of 2.
+/// A box that holds the curve at an end is N times smaller than the one that holds all of it, as a power of 2.
 const END: i64 = 24;
 /// Room on both sides of the curve, as a power of 2 of how far it strays.
 const ROOM: i64 = 2;

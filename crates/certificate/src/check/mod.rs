@@ -231,7 +231,7 @@ impl Certificate {
         }
     }
 
-    /// Encloses times \[time\] and velocities \[length/time\] of the impacts that it lists, found again in so many bits: as many as
+    /// Encloses times \[time\] and velocities \[length/time\] of the impacts that it lists, found again in N bits: as many as
     /// are sure to be on one wall.
     ///
     /// # Errors

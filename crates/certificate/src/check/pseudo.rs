@@ -12,7 +12,7 @@ use impact_pair_exact::{Dyadic, Real};
 
 /// Bits that a flight between middles is found with.
 const GUESS_BITS: u32 = 64;
-/// Jumps are to be so many times smaller than the bounds, as a power of 2, and room is made for so large ones.
+/// Jumps are to be N times smaller than the bounds, as a power of 2, and room is made for so large ones.
 const FINE: i32 = -40;
 /// What a node is wider than the least that covers the next one, and how many times the jump it makes room for.
 const MARGIN: f64 = 1.05;

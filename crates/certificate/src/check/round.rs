@@ -11,7 +11,7 @@ pub(super) type Matrix = [[Real; 2]; 2];
 
 /// Steps of Newton's iteration.
 const STEPS: u32 = 40;
-/// The last one needed is below so many bits of the arithmetic.
+/// The last one needed is below N bits of the arithmetic.
 const ENOUGH: i64 = 32;
 
 /// A period of a word: from a state just before its first impact to the next one of these.
@@ -64,7 +64,7 @@ impl Round<'_> {
         Ok(landings)
     }
 
-    /// Returns the derivatives of a state by the two deviations, each so many times greater.
+    /// Returns the derivatives of a state by the two deviations, each N times greater.
     pub fn derivatives(&self, state: &Landing, times: &Real) -> Matrix {
         let column = |x: &Affine, j: usize| x.column(self.first() + j) * times;
         [&state.phase, &state.velocity].map(|x| [column(x, 0), column(x, 1)])

@@ -60,7 +60,7 @@ impl SweepCertificate {
 }
 
 impl ClaimedOrbit {
-    /// Its impacts are as claimed, proved in so many bits, `most` at most.
+    /// Its impacts are as claimed, proved in N bits, `most` at most.
     fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
         if let Some(message) = self.contradiction {
             return Err(Doubt::False(message.to_owned()));

@@ -38,7 +38,7 @@ pub(super) struct Target<'c> {
 }
 
 impl<'c> Target<'c> {
-    /// Returns what is claimed, if it may be an orbit of that word in so many cycles.
+    /// Returns what is claimed, if it may be an orbit of that word in N cycles.
     pub fn new(data: &'c Data, word: &Word, cycles: u64, claim: &'c ClaimedOrbit) -> Result<Self, Doubt> {
         let walls: Vec<Wall> = word.mappings().iter().map(|mapping| mapping.walls().0).collect();
         if !word.is_closed() {

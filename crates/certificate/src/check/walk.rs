@@ -46,7 +46,7 @@ impl<'c> Walk<'c> {
         Self::at((certificate, data), frame, standing, 0)
     }
 
-    /// From states after so many impacts, the first events that are claimed.
+    /// From states after N impacts, the first events that are claimed.
     pub fn at(
         (certificate, data): (&'c Certificate, &'c Data<'c>),
         frame: Frame<'c>,

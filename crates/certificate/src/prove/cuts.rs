@@ -75,7 +75,7 @@ impl<'w> Cuts<'w> {
     }
 }
 
-/// At most so many zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
+/// At most N zeros of a function with this derivative inside `(0, h)`, in order: parts on which it has no zero are left
 /// out, parts on which it is monotone have at most one, others are halved.
 fn zeros(
     f: impl Fn(&Real) -> Real,

@@ -13,7 +13,7 @@ use impact_pair_model::Error;
 use impact_pair_model::Harmonic;
 use impact_pair_model::Place;
 
-/// Beyond so many impacts, or so fine a grid, Coq's faster integers are used.
+/// Beyond N impacts, or so fine a grid, Coq's faster integers are used.
 const PLAIN_IMPACTS: usize = 20;
 const PLAIN_SCALE: u32 = 100;
 /// Bits of a decimal in the place of a time that is none.

@@ -7,9 +7,9 @@ use super::style::Style;
 use super::trace::{Part, Point};
 use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 
-/// A segment goes over so many points of a stroke: a twenty-fourth of a forcing period.
+/// A segment goes over N points of a stroke: a twenty-fourth of a forcing period.
 pub const POINTS: usize = 4;
-/// From so many flights on they are translucent, and at least so much of them is left.
+/// From N flights on they are translucent, and at least this opacity is left.
 const MANY: f64 = 30.0;
 const FAINTEST: f64 = 0.2;
 /// Jumps are fainter than flights, but do not darken each other: they lie on walls.

@@ -113,7 +113,7 @@ impl Panel {
 }
 
 impl<'t> Frame<'t> {
-    /// Returns the panel with curves of so many cycles.
+    /// Returns the panel with curves of N cycles.
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
         // Where nothing more is proved the rest of what was asked is shown as open.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };

@@ -45,7 +45,7 @@ pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
 }
 
 impl Recorder {
-    /// For an orbit that has not gone on yet, and the curves of so many cycles.
+    /// For an orbit that has not gone on yet, and the curves of N cycles.
     pub fn new(orbit: &Orbit, cycles: u32) -> Self {
         let (course, turns, phase) = orbit.first_course();
         let wall = Span::from(&orbit.wall_displacement());
@@ -80,7 +80,7 @@ impl Recorder {
         turns.saturating_sub(self.start.0) as f64 + (phase.mid() - self.start.1.mid())
     }
 
-    /// The phase of so many forcing periods since the start.
+    /// The phase of N forcing periods since the start.
     fn phase(&self, at: f64) -> Phase {
         let turns = self.start.1.mid() + at;
         (self.start.0.saturating_add(turns.round() as i64), Ball::exact(turns - turns.round()))

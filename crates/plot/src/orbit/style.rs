@@ -13,12 +13,12 @@ pub const FONT: i32 = 17 * SCALE;
 pub struct Style {
     /// Whether it is certified: what is not has a colour of its own.
     pub is_certified: bool,
-    /// The first so many impacts are the transient, which is grey.
+    /// The first N impacts are the transient, which is grey.
     pub transient: usize,
 }
 
 impl Style {
-    /// Returns the colour of curves after so many impacts.
+    /// Returns the colour of curves after N impacts.
     pub fn curve(self, impacts: usize) -> RGBColor {
         match (impacts < self.transient, self.is_certified) {
             (true, _) => GREY,
@@ -27,7 +27,7 @@ impl Style {
         }
     }
 
-    /// Returns the colour of the impact on a wall that so many are before.
+    /// Returns the colour of the impact on a wall that N others precede.
     pub fn impact(self, wall: Wall, impacts: usize) -> RGBColor {
         match (self.curve(impacts), wall) {
             (BLUE, Wall::Right) => GREEN,

@@ -94,7 +94,7 @@ fn commands(data: &str) -> Vec<(char, Vec<f64>)> {
         .collect()
 }
 
-/// Places along a path, so many on each segment.
+/// Places along a path, N on each segment.
 fn along(data: &str, count: u32) -> Vec<Vec<(f64, f64)>> {
     let (mut parts, mut at): (Vec<Vec<(f64, f64)>>, _) = (Vec::new(), (0.0, 0.0));
     for (command, numbers) in commands(data) {

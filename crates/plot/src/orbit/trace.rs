@@ -48,7 +48,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Returns a state so many forcing periods after the start, with the walls at most so far from the middle.
+    /// Returns a state N forcing periods after the start, with the walls at most so far from the middle.
     pub fn new(at: f64, point: &CoursePoint, wall: f64) -> Self {
         Self {
             at,

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::Axis;
 
-/// Phases of so many eighths of a forcing period are distinguished where it is looked at which are there.
+/// Phases of N eighths of a forcing period are distinguished where it is looked at which are there.
 const EIGHTHS: usize = 8;
 
 /// An arc of whole eighths of a forcing period.

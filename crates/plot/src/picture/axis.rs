@@ -19,7 +19,7 @@ pub struct Axis {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Labels {
-    /// Multiples of a step, with so many decimals.
+    /// Multiples of a step, with N decimals.
     Step(f64, usize),
     /// So many eighths of a forcing period, and multiples of them.
     Angle(i32),
@@ -69,7 +69,7 @@ impl Axis {
         Self::turn(0.0)
     }
 
-    /// Angles from so many eighths of a forcing period to so many.
+    /// Angles from N eighths of a forcing period to M.
     pub fn eighths(from: i32, to: i32) -> Self {
         let step = if to - from > 4 { 2 } else { 1 };
         Self { range: f64::from(from) * FRAC_PI_4..f64::from(to) * FRAC_PI_4, labels: Labels::Angle(step) }

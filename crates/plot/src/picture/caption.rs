@@ -37,7 +37,7 @@ pub fn program() -> String {
     PROGRAM.replace(' ', "\u{a0}")
 }
 
-/// Returns the words in lines of at most so many letters, as far as a word fits; mathematics goes on in the next line.
+/// Returns the words in lines of at most N letters, as far as a word fits; mathematics goes on in the next line.
 pub fn wrapped(text: &str, most: f64) -> Vec<String> {
     let width = |text: &str| letters(&text.replace('$', ""));
     let mut lines: Vec<String> = Vec::new();

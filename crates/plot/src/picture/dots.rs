@@ -20,14 +20,14 @@ pub struct Dots {
 const DOT: i32 = 2 * SCALE;
 const LARGE: i32 = 9 * SCALE / 2;
 const FEW: usize = 100;
-/// Dots are dealt to so many paths, each of this opacity: within a path they cover each other unseen.
+/// Dots are dealt to N paths, each of this opacity: within a path they cover each other unseen.
 const LAYERS: usize = 6;
 const OPACITY: f64 = 0.55;
 /// From here on their places are distinguished by half a pixel as it is shown only, lest the file be too large.
 const VERY_MANY: usize = 20_000;
 
 impl Dots {
-    /// Whether there are so many that density is shown.
+    /// Whether there are enough to show density.
     fn are_many(&self) -> bool {
         self.places.iter().collect::<BTreeSet<_>>().len() > FEW
     }

@@ -32,7 +32,7 @@ pub use plane::Plane;
 pub use svg::{Element, Svg};
 pub use theme::Theme;
 
-/// What is drawn is so many times as large as what is shown: the backend rounds to whole pixels.
+/// What is drawn is N times as large as what is shown: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;
 /// How wide a letter is on average, in sizes of its font: what a reader's fonts do is not known here.
 pub const LETTER: f64 = 0.44;

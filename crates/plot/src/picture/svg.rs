@@ -12,7 +12,7 @@ use plotters_backend::{
 
 use super::math;
 
-/// Letters are so many times smaller than their line.
+/// Letters are N times smaller than their line.
 const LEADING: f64 = 1.24;
 
 /// A canvas that becomes SVG text.

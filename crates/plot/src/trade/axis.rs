@@ -11,7 +11,7 @@ const TICKS: [f64; 18] =
 const MARGIN: f64 = 0.05;
 /// The same on the axis of times, as a factor.
 const ROOM: f64 = 2.0;
-/// The slowest time shown is at least so many times the fastest one.
+/// The slowest time shown is at least N times the fastest one.
 const DECADES: f64 = 100.0;
 
 /// An axis of digits `n`, on the scale `log(1 + n)`; mirrored below zero.

@@ -20,7 +20,7 @@ const BELOW: u32 = 300;
 const CAPTION: i32 = 70 * SCALE;
 const LEGEND: i32 = 62 * SCALE;
 const RIGHT: i32 = 52 * SCALE;
-/// Amplitudes beyond so many gaps are cut off: near W = 0 they have no bound.
+/// Amplitudes beyond N gaps are cut off: near W = 0 they have no bound.
 const HIGHEST: f64 = 0.75;
 
 /// What is magnified: from where to where, on both axes.

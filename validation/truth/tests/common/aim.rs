@@ -19,7 +19,7 @@ const SEARCH: u32 = 192;
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     pub wall: Wall,
-    /// The extremum of this kind so many turns after the first one.
+    /// The extremum of this kind N turns after the first one.
     pub turn: u64,
 }
 

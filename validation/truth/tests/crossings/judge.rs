@@ -151,7 +151,7 @@ fn trap(document: &Value, scene: &Scene, member: &Member) -> Judged<()> {
     if last.is_some() { Ok(()) } else { Err(Halt::Open("it chatters before the region")) }
 }
 
-/// An orbit in a region does not make more words of so many flights, to the far wall or back to the near one, than are told.
+/// An orbit in a region does not make more words of N flights, to the far wall or back to the near one, than are claimed.
 fn wall_words(document: &Value, walls: &[Wall]) -> Judged<()> {
     let words = &document["words"];
     let (Some(impacts), Some(count)) = (words["impacts"].as_u64(), words["count"].as_str()) else { return Ok(()) };

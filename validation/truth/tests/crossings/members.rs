@@ -28,7 +28,7 @@ fn dyadic(x: &Dyadic) -> Float {
     float(mantissa) * float(2).pow(x.exponent() as i32)
 }
 
-/// The value, rounded; exactly 0 where so many bits do not tell it from 0.
+/// The value, rounded; exactly 0 where the precision does not distinguish it from 0.
 pub fn value(exact: &Exact) -> Float {
     let enclosure = exact.enclose(BITS);
     if enclosure.sign().is_none() { float(0) } else { dyadic(enclosure.inf()) }

@@ -260,7 +260,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// After so many cycles it leaves the same wall as before, where it is released at all.
+    /// After N cycles it leaves the same wall as before, where it is released at all.
     fn repeats(&mut self, outcome: &Value, member: &Member) -> Judged<()> {
         let cycles = outcome["period"]["cycles"].as_u64().unwrap_or(0);
         let mut releases = Vec::new();

@@ -99,7 +99,7 @@ fn away(member: &Member, told: &[Told], found: &[Contact]) -> f64 {
     found.iter().zip(told.iter().cycle().skip(1)).map(one).fold(0.0, f64::max)
 }
 
-/// Whether the true impacts come in other turns than are told: then the orbit told passes over contacts of its own phases. `None` where
+/// Whether the true impacts come in other turns than are claimed: then the orbit told passes over contacts of its own phases. `None` where
 /// the turn of no later impact is told.
 fn is_in_other_turns(member: &Member, told: &[Told], found: &[Contact]) -> Option<bool> {
     let (tone, turn) = (reference(&member.tones), float(Constant::Pi) * 2);
@@ -172,7 +172,7 @@ fn is_rotated(a: &[bool], b: &[bool]) -> bool {
     a.len() == b.len() && (0..a.len()).any(|shift| a.iter().cycle().skip(shift).zip(b).all(|(a, b)| a == b))
 }
 
-/// A list that says there are no others: every periodic motion of the word and of so many cycles that a run proves must be on it,
+/// A list that says there are no others: every periodic motion of the word and of N cycles that a run proves must be on it,
 /// those with rests as well, unless the document says that it leaves them out.
 pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Judged<()> {
     let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else {

@@ -30,7 +30,7 @@ impl<'w> Allowance<'w> {
         Self { left: AtomicI64::new(left), watch }
     }
 
-    /// Takes the work of so many looks at flights of about so many forcing periods.
+    /// Takes the work of N looks at flights of about M forcing periods.
     pub fn spend(&self, looks: usize, turns: f64) -> Result<(), End> {
         if !self.watch.goes_on() {
             return Err(End::Stopped);

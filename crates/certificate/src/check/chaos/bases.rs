@@ -16,7 +16,7 @@ pub(super) struct Base {
 
 type Exact = [BigRational; 2];
 
-/// Phases of h-sets are within so many turns of 0, so that any two of them are this much apart at most.
+/// Phases of h-sets are within N turns of 0, so that any two of them are this much apart at most.
 const FARTHEST: f64 = 4.0;
 const SHIFTS: i64 = 8;
 
@@ -74,7 +74,7 @@ impl Base {
         (first..=last).map(f64::from).collect()
     }
 
-    /// Returns the stretches of a chain of boxes that cross it so many forcing periods later, each by two chords (D8).
+    /// Returns the stretches of a chain of boxes that cross it N forcing periods later, each by two chords (D8).
     pub fn crossings(&self, tube: &Tube, turns: f64) -> Vec<[usize; 2]> {
         let Self { left, right } = self;
         let side = |from: State, to: State, state: &State| side_of(from, to, *state, turns);
@@ -101,7 +101,7 @@ impl Base {
     }
 }
 
-/// The corners so many forcing periods later.
+/// The corners N forcing periods later.
 fn later(corners: &[Exact; 4], turns: i64) -> [Exact; 4] {
     corners.clone().map(|[u, w]| [u + BigRational::from_integer(turns.into()), w])
 }

@@ -60,7 +60,7 @@ pub(super) fn says_the_shortest(named: Option<&str>, words: &[Word], bases: usiz
     }
 }
 
-/// Of blocks of so many impacts.
+/// Of blocks of N impacts.
 fn size(a: usize, b: usize) -> Size {
     [a.max(b), a.min(b)] // exact: lengths
 }

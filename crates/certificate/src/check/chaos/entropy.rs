@@ -11,7 +11,7 @@ const BITS: u32 = 256;
 const MOST: i64 = 64;
 /// Words that weigh more are not judged: their flights last longer than any that is followed.
 const HEAVIEST: i64 = 1 << 16;
-/// Entropies that are given are multiples of one in so many parts.
+/// Entropies that are given are multiples of one in N parts.
 const PARTS: i64 = 10_000;
 /// Steps towards an eigenvector.
 const STEPS: u32 = 1000;

@@ -34,7 +34,7 @@ pub(super) struct Image {
     pub moved: [State; 2],
 }
 
-/// Flights are looked at in steps of this, no more than so many.
+/// Flights are looked at in steps of this, at most N.
 const STEP: f64 = 1.0 / 64.0;
 const STEPS: u32 = 64 * 64;
 /// \[forcing periods\]
@@ -101,7 +101,7 @@ impl Guess {
         None
     }
 
-    /// Returns the direction that so many flights ahead contract most, of length 1 in radians and speeds.
+    /// Returns the direction that N flights ahead contract most, of length 1 in radians and speeds.
     pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = Some(state);

@@ -23,8 +23,8 @@ const MAKINGS: [Making; 6] = [
     Making { longest: 0.0006, margin: 1.08, pad: 6e-7, shortest: 1e-9, ahead: 12 },
     Making { longest: 0.0003, margin: 1.08, pad: 3e-7, shortest: 1e-9, ahead: 12 },
 ];
-/// Where each of the coarse ones loses words, those that are lost, if they are no more than so many, are looked for again along chains of boxes
-/// whose chords are measured from so many flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
+/// Where each of the coarse ones loses words, those that are lost, if they are at most N, are looked for again along chains of boxes
+/// whose chords are measured from N flights ahead, as long as fewer are lost: another direction, where the one that is contracted most
 /// jumps at a graze further ahead. The fine ones come last, where most words are lost.
 const COARSE: usize = 4;
 const MOST_LOST: usize = 32;
@@ -196,5 +196,5 @@ fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> 
 const LOOKS: u64 = 1 << 7;
 /// So many words allow as much work again as there is for any number of them.
 const MANY: u64 = 1 << 6;
-/// Cones are so many times as much work.
+/// Cones are N times as much work.
 const CONES: u64 = 1 << 4;

@@ -135,7 +135,7 @@ impl Span {
         Self::outward(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
     }
 
-    /// Sine and cosine of so many forcing periods.
+    /// Sine and cosine of N forcing periods.
     pub fn sin_cos(self) -> (Self, Self) {
         let middle = self.mid();
         let whole = Self { lo: -1.0, hi: 1.0 };

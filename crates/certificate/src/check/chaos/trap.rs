@@ -89,7 +89,7 @@ impl TrapCertificate {
         })
     }
 
-    /// The boxes, if they are so many in a grid that is judged.
+    /// The boxes, if there are N of them in a grid that is judged.
     fn boxes(&self) -> Result<Vec<[i64; 2]>, Doubt> {
         let TrapDocument { columns, rows, region, boxes, .. } = self.document();
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));

@@ -32,9 +32,9 @@ pub(super) struct Part {
     pub place: usize,
 }
 
-/// Images lie in the cells up to so many before and after their place.
+/// Images lie in the cells up to N before and after their place.
 pub(super) const WINDOW: usize = 2;
-/// A set of flights that is enclosed counts as so many that are looked at.
+/// A set of flights that is enclosed counts as N that are looked at.
 const SET: usize = 4;
 /// A part is halved so often.
 const HALVINGS: u32 = 12;
@@ -60,7 +60,7 @@ fn spot(state: State) -> Spot {
     state.map(Span::point)
 }
 
-/// Positive where the state is to the left of the directed line, after so many forcing periods.
+/// Positive where the state is to the left of the directed line, after N forcing periods.
 pub(super) fn side_of(from: State, to: State, state: State, turns: f64) -> Span {
     let [a, b, x] = [spot(from), spot(to), spot(state)];
     (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0] - Span::point(turns))
